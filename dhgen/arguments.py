@@ -18,6 +18,7 @@ verbs:
   dhgen FILE ...           derive, show a summary, verify, and write generated/ (or --out DIR)
   dhgen --check FILE ...   compare generated/ with what the compiler makes; exit 1 when it is stale
   dhgen --numerical FILE   fall back to the numerical solver where nothing else works
+  dhgen --single-file FILE write C that includes no file but its header
   dhgen explain FILE       print the whole derivation (--alternatives: other valid steps)
   dhgen survey PATH ...    test many arms: are all solutions found? (--poses, --recall)
   dhgen --version          print the version
@@ -45,6 +46,12 @@ def parser() -> argparse.ArgumentParser:
         help="where to write, or with --check what to compare (default: generated)",
     )
     _add_numerical(made)
+    made.add_argument(
+        "--single-file",
+        action="store_true",
+        help="write C that holds what it needs of the runtime, in place of the folder dhgen/: the "
+        "same machine code",
+    )
     made.add_argument(
         "--version", action="version", version=f"dhgen {__version__}", help="print the version"
     )

@@ -45,18 +45,22 @@ class Comparison:
         return max(bool(self.problems), *(each.exit_code for each in self.refusals), 0)
 
 
-def compare(files: RobotFiles, out: Path, options: Sequence[str] = ()) -> Comparison:
+def compare(
+    files: RobotFiles, out: Path, options: Sequence[str] = (), *, single_file: bool = False
+) -> Comparison:
     """The folder against what the compiler makes; a file that is refused hides no other.
 
     Args:
         files: The robot files.
         out: The folder.
         options: What the command that mends it has to say besides a robot file.
+        single_file: Whether the C holds what it needs of the runtime.
     """
     expected: dict[str, str] = {}
     makers: dict[str, Path] = {}
     refusals: list[DhgenError] = []
-    compiled = side_by_side(partial(_files_of, partial(compile_loaded, out=out)), files.loaded)
+    compiler = partial(compile_loaded, out=out, single_file=single_file)
+    compiled = side_by_side(partial(_files_of, compiler), files.loaded)
     for file, made in zip(files.loaded, compiled, strict=True):
         if isinstance(made, DhgenError):
             refusals.append(made)

@@ -22,7 +22,10 @@ if TYPE_CHECKING:
 # What the first word may be meant as where it is no file.
 MEANT = {
     **{verb: f"dhgen {verb}" for verb in ("explain", "survey")},
-    **{option: f"dhgen --{option}" for option in ("check", "numerical", "help", "version")},
+    **{
+        option: f"dhgen --{option}"
+        for option in ("check", "numerical", "single-file", "help", "version")
+    },
 }
 # Where nobody reads what a command says it is not known to have gone well: a derivation alone has
 # been read as far as was wanted.

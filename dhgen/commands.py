@@ -39,12 +39,12 @@ def _tell(text: str) -> None:
         print(f"  {text} ...", file=sys.stderr, flush=True)
 
 
-def _compile(file: RobotFile, *, out: Path | None = None) -> Compilation:
+def _compile(file: RobotFile, *, out: Path | None = None, single_file: bool = False) -> Compilation:
     from dhgen.compiler import compile_loaded  # noqa: PLC0415
 
     _tell_notes(file.robot.notices)
     with about(file.path):
-        return compile_loaded(file, _tell, out=out)
+        return compile_loaded(file, _tell, out=out, single_file=single_file)
 
 
 def _tell_notes(notices: Iterable[Diagnostic]) -> None:
@@ -93,7 +93,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
     _refuse_taken(file, options.out)
-    compilation = _compile(file, out=options.out)
+    compilation = _compile(file, out=options.out, single_file=options.single_file)
     module = compilation.module
     if options.numerical and module.method is not Method.NUMERICAL:
         print("note: --numerical was not needed", file=sys.stderr)
@@ -136,7 +136,7 @@ def check(options: argparse.Namespace) -> int:
     files, refused = _read(options)
     for file in files.loaded:
         _tell_notes(file.robot.notices)
-    found = compare(files, options.out, _repeated(options))
+    found = compare(files, options.out, _repeated(options), single_file=options.single_file)
     for told in (*found.refusals, *found.problems):
         print(told, file=sys.stderr)
     worst = max(refused, found.exit_code)
@@ -149,7 +149,8 @@ def check(options: argparse.Namespace) -> int:
 def _repeated(options: argparse.Namespace) -> list[str]:
     """What of a command another one has to say, too, to make the same files in the same place."""
     place = [] if options.out == OUT else ["--out", str(options.out)]
-    return place + ["--numerical"] * options.numerical
+    words = {"--numerical": options.numerical, "--single-file": options.single_file}
+    return place + [word for word, said in words.items() if said]
 
 
 def explain(options: argparse.Namespace) -> int:

@@ -69,6 +69,7 @@ def compile_loaded(
     tell: Callable[[str], None] = lambda _: None,
     *,
     out: Path | None = None,
+    single_file: bool = False,
 ) -> Compilation:
     """Everything after the robot file has been read, but verification.
 
@@ -76,6 +77,7 @@ def compile_loaded(
         file: The robot file, read.
         tell: Is told what is being done, for progress.
         out: The folder that the files are for, where it is known.
+        single_file: Whether the C holds what it needs of the runtime.
 
     Raises:
         UnsolvedError: No derivation solves the arm.
@@ -92,7 +94,7 @@ def compile_loaded(
         _demand_closed_form(derivation)
         single = _module(robot, derivation, source, digest, SINGLE)
     document = derivation_document(robot, derivation, module.solver, source)
-    files = {**emit(module, single), f"{module.name}.md": document}
+    files = {**emit(module, single, single_file=single_file), f"{module.name}.md": document}
     return Compilation(robot, derivation, module, single, MappingProxyType(files))
 
 
@@ -116,6 +118,7 @@ def _module(
         plane_miss=programs.plane_miss,
         digest=digest,
         precision=precision,
+        plain=robot.plain,
     )
 
 

@@ -248,7 +248,8 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
     0, /* follows seed */
     NULL, NULL,
-    abb_gofa_5_fk, abb_gofa_5_jacobian, solve, NULL,
+    abb_gofa_5_fk, abb_gofa_5_jacobian, solve,
+    NULL,
 };
 
 int abb_gofa_5_ik(

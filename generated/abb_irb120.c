@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef ABB_IRB120_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -44,15 +47,7 @@ static const double
     k1 = 0.16308, /* 2 * d4 * a2 [m^2] */
     k2 = 0.03780000000000001, /* 2 * a3 * a2 [m^2] */
     k3 = 0.16900400000000002, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k4 = 35.683793403054324, /* 1 / (k1^2 + k2^2) [m^-4] */
-    turn1 = 1.3430303610541368, /* a constant angle [rad] */
-    m1 = 1.0080160000000003e-08, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 3.884373725055392e-12,
-    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 1.3488473906354537, m4 = 0.9834871790128595, m5 = 5.819313028170099,
-m6 = 0.22796060440695423, m7 = 1.8518518518518516, m8 = 0.04297037037037035;
+    k4 = 35.683793403054324; /* 1 / (k1^2 + k2^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -243,6 +238,18 @@ static void solve(
         }
     }
 }
+
+#ifndef ABB_IRB120_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    turn1 = 1.3430303610541368, /* a constant angle [rad] */
+    m1 = 1.0080160000000003e-08, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 3.884373725055392e-12,
+    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m3 = 1.3488473906354537, m4 = 0.9834871790128595, m5 = 5.819313028170099,
+m6 = 0.22796060440695423, m7 = 1.8518518518518516, m8 = 0.04297037037037035;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -483,6 +490,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -494,15 +502,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    abb_irb120_fk, abb_irb120_jacobian, solve, solve_regular,
+    abb_irb120_fk, abb_irb120_jacobian, solve,
+#ifdef ABB_IRB120_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int abb_irb120_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef ABB_IRB120_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -513,5 +528,9 @@ int abb_irb120_ik_nearest(const double T[16], const double q_seed[6], double q[6
 
 void abb_irb120_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef ABB_IRB120_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

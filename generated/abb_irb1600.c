@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef ABB_IRB1600_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -44,14 +47,7 @@ static const double
     offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
     k1 = 0.84, /* 2 * d4 * a2 [m^2] */
     k2 = 0.8499999999999999, /* a2^2 + d4^2 [m^2] */
-    k3 = 1.4172335600907033, /* 1 / (k1^2) [m^-4] */
-    m1 = 4.006002249999999e-08, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 8.729017508812558e-11,
-    m8 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 0.7142857142857144, m5 = 0.09285714285714279, m6 = 0.8333333333333335,
-m7 = 0.10833333333333327;
+    k3 = 1.4172335600907033; /* 1 / (k1^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -248,6 +244,17 @@ static void solve(
         }
     }
 }
+
+#ifndef ABB_IRB1600_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 4.006002249999999e-08, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 8.729017508812558e-11,
+    m8 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m4 = 0.7142857142857144, m5 = 0.09285714285714279, m6 = 0.8333333333333335,
+m7 = 0.10833333333333327;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -466,6 +473,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -477,15 +485,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    abb_irb1600_fk, abb_irb1600_jacobian, solve, solve_regular,
+    abb_irb1600_fk, abb_irb1600_jacobian, solve,
+#ifdef ABB_IRB1600_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int abb_irb1600_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef ABB_IRB1600_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -496,5 +511,9 @@ int abb_irb1600_ik_nearest(const double T[16], const double q_seed[6], double q[
 
 void abb_irb1600_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef ABB_IRB1600_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef ABB_IRB4600_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -42,15 +45,7 @@ static const double
     k1 = 2.7813, /* 2 * d4 * a2 [m^2] */
     k2 = 0.38325, /* 2 * a3 * a2 [m^2] */
     k3 = 2.84255, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k4 = 0.1268631397825131, /* 1 / (k1^2 + k2^2) [m^-4] */
-    turn1 = 1.4338633792358526, /* a constant angle [rad] */
-    m1 = 1.0240152378064056e-07, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 8.528223923621197e-10,
-    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 0.4566210045662101, m5 = 0.20296803652968054, m6 = 0.3863646734914285,
-m7 = 0.053239226662204715, m8 = 0.023664836251350022, m9 = 0.17173909736694015;
+    k4 = 0.1268631397825131; /* 1 / (k1^2 + k2^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -234,6 +229,18 @@ static void solve(
         }
     }
 }
+
+#ifndef ABB_IRB4600_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    turn1 = 1.4338633792358526, /* a constant angle [rad] */
+    m1 = 1.0240152378064056e-07, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 8.528223923621197e-10,
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m4 = 0.4566210045662101, m5 = 0.20296803652968054, m6 = 0.3863646734914285,
+m7 = 0.053239226662204715, m8 = 0.023664836251350022, m9 = 0.17173909736694015;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -468,6 +475,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -479,15 +487,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    abb_irb4600_fk, abb_irb4600_jacobian, solve, solve_regular,
+    abb_irb4600_fk, abb_irb4600_jacobian, solve,
+#ifdef ABB_IRB4600_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int abb_irb4600_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef ABB_IRB4600_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -498,5 +513,9 @@ int abb_irb4600_ik_nearest(const double T[16], const double q_seed[6], double q[
 
 void abb_irb4600_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef ABB_IRB4600_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef ABB_IRB6640_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -44,15 +47,7 @@ static const double
     k1 = 2.9927999999999995, /* 2 * d4 * a2 [m^2] */
     k2 = 0.43, /* 2 * a3 * a2 [m^2] */
     k3 = 3.1332889999999995, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k4 = 0.10938822421589604, /* 1 / (k1^2 + k2^2) [m^-4] */
-    turn1 = 1.4280947671350148, /* a constant angle [rad] */
-    m1 = 1.5737089000000004e-07, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 1.1869630511993603e-09,
-    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 0.46511627906976744, m5 = 0.38234372093023233, m6 = 0.050564706643797946,
-m7 = 0.35193035824083363, m8 = 0.2893004797579363, m9 = 0.04156616088476098;
+    k4 = 0.10938822421589604; /* 1 / (k1^2 + k2^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -242,6 +237,18 @@ static void solve(
         }
     }
 }
+
+#ifndef ABB_IRB6640_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    turn1 = 1.4280947671350148, /* a constant angle [rad] */
+    m1 = 1.5737089000000004e-07, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 1.1869630511993603e-09,
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m4 = 0.46511627906976744, m5 = 0.38234372093023233, m6 = 0.050564706643797946,
+m7 = 0.35193035824083363, m8 = 0.2893004797579363, m9 = 0.04156616088476098;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -489,6 +496,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -500,15 +508,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    abb_irb6640_fk, abb_irb6640_jacobian, solve, solve_regular,
+    abb_irb6640_fk, abb_irb6640_jacobian, solve,
+#ifdef ABB_IRB6640_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int abb_irb6640_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef ABB_IRB6640_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -519,5 +534,9 @@ int abb_irb6640_ik_nearest(const double T[16], const double q_seed[6], double q[
 
 void abb_irb6640_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef ABB_IRB6640_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

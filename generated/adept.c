@@ -16,7 +16,10 @@
 #endif
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 1
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef ADEPT_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -32,12 +35,7 @@ static const double
     /* square of a length that fixes no angle [mm^2] */
     free_limit_squared2 = 5.7599999999999994e-18,
     pose_slack = 1e-05, /* a pose may be rounded by this */
-    pose_slack1 = 0.024, /* a pose may be rounded by this [mm] */
-    m3 = 0.003317759999999999, /* doubt_limit_squared2^2 [mm^4] */
-    m4 = 0.000576, /* pose_slack1^2 [mm^2] */
-    m5 = 1.0000000000000002e-10; /* pose_slack^2 */
-/* coefficients */
-static const double m1 = 330000.0, m2 = 600.0;
+    pose_slack1 = 0.024; /* a pose may be rounded by this [mm] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -125,6 +123,15 @@ static void solve(
     q[row][0] = q1; q[row][1] = q2; q[row][2] = r3;
     status[row] = (free1_ || free12) ? DHGEN_FREE_JOINT : DHGEN_OK;
 }
+
+#ifndef ADEPT_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m3 = 0.003317759999999999, /* doubt_limit_squared2^2 [mm^4] */
+    m4 = 0.000576, /* pose_slack1^2 [mm^2] */
+    m5 = 1.0000000000000002e-10; /* pose_slack^2 */
+/* coefficients */
+static const double m1 = 330000.0, m2 = 600.0;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -215,6 +222,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[2] = { 1, 0 };
@@ -226,14 +234,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    adept_fk, adept_jacobian, solve, solve_regular,
+    adept_fk, adept_jacobian, solve,
+#ifdef ADEPT_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int adept_ik(const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
 {
+#ifndef ADEPT_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -244,5 +259,9 @@ int adept_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 
 void adept_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef ADEPT_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

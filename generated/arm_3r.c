@@ -16,7 +16,10 @@
 #endif
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 4
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef ARM_3R_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -36,13 +39,7 @@ static const double
     free_limit_squared2 = 1.3224999999999997e-24, /* square of a length that fixes no angle [m^2] */
     k1 = 0.27999999999999997, /* 2 * d4 * a2 [m^2] */
     k2 = 0.28250000000000003, /* a2^2 + d4^2 [m^2] */
-    k3 = 12.755102040816327, /* 1 / (k1^2) [m^-4] */
-    m1 = 1.3224999999999998e-08, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 9.698908343125067e-12,
-    m6 = 1.749006249999999e-16; /* doubt_limit_squared2^2 [m^4] */
-/* coefficients */
-static const double m4 = 1.2499999999999998, m5 = 0.04687500000000003;
+    k3 = 12.755102040816327; /* 1 / (k1^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -157,6 +154,16 @@ static void solve(
     }
 }
 
+#ifndef ARM_3R_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 1.3224999999999998e-08, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 9.698908343125067e-12,
+    m6 = 1.749006249999999e-16; /* doubt_limit_squared2^2 [m^4] */
+/* coefficients */
+static const double m4 = 1.2499999999999998, m5 = 0.04687500000000003;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -249,6 +256,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[3] = { 3, 7, 11 };
 static const int choosable[2] = { 1, 0 };
@@ -260,14 +268,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    arm_3r_fk, arm_3r_jacobian, solve, solve_regular,
+    arm_3r_fk, arm_3r_jacobian, solve,
+#ifdef ARM_3R_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int arm_3r_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
+#ifndef ARM_3R_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -278,5 +293,9 @@ int arm_3r_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 
 void arm_3r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef ARM_3R_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

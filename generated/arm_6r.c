@@ -16,7 +16,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef ARM_6R_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -38,14 +41,7 @@ static const double
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 0.27999999999999997, /* 2 * d4 * a2 [m^2] */
     k2 = 0.28250000000000003, /* a2^2 + d4^2 [m^2] */
-    k3 = 12.755102040816327, /* 1 / (k1^2) [m^-4] */
-    m1 = 1.5625e-08, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 1.050715070505213e-11,
-    m6 = 2.44140625e-16, /* doubt_limit_squared2^2 [m^4] */
-    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 1.2499999999999998, m5 = 0.04687500000000003;
+    k3 = 12.755102040816327; /* 1 / (k1^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -224,6 +220,17 @@ static void solve(
         }
     }
 }
+
+#ifndef ARM_6R_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 1.5625e-08, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 1.050715070505213e-11,
+    m6 = 2.44140625e-16, /* doubt_limit_squared2^2 [m^4] */
+    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m4 = 1.2499999999999998, m5 = 0.04687500000000003;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -406,6 +413,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -417,14 +425,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    arm_6r_fk, arm_6r_jacobian, solve, solve_regular,
+    arm_6r_fk, arm_6r_jacobian, solve,
+#ifdef ARM_6R_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int arm_6r_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef ARM_6R_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -435,5 +450,9 @@ int arm_6r_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 
 void arm_6r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef ARM_6R_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 2
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef BARTELL_RPRPR_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -29,11 +32,7 @@ static const double
     free_limit = 1e-12, /* a length that fixes no angle */
     free_limit_squared = 1e-24, /* square of a length that fixes no angle */
     pose_slack = 1e-05, /* a pose may be rounded by this */
-    pose_slack1 = 2e-05, /* a pose may be rounded by this [m] */
-    m1 = 9.999999999999999e-09, /* doubt_limit^2 */
-    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    m4 = 4.0000000000000007e-10, /* pose_slack1^2 [m^2] */
-    m5 = 1.0000000000000002e-10; /* pose_slack^2 */
+    pose_slack1 = 2e-05; /* a pose may be rounded by this [m] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -153,6 +152,14 @@ static void solve(
         status[row] = (free1 || free3 || free5) ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
+
+#ifndef BARTELL_RPRPR_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m4 = 4.0000000000000007e-10, /* pose_slack1^2 [m^2] */
+    m5 = 1.0000000000000002e-10; /* pose_slack^2 */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -274,6 +281,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 4, 2, 0 };
@@ -285,15 +293,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    bartell_rprpr_fk, bartell_rprpr_jacobian, solve, solve_regular,
+    bartell_rprpr_fk, bartell_rprpr_jacobian, solve,
+#ifdef BARTELL_RPRPR_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int bartell_rprpr_ik(
     const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
 {
+#ifndef BARTELL_RPRPR_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -304,5 +319,9 @@ int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double 
 
 void bartell_rprpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef BARTELL_RPRPR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,13 +17,14 @@
 #endif
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 1
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef CARTESIAN_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
-
-static const double per_size = 0.8333333333333334;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -77,6 +78,10 @@ static void solve(
     q[row][0] = T34; q[row][1] = T24; q[row][2] = T14;
     status[row] = DHGEN_OK;
 }
+
+#ifndef CARTESIAN_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double per_size = 0.8333333333333334;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -134,6 +139,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[3] = { 3, 7, 11 };
 static const struct dhgen_arm arm = {
@@ -144,14 +150,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
-    cartesian_fk, cartesian_jacobian, solve, solve_regular,
+    cartesian_fk, cartesian_jacobian, solve,
+#ifdef CARTESIAN_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int cartesian_ik(const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
 {
+#ifndef CARTESIAN_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -162,5 +175,9 @@ int cartesian_ik_nearest(const double T[16], const double q_seed[3], double q[3]
 
 void cartesian_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef CARTESIAN_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef COMAU_NS16_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -52,16 +55,7 @@ static const double
     k5 = 0.8735999999999999, /* 2 * d4 * a2 [m^2] */
     k6 = 0.259, /* 2 * a3 * a2 [m^2] */
     k7 = 0.9136009999999999, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k8 = 1.204444941425193, /* 1 / (k5^2 + k6^2) [m^-4] */
-    doubt_limit_squared2 = 7.540515999999996e-08, /* square of a length that fixes no angle [m^2] */
-    turn1 = -1.2825771957649381, /* a constant angle [rad] */
-    m1 = 7.540515999999996e-25, /* 1000 * k3 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 1.355568761630017e-10,
-    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 0.7142857142857144, m4 = 0.047427857142857084, m5 = 0.21836586788038748,
-m6 = 0.7365421705803339, m7 = 0.04890566358436353, m8 = 0.01449927526138983;
+    k8 = 1.204444941425193; /* 1 / (k5^2 + k6^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -258,6 +252,19 @@ static void solve(
         }
     }
 }
+
+#ifndef COMAU_NS16_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    doubt_limit_squared2 = 7.540515999999996e-08, /* square of a length that fixes no angle [m^2] */
+    turn1 = -1.2825771957649381, /* a constant angle [rad] */
+    m1 = 7.540515999999996e-25, /* 1000 * k3 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 1.355568761630017e-10,
+    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m3 = 0.7142857142857144, m4 = 0.047427857142857084, m5 = 0.21836586788038748,
+m6 = 0.7365421705803339, m7 = 0.04890566358436353, m8 = 0.01449927526138983;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -515,6 +522,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -526,15 +534,22 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    comau_ns16_fk, comau_ns16_jacobian, solve, solve_regular,
+    comau_ns16_fk, comau_ns16_jacobian, solve,
+#ifdef COMAU_NS16_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int comau_ns16_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef COMAU_NS16_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -545,5 +560,9 @@ int comau_ns16_ik_nearest(const double T[16], const double q_seed[6], double q[6
 
 void comau_ns16_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef COMAU_NS16_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

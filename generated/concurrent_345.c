@@ -141,7 +141,7 @@ static const struct dhgen_numerical_arm descents = {
 static const struct dhgen_root_turn turns[1] = { { 5, 1.0 } };
 
 static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 0, /*
-    ascends */ 0 };
+    ascends */ 0, /* equations end all */ 0 };
 
 
 void concurrent_345_fk(const double q[6], double T[16])
@@ -386,7 +386,8 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
-    concurrent_345_fk, concurrent_345_jacobian, solve, NULL,
+    concurrent_345_fk, concurrent_345_jacobian, solve,
+    NULL,
 };
 
 int concurrent_345_ik(

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef CRAIG_417_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -37,16 +40,7 @@ static const double
     k4 = 1.4142135623731953e-13, /* reach_slack * (2 * sqrt2 * 1 / 2 + reach_slack) */
     k5 = 1.4142135623731051e-14, /* merge_slack * (2 * sqrt2 * 1 / 2 + merge_slack) */
     k6 = 2.0, /* d3 + d4 [m] */
-    k7 = 2.8284271247461903, /* sqrt2 * k6 [m] */
-    m1 = 1.414213562373105e-11, /* 1000 * k5 */
-    m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    m6 = 8.1e-15, /* doubt_limit_squared2^2 [m^4] */
-    m7 = 9.000000000000002e-10, /* pose_slack1^2 [m^2] */
-    m8 = 2.7000000000000006e-09, /* 3 * pose_slack1^2 [m^2] */
-    m9 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m10 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
-/* coefficients */
-static const double m3 = 0.7071067811865476, m4 = 0.5, m5 = 1.4142135623730951;
+    k7 = 2.8284271247461903; /* sqrt2 * k6 [m] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -188,6 +182,19 @@ static void solve(
         status[row] = (free1 || free2 || free3_ || free34) ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
+
+#ifndef CRAIG_417_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 1.414213562373105e-11, /* 1000 * k5 */
+    m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m6 = 8.1e-15, /* doubt_limit_squared2^2 [m^4] */
+    m7 = 9.000000000000002e-10, /* pose_slack1^2 [m^2] */
+    m8 = 2.7000000000000006e-09, /* 3 * pose_slack1^2 [m^2] */
+    m9 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m10 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
+/* coefficients */
+static const double m3 = 0.7071067811865476, m4 = 0.5, m5 = 1.4142135623730951;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -360,6 +367,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[4] = { 3, 2, 1, 0 };
@@ -371,14 +379,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    craig_417_fk, craig_417_jacobian, solve, solve_regular,
+    craig_417_fk, craig_417_jacobian, solve,
+#ifdef CRAIG_417_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int craig_417_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
+#ifndef CRAIG_417_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -389,5 +404,9 @@ int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4]
 
 void craig_417_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef CRAIG_417_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

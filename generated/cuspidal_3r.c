@@ -78,7 +78,7 @@ static const struct dhgen_numerical_arm descents = {
 static const struct dhgen_root_turn turns[1] = { { 0, 1.0 } };
 
 static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 1, /*
-    ascends */ 0 };
+    ascends */ 0, /* equations end all */ 0 };
 
 
 void cuspidal_3r_fk(const double q[3], double T[16])
@@ -179,7 +179,8 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
-    cuspidal_3r_fk, cuspidal_3r_jacobian, solve, NULL,
+    cuspidal_3r_fk, cuspidal_3r_jacobian, solve,
+    NULL,
 };
 
 int cuspidal_3r_ik(

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 1
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef CYLINDRICAL_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -27,9 +30,7 @@ static const double
     d1 = 0.3, /* joint offset 1 [m] */
     free_limit_squared = 1e-24, /* square of a length that fixes no angle */
     pose_slack = 1e-05, /* a pose may be rounded by this */
-    pose_slack1 = 3e-06, /* a pose may be rounded by this [m] */
-    m1 = 9.000000000000001e-12, /* pose_slack1^2 [m^2] */
-    m2 = 1.0000000000000002e-10; /* pose_slack^2 */
+    pose_slack1 = 3e-06; /* a pose may be rounded by this [m] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -102,6 +103,12 @@ static void solve(
     q[row][0] = q1; q[row][1] = r2; q[row][2] = r3;
     status[row] = (free1) ? DHGEN_FREE_JOINT : DHGEN_OK;
 }
+
+#ifndef CYLINDRICAL_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 9.000000000000001e-12, /* pose_slack1^2 [m^2] */
+    m2 = 1.0000000000000002e-10; /* pose_slack^2 */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -180,6 +187,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[1] = { 0 };
@@ -191,15 +199,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    cylindrical_fk, cylindrical_jacobian, solve, solve_regular,
+    cylindrical_fk, cylindrical_jacobian, solve,
+#ifdef CYLINDRICAL_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int cylindrical_ik(
     const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
 {
+#ifndef CYLINDRICAL_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -210,5 +225,9 @@ int cylindrical_ik_nearest(const double T[16], const double q_seed[3], double q[
 
 void cylindrical_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef CYLINDRICAL_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef DENSO_VS060_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -45,15 +48,7 @@ static const double
     k1 = 0.183, /* 2 * d4 * a2 [m^2] */
     k2 = 0.0061, /* 2 * a3 * a2 [m^2] */
     k3 = 0.18312499999999998, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k4 = 29.827409659487312, /* 1 / (k1^2 + k2^2) [m^-4] */
-    turn1 = 1.5374753309166493, /* a constant angle [rad] */
-    m1 = 1.0609000000000003e-08, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 4.573882234000188e-12,
-    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 0.18194719892287262, m4 = 0.9995724240825312, m5 = 5.458415967686178,
-m6 = 0.03331908080275105, m7 = 1.639344262295082, m8 = 0.004795081967213119;
+    k4 = 29.827409659487312; /* 1 / (k1^2 + k2^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -244,6 +239,18 @@ static void solve(
         }
     }
 }
+
+#ifndef DENSO_VS060_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    turn1 = 1.5374753309166493, /* a constant angle [rad] */
+    m1 = 1.0609000000000003e-08, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 4.573882234000188e-12,
+    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m3 = 0.18194719892287262, m4 = 0.9995724240825312, m5 = 5.458415967686178,
+m6 = 0.03331908080275105, m7 = 1.639344262295082, m8 = 0.004795081967213119;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -471,6 +478,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -482,15 +490,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    denso_vs060_fk, denso_vs060_jacobian, solve, solve_regular,
+    denso_vs060_fk, denso_vs060_jacobian, solve,
+#ifdef DENSO_VS060_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int denso_vs060_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef DENSO_VS060_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -501,5 +516,9 @@ int denso_vs060_ik_nearest(const double T[16], const double q_seed[6], double q[
 
 void denso_vs060_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef DENSO_VS060_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef DOOSAN_M1013_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -47,14 +50,7 @@ static const double
     k4 = 0.6724949562878278, /* 1 / arm_size1 [m^-1] */
     k5 = 0.6931600000000001, /* 2 * d4 * a2 [m^2] */
     k6 = 0.6968810000000001, /* a2^2 + d4^2 [m^2] */
-    k7 = 2.081291995206794, /* 1 / (k5^2) [m^-4] */
-    m1 = 1.0260300000002214e-12, /* 1000 * k3 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 4.863633051854654e-11,
-    m5 = 4.889268346561e-16, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 0.8064516129032259, m4 = 0.057999193548387;
+    k7 = 2.081291995206794; /* 1 / (k5^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -248,6 +244,17 @@ static void solve(
         }
     }
 }
+
+#ifndef DOOSAN_M1013_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 1.0260300000002214e-12, /* 1000 * k3 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 4.863633051854654e-11,
+    m5 = 4.889268346561e-16, /* doubt_limit_squared2^2 [m^4] */
+    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m3 = 0.8064516129032259, m4 = 0.057999193548387;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -456,6 +463,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -467,15 +475,22 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    doosan_m1013_fk, doosan_m1013_jacobian, solve, solve_regular,
+    doosan_m1013_fk, doosan_m1013_jacobian, solve,
+#ifdef DOOSAN_M1013_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int doosan_m1013_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef DOOSAN_M1013_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -486,5 +501,9 @@ int doosan_m1013_ik_nearest(const double T[16], const double q_seed[6], double q
 
 void doosan_m1013_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef DOOSAN_M1013_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -16,7 +16,10 @@
 #endif
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef EPSON_T3_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -36,13 +39,7 @@ static const double
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 4.000000000000001e-06, /* a pose may be rounded by this [m] */
     k1 = 0.08125, /* a1^2 + a2^2 [m^2] */
-    k2 = 12.6984126984127, /* 1 / (2 * a2 * a1) [m^-2] */
-    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
-    m1 = 5.0709436649753e-13,
-    m4 = 1.0000000000000002e-10; /* pose_slack^2 */
-/* coefficients */
-static const double m2 = 2.2222222222222223, m3 = 0.04444444444444444;
-static const double per_size = 2.5;
+    k2 = 12.6984126984127; /* 1 / (2 * a2 * a1) [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -157,6 +154,16 @@ static void solve(
     }
 }
 
+#ifndef EPSON_T3_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
+    m1 = 5.0709436649753e-13,
+    m4 = 1.0000000000000002e-10; /* pose_slack^2 */
+/* coefficients */
+static const double m2 = 2.2222222222222223, m3 = 0.04444444444444444;
+static const double per_size = 2.5;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -256,6 +263,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -267,14 +275,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    epson_t3_fk, epson_t3_jacobian, solve, solve_regular,
+    epson_t3_fk, epson_t3_jacobian, solve,
+#ifdef EPSON_T3_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int epson_t3_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
+#ifndef EPSON_T3_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -285,5 +300,9 @@ int epson_t3_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 
 void epson_t3_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef EPSON_T3_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef FANUC_LRMATE200ID_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -44,15 +47,7 @@ static const double
     k1 = 0.22110000000000002, /* 2 * d4 * a2 [m^2] */
     k2 = 0.023100000000000002, /* 2 * a3 * a2 [m^2] */
     k3 = 0.22235000000000002, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k4 = 20.235205939761407, /* 1 / (k1^2 + k2^2) [m^-4] */
-    turn1 = -1.4666963886852973, /* a constant angle [rad] */
-    m1 = 1.3456000000000003e-08, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 6.836537250918941e-12,
-    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 1.5151515151515151, m5 = 0.006893939393939396, m6 = 0.15425297487880124,
-m7 = 1.4764213309828118, m8 = 0.006717717055971795, m9 = 0.0007018510356985458;
+    k4 = 20.235205939761407; /* 1 / (k1^2 + k2^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -243,6 +238,18 @@ static void solve(
         }
     }
 }
+
+#ifndef FANUC_LRMATE200ID_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    turn1 = -1.4666963886852973, /* a constant angle [rad] */
+    m1 = 1.3456000000000003e-08, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 6.836537250918941e-12,
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m4 = 1.5151515151515151, m5 = 0.006893939393939396, m6 = 0.15425297487880124,
+m7 = 1.4764213309828118, m8 = 0.006717717055971795, m9 = 0.0007018510356985458;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -490,6 +497,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -501,15 +509,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    fanuc_lrmate200id_fk, fanuc_lrmate200id_jacobian, solve, solve_regular,
+    fanuc_lrmate200id_fk, fanuc_lrmate200id_jacobian, solve,
+#ifdef FANUC_LRMATE200ID_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int fanuc_lrmate200id_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef FANUC_LRMATE200ID_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -520,5 +535,9 @@ int fanuc_lrmate200id_ik_nearest(const double T[16], const double q_seed[6], dou
 
 void fanuc_lrmate200id_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef FANUC_LRMATE200ID_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef FANUC_M710IC50_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -44,15 +47,7 @@ static const double
     k1 = 1.76784, /* 2 * d4 * a2 [m^2] */
     k2 = 0.2958, /* 2 * a3 * a2 [m^2] */
     k3 = 1.8180560000000001, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k4 = 0.31125925198890714, /* 1 / (k1^2 + k2^2) [m^-4] */
-    turn1 = -1.4050092836833894, /* a constant angle [rad] */
-    m1 = 8.678915999999997e-08, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 4.011803222351191e-10,
-    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 0.5747126436781609, m5 = 0.1748597701149426, m6 = 0.0801013234623373,
-m7 = 0.47872320375138055, m8 = 0.14565440708058014, m9 = 0.024371308271356914;
+    k4 = 0.31125925198890714; /* 1 / (k1^2 + k2^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -243,6 +238,18 @@ static void solve(
         }
     }
 }
+
+#ifndef FANUC_M710IC50_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    turn1 = -1.4050092836833894, /* a constant angle [rad] */
+    m1 = 8.678915999999997e-08, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 4.011803222351191e-10,
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m4 = 0.5747126436781609, m5 = 0.1748597701149426, m6 = 0.0801013234623373,
+m7 = 0.47872320375138055, m8 = 0.14565440708058014, m9 = 0.024371308271356914;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -490,6 +497,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -501,15 +509,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    fanuc_m710ic50_fk, fanuc_m710ic50_jacobian, solve, solve_regular,
+    fanuc_m710ic50_fk, fanuc_m710ic50_jacobian, solve,
+#ifdef FANUC_M710IC50_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int fanuc_m710ic50_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef FANUC_M710IC50_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -520,5 +535,9 @@ int fanuc_m710ic50_ik_nearest(const double T[16], const double q_seed[6], double
 
 void fanuc_m710ic50_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef FANUC_M710IC50_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

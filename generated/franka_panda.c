@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 7
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef FRANKA_PANDA_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -43,17 +46,7 @@ static const double
     k3 = 0.06581583470025, /* k1^2 + k2^2 [m^4] */
     k4 = 0.25318050000000003, /* d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2] */
     k5 = 0.515344644461153, /* 1 / arm_size2 [m^-2] */
-    k6 = 15.193911990243306, /* 1 / k3 [m^-4] */
-    doubt_limit_squared2 = 1.940449e-08, /* square of a length that fixes no angle [m^2] */
-    turn1 = 0.46700242365301164, /* a constant angle [rad] */
-    m1 = 1.940449e-11, /* 1000 * merge_slack2 [m^2] */
-    m7 = 1.393e-11, /* 1000 * merge_slack1 [m] */
-    m8 = 0.5, /* 1 / 2 */
-    m10 = 3.765342321601e-16, /* doubt_limit_squared2^2 [m^4] */
-    m11 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m2 = 1.754896834873102, m3 = 3.4805529861209807, m4 = 1.2446337324912609,
-m5 = 0.0825, m6 = 0.2674017784649193, m9 = 0.384;
+    k6 = 15.193911990243306; /* 1 / k3 [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -264,6 +257,20 @@ static void solve(
         }
     }
 }
+
+#ifndef FRANKA_PANDA_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    doubt_limit_squared2 = 1.940449e-08, /* square of a length that fixes no angle [m^2] */
+    turn1 = 0.46700242365301164, /* a constant angle [rad] */
+    m1 = 1.940449e-11, /* 1000 * merge_slack2 [m^2] */
+    m7 = 1.393e-11, /* 1000 * merge_slack1 [m] */
+    m8 = 0.5, /* 1 / 2 */
+    m10 = 3.765342321601e-16, /* doubt_limit_squared2^2 [m^4] */
+    m11 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m2 = 1.754896834873102, m3 = 3.4805529861209807, m4 = 1.2446337324912609,
+m5 = 0.0825, m6 = 0.2674017784649193, m9 = 0.384;
 
 /* What one pose and many compute alike: values without signs of branches, with the first, with
  * all that are in lanes. */
@@ -478,6 +485,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int given_joints[1] = { 6 };
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -490,16 +498,23 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    franka_panda_fk, franka_panda_jacobian, solve, solve_regular,
+    franka_panda_fk, franka_panda_jacobian, solve,
+#ifdef FRANKA_PANDA_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int franka_panda_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8])
 {
+#ifndef FRANKA_PANDA_PLAIN
     const int count = solve_regular(T, free_joints, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
 }
 
@@ -512,5 +527,9 @@ int franka_panda_ik_nearest(
 void franka_panda_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
 {
+#ifndef FRANKA_PANDA_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 1, n, T, free_joints, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, free_joints, q, status);
+#endif
 }

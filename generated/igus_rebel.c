@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef IGUS_REBEL_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -45,15 +48,7 @@ static const double
     k1 = 0.081056, /* 2 * d4 * a2 [m^2] */
     k2 = 0.0567392, /* 2 * a3 * a2 [m^2] */
     k3 = 0.09989556000000001, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k4 = 102.1511817908859, /* 1 / (k1^2 + k2^2) [m^-4] */
-    turn1 = 0.960070362405688, /* a constant angle [rad] */
-    m1 = 8.049678400000001e-09, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 1.5872903619528408e-12,
-    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 2.097315436241611, m5 = 0.028887499999999986, m6 = 1.3817607579944728,
-m7 = 1.9739439399921042, m8 = 0.027188235294117635, m9 = 0.019031764705882342;
+    k4 = 102.1511817908859; /* 1 / (k1^2 + k2^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -244,6 +239,18 @@ static void solve(
         }
     }
 }
+
+#ifndef IGUS_REBEL_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    turn1 = 0.960070362405688, /* a constant angle [rad] */
+    m1 = 8.049678400000001e-09, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 1.5872903619528408e-12,
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m4 = 2.097315436241611, m5 = 0.028887499999999986, m6 = 1.3817607579944728,
+m7 = 1.9739439399921042, m8 = 0.027188235294117635, m9 = 0.019031764705882342;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -444,6 +451,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -455,15 +463,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    igus_rebel_fk, igus_rebel_jacobian, solve, solve_regular,
+    igus_rebel_fk, igus_rebel_jacobian, solve,
+#ifdef IGUS_REBEL_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int igus_rebel_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef IGUS_REBEL_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -474,5 +489,9 @@ int igus_rebel_ik_nearest(const double T[16], const double q_seed[6], double q[6
 
 void igus_rebel_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef IGUS_REBEL_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

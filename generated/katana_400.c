@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 4
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef KATANA_400_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -42,17 +45,7 @@ static const double
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 6.778e-06, /* a pose may be rounded by this [m] */
     k1 = 0.055421000000000005, /* a2^2 + a3^2 [m^2] */
-    k2 = 18.932222642938278, /* 1 / (2 * a3 * a2) [m^-2] */
-    m1 = 4.594128399999999e-09, /* doubt_limit1^2 [m^2] */
-    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m4 = 4.706018907896038e-13,
-    m7 = 2.1106015755686554e-17, /* doubt_limit_squared2^2 [m^4] */
-    m10 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m11 = 4.5941284e-11, /* pose_slack1^2 [m^2] */
-    m12 = 1.37823852e-10; /* 3 * pose_slack1^2 [m^2] */
-/* coefficients */
-static const double m5 = 2.631578947368421, m6 = 0.04415526315789473, m8 = 0.19, m9 = 0.139;
+    k2 = 18.932222642938278; /* 1 / (2 * a3 * a2) [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -235,6 +228,20 @@ static void solve(
         }
     }
 }
+
+#ifndef KATANA_400_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 4.594128399999999e-09, /* doubt_limit1^2 [m^2] */
+    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m4 = 4.706018907896038e-13,
+    m7 = 2.1106015755686554e-17, /* doubt_limit_squared2^2 [m^4] */
+    m10 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m11 = 4.5941284e-11, /* pose_slack1^2 [m^2] */
+    m12 = 1.37823852e-10; /* 3 * pose_slack1^2 [m^2] */
+/* coefficients */
+static const double m5 = 2.631578947368421, m6 = 0.04415526315789473, m8 = 0.19, m9 = 0.139;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -433,6 +440,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[5] = { 4, 3, 2, 1, 0 };
@@ -445,15 +453,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    katana_400_fk, katana_400_jacobian, solve, solve_regular,
+    katana_400_fk, katana_400_jacobian, solve,
+#ifdef KATANA_400_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int katana_400_ik(
     const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
 {
+#ifndef KATANA_400_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -464,5 +479,9 @@ int katana_400_ik_nearest(const double T[16], const double q_seed[5], double q[5
 
 void katana_400_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef KATANA_400_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

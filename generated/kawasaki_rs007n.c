@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef KAWASAKI_RS007N_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -45,14 +48,7 @@ static const double
     offset6 = 1.5707963267948966, /* offset of joint 6 [rad] */
     k1 = 0.26625, /* 2 * d4 * a2 [m^2] */
     k2 = 0.26665, /* a2^2 + d4^2 [m^2] */
-    k3 = 14.106548524322777, /* 1 / (k1^2) [m^-4] */
-    m1 = 1.3642239999999998e-08, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 9.045264537377017e-12,
-    m5 = 1.8611071221759995e-16, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 1.4084507042253522, m4 = 0.020563380281690184;
+    k3 = 14.106548524322777; /* 1 / (k1^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -246,6 +242,17 @@ static void solve(
         }
     }
 }
+
+#ifndef KAWASAKI_RS007N_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 1.3642239999999998e-08, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 9.045264537377017e-12,
+    m5 = 1.8611071221759995e-16, /* doubt_limit_squared2^2 [m^4] */
+    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m3 = 1.4084507042253522, m4 = 0.020563380281690184;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -492,6 +499,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -503,15 +511,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    kawasaki_rs007n_fk, kawasaki_rs007n_jacobian, solve, solve_regular,
+    kawasaki_rs007n_fk, kawasaki_rs007n_jacobian, solve,
+#ifdef KAWASAKI_RS007N_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int kawasaki_rs007n_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef KAWASAKI_RS007N_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -522,5 +537,9 @@ int kawasaki_rs007n_ik_nearest(const double T[16], const double q_seed[6], doubl
 
 void kawasaki_rs007n_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef KAWASAKI_RS007N_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

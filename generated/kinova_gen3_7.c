@@ -268,7 +268,8 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
-    kinova_gen3_7_fk, kinova_gen3_7_jacobian, solve, NULL,
+    kinova_gen3_7_fk, kinova_gen3_7_jacobian, solve,
+    NULL,
 };
 
 int kinova_gen3_7_ik(

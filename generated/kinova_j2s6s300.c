@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef KINOVA_J2S6S300_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -49,14 +52,7 @@ static const double
     k5 = 0.7853608733212912, /* 1 / arm_size1 [m^-1] */
     k6 = 0.255061, /* 2 * d4 * a2 [m^2] */
     k7 = 0.26485210249999996, /* a2^2 + d4^2 [m^2] */
-    k8 = 15.371345486276748, /* 1 / (k6^2) [m^-4] */
-    m1 = 2.4956680000016215e-13, /* 1000 * k4 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 9.401396550145706e-12,
-    m5 = 2.628590635164551e-16, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 1.2195121951219514, m4 = 0.08700963109756096;
+    k8 = 15.371345486276748; /* 1 / (k6^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -250,6 +246,17 @@ static void solve(
         }
     }
 }
+
+#ifndef KINOVA_J2S6S300_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 2.4956680000016215e-13, /* 1000 * k4 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 9.401396550145706e-12,
+    m5 = 2.628590635164551e-16, /* doubt_limit_squared2^2 [m^4] */
+    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m3 = 1.2195121951219514, m4 = 0.08700963109756096;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -532,6 +539,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -543,15 +551,22 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    kinova_j2s6s300_fk, kinova_j2s6s300_jacobian, solve, solve_regular,
+    kinova_j2s6s300_fk, kinova_j2s6s300_jacobian, solve,
+#ifdef KINOVA_J2S6S300_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int kinova_j2s6s300_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef KINOVA_J2S6S300_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -562,5 +577,9 @@ int kinova_j2s6s300_ik_nearest(const double T[16], const double q_seed[6], doubl
 
 void kinova_j2s6s300_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef KINOVA_J2S6S300_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

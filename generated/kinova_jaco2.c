@@ -438,7 +438,8 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
-    kinova_jaco2_fk, kinova_jaco2_jacobian, solve, NULL,
+    kinova_jaco2_fk, kinova_jaco2_jacobian, solve,
+    NULL,
 };
 
 int kinova_jaco2_ik(

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 7
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef KUKA_IIWA14_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -46,13 +49,7 @@ static const double
     k1 = 0.336, /* 2 * d5 * d3 [m^2] */
     k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
     k3 = 0.5862915651405106, /* 1 / arm_size2 [m^-2] */
-    k4 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
-    doubt_limit_squared2 = 1.705636e-08, /* square of a length that fixes no angle [m^2] */
-    /* 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4] */
-    m1 = 1.4473755527432779e-11,
-    m2 = 1.306e-11, /* 1000 * merge_slack1 [m] */
-    m3 = 2.909194164496e-16, /* doubt_limit_squared2^2 [m^4] */
-    m4 = 9.999999999999999e-09; /* doubt_limit^2 */
+    k4 = 8.857709750566894; /* 1 / (k1^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -275,6 +272,16 @@ static void solve(
     }
 }
 
+#ifndef KUKA_IIWA14_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    doubt_limit_squared2 = 1.705636e-08, /* square of a length that fixes no angle [m^2] */
+    /* 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4] */
+    m1 = 1.4473755527432779e-11,
+    m2 = 1.306e-11, /* 1000 * merge_slack1 [m] */
+    m3 = 2.909194164496e-16, /* doubt_limit_squared2^2 [m^4] */
+    m4 = 9.999999999999999e-09; /* doubt_limit^2 */
+
 /* What one pose and many compute alike: values without signs of branches, with the first, with
  * all that are in lanes. */
 #define KNOWN(number) \
@@ -484,6 +491,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int given_joints[1] = { 2 };
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -496,16 +504,23 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    kuka_iiwa14_fk, kuka_iiwa14_jacobian, solve, solve_regular,
+    kuka_iiwa14_fk, kuka_iiwa14_jacobian, solve,
+#ifdef KUKA_IIWA14_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int kuka_iiwa14_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8])
 {
+#ifndef KUKA_IIWA14_PLAIN
     const int count = solve_regular(T, free_joints, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
 }
 
@@ -518,5 +533,9 @@ int kuka_iiwa14_ik_nearest(
 void kuka_iiwa14_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
 {
+#ifndef KUKA_IIWA14_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 1, n, T, free_joints, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, free_joints, q, status);
+#endif
 }

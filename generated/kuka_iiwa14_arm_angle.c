@@ -18,7 +18,10 @@
 #endif
 #define DHGEN_DOF 7
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef KUKA_IIWA14_ARM_ANGLE_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -43,11 +46,7 @@ static const double
     offset6 = 3.141592653589793, /* offset of joint 6 [rad] */
     k1 = 0.336, /* 2 * d5 * d3 [m^2] */
     k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
-    k3 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
-    /* 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4] */
-    m1 = 1.4473755527432779e-11,
-    m2 = 1e-24, /* free_limit^2 */
-    m3 = 9.999999999999999e-09; /* doubt_limit^2 */
+    k3 = 8.857709750566894; /* 1 / (k1^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -297,6 +296,14 @@ static void solve(
         }
     }
 }
+
+#ifndef KUKA_IIWA14_ARM_ANGLE_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    /* 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4] */
+    m1 = 1.4473755527432779e-11,
+    m2 = 1e-24, /* free_limit^2 */
+    m3 = 9.999999999999999e-09; /* doubt_limit^2 */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -600,6 +607,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[2] = { 4, 0 };
@@ -611,16 +619,23 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
-    kuka_iiwa14_arm_angle_fk, kuka_iiwa14_arm_angle_jacobian, solve, solve_regular,
+    kuka_iiwa14_arm_angle_fk, kuka_iiwa14_arm_angle_jacobian, solve,
+#ifdef KUKA_IIWA14_ARM_ANGLE_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int kuka_iiwa14_arm_angle_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8])
 {
+#ifndef KUKA_IIWA14_ARM_ANGLE_PLAIN
     const int count = solve_regular(T, free_joints, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
 }
 
@@ -633,5 +648,9 @@ int kuka_iiwa14_arm_angle_ik_nearest(
 void kuka_iiwa14_arm_angle_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
 {
+#ifndef KUKA_IIWA14_ARM_ANGLE_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 1, n, T, free_joints, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, free_joints, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef KUKA_KR210_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -43,14 +46,7 @@ static const double
     k1 = 3.75, /* 2 * d4 * a2 [m^2] */
     k2 = 0.135, /* 2 * a3 * a2 [m^2] */
     k3 = 3.815416, /* a2^2 + (d4^2 + a3^2) [m^2] */
-    k4 = 0.07101907039587806, /* 1 / (k1^2 + k2^2) [m^-4] */
-    m1 = 1.7698849000000003e-07, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 1.739735510573048e-09,
-    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 0.009587574503443538, m5 = 1.016127365600848, m6 = 0.26632151398454273,
-m7 = 0.03658058516163053, m8 = 0.4, m9 = 0.27616640000000003;
+    k4 = 0.07101907039587806; /* 1 / (k1^2 + k2^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -234,6 +230,17 @@ static void solve(
         }
     }
 }
+
+#ifndef KUKA_KR210_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 1.7698849000000003e-07, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 1.739735510573048e-09,
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m4 = 0.009587574503443538, m5 = 1.016127365600848, m6 = 0.26632151398454273,
+m7 = 0.03658058516163053, m8 = 0.4, m9 = 0.27616640000000003;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -422,6 +429,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -433,15 +441,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    kuka_kr210_fk, kuka_kr210_jacobian, solve, solve_regular,
+    kuka_kr210_fk, kuka_kr210_jacobian, solve,
+#ifdef KUKA_KR210_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int kuka_kr210_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef KUKA_KR210_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -452,5 +467,9 @@ int kuka_kr210_ik_nearest(const double T[16], const double q_seed[6], double q[6
 
 void kuka_kr210_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef KUKA_KR210_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

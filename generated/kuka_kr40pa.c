@@ -17,8 +17,11 @@
 #endif
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
 #include "dhgen/complete.h"
+#ifndef KUKA_KR40PA_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -41,18 +44,7 @@ static const double
     doubtful_slack = 0.01, /* a row may miss the pose by this before it is tightened */
     doubtful_slack1 = 0.022, /* a row may miss the pose by this before it is tightened [m] */
     k1 = 1.2800000000000002, /* 2 * a3 * a2 [m^2] */
-    k2 = 0.7812499999999999, /* 1 / k1 [m^-2] */
-    doubt_limit_squared2 = 4.839999999999999e-08, /* square of a length that fixes no angle [m^2] */
-    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m2 = 0.0001802301952675207,
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 1.8076207197736452e-10,
-    m5 = 1e-24, /* exact_slack^2 */
-    m6 = 4.839999999999998e-24, /* exact_slack1^2 [m^2] */
-    m7 = 1.452e-09; /* 3 * pose_slack1^2 [m^2] */
-/* coefficients */
-static const double m4 = 0.625;
+    k2 = 0.7812499999999999; /* 1 / k1 [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -106,7 +98,7 @@ static const struct dhgen_numerical_arm descents = {
 };
 
 static const struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
-    ascends */ 0 };
+    ascends */ 1, /* equations end all */ 0 };
 
 
 void kuka_kr40pa_fk(const double q[4], double T[16])
@@ -241,6 +233,21 @@ static void solve(
     }
 }
 
+#ifndef KUKA_KR40PA_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    doubt_limit_squared2 = 4.839999999999999e-08, /* square of a length that fixes no angle [m^2] */
+    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m2 = 0.0001802301952675207,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 1.8076207197736452e-10,
+    m5 = 1e-24, /* exact_slack^2 */
+    m6 = 4.839999999999998e-24, /* exact_slack1^2 [m^2] */
+    m7 = 1.452e-09; /* 3 * pose_slack1^2 [m^2] */
+/* coefficients */
+static const double m4 = 0.625;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -370,6 +377,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[4] = { 3, 2, 1, 0 };
@@ -381,15 +389,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
-    kuka_kr40pa_fk, kuka_kr40pa_jacobian, solve, solve_regular,
+    kuka_kr40pa_fk, kuka_kr40pa_jacobian, solve,
+#ifdef KUKA_KR40PA_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int kuka_kr40pa_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
+#ifndef KUKA_KR40PA_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -400,5 +415,9 @@ int kuka_kr40pa_ik_nearest(const double T[16], const double q_seed[4], double q[
 
 void kuka_kr40pa_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef KUKA_KR40PA_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

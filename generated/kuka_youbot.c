@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 4
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef KUKA_YOUBOT_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -44,18 +47,7 @@ static const double
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 6.875e-06, /* a pose may be rounded by this [m] */
     k1 = 0.04225, /* a2^2 + a3^2 [m^2] */
-    k2 = 23.894862604540023, /* 1 / (2 * a3 * a2) [m^-2] */
-    m1 = 4.726562499999999e-09, /* doubt_limit1^2 [m^2] */
-    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m4 = 3.345324017800363e-13,
-    m7 = 2.2340393066406244e-17, /* doubt_limit_squared2^2 [m^4] */
-    m10 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m11 = 4.7265625e-11, /* pose_slack1^2 [m^2] */
-    m12 = 1.41796875e-10; /* 3 * pose_slack1^2 [m^2] */
-/* coefficients */
-static const double m5 = 3.2258064516129035, m6 = 0.018709677419354823, m8 = 3.7037037037037037,
-m9 = 0.021481481481481466;
+    k2 = 23.894862604540023; /* 1 / (2 * a3 * a2) [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -239,6 +231,21 @@ static void solve(
         }
     }
 }
+
+#ifndef KUKA_YOUBOT_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 4.726562499999999e-09, /* doubt_limit1^2 [m^2] */
+    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m4 = 3.345324017800363e-13,
+    m7 = 2.2340393066406244e-17, /* doubt_limit_squared2^2 [m^4] */
+    m10 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m11 = 4.7265625e-11, /* pose_slack1^2 [m^2] */
+    m12 = 1.41796875e-10; /* 3 * pose_slack1^2 [m^2] */
+/* coefficients */
+static const double m5 = 3.2258064516129035, m6 = 0.018709677419354823, m8 = 3.7037037037037037,
+m9 = 0.021481481481481466;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -451,6 +458,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[5] = { 4, 3, 2, 1, 0 };
@@ -463,15 +471,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    kuka_youbot_fk, kuka_youbot_jacobian, solve, solve_regular,
+    kuka_youbot_fk, kuka_youbot_jacobian, solve,
+#ifdef KUKA_YOUBOT_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int kuka_youbot_ik(
     const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
 {
+#ifndef KUKA_YOUBOT_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -482,5 +497,9 @@ int kuka_youbot_ik_nearest(const double T[16], const double q_seed[5], double q[
 
 void kuka_youbot_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef KUKA_YOUBOT_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

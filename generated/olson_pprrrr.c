@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 4
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef OLSON_PPRRRR_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -33,12 +36,7 @@ static const double
     reach_slack1 = 7e-13, /* rounding at the boundary of the workspace [m] */
     merge_slack1 = 7e-14, /* nearer to that boundary two branches are one [m] */
     /* the same where they follow an angle that is good to few digits [m] */
-    blur_slack1 = 6.999999999999999e-11,
-    doubt_limit_squared2 = 4.9e-07, /* square of a length that fixes no angle [m^2] */
-    m1 = 9.999999999999999e-09, /* doubt_limit^2 */
-    m4 = 6.999999999999999e-10; /* 10 * blur_slack1 [m] */
-/* coefficients */
-static const double m3 = 4.0;
+    blur_slack1 = 6.999999999999999e-11;
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -195,6 +193,15 @@ static void solve(
     }
 }
 
+#ifndef OLSON_PPRRRR_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    doubt_limit_squared2 = 4.9e-07, /* square of a length that fixes no angle [m^2] */
+    m1 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m4 = 6.999999999999999e-10; /* 10 * blur_slack1 [m] */
+/* coefficients */
+static const double m3 = 4.0;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -333,6 +340,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[2] = { 4, 2 };
@@ -344,15 +352,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    olson_pprrrr_fk, olson_pprrrr_jacobian, solve, solve_regular,
+    olson_pprrrr_fk, olson_pprrrr_jacobian, solve,
+#ifdef OLSON_PPRRRR_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int olson_pprrrr_ik(
     const double T[16], const double *q_seed, double q[4][6], unsigned char status[4])
 {
+#ifndef OLSON_PPRRRR_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -363,5 +378,9 @@ int olson_pprrrr_ik_nearest(const double T[16], const double q_seed[6], double q
 
 void olson_pprrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef OLSON_PPRRRR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -124,7 +124,7 @@ static const struct dhgen_numerical_arm descents = {
 static const struct dhgen_root_turn turns[1] = { { 5, 1.0 } };
 
 static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 0, /*
-    ascends */ 0 };
+    ascends */ 0, /* equations end all */ 0 };
 
 
 void parallel_123_fk(const double q[6], double T[16])
@@ -353,7 +353,8 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
-    parallel_123_fk, parallel_123_jacobian, solve, NULL,
+    parallel_123_fk, parallel_123_jacobian, solve,
+    NULL,
 };
 
 int parallel_123_ik(

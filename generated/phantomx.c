@@ -16,8 +16,11 @@
 #endif
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
 #include "dhgen/complete.h"
+#ifndef PHANTOMX_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -41,19 +44,7 @@ static const double
     /* a row may miss the pose by this before it is tightened [mm] */
     doubtful_slack1 = 3.5500000000000003,
     k1 = 22050.0, /* 2 * a3 * a2 [mm^2] */
-    k2 = 4.5351473922902495e-05, /* 1 / k1 [mm^-2] */
-    /* square of a length that fixes no angle [mm^2] */
-    doubt_limit_squared2 = 0.0012602499999999999,
-    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [mm^4] */
-    m2 = 65755.87888877846,
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [mm^4] */
-    m3 = 0.06577829481102304,
-    m5 = 1e-24, /* exact_slack^2 */
-    m6 = 1.2602500000000002e-19, /* exact_slack1^2 [mm^2] */
-    m7 = 3.780750000000001e-05; /* 3 * pose_slack1^2 [mm^2] */
-/* coefficients */
-static const double m4 = 0.004761904761904762;
+    k2 = 4.5351473922902495e-05; /* 1 / k1 [mm^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -107,7 +98,7 @@ static const struct dhgen_numerical_arm descents = {
 };
 
 static const struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
-    ascends */ 0 };
+    ascends */ 1, /* equations end all */ 0 };
 
 
 void phantomx_fk(const double q[4], double T[16])
@@ -243,6 +234,22 @@ static void solve(
     }
 }
 
+#ifndef PHANTOMX_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    /* square of a length that fixes no angle [mm^2] */
+    doubt_limit_squared2 = 0.0012602499999999999,
+    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [mm^4] */
+    m2 = 65755.87888877846,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [mm^4] */
+    m3 = 0.06577829481102304,
+    m5 = 1e-24, /* exact_slack^2 */
+    m6 = 1.2602500000000002e-19, /* exact_slack1^2 [mm^2] */
+    m7 = 3.780750000000001e-05; /* 3 * pose_slack1^2 [mm^2] */
+/* coefficients */
+static const double m4 = 0.004761904761904762;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -372,6 +379,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[4] = { 3, 2, 1, 0 };
@@ -383,14 +391,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
-    phantomx_fk, phantomx_jacobian, solve, solve_regular,
+    phantomx_fk, phantomx_jacobian, solve,
+#ifdef PHANTOMX_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int phantomx_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
+#ifndef PHANTOMX_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -401,5 +416,9 @@ int phantomx_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 
 void phantomx_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef PHANTOMX_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 2
 #define DHGEN_ROWS 2
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef PLANAR_PR_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -34,10 +37,7 @@ static const double
     k7 = 0.09, /* 1 / k4 [m^2] */
     f1 = 0.5, /* 1 / 2 */
     f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
-    f3 = 0.9999999999999999, /* f1^2 + f2^2 */
-    m1 = 2.2222222222222221e-10; /* 1000 * k6 [m^-2] */
-/* coefficients */
-static const double m2 = 0.15, m3 = 0.25980762113533157;
+    f3 = 0.9999999999999999; /* f1^2 + f2^2 */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -109,6 +109,13 @@ static void solve(
     }
 }
 
+#ifndef PLANAR_PR_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 2.2222222222222221e-10; /* 1000 * k6 [m^-2] */
+/* coefficients */
+static const double m2 = 0.15, m3 = 0.25980762113533157;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -169,6 +176,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[2] = { 3, 7 };
 static const struct dhgen_arm arm = {
@@ -179,14 +187,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    planar_pr_fk, planar_pr_jacobian, solve, solve_regular,
+    planar_pr_fk, planar_pr_jacobian, solve,
+#ifdef PLANAR_PR_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int planar_pr_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
 {
+#ifndef PLANAR_PR_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -197,5 +212,9 @@ int planar_pr_ik_nearest(const double T[16], const double q_seed[2], double q[2]
 
 void planar_pr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef PLANAR_PR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

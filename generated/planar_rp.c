@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 2
 #define DHGEN_ROWS 2
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef PLANAR_RP_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -25,8 +28,7 @@
 
 static const double
     free_limit1 = 1e-12, /* a length that fixes no angle [m] */
-    offset1 = 1.5707963267948966, /* offset of joint 1 [rad] */
-    m1 = 9.999999999999999e-09; /* doubt_limit1^2 [m^2] */
+    offset1 = 1.5707963267948966; /* offset of joint 1 [rad] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -97,6 +99,11 @@ static void solve(
         status[row] = (free1) ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
+
+#ifndef PLANAR_RP_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 9.999999999999999e-09; /* doubt_limit1^2 [m^2] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -171,6 +178,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[2] = { 3, 7 };
 static const int choosable[1] = { 0 };
@@ -182,14 +190,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    planar_rp_fk, planar_rp_jacobian, solve, solve_regular,
+    planar_rp_fk, planar_rp_jacobian, solve,
+#ifdef PLANAR_RP_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int planar_rp_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
 {
+#ifndef PLANAR_RP_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -200,5 +215,9 @@ int planar_rp_ik_nearest(const double T[16], const double q_seed[2], double q[2]
 
 void planar_rp_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef PLANAR_RP_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

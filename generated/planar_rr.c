@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 2
 #define DHGEN_ROWS 2
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef PLANAR_RR_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -34,11 +37,7 @@ static const double
     shortest2_apart = 0.010000000000001405, /* the shortest, where branches merge [m^2] */
     free_limit_squared2 = 4.899999999999999e-25, /* square of a length that fixes no angle [m^2] */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
-    k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
-    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
-    m1 = 4.689582056016565e-12;
-/* coefficients */
-static const double m2 = 1.25, m3 = 0.08750000000000001;
+    k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -125,6 +124,14 @@ static void solve(
     }
 }
 
+#ifndef PLANAR_RR_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
+    m1 = 4.689582056016565e-12;
+/* coefficients */
+static const double m2 = 1.25, m3 = 0.08750000000000001;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -191,6 +198,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[2] = { 3, 7 };
 static const int choosable[1] = { 0 };
@@ -202,14 +210,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    planar_rr_fk, planar_rr_jacobian, solve, solve_regular,
+    planar_rr_fk, planar_rr_jacobian, solve,
+#ifdef PLANAR_RR_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int planar_rr_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
 {
+#ifndef PLANAR_RR_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -220,5 +235,9 @@ int planar_rr_ik_nearest(const double T[16], const double q_seed[2], double q[2]
 
 void planar_rr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef PLANAR_RR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

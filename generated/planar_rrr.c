@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 2
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef PLANAR_RRR_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -38,15 +41,7 @@ static const double
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 8.5e-06, /* a pose may be rounded by this [m] */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
-    k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
-    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
-    m1 = 5.755396159656667e-12,
-    m6 = 7.225e-11, /* pose_slack1^2 [m^2] */
-    m7 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m8 = 1.445e-10; /* 2 * pose_slack1^2 [m^2] */
-/* coefficients */
-static const double m2 = 1.25, m3 = 0.08750000000000001, m4 = 1.666666666666667,
-m5 = 0.1166666666666667;
+    k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -171,6 +166,18 @@ static void solve(
     }
 }
 
+#ifndef PLANAR_RRR_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
+    m1 = 5.755396159656667e-12,
+    m6 = 7.225e-11, /* pose_slack1^2 [m^2] */
+    m7 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m8 = 1.445e-10; /* 2 * pose_slack1^2 [m^2] */
+/* coefficients */
+static const double m2 = 1.25, m3 = 0.08750000000000001, m4 = 1.666666666666667,
+m5 = 0.1166666666666667;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -288,6 +295,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 2, 1, 0 };
@@ -300,15 +308,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    planar_rrr_fk, planar_rrr_jacobian, solve, solve_regular,
+    planar_rrr_fk, planar_rrr_jacobian, solve,
+#ifdef PLANAR_RRR_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int planar_rrr_ik(
     const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {
+#ifndef PLANAR_RRR_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -319,5 +334,9 @@ int planar_rrr_ik_nearest(const double T[16], const double q_seed[3], double q[3
 
 void planar_rrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef PLANAR_RRR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

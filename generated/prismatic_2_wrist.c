@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef PRISMATIC_2_WRIST_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -48,15 +51,7 @@ static const double
     k5 = 0.36820625816486496, /* d1 + (cat2 * d3 - a2 * sat2) [m] */
     k6 = 132.4412808495909, /* 1 / k4 [m^-2] */
     f1 = 0.2701996003807408, /* d1 - sat2 * a2 [m] */
-    f2 = 0.09800665778412417, /* d3 * cat2 [m] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.5375999999999998e-08,
-    m1 = 1.2399999999999999e-11, /* 1000 * merge_slack1 [m] */
-    m2 = 1.2399999999999999e-10, /* 10 * blur_slack1 [m] */
-    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 11.314168873492461, m4 = 0.7750600530519154, m5 = 2.1049616508823186,
-m6 = 4.165947785154044;
+    f2 = 0.09800665778412417; /* d3 * cat2 [m] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -253,6 +248,18 @@ static void solve(
     }
 }
 
+#ifndef PRISMATIC_2_WRIST_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 1.5375999999999998e-08,
+    m1 = 1.2399999999999999e-11, /* 1000 * merge_slack1 [m] */
+    m2 = 1.2399999999999999e-10, /* 10 * blur_slack1 [m] */
+    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m3 = 11.314168873492461, m4 = 0.7750600530519154, m5 = 2.1049616508823186,
+m6 = 4.165947785154044;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -443,6 +450,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[2] = { 3, 0 };
@@ -454,15 +462,22 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    prismatic_2_wrist_fk, prismatic_2_wrist_jacobian, solve, solve_regular,
+    prismatic_2_wrist_fk, prismatic_2_wrist_jacobian, solve,
+#ifdef PRISMATIC_2_WRIST_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int prismatic_2_wrist_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef PRISMATIC_2_WRIST_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -473,5 +488,9 @@ int prismatic_2_wrist_ik_nearest(const double T[16], const double q_seed[6], dou
 
 void prismatic_2_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef PRISMATIC_2_WRIST_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

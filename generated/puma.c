@@ -16,7 +16,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef PUMA_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -42,14 +45,7 @@ static const double
     k6 = 0.37290248000000004, /* 2 * D4 * L2 [m^2] */
     k7 = 2.681666262986505, /* 1 / k6 [m^-2] */
     f1 = 0.8636, /* L2 + D4 [m] */
-    g1 = 0.8636, /* L2 + D4 [m] */
-    m1 = 5.672456065993029e-12, /* 1000 * k4 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 2.4343489251065266e-11,
-    m4 = 1.276499302638241e-15, /* doubt_limit_squared2^2 [m^4] */
-    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 1.1579434923575729, m5 = 3.105217997900075, m6 = 2.3158869847151458;
+    g1 = 0.8636; /* L2 + D4 [m] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -236,6 +232,17 @@ static void solve(
     }
 }
 
+#ifndef PUMA_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 5.672456065993029e-12, /* 1000 * k4 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 2.4343489251065266e-11,
+    m4 = 1.276499302638241e-15, /* doubt_limit_squared2^2 [m^4] */
+    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m3 = 1.1579434923575729, m5 = 3.105217997900075, m6 = 2.3158869847151458;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -421,6 +428,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -432,14 +440,21 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    puma_fk, puma_jacobian, solve, solve_regular,
+    puma_fk, puma_jacobian, solve,
+#ifdef PUMA_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int puma_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef PUMA_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -450,5 +465,9 @@ int puma_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 
 void puma_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef PUMA_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -16,7 +16,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef PUMA560_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -43,15 +46,7 @@ static const double
     k5 = 0.37290248000000004, /* 2 * d4 * a2 [m^2] */
     k6 = 0.01753108, /* 2 * a3 * a2 [m^2] */
     k7 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
-    k8 = 7.175474885806929, /* 1 / (k5^2 + k6^2) [m^-4] */
-    turn1 = 1.5238184104468135, /* a constant angle [rad] */
-    m1 = 5.119045780000291e-12, /* 1000 * k3 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 2.2049387897563516e-11,
-    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 0.12579382426107213, m4 = 0.9988973492016866, m5 = 2.675752380095121,
-m6 = 0.046960667412677716, m7 = 1.1579434923575729, m8 = 0.000477176933765627;
+    k8 = 7.175474885806929; /* 1 / (k5^2 + k6^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -231,6 +226,18 @@ static void solve(
         }
     }
 }
+
+#ifndef PUMA560_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    turn1 = 1.5238184104468135, /* a constant angle [rad] */
+    m1 = 5.119045780000291e-12, /* 1000 * k3 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 2.2049387897563516e-11,
+    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m3 = 0.12579382426107213, m4 = 0.9988973492016866, m5 = 2.675752380095121,
+m6 = 0.046960667412677716, m7 = 1.1579434923575729, m8 = 0.000477176933765627;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -439,6 +446,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -450,14 +458,21 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    puma560_fk, puma560_jacobian, solve, solve_regular,
+    puma560_fk, puma560_jacobian, solve,
+#ifdef PUMA560_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int puma560_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef PUMA560_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -468,5 +483,9 @@ int puma560_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 
 void puma560_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef PUMA560_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

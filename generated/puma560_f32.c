@@ -15,7 +15,8 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-/* What the file of an arm in closed form needs. */
+/* What robots' public functions do: all solutions of a pose, the one nearest to a seed, and all of
+ * many poses. */
 
 /* An arm as the runtime sees it: a table of numbers, of what has to be done around the formulas of
  * its solver, and of the robot's own functions. */
@@ -154,8 +155,9 @@ struct dhgen_completion {
     const struct dhgen_numerical_arm *descents; /* the arm as least squares read it */
     const struct dhgen_root_turn *turns;        /* joints whose values add up to a root of a */
     int turn_count;                             /* polynomial; none where there is no such root */
-    int adds_others; /* a joint may have one of a few values: all of them are rows */
-    int ascends;     /* rows are the roots of a polynomial, in their order */
+    int adds_others;       /* a joint may have one of a few values: all of them are rows */
+    int ascends;           /* rows are the roots of a polynomial, in their order */
+    int equations_end_all; /* rows of a pose that has solutions, where it is not regular */
     float (*arm_angle)(const float *q); /* where the caller gives it, or NULL */
 };
 
@@ -224,9 +226,6 @@ DHGEN_FN int dhgen_moves(const struct dhgen_arm *arm, int joint)
 {
     return arm->joints[joint].pace > 0.0f;
 }
-/* What robots' public functions do: all solutions of a pose, the one nearest to a seed, and all of
- * many poses. */
-
 
 /* All solutions of any pose: also of one that is rounded, singular or none. Returns how many rows
  * are inside limits, or -DHGEN_INVALID_POSE. */
@@ -1167,7 +1166,7 @@ DHGEN_FN void dhgen_solve_rows(const struct dhgen_arm *arm, const float *T,
     const float *free_joints, const float *seed, float *q, unsigned char *status)
 {
     arm->solve(T, free_joints, seed, 0.0f, q, status);
-    int begun = arm->regular ? 0 : -1; /* regular poses left: equations may have ended all rows */
+    int begun = -1;
     for (int row = dhgen_rows(arm) - 1; row >= 0; row--)
         begun = status[row] == DHGEN_UNREACHABLE ? begun : row;
     for (int row = 0; row < dhgen_rows(arm) && arm->retries; row++)
@@ -1310,6 +1309,10 @@ DHGEN_API int dhgen_nearest_row(const struct dhgen_arm *arm, const float *T,
 }
 
 #endif
+#ifndef PUMA560_F32_PLAIN
+/* A robot's function for DHGEN_LANES poses, at work: on one pose where lanes are single numbers,
+ * and on the poses of a batch side by side. */
+
 /* Lanes: what the fast path computes with. `dhgen_wide` holds one number of each of DHGEN_LANES
  * poses, `dhgen_four` one of each of four branches of one pose. They are GNU vectors where compiler
  * and machine have them; with -DDHGEN_SCALAR and elsewhere `dhgen_wide` is a double, and there is
@@ -1548,9 +1551,6 @@ DHGEN_INLINE dhgen_wide dhgen_approach_misfit_wide(const dhgen_wide *T)
     const dhgen_wide zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0f;
     return zz * zz;
 }
-/* A robot's function for DHGEN_LANES poses, at work: on one pose where lanes are single numbers,
- * and on the poses of a batch side by side. */
-
 
 /* Joint values, NaN without a solution, statuses, and whether a pose needs care. */
 typedef dhgen_wide_mask dhgen_solve_wide(
@@ -1658,6 +1658,7 @@ DHGEN_INLINE void dhgen_ik_batch(const struct dhgen_arm *arm, dhgen_solve_wide *
 }
 
 #endif
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -1684,14 +1685,7 @@ static const float
     k5 = 0.37290248f, /* 2 * d4 * a2 [m^2] */
     k6 = 0.01753108f, /* 2 * a3 * a2 [m^2] */
     k7 = 0.37331456f, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
-    k8 = 7.175475f, /* 1 / (k5^2 + k6^2) [m^-4] */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 2.9096855e-06f,
-    turn1 = 1.5238184f, /* a constant angle [rad] */
-    m7 = 1e-06f; /* doubt_limit^2 */
-/* coefficients */
-static const float m1 = 0.12579383f, m2 = 0.9988974f, m3 = 2.6757524f,
-m4 = 0.046960667f, m5 = 1.1579435f, m6 = 0.00047717695f;
+    k8 = 7.175475f; /* 1 / (k5^2 + k6^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -1873,6 +1867,17 @@ static void solve(
     }
 }
 
+#ifndef PUMA560_F32_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const float
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 2.9096855e-06f,
+    turn1 = 1.5238184f, /* a constant angle [rad] */
+    m7 = 1e-06f; /* doubt_limit^2 */
+/* coefficients */
+static const float m1 = 0.12579383f, m2 = 0.9988974f, m3 = 2.6757524f,
+m4 = 0.046960667f, m5 = 1.1579435f, m6 = 0.00047717695f;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -1999,6 +2004,7 @@ static int solve_regular(
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -2010,15 +2016,22 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    puma560_f32_fk, puma560_f32_jacobian, solve, solve_regular,
+    puma560_f32_fk, puma560_f32_jacobian, solve,
+#ifdef PUMA560_F32_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int puma560_f32_ik(
     const float T[16], const float *q_seed, float q[8][6], unsigned char status[8])
 {
+#ifndef PUMA560_F32_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -2029,5 +2042,9 @@ int puma560_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
 
 void puma560_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)
 {
+#ifndef PUMA560_F32_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -16,7 +16,10 @@
 #endif
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 4
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef PUMA_ARM_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -42,13 +45,7 @@ static const double
     k5 = 0.37290248000000004, /* 2 * d4 * a2 [m^2] */
     k6 = 0.01753108, /* 2 * a3 * a2 [m^2] */
     k7 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
-    k8 = 7.175474885806929, /* 1 / (k5^2 + k6^2) [m^-4] */
-    turn1 = 1.5238184104468135, /* a constant angle [rad] */
-    m1 = 5.119045780000291e-12, /* 1000 * k3 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 2.2049387897563516e-11;
-/* coefficients */
-static const double m3 = 1.1579434923575729, m4 = 0.000477176933765627;
+    k8 = 7.175474885806929; /* 1 / (k5^2 + k6^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -168,6 +165,16 @@ static void solve(
     }
 }
 
+#ifndef PUMA_ARM_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    turn1 = 1.5238184104468135, /* a constant angle [rad] */
+    m1 = 5.119045780000291e-12, /* 1000 * k3 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 2.2049387897563516e-11;
+/* coefficients */
+static const double m3 = 1.1579434923575729, m4 = 0.000477176933765627;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -258,6 +265,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[3] = { 3, 7, 11 };
 static const int choosable[2] = { 1, 0 };
@@ -269,14 +277,21 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    puma_arm_fk, puma_arm_jacobian, solve, solve_regular,
+    puma_arm_fk, puma_arm_jacobian, solve,
+#ifdef PUMA_ARM_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int puma_arm_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
+#ifndef PUMA_ARM_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -287,5 +302,9 @@ int puma_arm_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 
 void puma_arm_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef PUMA_ARM_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

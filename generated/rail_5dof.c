@@ -17,8 +17,11 @@
 #endif
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 2
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
 #include "dhgen/complete.h"
+#ifndef RAIL_5DOF_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -32,12 +35,7 @@ static const double
     free_limit = 1e-12, /* a length that fixes no angle */
     free_limit_squared = 1e-24, /* square of a length that fixes no angle */
     doubtful_slack = 0.01, /* a row may miss the pose by this before it is tightened */
-    doubtful_slack1 = 0.06, /* a row may miss the pose by this before it is tightened [m] */
-    m1 = 1.296e-13, /* doubt_limit_squared2^2 [m^4] */
-    m2 = 9.999999999999999e-09, /* doubt_limit^2 */
-    m4 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    m5 = 3.6000000000000004e-23, /* exact_slack1^2 [m^2] */
-    m6 = 1e-24; /* exact_slack^2 */
+    doubtful_slack1 = 0.06; /* a row may miss the pose by this before it is tightened [m] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -93,7 +91,7 @@ static const struct dhgen_numerical_arm descents = {
 };
 
 static const struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
-    ascends */ 0 };
+    ascends */ 1, /* equations end all */ 0 };
 
 
 void rail_5dof_fk(const double q[5], double T[16])
@@ -210,6 +208,15 @@ static void solve(
         status[row] = (free2 || free3 || free4 || free5) ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
+
+#ifndef RAIL_5DOF_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 1.296e-13, /* doubt_limit_squared2^2 [m^4] */
+    m2 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m4 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m5 = 3.6000000000000004e-23, /* exact_slack1^2 [m^2] */
+    m6 = 1e-24; /* exact_slack^2 */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -334,6 +341,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[4] = { 4, 3, 2, 1 };
@@ -345,14 +353,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
-    rail_5dof_fk, rail_5dof_jacobian, solve, solve_regular,
+    rail_5dof_fk, rail_5dof_jacobian, solve,
+#ifdef RAIL_5DOF_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
 {
+#ifndef RAIL_5DOF_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -363,5 +378,9 @@ int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5]
 
 void rail_5dof_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef RAIL_5DOF_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -16,7 +16,10 @@
 #endif
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 4
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef RPR_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -29,9 +32,7 @@ static const double
     reach_slack1 = 8.000000000000001e-14, /* rounding at the boundary of the workspace [m] */
     merge_slack1 = 8e-15, /* nearer to that boundary two branches are one [m] */
     k1 = 0.09, /* a3^2 [m^2] */
-    k2 = 11.111111111111112, /* 1 / k1 [m^-2] */
-    m1 = 6.400000000000001e-09, /* doubt_limit1^2 [m^2] */
-    m3 = 8e-12; /* 1000 * merge_slack1 [m] */
+    k2 = 11.111111111111112; /* 1 / k1 [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -124,6 +125,12 @@ static void solve(
     }
 }
 
+#ifndef RPR_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 6.400000000000001e-09, /* doubt_limit1^2 [m^2] */
+    m3 = 8e-12; /* 1000 * merge_slack1 [m] */
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -210,6 +217,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[3] = { 3, 7, 11 };
 static const int choosable[1] = { 0 };
@@ -221,14 +229,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    rpr_fk, rpr_jacobian, solve, solve_regular,
+    rpr_fk, rpr_jacobian, solve,
+#ifdef RPR_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int rpr_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
+#ifndef RPR_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -239,5 +254,9 @@ int rpr_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 
 void rpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef RPR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

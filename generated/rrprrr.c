@@ -16,7 +16,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef RRPRRR_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -24,8 +27,7 @@
 
 static const double
     free_limit1 = 1e-12, /* a length that fixes no angle [m] */
-    free_limit = 1e-12, /* a length that fixes no angle */
-    m1 = 9.999999999999999e-09; /* doubt_limit1^2 [m^2] */
+    free_limit = 1e-12; /* a length that fixes no angle */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -174,6 +176,11 @@ static void solve(
     }
 }
 
+#ifndef RRPRRR_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 9.999999999999999e-09; /* doubt_limit1^2 [m^2] */
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -315,6 +322,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -326,14 +334,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    rrprrr_fk, rrprrr_jacobian, solve, solve_regular,
+    rrprrr_fk, rrprrr_jacobian, solve,
+#ifdef RRPRRR_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int rrprrr_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef RRPRRR_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -344,5 +359,9 @@ int rrprrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 
 void rrprrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef RRPRRR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

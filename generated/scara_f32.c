@@ -15,7 +15,8 @@
 #endif
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
-/* What the file of an arm in closed form needs. */
+/* What robots' public functions do: all solutions of a pose, the one nearest to a seed, and all of
+ * many poses. */
 
 /* An arm as the runtime sees it: a table of numbers, of what has to be done around the formulas of
  * its solver, and of the robot's own functions. */
@@ -154,8 +155,9 @@ struct dhgen_completion {
     const struct dhgen_numerical_arm *descents; /* the arm as least squares read it */
     const struct dhgen_root_turn *turns;        /* joints whose values add up to a root of a */
     int turn_count;                             /* polynomial; none where there is no such root */
-    int adds_others; /* a joint may have one of a few values: all of them are rows */
-    int ascends;     /* rows are the roots of a polynomial, in their order */
+    int adds_others;       /* a joint may have one of a few values: all of them are rows */
+    int ascends;           /* rows are the roots of a polynomial, in their order */
+    int equations_end_all; /* rows of a pose that has solutions, where it is not regular */
     float (*arm_angle)(const float *q); /* where the caller gives it, or NULL */
 };
 
@@ -224,9 +226,6 @@ DHGEN_FN int dhgen_moves(const struct dhgen_arm *arm, int joint)
 {
     return arm->joints[joint].pace > 0.0f;
 }
-/* What robots' public functions do: all solutions of a pose, the one nearest to a seed, and all of
- * many poses. */
-
 
 /* All solutions of any pose: also of one that is rounded, singular or none. Returns how many rows
  * are inside limits, or -DHGEN_INVALID_POSE. */
@@ -1167,7 +1166,7 @@ DHGEN_FN void dhgen_solve_rows(const struct dhgen_arm *arm, const float *T,
     const float *free_joints, const float *seed, float *q, unsigned char *status)
 {
     arm->solve(T, free_joints, seed, 0.0f, q, status);
-    int begun = arm->regular ? 0 : -1; /* regular poses left: equations may have ended all rows */
+    int begun = -1;
     for (int row = dhgen_rows(arm) - 1; row >= 0; row--)
         begun = status[row] == DHGEN_UNREACHABLE ? begun : row;
     for (int row = 0; row < dhgen_rows(arm) && arm->retries; row++)
@@ -1310,6 +1309,10 @@ DHGEN_API int dhgen_nearest_row(const struct dhgen_arm *arm, const float *T,
 }
 
 #endif
+#ifndef SCARA_F32_PLAIN
+/* A robot's function for DHGEN_LANES poses, at work: on one pose where lanes are single numbers,
+ * and on the poses of a batch side by side. */
+
 /* Lanes: what the fast path computes with. `dhgen_wide` holds one number of each of DHGEN_LANES
  * poses, `dhgen_four` one of each of four branches of one pose. They are GNU vectors where compiler
  * and machine have them; with -DDHGEN_SCALAR and elsewhere `dhgen_wide` is a double, and there is
@@ -1548,9 +1551,6 @@ DHGEN_INLINE dhgen_wide dhgen_approach_misfit_wide(const dhgen_wide *T)
     const dhgen_wide zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0f;
     return zz * zz;
 }
-/* A robot's function for DHGEN_LANES poses, at work: on one pose where lanes are single numbers,
- * and on the poses of a batch side by side. */
-
 
 /* Joint values, NaN without a solution, statuses, and whether a pose needs care. */
 typedef dhgen_wide_mask dhgen_solve_wide(
@@ -1658,6 +1658,7 @@ DHGEN_INLINE void dhgen_ik_batch(const struct dhgen_arm *arm, dhgen_solve_wide *
 }
 
 #endif
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -1678,13 +1679,7 @@ static const float
     pose_slack = 1e-05f, /* a pose may be rounded by this */
     pose_slack1 = 8e-06f, /* a pose may be rounded by this [m] */
     k1 = 0.25f, /* L1^2 + L2^2 [m^2] */
-    k2 = 4.1666665f, /* 1 / (2 * L2 * L1) [m^-2] */
-    /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
-    m1 = 2.150425e-06f,
-    m4 = 1e-10f; /* pose_slack^2 */
-/* coefficients */
-static const float m2 = 1.25f, m3 = 0.0875f;
-static const float per_size = 1.25f;
+    k2 = 4.1666665f; /* 1 / (2 * L2 * L1) [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -1809,6 +1804,16 @@ static void solve(
     }
 }
 
+#ifndef SCARA_F32_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const float
+    /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
+    m1 = 2.150425e-06f,
+    m4 = 1e-10f; /* pose_slack^2 */
+/* coefficients */
+static const float m2 = 1.25f, m3 = 0.0875f;
+static const float per_size = 1.25f;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -1859,6 +1864,7 @@ static int solve_regular(
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -1870,14 +1876,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    scara_f32_fk, scara_f32_jacobian, solve, solve_regular,
+    scara_f32_fk, scara_f32_jacobian, solve,
+#ifdef SCARA_F32_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int scara_f32_ik(const float T[16], const float *q_seed, float q[2][4], unsigned char status[2])
 {
+#ifndef SCARA_F32_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -1888,5 +1901,9 @@ int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
 
 void scara_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)
 {
+#ifndef SCARA_F32_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef SCARA_PRRR_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -37,12 +40,7 @@ static const double
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 5.500000000000001e-06, /* a pose may be rounded by this [m] */
     k1 = 0.1525, /* a2^2 + a3^2 [m^2] */
-    k2 = 6.666666666666667, /* 1 / (2 * a3 * a2) [m^-2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m1 = 1.831867990631471e-12,
-    m4 = 1.0000000000000002e-10; /* pose_slack^2 */
-/* coefficients */
-static const double m2 = 1.6666666666666667, m3 = 0.045833333333333316;
+    k2 = 6.666666666666667; /* 1 / (2 * a3 * a2) [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -156,6 +154,15 @@ static void solve(
     }
 }
 
+#ifndef SCARA_PRRR_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m1 = 1.831867990631471e-12,
+    m4 = 1.0000000000000002e-10; /* pose_slack^2 */
+/* coefficients */
+static const double m2 = 1.6666666666666667, m3 = 0.045833333333333316;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -244,6 +251,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 2, 1 };
@@ -255,15 +263,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    scara_prrr_fk, scara_prrr_jacobian, solve, solve_regular,
+    scara_prrr_fk, scara_prrr_jacobian, solve,
+#ifdef SCARA_PRRR_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int scara_prrr_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
+#ifndef SCARA_PRRR_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -274,5 +289,9 @@ int scara_prrr_ik_nearest(const double T[16], const double q_seed[4], double q[4
 
 void scara_prrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef SCARA_PRRR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

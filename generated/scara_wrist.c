@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 4
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef SCARA_WRIST_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -37,12 +40,7 @@ static const double
     free_limit_squared2 = 1.69e-24, /* square of a length that fixes no angle [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
-    k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
-    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
-    m1 = 8.7396756498489e-12,
-    m4 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m2 = 1.25, m3 = 0.08750000000000001;
+    k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -184,6 +182,15 @@ static void solve(
     }
 }
 
+#ifndef SCARA_WRIST_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
+    m1 = 8.7396756498489e-12,
+    m4 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m2 = 1.25, m3 = 0.08750000000000001;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -301,6 +308,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[2] = { 3, 0 };
@@ -312,15 +320,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    scara_wrist_fk, scara_wrist_jacobian, solve, solve_regular,
+    scara_wrist_fk, scara_wrist_jacobian, solve,
+#ifdef SCARA_WRIST_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int scara_wrist_ik(
     const double T[16], const double *q_seed, double q[4][6], unsigned char status[4])
 {
+#ifndef SCARA_WRIST_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -331,5 +346,9 @@ int scara_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[
 
 void scara_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef SCARA_WRIST_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,8 +17,11 @@
 #endif
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 4
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
 #include "dhgen/complete.h"
+#ifndef SCORBOT_POINTING_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -45,19 +48,7 @@ static const double
     /* a row may miss the pose by this before it is tightened [m] */
     doubtful_slack1 = 0.009519999999999999,
     k1 = 0.097682, /* 2 * a3 * a2 [m^2] */
-    k2 = 10.237300628570258, /* 1 / k1 [m^-2] */
-    m1 = 9.06304e-09, /* doubt_limit1^2 [m^2] */
-    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
-    m4 = 1.6442094386282138e-06,
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m5 = 1.6429994031951627e-12,
-    m8 = 8.213869404159996e-17, /* doubt_limit_squared2^2 [m^4] */
-    m9 = 1e-24, /* exact_slack^2 */
-    m10 = 9.063039999999996e-25, /* exact_slack1^2 [m^2] */
-    m11 = 2.7189119999999995e-10; /* 3 * pose_slack1^2 [m^2] */
-/* coefficients */
-static const double m6 = 4.524886877828054, m7 = 2.262443438914027;
+    k2 = 10.237300628570258; /* 1 / k1 [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -113,7 +104,7 @@ static const struct dhgen_numerical_arm descents = {
 };
 
 static const struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
-    ascends */ 0 };
+    ascends */ 1, /* equations end all */ 0 };
 
 
 void scorbot_pointing_fk(const double q[5], double T[16])
@@ -261,6 +252,22 @@ static void solve(
         }
     }
 }
+
+#ifndef SCORBOT_POINTING_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 9.06304e-09, /* doubt_limit1^2 [m^2] */
+    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
+    m4 = 1.6442094386282138e-06,
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m5 = 1.6429994031951627e-12,
+    m8 = 8.213869404159996e-17, /* doubt_limit_squared2^2 [m^4] */
+    m9 = 1e-24, /* exact_slack^2 */
+    m10 = 9.063039999999996e-25, /* exact_slack1^2 [m^2] */
+    m11 = 2.7189119999999995e-10; /* 3 * pose_slack1^2 [m^2] */
+/* coefficients */
+static const double m6 = 4.524886877828054, m7 = 2.262443438914027;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -452,6 +459,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int given_joints[1] = { 4 };
 static const int entries[6] = { 2, 3, 6, 7, 10, 11 };
@@ -464,16 +472,23 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
-    scorbot_pointing_fk, scorbot_pointing_jacobian, solve, solve_regular,
+    scorbot_pointing_fk, scorbot_pointing_jacobian, solve,
+#ifdef SCORBOT_POINTING_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int scorbot_pointing_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[4][5],
     unsigned char status[4])
 {
+#ifndef SCORBOT_POINTING_PLAIN
     const int count = solve_regular(T, free_joints, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
 }
 
@@ -486,5 +501,9 @@ int scorbot_pointing_ik_nearest(
 void scorbot_pointing_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
 {
+#ifndef SCORBOT_POINTING_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 1, n, T, free_joints, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, free_joints, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 4
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef SPHERICAL_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -25,8 +28,7 @@
 
 static const double
     d1 = 0.5, /* joint offset 1 [m] */
-    free_limit1 = 5e-13, /* a length that fixes no angle [m] */
-    m1 = 2.4999999999999996e-09; /* doubt_limit1^2 [m^2] */
+    free_limit1 = 5e-13; /* a length that fixes no angle [m] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -119,6 +121,11 @@ static void solve(
     }
 }
 
+#ifndef SPHERICAL_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 2.4999999999999996e-09; /* doubt_limit1^2 [m^2] */
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -199,6 +206,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[3] = { 3, 7, 11 };
 static const int choosable[2] = { 1, 0 };
@@ -210,14 +218,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    spherical_fk, spherical_jacobian, solve, solve_regular,
+    spherical_fk, spherical_jacobian, solve,
+#ifdef SPHERICAL_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int spherical_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
+#ifndef SPHERICAL_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -228,5 +243,9 @@ int spherical_ik_nearest(const double T[16], const double q_seed[3], double q[3]
 
 void spherical_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef SPHERICAL_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

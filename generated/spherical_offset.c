@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 4
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef SPHERICAL_OFFSET_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -29,9 +32,7 @@ static const double
     free_limit1 = 1.5e-13, /* a length that fixes no angle [m] */
     k1 = 0.0225, /* d2^2 [m^2] */
     k2 = 4.5000000000002246e-15, /* reach_slack1 * (2 * d2 + reach_slack1) [m^2] */
-    k3 = 4.500000000000022e-16, /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
-    m1 = 4.5000000000000217e-13, /* 1000 * k3 [m^2] */
-    m2 = 2.2499999999999997e-10; /* doubt_limit1^2 [m^2] */
+    k3 = 4.500000000000022e-16; /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -127,6 +128,12 @@ static void solve(
     }
 }
 
+#ifndef SPHERICAL_OFFSET_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 4.5000000000000217e-13, /* 1000 * k3 [m^2] */
+    m2 = 2.2499999999999997e-10; /* doubt_limit1^2 [m^2] */
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -212,6 +219,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[3] = { 3, 7, 11 };
 static const int choosable[2] = { 1, 0 };
@@ -223,15 +231,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    spherical_offset_fk, spherical_offset_jacobian, solve, solve_regular,
+    spherical_offset_fk, spherical_offset_jacobian, solve,
+#ifdef SPHERICAL_OFFSET_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int spherical_offset_ik(
     const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
+#ifndef SPHERICAL_OFFSET_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -242,5 +257,9 @@ int spherical_offset_ik_nearest(const double T[16], const double q_seed[3], doub
 
 void spherical_offset_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef SPHERICAL_OFFSET_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -18,7 +18,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -49,15 +52,7 @@ static const double
     k6 = 0.3268, /* 2 * d4 * a2 [m^2] */
     k7 = 0.0774, /* 2 * a3 * a2 [m^2] */
     k8 = 0.3374, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k9 = 8.866112830151877, /* 1 / (k6^2 + k7^2) [m^-4] */
-    turn1 = -1.3382393849899876, /* a constant angle [rad] */
-    m1 = 2.4920000000003177e-12, /* 1000 * k4 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 1.96123369955058e-11,
-    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 1.1627906976744187, m4 = 0.03767441860465117, m5 = 0.29508196721311475,
-m6 = 1.2459016393442623, m7 = 0.04036721311475411, m8 = 0.00956065573770492;
+    k9 = 8.866112830151877; /* 1 / (k6^2 + k7^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -245,6 +240,18 @@ static void solve(
         }
     }
 }
+
+#ifndef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    turn1 = -1.3382393849899876, /* a constant angle [rad] */
+    m1 = 2.4920000000003177e-12, /* 1000 * k4 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 1.96123369955058e-11,
+    m9 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m3 = 1.1627906976744187, m4 = 0.03767441860465117, m5 = 0.29508196721311475,
+m6 = 1.2459016393442623, m7 = 0.04036721311475411, m8 = 0.00956065573770492;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -444,6 +451,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -455,15 +463,22 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    spherical_wrist_all_offsets_fk, spherical_wrist_all_offsets_jacobian, solve, solve_regular,
+    spherical_wrist_all_offsets_fk, spherical_wrist_all_offsets_jacobian, solve,
+#ifdef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int spherical_wrist_all_offsets_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -475,5 +490,9 @@ int spherical_wrist_all_offsets_ik_nearest(const double T[16], const double q_se
 void spherical_wrist_all_offsets_ik_batch(
     size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

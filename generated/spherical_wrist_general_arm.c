@@ -127,7 +127,7 @@ static const struct dhgen_numerical_arm descents = {
 static const struct dhgen_root_turn turns[1] = { { 0, 1.0 } };
 
 static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 0, /*
-    ascends */ 0 };
+    ascends */ 0, /* equations end all */ 0 };
 
 
 void spherical_wrist_general_arm_fk(const double q[6], double T[16])
@@ -347,7 +347,8 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
-    spherical_wrist_general_arm_fk, spherical_wrist_general_arm_jacobian, solve, NULL,
+    spherical_wrist_general_arm_fk, spherical_wrist_general_arm_jacobian, solve,
+    NULL,
 };
 
 int spherical_wrist_general_arm_ik(

@@ -16,7 +16,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef STANFORD_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -32,11 +35,7 @@ static const double
     k1 = 0.13369999999999999, /* d2 - a3 [m] */
     k2 = 0.01787569, /* k1^2 [m^2] */
     k3 = 3.395980000001613e-14, /* reach_slack1 * (2 * k1 + reach_slack1) [m^2] */
-    k4 = 3.3959800000001613e-15, /* merge_slack1 * (2 * k1 + merge_slack1) [m^2] */
-    m1 = 3.3959800000001614e-12, /* 1000 * k4 [m^2] */
-    m2 = 1.6129e-08, /* doubt_limit1^2 [m^2] */
-    m4 = 9.999999999999999e-09; /* doubt_limit^2 */
-static const double per_size = 0.7874015748031495;
+    k4 = 3.3959800000001613e-15; /* merge_slack1 * (2 * k1 + merge_slack1) [m^2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -191,6 +190,14 @@ static void solve(
         }
     }
 }
+
+#ifndef STANFORD_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 3.3959800000001614e-12, /* 1000 * k4 [m^2] */
+    m2 = 1.6129e-08, /* doubt_limit1^2 [m^2] */
+    m4 = 9.999999999999999e-09; /* doubt_limit^2 */
+static const double per_size = 0.7874015748031495;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -402,6 +409,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -413,14 +421,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    stanford_fk, stanford_jacobian, solve, solve_regular,
+    stanford_fk, stanford_jacobian, solve,
+#ifdef STANFORD_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int stanford_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef STANFORD_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -431,5 +446,9 @@ int stanford_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 
 void stanford_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef STANFORD_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

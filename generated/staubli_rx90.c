@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef STAUBLI_RX90_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -36,14 +39,7 @@ static const double
     free_limit_squared2 = 8.1e-25, /* square of a length that fixes no angle [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 0.405, /* 2 * d4 * a2 [m^2] */
-    k2 = 6.096631611034903, /* 1 / (k1^2) [m^-4] */
-    m1 = 8.100000000000001e-09, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 1.312949748921684e-11,
-    m5 = 6.561e-17, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 1.1111111111111112;
+    k2 = 6.096631611034903; /* 1 / (k1^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -217,6 +213,17 @@ static void solve(
         }
     }
 }
+
+#ifndef STAUBLI_RX90_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 8.100000000000001e-09, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 1.312949748921684e-11,
+    m5 = 6.561e-17, /* doubt_limit_squared2^2 [m^4] */
+    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m4 = 1.1111111111111112;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -404,6 +411,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -415,15 +423,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    staubli_rx90_fk, staubli_rx90_jacobian, solve, solve_regular,
+    staubli_rx90_fk, staubli_rx90_jacobian, solve,
+#ifdef STAUBLI_RX90_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int staubli_rx90_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef STAUBLI_RX90_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -434,5 +449,9 @@ int staubli_rx90_ik_nearest(const double T[16], const double q_seed[6], double q
 
 void staubli_rx90_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef STAUBLI_RX90_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef STAUBLI_TX2_90_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -47,14 +50,7 @@ static const double
     k3 = 1.5280000000002339e-15, /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
     k4 = 0.6544502617801046, /* 1 / arm_size1 [m^-1] */
     k5 = 0.36124999999999996, /* 2 * d4 * a2 [m^2] */
-    k6 = 7.662743501634321, /* 1 / (k5^2) [m^-4] */
-    m1 = 1.5280000000002338e-12, /* 1000 * k3 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 1.876998556582453e-11,
-    m6 = 5.451216326656003e-16, /* doubt_limit_squared2^2 [m^4] */
-    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 0.2768166089965398, m4 = 2.768166089965398, m5 = 1.1764705882352942;
+    k6 = 7.662743501634321; /* 1 / (k5^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -255,6 +251,17 @@ static void solve(
         }
     }
 }
+
+#ifndef STAUBLI_TX2_90_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 1.5280000000002338e-12, /* 1000 * k3 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 1.876998556582453e-11,
+    m6 = 5.451216326656003e-16, /* doubt_limit_squared2^2 [m^4] */
+    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m3 = 0.2768166089965398, m4 = 2.768166089965398, m5 = 1.1764705882352942;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -509,6 +516,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -520,15 +528,22 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    staubli_tx2_90_fk, staubli_tx2_90_jacobian, solve, solve_regular,
+    staubli_tx2_90_fk, staubli_tx2_90_jacobian, solve,
+#ifdef STAUBLI_TX2_90_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int staubli_tx2_90_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef STAUBLI_TX2_90_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -539,5 +554,9 @@ int staubli_tx2_90_ik_nearest(const double T[16], const double q_seed[6], double
 
 void staubli_tx2_90_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef STAUBLI_TX2_90_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

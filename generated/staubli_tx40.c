@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef STAUBLI_TX40_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -47,14 +50,7 @@ static const double
     k3 = 6.090000000000759e-16, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
     k4 = 1.1494252873563218, /* 1 / arm_size1 [m^-1] */
     k5 = 0.10125, /* 2 * d4 * a2 [m^2] */
-    k6 = 97.54610577655845, /* 1 / (k5^2) [m^-4] */
-    m1 = 6.090000000000759e-13, /* 1000 * k3 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 1.5906026495925924e-12,
-    m4 = 5.728976100000003e-17, /* doubt_limit_squared2^2 [m^4] */
-    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 2.2222222222222223, m5 = 21.947873799725652, m6 = 4.4444444444444455;
+    k6 = 97.54610577655845; /* 1 / (k5^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -252,6 +248,17 @@ static void solve(
         }
     }
 }
+
+#ifndef STAUBLI_TX40_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 6.090000000000759e-13, /* 1000 * k3 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m2 = 1.5906026495925924e-12,
+    m4 = 5.728976100000003e-17, /* doubt_limit_squared2^2 [m^4] */
+    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m3 = 2.2222222222222223, m5 = 21.947873799725652, m6 = 4.4444444444444455;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -464,6 +471,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -475,15 +483,22 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    staubli_tx40_fk, staubli_tx40_jacobian, solve, solve_regular,
+    staubli_tx40_fk, staubli_tx40_jacobian, solve,
+#ifdef STAUBLI_TX40_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int staubli_tx40_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef STAUBLI_TX40_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -494,5 +509,9 @@ int staubli_tx40_ik_nearest(const double T[16], const double q_seed[6], double q
 
 void staubli_tx40_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef STAUBLI_TX40_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef TECHMAN_TM5_900_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -49,13 +52,7 @@ static const double
     k3 = 3.246208900000177e-15, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
     k4 = 0.753494329955167, /* 1 / arm_size1 [m^-1] */
     k5 = 0.35337324999999997, /* a2^2 + a3^2 [m^2] */
-    k6 = 2.8323236099663807, /* 1 / (2 * a3 * a2) [m^-2] */
-    m1 = 3.246208900000177e-12, /* 1000 * k3 [m^2] */
-    m2 = 9.999999999999999e-09, /* doubt_limit^2 */
-    /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
-    m4 = 1.5753409313203573e-10;
-/* coefficients */
-static const double m5 = 1.1655011655011656, m6 = 0.017143065268065267;
+    k6 = 2.8323236099663807; /* 1 / (2 * a3 * a2) [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -265,6 +262,16 @@ static void solve(
         }
     }
 }
+
+#ifndef TECHMAN_TM5_900_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 3.246208900000177e-12, /* 1000 * k3 [m^2] */
+    m2 = 9.999999999999999e-09, /* doubt_limit^2 */
+    /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
+    m4 = 1.5753409313203573e-10;
+/* coefficients */
+static const double m5 = 1.1655011655011656, m6 = 0.017143065268065267;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -491,6 +498,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 5, 1, 0 };
@@ -503,15 +511,22 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    techman_tm5_900_fk, techman_tm5_900_jacobian, solve, solve_regular,
+    techman_tm5_900_fk, techman_tm5_900_jacobian, solve,
+#ifdef TECHMAN_TM5_900_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int techman_tm5_900_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef TECHMAN_TM5_900_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -522,5 +537,9 @@ int techman_tm5_900_ik_nearest(const double T[16], const double q_seed[6], doubl
 
 void techman_tm5_900_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef TECHMAN_TM5_900_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

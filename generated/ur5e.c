@@ -16,7 +16,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef UR5E_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -45,13 +48,7 @@ static const double
     k3 = 3.4985918000001716e-15, /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
     k4 = 0.762020879372095, /* 1 / arm_size1 [m^-1] */
     k5 = 0.33444584, /* a2^2 + a3^2 [m^2] */
-    k6 = 2.9996700362960076, /* 1 / (2 * a3 * a2) [m^-2] */
-    m1 = 3.4985918000001714e-12, /* 1000 * k3 [m^2] */
-    m2 = 9.999999999999999e-09, /* doubt_limit^2 */
-    /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
-    m4 = 1.4300283221564012e-10;
-/* coefficients */
-static const double m5 = 1.1764705882352942, m6 = 0.031534305882352925;
+    k6 = 2.9996700362960076; /* 1 / (2 * a3 * a2) [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -255,6 +252,16 @@ static void solve(
     }
 }
 
+#ifndef UR5E_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 3.4985918000001714e-12, /* 1000 * k3 [m^2] */
+    m2 = 9.999999999999999e-09, /* doubt_limit^2 */
+    /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
+    m4 = 1.4300283221564012e-10;
+/* coefficients */
+static const double m5 = 1.1764705882352942, m6 = 0.031534305882352925;
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -450,6 +457,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 5, 1, 0 };
@@ -462,14 +470,21 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    ur5e_fk, ur5e_jacobian, solve, solve_regular,
+    ur5e_fk, ur5e_jacobian, solve,
+#ifdef UR5E_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int ur5e_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef UR5E_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -480,5 +495,9 @@ int ur5e_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 
 void ur5e_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef UR5E_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

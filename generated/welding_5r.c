@@ -108,7 +108,7 @@ static const struct dhgen_numerical_arm descents = {
 static const struct dhgen_root_turn turns[1] = { { 0, 1.0 } };
 
 static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 0, /*
-    ascends */ 0 };
+    ascends */ 0, /* equations end all */ 0 };
 
 
 void welding_5r_fk(const double q[5], double T[16])
@@ -296,7 +296,8 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
-    welding_5r_fk, welding_5r_jacobian, solve, NULL,
+    welding_5r_fk, welding_5r_jacobian, solve,
+    NULL,
 };
 
 int welding_5r_ik(

@@ -17,15 +17,17 @@
 #endif
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 2
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef WRIST_CARDAN_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
-    free_limit = 1e-12, /* a length that fixes no angle */
-    m1 = 9.999999999999999e-09; /* doubt_limit^2 */
+    free_limit = 1e-12; /* a length that fixes no angle */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -105,6 +107,11 @@ static void solve(
     }
 }
 
+#ifndef WRIST_CARDAN_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 9.999999999999999e-09; /* doubt_limit^2 */
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
@@ -182,6 +189,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[6] = { 0, 2, 4, 6, 8, 10 };
 static const int choosable[1] = { 0 };
@@ -193,15 +201,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    wrist_cardan_fk, wrist_cardan_jacobian, solve, solve_regular,
+    wrist_cardan_fk, wrist_cardan_jacobian, solve,
+#ifdef WRIST_CARDAN_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int wrist_cardan_ik(
     const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {
+#ifndef WRIST_CARDAN_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -212,5 +227,9 @@ int wrist_cardan_ik_nearest(const double T[16], const double q_seed[3], double q
 
 void wrist_cardan_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef WRIST_CARDAN_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

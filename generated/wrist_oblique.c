@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 2
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef WRIST_OBLIQUE_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -41,17 +44,7 @@ static const double
     k5 = 0.8660254037844386, /* sqrt3 / 2 */
     f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
     f3 = 0.383022221559489, /* sa2 * 1 / 2 */
-    f4 = 0.3213938048432697, /* ca2 * 1 / 2 */
-    /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.0000000000000002e-10,
-    m1 = 1e-12, /* 1000 * merge_slack1 [m] */
-    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    m6 = 1.0000000000000004e-12, /* pose_slack1^2 [m^2] */
-    m7 = 3.000000000000001e-12, /* 3 * pose_slack1^2 [m^2] */
-    m8 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m9 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
-/* coefficients */
-static const double m2 = 0.383022221559489, m4 = 0.5, m5 = 0.8660254037844386;
+    f4 = 0.3213938048432697; /* ca2 * 1 / 2 */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -178,6 +171,20 @@ static void solve(
         status[row] = (free1 || free2 || free3) ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
+
+#ifndef WRIST_OBLIQUE_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 1.0000000000000002e-10,
+    m1 = 1e-12, /* 1000 * merge_slack1 [m] */
+    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m6 = 1.0000000000000004e-12, /* pose_slack1^2 [m^2] */
+    m7 = 3.000000000000001e-12, /* 3 * pose_slack1^2 [m^2] */
+    m8 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m9 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
+/* coefficients */
+static const double m2 = 0.383022221559489, m4 = 0.5, m5 = 0.8660254037844386;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -348,6 +355,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 2, 1, 0 };
@@ -359,15 +367,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    wrist_oblique_fk, wrist_oblique_jacobian, solve, solve_regular,
+    wrist_oblique_fk, wrist_oblique_jacobian, solve,
+#ifdef WRIST_OBLIQUE_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int wrist_oblique_ik(
     const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {
+#ifndef WRIST_OBLIQUE_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -378,5 +393,9 @@ int wrist_oblique_ik_nearest(const double T[16], const double q_seed[3], double 
 
 void wrist_oblique_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef WRIST_OBLIQUE_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

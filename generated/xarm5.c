@@ -16,7 +16,10 @@
 #endif
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 4
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef XARM5_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -45,17 +48,7 @@ static const double
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 1.080646614543747e-05, /* a pose may be rounded by this [m] */
     k1 = 0.20711584560000001, /* a2^2 + a3^2 [m^2] */
-    k2 = 4.918543046385274, /* 1 / (2 * a3 * a2) [m^-2] */
-    m1 = 1.1677971055248613e-08, /* doubt_limit1^2 [m^2] */
-    m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m6 = 5.597903840841209e-12,
-    m11 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m12 = 1.167797105524862e-10, /* pose_slack1^2 [m^2] */
-    m13 = 3.5033913165745856e-10; /* 3 * pose_slack1^2 [m^2] */
-/* coefficients */
-static const double m4 = 0.076, m5 = 0.097, m7 = 1.727195576168653, m8 = 0.06824295773100271,
-m9 = 1.4238523749857612, m10 = 0.05625761134525573;
+    k2 = 4.918543046385274; /* 1 / (2 * a3 * a2) [m^-2] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -247,6 +240,20 @@ static void solve(
         }
     }
 }
+
+#ifndef XARM5_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    m1 = 1.1677971055248613e-08, /* doubt_limit1^2 [m^2] */
+    m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m6 = 5.597903840841209e-12,
+    m11 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m12 = 1.167797105524862e-10, /* pose_slack1^2 [m^2] */
+    m13 = 3.5033913165745856e-10; /* 3 * pose_slack1^2 [m^2] */
+/* coefficients */
+static const double m4 = 0.076, m5 = 0.097, m7 = 1.727195576168653, m8 = 0.06824295773100271,
+m9 = 1.4238523749857612, m10 = 0.05625761134525573;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -449,6 +456,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[5] = { 4, 3, 2, 1, 0 };
@@ -461,14 +469,21 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    xarm5_fk, xarm5_jacobian, solve, solve_regular,
+    xarm5_fk, xarm5_jacobian, solve,
+#ifdef XARM5_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
 {
+#ifndef XARM5_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -479,5 +494,9 @@ int xarm5_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 
 void xarm5_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef XARM5_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

@@ -241,7 +241,8 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
-    xarm6_fk, xarm6_jacobian, solve, NULL,
+    xarm6_fk, xarm6_jacobian, solve,
+    NULL,
 };
 
 int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])

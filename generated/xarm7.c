@@ -254,7 +254,8 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
-    xarm7_fk, xarm7_jacobian, solve, NULL,
+    xarm7_fk, xarm7_jacobian, solve,
+    NULL,
 };
 
 int xarm7_ik(

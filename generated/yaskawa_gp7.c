@@ -17,7 +17,10 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
-#include "dhgen/closed.h"
+#include "dhgen/ik.h"
+#ifndef YASKAWA_GP7_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -45,15 +48,7 @@ static const double
     k1 = 0.3916, /* 2 * d4 * a2 [m^2] */
     k2 = 0.0356, /* 2 * a3 * a2 [m^2] */
     k3 = 0.393225, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k4 = 6.467555636500607, /* 1 / (k1^2 + k2^2) [m^-4] */
-    turn1 = -1.4801364395941514, /* a constant angle [rad] */
-    m1 = 1.8906249999999994e-08, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 1.920847203220787e-11,
-    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 1.1235955056179774, m5 = 0.003174157303370838, m6 = 0.10245901639344261,
-m7 = 1.1270491803278688, m8 = 0.0031839139344262803, m9 = 0.00028944672131148006;
+    k4 = 6.467555636500607; /* 1 / (k1^2 + k2^2) [m^-4] */
 
 /* Entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -243,6 +238,18 @@ static void solve(
         }
     }
 }
+
+#ifndef YASKAWA_GP7_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    turn1 = -1.4801364395941514, /* a constant angle [rad] */
+    m1 = 1.8906249999999994e-08, /* doubt_limit1^2 [m^2] */
+    /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
+    m3 = 1.920847203220787e-11,
+    m10 = 9.999999999999999e-09; /* doubt_limit^2 */
+/* coefficients */
+static const double m4 = 1.1235955056179774, m5 = 0.003174157303370838, m6 = 0.10245901639344261,
+m7 = 1.1270491803278688, m8 = 0.0031839139344262803, m9 = 0.00028944672131148006;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -501,6 +508,7 @@ static int solve_regular(
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
+#endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
@@ -512,15 +520,22 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
-    yaskawa_gp7_fk, yaskawa_gp7_jacobian, solve, solve_regular,
+    yaskawa_gp7_fk, yaskawa_gp7_jacobian, solve,
+#ifdef YASKAWA_GP7_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
 };
 
 int yaskawa_gp7_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
+#ifndef YASKAWA_GP7_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
     if (count >= 0)
         return count;
+#endif
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
@@ -531,5 +546,9 @@ int yaskawa_gp7_ik_nearest(const double T[16], const double q_seed[6], double q[
 
 void yaskawa_gp7_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
+#ifndef YASKAWA_GP7_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
 }

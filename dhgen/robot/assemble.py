@@ -68,6 +68,7 @@ class _Assembly:
             numerical=file.numerical,
             length_unit=units.length,
             float32=file.float32,
+            plain=file.plain,
             taken=tuple(dict.fromkeys(self.cells.taken)),
             notices=self.report.notices,
             doubts=tuple(self.report.doubts),

@@ -138,6 +138,7 @@ class Robot:
         numerical: Whether the numerical solver may take an arm that nothing else solves.
         length_unit: How lengths are called, e.g. "m".
         float32: Whether C in single precision is wanted besides.
+        plain: Whether solvers do without their fast path for regular poses.
         taken: The cells that are taken as exact values next to their own.
         notices: What was snapped to an exact value, looks like a slip, or is of no use.
         doubts: What may be why the arm's solvers do not pass, if they do not.
@@ -156,6 +157,7 @@ class Robot:
     numerical: bool = False
     length_unit: str = "m"
     float32: bool = False
+    plain: bool = False
     taken: tuple[Taken, ...] = ()
     notices: tuple[Diagnostic, ...] = ()
     doubts: tuple[Diagnostic, ...] = ()

@@ -281,6 +281,11 @@ class RobotFile(_Strict):
         description="Whether the compiler also writes C in single precision, NAME_f32.c and .h, "
         "for small controllers. For arms in closed form only.",
     )
+    plain: Switch = Field(
+        default=False,
+        description="Whether the solvers do without their fast path for regular poses: shorter "
+        "files, the same answers, more time for each pose.",
+    )
 
 
 class _EditorSchema(GenerateJsonSchema):

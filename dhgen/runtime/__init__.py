@@ -16,7 +16,7 @@ PYTHON = "dhgen_runtime"  # the folder of the Python runtime beside robots
 @cache
 def runtime_files() -> Mapping[str, str]:
     """The files of the runtime by their paths in the folder of the robots."""
-    return MappingProxyType({**_python_files(), **c_runtime_files()})
+    return MappingProxyType({**python_runtime_files(), **c_runtime_files()})
 
 
 @cache
@@ -29,9 +29,11 @@ def c_runtime_files() -> Mapping[str, str]:
     )
 
 
-def _python_files() -> dict[str, str]:
+@cache
+def python_runtime_files() -> Mapping[str, str]:
+    """Those in Python, which robots' modules import: in the folder `dhgen_runtime`."""
     folder = Path(__file__).parent / "python"
     paths = sorted(folder.rglob("*.py"))
-    return {
-        f"{PYTHON}/{path.relative_to(folder).as_posix()}": path.read_text("utf-8") for path in paths
-    }
+    return MappingProxyType(
+        {f"{PYTHON}/{p.relative_to(folder).as_posix()}": p.read_text("utf-8") for p in paths}
+    )

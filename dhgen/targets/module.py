@@ -45,6 +45,7 @@ class SolverModule:
         plane_miss: From them and the pose to what they miss the arm angle by, where rows need it.
         digest: Of the robot file.
         precision: The arithmetic that the programs are for; its suffix ends `name`.
+        plain: Whether there is no fast path for regular poses.
     """
 
     name: str
@@ -60,6 +61,7 @@ class SolverModule:
     plane_miss: Program | None = None
     digest: str = ""
     precision: Precision = DOUBLE
+    plain: bool = False
 
     @property
     def robot(self) -> str:
@@ -145,7 +147,9 @@ def stands_on_limits(module: SolverModule) -> bool:
 
 
 def regular_solver(module: SolverModule) -> Regular | None:
-    """The program of regular poses, with limits."""
+    """The program of regular poses, with limits, where the files have one."""
+    if module.plain:
+        return None
     table = module.precision.tolerances
     graze = table.graze if stands_on_limits(module) else None
     return regular(module.solver, ArmLimits(tuple(_limits(module)), graze), table)

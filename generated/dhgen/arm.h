@@ -58,8 +58,9 @@ struct dhgen_completion {
     const struct dhgen_numerical_arm *descents; /* the arm as least squares read it */
     const struct dhgen_root_turn *turns;        /* joints whose values add up to a root of a */
     int turn_count;                             /* polynomial; none where there is no such root */
-    int adds_others; /* a joint may have one of a few values: all of them are rows */
-    int ascends;     /* rows are the roots of a polynomial, in their order */
+    int adds_others;       /* a joint may have one of a few values: all of them are rows */
+    int ascends;           /* rows are the roots of a polynomial, in their order */
+    int equations_end_all; /* rows of a pose that has solutions, where it is not regular */
     double (*arm_angle)(const double *q); /* where the caller gives it, or NULL */
 };
 

@@ -66,6 +66,14 @@ def test_no_warnings_in_lanes(name: str) -> None:
     assert compiled(COMPILERS[0], *flags) == ""
 
 
+@pytest.mark.parametrize("name", EVERY)
+def test_no_warnings_without_the_fast_path(name: str) -> None:
+    made(name)
+    switch = f"-D{name.upper()}_PLAIN"
+    flags = ("-std=c99", switch, "-fsyntax-only", *WARNINGS, *MORE, f"{name}.c")
+    assert compiled(COMPILERS[-1], *flags) == ""
+
+
 @pytest.mark.skipif("clang" not in COMPILERS, reason="no clang")
 @pytest.mark.parametrize("level", ["-O2", "-Os", "-Oz"])
 def test_no_warnings_where_loops_are_unrolled(level: str) -> None:

@@ -7,6 +7,7 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from dhgen.numerical.kernel import REDUNDANT_STARTS, STARTS
+from dhgen.program.regular.regular import tells_regular
 from dhgen.runtime.python.numerical.arm import strides
 from dhgen.targets.layout import c_array
 from dhgen.targets.solver.searches import searches_of
@@ -133,6 +134,7 @@ def _completion(module: SolverModule, kernel: NumericalKernel) -> str:
     searches = searches_of(module)
     turns = 0 if parted(module.solver) is None else len(module.solver.turning)
     flags = f"{int(searches.others)}, /* adds others */ {int(searches.ascend)}, /* ascends */"
+    flags += f" {int(tells_regular(module.solver))}, /* equations end all */"
     arm_angle = f"{module.name}_arm_angle" if kernel.elbow else "0"
     return f"&descents, {'turns' if turns else '0'}, {turns}, {flags} {arm_angle}"
 

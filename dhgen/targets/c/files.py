@@ -78,21 +78,22 @@ class CSolver:
     runtime: CRuntime
 
 
-def c_files(module: SolverModule) -> dict[str, str]:
-    """The header and the source by their names.
+def c_files(module: SolverModule, *, single_file: bool = False) -> dict[str, str]:
+    """The header and the source by their names; the source may hold what it needs of the runtime.
 
     Branches written out are fast. Where that is long, those in lanes of poses stand in loops, and
     what they have in common with branches in lanes is written once.
     """
     regular = regular_solver(module)
     if regular is None:
-        return c_texts(module, in_loops=False)
+        return c_texts(module, in_loops=False, single_file=single_file)
     written_out = regular_values(module, flats_of(regular, in_loops=False))
     lines = (*written_out.wide, *written_out.one)
-    return c_texts(module, in_loops=sum(map(len, lines)) > LONGEST)
+    in_loops = sum(map(len, lines)) > LONGEST
+    return c_texts(module, in_loops=in_loops, single_file=single_file)
 
 
-def c_texts(module: SolverModule, *, in_loops: bool) -> dict[str, str]:
+def c_texts(module: SolverModule, *, in_loops: bool, single_file: bool = False) -> dict[str, str]:
     """The same by one of the two ways."""
     common = common_of(module)
     solver = c_solver(module, in_loops=in_loops)
@@ -101,9 +102,10 @@ def c_texts(module: SolverModule, *, in_loops: bool) -> dict[str, str]:
         f"{module.name}.c": fitted(render("c/solver.c.jinja", **named(common), **named(solver))),
     }
     if module.precision is SINGLE:
-        return {
-            name: fitted(in_single_precision(in_one_file(text))) for name, text in texts.items()
-        }
+        pasted = {name: in_one_file(text, vectors=False) for name, text in texts.items()}
+        return {name: fitted(in_single_precision(text)) for name, text in pasted.items()}
+    if single_file:
+        return {name: in_one_file(text, vectors=True) for name, text in texts.items()}
     return texts
 
 
@@ -123,7 +125,7 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
     return CSolver(
         comments=c_comments(module),
         tables=c_tables(module, programs),
-        table=c_table(module, regular=regular is not None),
+        table=c_table(module),
         entries=entry_texts(module, programs),
         unused=_unused(module),
         prototypes=c_prototypes(module),
@@ -141,8 +143,7 @@ def _brought_along(module: SolverModule, *, regular: bool) -> list[str]:
     upper, solver = module.name.upper(), module.solver
     single = ["SINGLE_PRECISION", "SCALAR"] if module.precision is SINGLE else []
     switches = ["LIBM"] if single else ["SCALAR", "LIBM"]
-    headers = ["closed" if regular else "ik"]
-    headers += ["circle_roots"] if finds_roots(solver) else []
+    headers = ["ik", *(["circle_roots"] if finds_roots(solver) else [])]
     headers += ["complete"] if solver.tightened is not None else []
     kernel = general_kernel(solver)
     if whole_arm(solver) is not None:
@@ -154,6 +155,7 @@ def _brought_along(module: SolverModule, *, regular: bool) -> list[str]:
         f"#define DHGEN_ROWS {solver.rows}",
         *([] if kernel is None else general_sizes(upper, kernel)),
         *(f'#include "dhgen/{each}.h"' for each in headers),
+        *([f"#ifndef {upper}_PLAIN", '#include "dhgen/tile.h"', "#endif"] if regular else []),
     ]
 
 

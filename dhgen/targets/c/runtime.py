@@ -7,15 +7,15 @@ from posixpath import dirname, join, normpath
 
 from dhgen.runtime import c_runtime_files
 
-OMITTED = frozenset({"dhgen/vectors.h"})  # no vectors of floats
+VECTORS = "dhgen/vectors.h"
 _INCLUDE = re.compile(r'#include "((?:\.\./)*[\w/]+\.h)"\n')
 _GUARD = re.compile(r"#ifndef (DHGEN_\w+_H)\n#define \1\n(.*)#endif\n", re.DOTALL)
 _LICENCE = "/* SPDX-License-Identifier: MIT\n *\n * "
 
 
-def in_one_file(source: str) -> str:
-    """A source with what it includes of the runtime pasted into it, but for vectors."""
-    return _pasted(source, "", set(OMITTED))
+def in_one_file(source: str, *, vectors: bool) -> str:
+    """A source with what it includes of the runtime pasted into it, also of vectors or not."""
+    return _pasted(source, "", set() if vectors else {VECTORS})
 
 
 def _pasted(source: str, folder: str, known: set[str]) -> str:

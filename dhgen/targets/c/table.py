@@ -26,7 +26,7 @@ class CTable:
     Attributes:
         joints: A row of numbers for each joint.
         places: Arrays of joints and of entries of a pose that the arm's table names.
-        arm: What the arm's table holds.
+        arm: What the arm's table holds, but for the function of regular poses.
     """
 
     joints: Sequence[str]
@@ -50,8 +50,8 @@ class _Places:
         return c_array(f"static const int {self.name}[{len(self.places)}]", map(str, self.places))
 
 
-def c_table(module: SolverModule, *, regular: bool) -> CTable:
-    """The table of a robot; with a function for regular poses, or without."""
+def c_table(module: SolverModule) -> CTable:
+    """The table of a robot, but for its last entry: the function for regular poses."""
     chain, solver = module.chain, module.solver
     together = () if solver.tightened is not None else lost_together(solver)
     given = _Places("given_joints", tuple(number - 1 for number in chain.free))
@@ -68,7 +68,7 @@ def c_table(module: SolverModule, *, regular: bool) -> CTable:
             f"{INDENT}{size}, {_task(module)}, joints, {given.named},",
             f"{INDENT}{{ {weights} }}, {1.0 / chain.size!r}, {entries.named},",
             *_policy(module, choosing.named, choosing_together.named),
-            *_functions(module, regular=regular),
+            *_functions(module),
         ],
     )
 
@@ -100,10 +100,9 @@ def _policy(module: SolverModule, choosing: str, together: str) -> list[str]:
     ]
 
 
-def _functions(module: SolverModule, *, regular: bool) -> list[str]:
+def _functions(module: SolverModule) -> list[str]:
     """The robot's own."""
-    fast = "solve_regular" if regular else "NULL"
-    names = (f"{module.name}_fk", f"{module.name}_jacobian", "solve", fast)
+    names = (f"{module.name}_fk", f"{module.name}_jacobian", "solve")
     return packed([f"{name}," for name in names], INDENT)
 
 

@@ -49,11 +49,13 @@ class CTables:
     Attributes:
         branch_names: The name of every row, as lines.
         constants: Of the programs, as lines.
+        regular_constants: Those that only regular poses need.
         lane_constants: Those that only branches in lanes need.
     """
 
     branch_names: Sequence[str]
     constants: Sequence[str]
+    regular_constants: Sequence[str]
     lane_constants: Sequence[str]
 
 
@@ -75,24 +77,23 @@ def c_comments(module: SolverModule) -> CComments:
 
 def c_tables(module: SolverModule, regular: Sequence[Program]) -> CTables:
     """Constants of a robot, and of its programs for regular poses, that with lanes last."""
-    common, only = _constants(module, regular)
+    own, common, lanes = _constants(module, tuple(regular))
     return CTables(
         branch_names=listed([f'"{text}"' for text in module.branches], INDENT),
-        constants=_constant_lines(common),
-        lane_constants=_constant_lines(only),
+        constants=_constant_lines(own),
+        regular_constants=_constant_lines([each for each in common if each not in own]),
+        lane_constants=_constant_lines([each for each in lanes if each not in common]),
     )
 
 
 def _constants(
-    module: SolverModule, regular: Sequence[Program]
-) -> tuple[list[ConstantText], list[ConstantText]]:
-    """The constants of all builds, and those that only branches in lanes need."""
-    programs = tuple(regular)
-    common, every = (
+    module: SolverModule, regular: tuple[Program, ...]
+) -> tuple[list[ConstantText], ...]:
+    """The constants of all builds, with those of regular poses, with those of branches in lanes."""
+    return tuple(
         [each for each in constant_texts(module, some) if not _in_macros(each.role)]
-        for some in (programs[:1], programs)
+        for some in ((), regular[:1], regular)
     )
-    return common, [each for each in every if each not in common]
 
 
 def _in_macros(role: Role) -> bool:

@@ -5,6 +5,7 @@
 #define DHGEN_GENERAL_SEARCH_H
 
 #include "../general.h"
+#include "closed_polynomial.h"
 #include <math.h>
 
 #if DHGEN_MAY_LACK(DHGEN_FOUR_TURNS)

@@ -75,7 +75,7 @@ DHGEN_FN void dhgen_solve_rows(const struct dhgen_arm *arm, const double *T,
     const double *free_joints, const double *seed, double *q, unsigned char *status)
 {
     arm->solve(T, free_joints, seed, 0.0, q, status);
-    int begun = arm->regular ? 0 : -1; /* regular poses left: equations may have ended all rows */
+    int begun = -1;
     for (int row = dhgen_rows(arm) - 1; row >= 0; row--)
         begun = status[row] == DHGEN_UNREACHABLE ? begun : row;
     for (int row = 0; row < dhgen_rows(arm) && arm->retries; row++)
