@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from dhgen.general.kernel import SLIDES_OF_FOUR_TURNS
 from dhgen.general.links import Held, Link
 from dhgen.general.loop import JOINTS
@@ -62,13 +60,6 @@ def slides_of(chain: Chain) -> tuple[int, ...]:
     """Which of the joints that are solved for slide, from 0."""
     kinds = enumerate(joint.kind for joint in chain.solved)
     return tuple(place for place, kind in kinds if kind is JointKind.PRISMATIC)
-
-
-def joint_values(angles: FloatArray, chain: Chain) -> FloatArray:
-    """The values (k, n) of the joints that are solved for, from the loop's angles and lengths."""
-    solved = chain.solved
-    signs = np.array([joint.sign for joint in solved])
-    return np.asarray(signs * (angles[:, : len(solved)] - [joint.offset for joint in solved]))
 
 
 def loop_constants(chain: Chain) -> list[Link]:

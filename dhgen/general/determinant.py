@@ -153,22 +153,3 @@ def fold(E: FloatArray, cosine: FloatArray, sine: FloatArray) -> tuple[FloatArra
     for i in range(6):
         determinant = determinant * factor[i, i]
     return determinant, factor
-
-
-def independence(E: FloatArray, cosine: float, sine: float) -> float:
-    """How far the columns that `fold` clears first are from depending on each other.
-
-    Where x3 = tan(φ3/2) is nearly infinite they do depend on each other if the matrix is singular,
-    and its 6x6 factor does not show it.
-
-    Args:
-        E: The equations, (3, 6, 3, 3, 1).
-        cosine: Of the hidden angle.
-        sine: The same.
-
-    Returns:
-        The least singular value of A2 over the norm of [A2 A1 A0].
-    """
-    M = (E[0] + E[1] * cosine + E[2] * sine).reshape(EQUATIONS, 9)
-    values = np.linalg.svd(M[:, :3], compute_uv=False)
-    return float(values[-1] / np.linalg.norm(M))

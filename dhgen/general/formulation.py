@@ -23,8 +23,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from dhgen.general.determinant import fold, inverses
 from dhgen.general.hidden_slide import ORDERS, nearness
 
@@ -75,12 +73,6 @@ class Formulation:
         """The determinant of the equations at hidden angles, without its zero at infinity."""
         determinant, _ = fold(E, cosine, sine)
         return determinant / nearness(cosine, sine) ** self.order if self.order else determinant
-
-    def angles(self, phi: Sequence[float]) -> FloatArray:
-        """θ1 ... θ6 from φ1 ... φ6."""
-        theta = np.empty(6)
-        theta[list(self.joints)] = self.sign * np.array(phi)
-        return theta
 
 
 def formulations(

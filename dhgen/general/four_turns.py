@@ -27,33 +27,11 @@ import numpy as np
 
 from dhgen.general.determinant import TINY
 from dhgen.general.formulation import Formulation
-from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from dhgen.arrays import FloatArray
-
-
-DEGREE = 4
-# At a root the better branch is taken, and the other one too where its determinant is this small:
-# a double root may be one of each.
-NEARLY_FLAT = 1e-2
-# Where the slides are parallel, and the translation is farther than this from being along them,
-# they would have to reach to infinity: such roots belong to no solution, and arms at right angles
-# have them always. Beside parallel slides a solution needs no longer ones than elsewhere.
-ALONG = 1e-6
-FARTHEST = TOLERANCES.longest  # times the sine between the slides: as far as they reach [arm sizes]
-# Rounding over the size of the determinants, which are small where the slides are nearly parallel
-# all around the circle: its root is how far a double root may be off.
-MOVED = 1e-14
-# Where the axis of γ is parallel to that of β or δ, the entry zz does not give γ, and roots tell
-# nothing of solutions: the square of the product of the sines between these axes.
-NO_ANGLE = 1e-18
-# Where the axes of β and δ are parallel only the sum of these angles is told, and γ is a double
-# root: the square of the sine between these axes.
-ALIGNED = 1e-6
-PARALLEL = 1e-30  # the square of what rounding leaves of the normal of slides that are parallel
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,63 +88,6 @@ class FourTurns:
     def solutions_per_root(self) -> int:
         """How many solutions have one root of the polynomial."""
         return 1
-
-    def values(
-        self, links: Sequence[FloatArray], P: FloatArray, cosines: FloatArray, sines: FloatArray
-    ) -> FloatArray:
-        """The polynomial, (N,), from cosines and sines of the hidden angle."""
-        return self._at(links, P, cosines, sines).polynomial
-
-    def tells_all(self, links: Sequence[FloatArray], P: FloatArray, roots: Sequence[float]) -> bool:
-        """Whether every solution has a root, and every root tells its solution.
-
-        The third turn's axis is not parallel to another, and at no root are these two.
-        """
-        around = [link[..., None] for link in self.formulation.links(links, P)]
-        A, B, C, D = _rotations(around, self.formulation.slides(self.slides))
-        before, behind = B[2, 0] ** 2 + B[2, 1] ** 2, C[0, 2] ** 2 + C[1, 2] ** 2
-        M = _known(A, D, (np.cos(roots), np.sin(roots)))
-        aligned = M[0, 2] ** 2 + M[1, 2] ** 2 <= ALIGNED
-        return bool(before * behind > NO_ANGLE) and not aligned.any()
-
-    def candidates(
-        self, links: Sequence[FloatArray], P: FloatArray, angle: float
-    ) -> Iterator[FloatArray | None]:
-        """Joint angles and lengths (6,) near solutions, for a root; None for one at infinity."""
-        at = self._at(links, P, np.array([np.cos(angle)]), np.array([np.sin(angle)]))
-        root = np.sqrt(max(at.delta[0], 0.0))
-        U, V = at.determinant[:, 0]
-        better = -1.0 if (U < 0.0) == (V < 0.0) else 1.0
-        for sign in (better, -better):
-            if sign == better or abs(U + sign * V * root) < NEARLY_FLAT:
-                yield self._joints(at, sign * root, angle)
-
-    def _at(
-        self, links: Sequence[FloatArray], P: FloatArray, cosine: FloatArray, sine: FloatArray
-    ) -> Branches:
-        around = [link[..., None] for link in self.formulation.links(links, P)]
-        return branches(around, self.formulation.slides(self.slides), (cosine, sine))
-
-    def _joints(self, at: Branches, root: float, angle: float) -> FloatArray | None:
-        """All six, on the branch with this value of √Δ; None when they are at infinity."""
-        u, v, p = (x[0, :, 0] + x[1, :, 0] * root for x in (*at.u, at.p))
-        normal, across = np.cross(u, v), np.cross(p, u)
-        U, V = at.determinant[:, 0]
-        moved = np.sqrt(MOVED / (abs(U) + abs(V * root) + TINY))
-        if max(abs(across)) > max(ALONG, moved, FARTHEST * max(abs(normal))):
-            return None
-        slides = self.formulation.slides(self.slides)
-        turns = [i for i, is_slide in enumerate(slides) if not is_slide]
-        phi = np.empty(6)
-        phi[0] = angle
-        for place, c, s in zip(turns[1:], at.cosines, at.sines, strict=True):
-            phi[place] = np.arctan2(s[0, 0] + s[1, 0] * root, c[0, 0] + c[1, 0] * root)
-        # p + d u + e v = 0 times v and u; their scalar products would lose digits of the sine
-        lengths = np.array([np.cross(v, p) @ normal, across @ normal]) / (
-            normal @ normal + PARALLEL
-        )
-        phi[[i for i, is_slide in enumerate(slides) if is_slide]] = lengths
-        return self.formulation.angles(phi.tolist())
 
 
 def turns_to_hide(slides: tuple[int, ...]) -> tuple[Formulation, ...]:

@@ -9,7 +9,6 @@ towards it lose digits, so that poses with the slide some arm sizes out may have
 
 from __future__ import annotations
 
-from math import cos, sin
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,7 +25,6 @@ ADVANCE = (112 / 113, 15 / 113)
 # Half the order of the determinant's zero at d = ∞: four leave degree 8 on the circle, and eight
 # the degree 4 of arms with eight solutions.
 ORDERS = (8, 7, 6, 5, 4)
-TINY = 1e-300
 
 
 def on_circle(x: FloatArray) -> FloatArray:
@@ -44,13 +42,6 @@ def stand_in(length: float) -> tuple[float, float]:
     c, s = ADVANCE
     cosine, sine = (1.0 - x * x) / (1.0 + x * x), 2.0 * x / (1.0 + x * x)
     return cosine * c + sine * s, sine * c - cosine * s
-
-
-def length(psi: float) -> float:
-    """The length d [arm sizes] from ψ; zero instead of infinity."""
-    (c, s), cosine, sine = ADVANCE, cos(psi), sin(psi)
-    above = float(nearness(np.array(cosine), np.array(sine)))
-    return UNIT * (s * cosine + c * sine) * above / (above * above + TINY)
 
 
 def nearness(cosine: FloatArray, sine: FloatArray) -> FloatArray:

@@ -1,4 +1,4 @@
-"""What the set-up hands to the reference solver and to the writers of code."""
+"""What the set-up hands to the runtime and to the writers of code."""
 
 from __future__ import annotations
 
@@ -165,17 +165,6 @@ class GeneralKernel:
     def slides_beside(self) -> bool:
         """Whether a slide is a partner of the hidden joint."""
         return bool(self.loop.slides) and not (self.slides_on_the_right or self.hides_a_slide)
-
-    def tried(self, held: Sequence[Value]) -> tuple[Formulation, ...]:
-        """The eliminations that are tried at these values of the joints that are held."""
-        size = self.loop.size
-        useless = {
-            number
-            for each in self.vanishing
-            if each.holds(held, size)
-            for number in each.formulations
-        }
-        return tuple(f for number, f in enumerate(self.eliminations) if number not in useless)
 
     def held(self, free: Sequence[float]) -> tuple[Value, ...]:
         """Angles and lengths of the joints whose values the caller gives."""

@@ -9,15 +9,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from dhgen.general.links import Link
 from dhgen.kinematics.rigid import IDENTITY, Matrix, inverse, scaled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
-
-    from dhgen.arrays import FloatArray
 
 
 # From the frame of the last joint to that of the turn [arm sizes]: skew to its axis, at a distance
@@ -45,15 +41,3 @@ def with_no_turn(links: Sequence[Link], size: float) -> list[Link]:
     """
     beyond = scaled(BEYOND, size)
     return [*links[:-1], Link(beyond), links[-1].between(inverse(beyond), IDENTITY)]
-
-
-def without_turn(angles: FloatArray, place: int, *, in_doubt: bool) -> FloatArray:
-    """Of solutions of the loop (k, 6) those that are nearly the arm's: starts for its joints.
-
-    Args:
-        angles: The loop's.
-        place: Of the turn among them.
-        in_doubt: Whether the certificate fails.
-    """
-    most = NEARLY_NONE_IN_DOUBT if in_doubt else NEARLY_NONE
-    return angles[np.abs(angles[:, place]) < most]

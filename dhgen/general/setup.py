@@ -15,6 +15,7 @@ import numpy as np
 
 from dhgen.general.circle import trigonometric
 from dhgen.general.determinant import equations
+from dhgen.general.determined import middle_determined
 from dhgen.general.formulation import OTHERS, formulations, hiding
 from dhgen.general.four_turns import branches, turns_to_hide
 from dhgen.general.hidden_slide import stand_in
@@ -22,10 +23,9 @@ from dhgen.general.kernel import SLIDES_OF_FOUR_TURNS, GeneralKernel, Score
 from dhgen.general.links import Held, Value
 from dhgen.general.loop import JOINTS, QUARTERS, close_loop
 from dhgen.general.offset_wrist import offset_wrist
-from dhgen.general.recover import middle_determined
 from dhgen.general.vanishing import Vanishing
 from dhgen.kinematics.rigid import multiply
-from dhgen.runtime.python.general.tables import SAMPLES, sample_cosines
+from dhgen.runtime.python.general.tables import COSINES, SAMPLES, SINES
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -221,7 +221,7 @@ def _determinants(
     """The determinant of the witnesses at the sample angles, (N, 24); links are (N, 4, 4) each."""
     count = len(links[0])
     lanes = np.repeat(equations(links, slides), SAMPLES, axis=-1)
-    cosines, sines = (np.tile(x, count) for x in sample_cosines())
+    cosines, sines = (np.tile(x, count) for x in (COSINES, SINES))
     polynomial = formulation.polynomial(lanes, np.array(cosines), np.array(sines))
     return polynomial.reshape(count, SAMPLES)
 
@@ -230,7 +230,7 @@ def _polynomials(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatAr
     """The same of an arm with four turns."""
     count = len(links[0])
     lanes = [np.repeat(np.moveaxis(link, 0, -1), SAMPLES, axis=-1) for link in links]
-    cosines, sines = (np.tile(x, count) for x in sample_cosines())
+    cosines, sines = (np.tile(x, count) for x in (COSINES, SINES))
     return branches(lanes, slides, (cosines, sines)).polynomial.reshape(count, SAMPLES)
 
 

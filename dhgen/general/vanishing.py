@@ -6,8 +6,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from dhgen.general.links import Value
 
 # How far a joint may be from such a value to count as there [rad, arm sizes]: what a formulation
@@ -30,12 +28,3 @@ class Vanishing:
     value: Value
     slides: bool
     formulations: tuple[int, ...]
-
-    def holds(self, held: Sequence[Value], size: float) -> bool:
-        """Whether the joint is there, in an arm of this size."""
-        own = held[self.place]
-        if self.slides:
-            return abs(own.value - self.value.value) <= THERE * size
-        across = own.sine * self.value.cosine - own.cosine * self.value.sine
-        ahead = own.cosine * self.value.cosine + own.sine * self.value.sine
-        return abs(across) <= THERE and ahead > 0.0

@@ -15,7 +15,7 @@ import numpy as np
 
 from dhgen.numerical import kernel as constants
 from dhgen.numerical.miss import miss
-from dhgen.numerical.reference import damped_step, shortened, sideways
+from dhgen.runtime.python.numerical.arm import strides
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -103,3 +103,36 @@ def escaped(
             break
         best = end
     return best
+
+
+def damped_step(
+    e: FloatArray, length: FloatArray, A: FloatArray, floor: float | FloatArray
+) -> FloatArray:
+    """The damped least squares step, A' (A A' + damping)^-1 e, by singular values.
+
+    `floor` is the least damping.
+    """
+    damping = constants.DAMPING * np.minimum(length**2, 1.0) + floor
+    U, values, across = np.linalg.svd(A, full_matrices=False)
+    parts = (np.swapaxes(U, 1, 2) @ e[..., None])[..., 0]
+    parts *= values / (values**2 + damping[..., None])
+    return np.asarray((parts[:, None, :] @ across)[:, 0])
+
+
+def sideways(A: FloatArray) -> tuple[FloatArray, float]:
+    """The part of a generic direction (k,) that leaves the tool where it is, to first order.
+
+    It is made one long; the second is how long it was. `A` (1, m, k) tells how joints move the
+    tool.
+    """
+    direction = np.array(strides(A.shape[-1]))
+    step = damped_step(A @ direction, np.zeros(1), A, constants.FLOOR)[0]
+    along = direction - step
+    length = float(np.linalg.norm(along))
+    return along / length if length else along, length
+
+
+def shortened(steps: FloatArray) -> FloatArray:
+    """Steps (..., k), no longer than they may be."""
+    longest = np.abs(steps).max(axis=-1, initial=constants.LONGEST)
+    return np.asarray(steps * (constants.LONGEST / longest)[..., None])

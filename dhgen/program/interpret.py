@@ -11,13 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.general import reference as general
-from dhgen.general.arm import joint_values
-from dhgen.general.no_turn import without_turn
-from dhgen.numerical import reference as numerical
 from dhgen.numerical.both_sides import both_sides
 from dhgen.numerical.kernel import AWAY
 from dhgen.numerical.tighten import tighten
+from dhgen.program.all_joints import whole_solver
 from dhgen.program.circle import circle_roots, is_close
 from dhgen.program.ir import (
     AllJoints,
@@ -197,25 +194,14 @@ class _Run:
         return _Run(self._program, poses, away, free, angles).rows().q
 
     def _all_joints(self, statement: AllJoints) -> dict[str, Array]:
-        """All joints of all solutions along the only axis."""
+        """All joints of all solutions along the only axis, by the runtime."""
+        solve, arm = whole_solver(statement)
         values = np.full((*self._shape, len(statement.names)), np.nan)
         found, chosen = np.zeros(self._shape, dtype=bool), np.zeros(self._shape, dtype=bool)
         for k, pose in enumerate(self._poses):
-            seed, free = self._given["seed"][k], self._given["free"][k]
-            if statement.general is None:
-                solved = numerical.solve(pose, seed, free, statement.descent)
-            else:
-                first = general.solve(pose, statement.general, free)
-                kernel = statement.general
-                angles, safe = first.q, first.complete and not first.singular
-                if kernel.checked:
-                    angles = without_turn(angles, kernel.asked, in_doubt=not safe)
-                rows = joint_values(angles, statement.descent.arm.chain)
-                arm = numerical.Arm(statement.descent, pose, seed, free)
-                solved = arm.settle(rows, regular=safe)
-            count = len(solved.q)
-            values[k, :count], chosen[k, :count] = solved.q, solved.chosen
-            found[k, :count] = True
+            entries = tuple(map(float, pose[:3].ravel()))
+            seed, free = self._given["seed"][k].copy(), self._given["free"][k].copy()
+            values[k], found[k], chosen[k] = solve(arm, entries, free, seed)
         places = {name: values[..., place] for place, name in enumerate(statement.names)}
         return places | {statement.found: found, statement.chosen: chosen}
 

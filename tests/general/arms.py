@@ -14,16 +14,10 @@ import numpy as np
 
 from dhgen.atomic_write import write_files
 from dhgen.general.links import Link
-from dhgen.general.reference import solve
-from dhgen.general.runtime_loop import runtime_loop
 from dhgen.general.setup import setup
-from dhgen.kinematics.rigid import IDENTITY
-from dhgen.numerical.runtime_arm import twelve
 from dhgen.runtime import c_runtime_files
-from dhgen.runtime.plain import plain
-from dhgen.runtime.python.general.arm import general_numbers
-from dhgen.runtime.python.numerical.arm import Arm, ChainJoint, Joint
 from dhgen.targets.c.general import general_sizes, general_source
+from tests.general.solved import solve
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -155,10 +149,9 @@ def in_c(known: GeneralKernel, name: str, *flags: str) -> Callable[[np.ndarray],
 def doubtful_in_all_languages(known: GeneralKernel, poses: Sequence[np.ndarray]) -> int:
     """Of how many poses it is not certain that these are all solutions; C has the same as Python.
 
-    In lanes and one by one; in Python, and by what that is held to, for the first poses.
+    In lanes and one by one; in Python for the first poses.
     """
     in_lanes, one_by_one = in_c(known, "arm", *STRICT), in_c(known, "arm", "-DARM_LANES=1")
-    in_words = in_python(known)
     doubtful = 0
     for number, T in enumerate(poses):
         q, residual, certain = in_lanes(T)
@@ -166,7 +159,6 @@ def doubtful_in_all_languages(known: GeneralKernel, poses: Sequence[np.ndarray])
         doubtful += not certain
         np.testing.assert_allclose(one_by_one(T)[0], q, atol=1e-8)
         if number < SLOW_POSES:
-            np.testing.assert_allclose(in_words(T)[0], q, atol=1e-8)
             np.testing.assert_allclose(solve(T, known).q, q, atol=1e-8)
     return doubtful
 
@@ -179,24 +171,12 @@ def plain_python(name: str) -> Callable[[np.ndarray], Answer]:
 
 def in_python(known: GeneralKernel) -> Callable[[np.ndarray], Answer]:
     """The same of any kernel."""
-    unit = twelve(IDENTITY)
-    whole = Arm(
-        rows=known.rows,
-        size=1.0,
-        coordinates=(0, 1, 2),
-        directions="rotation",
-        joints=tuple(Joint(place) for place in range(6)),
-        base=unit,
-        chain=(ChainJoint(unit),) * 6,
-    )
-    arm, solve_loop = (
-        general_numbers(whole, runtime_loop(known)),
-        plain("general.search").solve_loop,
-    )
-    none = np.zeros(0)
-    return lambda T: _answer(
-        lambda flat, q, residual: solve_loop(arm, flat[:12], none, q, residual), np.ravel(T)
-    )
+
+    def run(T: np.ndarray) -> Answer:
+        found = solve(T, known)
+        return found.q, found.residual, found.certain
+
+    return run
 
 
 def _answer(function: Callable[..., int], T: np.ndarray) -> Answer:

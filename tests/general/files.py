@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.atomic_write import write_files
-from dhgen.general.arm import general_kernel, joint_values
-from dhgen.general.reference import solve
+from dhgen.general.arm import general_kernel
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.lowering.forward import forward_program, jacobian_program
@@ -22,6 +21,7 @@ from dhgen.targets.module import SolverModule
 from dhgen.targets.reserved import RESERVED
 from dhgen.tolerances import DOUBLE
 from tests.compiling import library
+from tests.general.solved import is_complete, joint_values, solve
 from tests.oracle.sets import all_solutions
 
 if TYPE_CHECKING:
@@ -109,13 +109,13 @@ def alike(rows: np.ndarray, others: np.ndarray, turning: np.ndarray) -> np.ndarr
 
 
 def assert_all_solutions(robot: Robot, kernel: GeneralKernel, poses: Sequence[np.ndarray]) -> None:
-    """Certainly all solutions, and those that the oracle finds, one to one."""
+    """All solutions, with a certificate, and those that the oracle finds, one to one."""
     chain = build_chain(robot)
     turning = np.array([joint.kind is JointKind.REVOLUTE for joint in chain.joints])
     for T in poses:
         found = solve(T, kernel)
         q = joint_values(found.q, chain)
-        assert found.complete
+        assert is_complete(T, kernel)
         assert 2 <= len(q) <= kernel.rows
         np.testing.assert_allclose(numeric_arm(chain).pose(q) - T, 0.0, atol=1e-9)
         same = alike(q, all_solutions(robot, T), turning)

@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from dhgen.general.reference import solve
 from tests.general.arms import TABLES, compiled, forward, gap, kernel, plain_python
+from tests.general.solved import solve
 
 NAME = "general"
 POSES = 40

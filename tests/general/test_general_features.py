@@ -12,8 +12,8 @@ from dhgen.general.features import FEATURES, act, slide, turn
 from dhgen.general.formulation import OTHERS, formulations
 from dhgen.general.links import Link
 from dhgen.general.loop import close_loop
-from dhgen.general.recover import motion
 from dhgen.kinematics.rigid import along_z, inverse, multiply
+from dhgen.kinematics.rigid import turn as rotation
 from dhgen.runtime.python.general.tables import GRID_C, GRID_S
 from tests.general.arms import TABLES, constants, forward, gap, kernel
 
@@ -24,6 +24,11 @@ if TYPE_CHECKING:
 def lanes(*matrices: Matrix) -> np.ndarray:
     """Transforms (4, 4, N)."""
     return np.moveaxis(np.array(matrices), 0, -1)
+
+
+def motion(value: float, *, slides: bool) -> np.ndarray:
+    """The transform of a joint, (4, 4)."""
+    return np.array(along_z(value) if slides else rotation(np.cos(value), np.sin(value)))
 
 
 def some_features(seed: int) -> np.ndarray:
@@ -104,10 +109,9 @@ def test_an_arm_without_lengths_is_refused() -> None:
 
 
 def test_digits() -> None:
-    cosines, sines = GRID_C, GRID_S
     angles = np.outer(np.arange(1, 9), np.arange(128)) * 2 * np.pi / 256
-    np.testing.assert_allclose(cosines, np.cos(angles), atol=1e-14)
-    np.testing.assert_allclose(sines, np.sin(angles), atol=1e-14)
+    np.testing.assert_allclose(GRID_C, np.cos(angles), atol=1e-14)
+    np.testing.assert_allclose(GRID_S, np.sin(angles), atol=1e-14)
 
 
 def test_gap_wraps() -> None:

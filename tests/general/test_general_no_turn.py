@@ -8,14 +8,13 @@ import numpy as np
 import pytest
 
 from dhgen.general.arm import general_kernel
-from dhgen.general.no_turn import without_turn
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import whole_program
-from dhgen.robot.load import load
-from dhgen.status import Status
-from tests.general.files import SLIDE, TURNS, compiled, skew, without_derivation
+from dhgen.runtime.plain import plain
+from dhgen.runtime.python.numerical.places import RECORD, SOLVED, UNIT
+from tests.general.files import SLIDE, TURNS, skew
 from tests.oracle.sets import all_solutions
 
 if TYPE_CHECKING:
@@ -110,59 +109,22 @@ def test_poses_that_were_rounded_and_poses_that_are_not_the_arms(tmp_path: Path)
     assert not solved(chain, turned).solved.any()
 
 
-def test_a_turn_that_is_not_zero_is_set_aside_at_once() -> None:
+def test_a_turn_that_is_not_zero_is_set_aside_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Only near to singular places rounding turns what the arm does not have by more."""
+    rows, starts = plain("general.rows"), []
+
+    def descend(*arguments: object) -> float:
+        starts.append(arguments)
+        return 1.0  # which leads to nothing
+
+    monkeypatch.setattr(rows, "descend", descend)
     angles = np.array([[0.3] * 5 + [turn] for turn in (0.0, 0.005, 0.05, -0.5)])
-    for in_doubt, count in ((False, 2), (True, 3)):
-        assert len(without_turn(angles, 5, in_doubt=in_doubt)) == count
-
-
-def test_in_c(tmp_path: Path) -> None:
-    """And what nearly takes a pose counts only where the pose has been rounded."""
-    (tmp_path / "arm.yaml").write_text(TWISTED, encoding="utf-8")
-    arm = load(tmp_path / "arm.yaml")
-    module = without_derivation(arm)
-    solver = compiled(module, tmp_path)
-    seed = np.zeros(5)
-    for q in (np.array(NEARLY), *np.random.default_rng(4).uniform(-3.0, 3.0, (20, 5))):
-        T = solver.fk(q)
-        rows, status = solver.ik(T, seed)
-        assert (status != Status.UNREACHABLE).sum() == 1
-        assert gaps(rows[0], q) < 1e-6
-        T[:3, 3] += 1e-3
-        assert (solver.ik(T, seed)[1] == Status.UNREACHABLE).all()
-    T = np.round(solver.fk(np.array(NEARLY)), 6)
-    rows, status = solver.ik(T, seed)
-    held = rows[status != Status.UNREACHABLE]
-    assert len(held) == 2
-    assert gaps(held, np.array(NEARLY)).min() < 1e-4
-    for row in held:
-        np.testing.assert_allclose(solver.fk(row), T, atol=2e-5)
-    known = interpret(module.solver, T[None], seed=seed)
-    np.testing.assert_allclose(held, known.q[0][known.solved[0]], atol=1e-9)
-
-
-def test_four_joints_whose_tool_points_in_c(tmp_path: Path) -> None:
-    """Whatever the two columns hold that nobody names; and a direction that the arm can't take."""
-    module = without_derivation(skew(tmp_path, TURNS[:4], task="pointing"))
-    solver = compiled(module, tmp_path)
-    for q in np.random.default_rng(4).uniform(-3.0, 3.0, (20, 4)):
-        T = solver.fk(q)
-        T[:3, :2] = np.nan
-        rows, status = solver.ik(T, np.zeros(4))
-        assert gaps(rows[status != Status.UNREACHABLE], q).min() < 1e-6
-        T[:3, 2] = [*T[1:3, 2], T[0, 2]]
-        assert (solver.ik(T, np.zeros(4))[1] == Status.UNREACHABLE).all()
-
-
-def test_exact_solutions_are_not_left_for_what_a_rounded_pose_may_miss(tmp_path: Path) -> None:
-    """Where joints are nearly free a step towards the seed keeps a row as exact as it is."""
-    (tmp_path / "arm.yaml").write_text(AIMED, encoding="utf-8")
-    module = without_derivation(load(tmp_path / "arm.yaml"))
-    solver = compiled(module, tmp_path)
-    T, seed = solver.fk(np.array(NEXT_TO_SINGULAR)), np.zeros(4)
-    rows, status = solver.ik(T, seed)
-    known = interpret(module.solver, T[None], seed=seed)
-    for held in (rows[status != Status.UNREACHABLE], known.q[0][known.solved[0]]):
-        reached = np.array([solver.fk(np.ascontiguousarray(row)) for row in held])
-        np.testing.assert_allclose(reached[:, :3, 2:], [T[:3, 2:]] * len(held), atol=2e-10)
+    arm = np.zeros(200)
+    arm[SOLVED], arm[UNIT : UNIT + 5 * RECORD : RECORD] = 5, 1.0
+    nothing, kinds = np.zeros((16, 5)), np.zeros(16, np.int64)
+    for certain, count in ((True, 1), (False, 3)):
+        starts.clear()
+        rows._keep_without_turn(
+            arm, nothing, nothing, nothing, angles, 4, certain, nothing, kinds, 0
+        )
+        assert len(starts) == count  # the first one needs none where it is certain

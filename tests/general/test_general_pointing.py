@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.general.arm import general_kernel, joint_values
-from dhgen.general.pointing import any_turn
-from dhgen.general.reference import solve
+from dhgen.general.arm import general_kernel
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.load import load
+from dhgen.runtime.plain import plain
 from tests.general.files import SLIDE, TURNS, alike, skew
+from tests.general.solved import joint_values, solve
 from tests.oracle.sets import all_solutions
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def test_all_solutions(tmp_path: Path, place: int, free: int | None) -> None:
         T[:3, :2] = np.nan  # nobody names them
         values = [q[number - 1] for number in given]
         found = solve(T, kernel, values)
-        assert found.complete
+        assert found.certain
         expected = all_solutions(arm, T, values)
         rows_found = joint_values(found.q, chain)
         solved = [joint for joint in range(chain.dof) if joint + 1 not in given]
@@ -84,7 +84,7 @@ def test_each_formulation_finds_both_elbows(
     assert len(kernel.formulations) == 2
     for formulation in kernel.formulations:
         found = solve(T, replace(kernel, formulations=(formulation,)))
-        assert found.complete
+        assert found.certain
         same = alike(joint_values(found.q, chain), expected, np.full(5, fill_value=True))
         np.testing.assert_array_equal(same.sum(axis=0), 1)
         np.testing.assert_array_equal(same.sum(axis=1), 1)
@@ -96,7 +96,8 @@ def test_each_formulation_finds_both_elbows(
 def test_the_turn_is_a_rotation(z: tuple[float, float, float]) -> None:
     T = np.full((4, 4), np.nan)
     T[:, 2:] = [[z[0], 1.0], [z[1], 2.0], [z[2], 3.0], [0.0, 1.0]]
-    whole = any_turn(T)
-    np.testing.assert_allclose(whole[:3, :3] @ whole[:3, :3].T, np.eye(3), atol=1e-15)
-    assert np.linalg.det(whole[:3, :3]) == pytest.approx(1.0)
-    np.testing.assert_array_equal(whole[:, 2:], T[:, 2:])
+    whole = T[:3].copy()
+    plain("general.rows").any_turn(T, whole.reshape(12))
+    np.testing.assert_allclose(whole[:, :3] @ whole[:, :3].T, np.eye(3), atol=1e-15)
+    assert np.linalg.det(whole[:, :3]) == pytest.approx(1.0)
+    np.testing.assert_array_equal(whole[:, 2:], T[:3, 2:])

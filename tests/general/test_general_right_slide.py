@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from dhgen.general.formulation import OTHERS
-from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from tests.general.arms import doubtful_in_all_languages
 from tests.general.files import assert_all_solutions, kernel_by, poses, written
+from tests.general.solved import solve
 
 if TYPE_CHECKING:
     from pathlib import Path

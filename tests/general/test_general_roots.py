@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.general.circle import Roots, roots, trigonometric
-from dhgen.general.roots import real_roots
-from dhgen.runtime.python.general.tables import sample_cosines
+from dhgen.runtime.python.general.tables import SAMPLE_C, SAMPLE_S
+from tests.general.circles import Roots, real_roots, roots
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -34,7 +33,7 @@ def product(*factors: tuple[float, float]) -> Callable[[np.ndarray, np.ndarray],
 
 def plain(at: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Roots:
     """What the fit alone shows."""
-    return roots(trigonometric(at(*np.array(sample_cosines()))))
+    return roots(at(SAMPLE_C, SAMPLE_S))
 
 
 @pytest.mark.parametrize("crowd", CROWDS)

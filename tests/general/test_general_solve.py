@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from dhgen.general.reference import solve
 from tests.general.arms import TABLES, compiled, forward, gap, kernel, plain_python, poses
+from tests.general.solved import solve
 
 # The pose of Manseur and Doty at which all sixteen solutions are real.
 SIXTEEN = [
@@ -37,7 +37,7 @@ def test_reference(name: str) -> None:
     for q, T in poses(name, 5):
         found = solve(T, kernel(name))
         check(name, T, found.q, found.residual)
-        assert found.complete
+        assert found.certain
         assert gap(found.q, q).min() < 1e-6
         assert len(found.q) % 2 == 0
 

@@ -10,18 +10,14 @@ import numpy as np
 import pytest
 
 from dhgen.errors import UnsolvedError
-from dhgen.general.arm import joint_values
 from dhgen.general.circle import trigonometric
-from dhgen.general.four_turns import DEGREE, FourTurns
-from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derive import derive
 from dhgen.program.interpret import interpret
 from dhgen.robot.load import load
-from dhgen.runtime.python.general.tables import sample_cosines
 from dhgen.status import Status
-from tests.general.arms import STRICT, doubtful_in_all_languages, in_c, in_python
+from tests.general.arms import STRICT, doubtful_in_all_languages, in_c
 from tests.general.files import (
     assert_all_solutions,
     compiled,
@@ -30,6 +26,7 @@ from tests.general.files import (
     without_derivation,
     written,
 )
+from tests.general.solved import four_turns_samples, joint_values, solve
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -40,7 +37,7 @@ if TYPE_CHECKING:
 
 PLACES = list(combinations(range(6), 2))
 POSES = 3
-COSINES_SINES = tuple(np.array(each) for each in sample_cosines())
+DEGREE = 4
 
 
 def random_rows(slides: tuple[int, ...], seed: int) -> list[str]:
@@ -195,9 +192,7 @@ def test_roots_of_rounding_certify_nothing(tmp_path: Path) -> None:
     kernel = known(chain)
     T = numeric_arm(chain).pose(np.array([0.0, np.pi / 2, 0.34315, np.pi / 2, -0.34315, 0.0]))
     assert not in_c(kernel, "arm")(T)[2]
-    assert not in_python(kernel)(T)[2]
-    found = solve(T, kernel)
-    assert not found.complete or found.singular
+    assert not solve(T, kernel).certain
 
 
 def test_beside_parallel_slides_there_are_solutions(tmp_path: Path) -> None:
@@ -207,7 +202,7 @@ def test_beside_parallel_slides_there_are_solutions(tmp_path: Path) -> None:
     """
     chain = build_chain(written(tmp_path, list(FOLDING)))
     kernel, arm = known(chain), numeric_arm(chain)
-    compiled, in_words = in_c(kernel, "arm", *STRICT), in_python(kernel)
+    compiled = in_c(kernel, "arm", *STRICT)
     random = np.random.default_rng(6)
     for distance in (1e-6, 1e-5):
         for number, q in enumerate(random.uniform(-2.5, 2.5, (20, 6))):
@@ -215,7 +210,7 @@ def test_beside_parallel_slides_there_are_solutions(tmp_path: Path) -> None:
             T = arm.pose(q)
             found = [compiled(T)[0]]
             if number == 0:
-                found += [in_words(T)[0], joint_values(solve(T, kernel).q, chain)]
+                found.append(joint_values(solve(T, kernel).q, chain))
             for rows in found:
                 off = np.abs(np.remainder(rows - q + np.pi, 2 * np.pi) - np.pi)
                 assert off.max(axis=1).min() < 2e-9 / distance, (distance, q.tolist())
@@ -254,14 +249,9 @@ def test_every_turn_can_be_hidden(tmp_path: Path, slides: tuple[int, ...]) -> No
 def test_the_polynomial_has_degree_four(tmp_path: Path, slides: tuple[int, ...]) -> None:
     chain = build_chain(written(tmp_path, random_rows(slides, seed=4)))
     kernel = known(chain)
-    loop = kernel.loop
-    links = tuple(np.array(K.first) for K in loop.links)
     for T in poses(chain, POSES, seed=3):
-        P = np.array(loop.left.first) @ T @ np.array(loop.right.first)
-        P[:3, 3] /= loop.size
-        for formulation in kernel.formulations:
-            values = FourTurns(formulation, loop.slides).values(links, P, *COSINES_SINES)
-            f = trigonometric(values)
+        for number in range(len(kernel.formulations)):
+            f = trigonometric(four_turns_samples(kernel, T, number))
             beyond = np.abs([f.cosine[DEGREE + 1 :], f.sine[DEGREE + 1 :]]).max()
             assert max(beyond / f.scale, f.noise) < 1e-11
             assert max(abs(f.cosine[DEGREE]), abs(f.sine[DEGREE])) > 1e-9 * f.scale
@@ -276,7 +266,7 @@ def test_a_longer_arm_with_joints_given(tmp_path: Path) -> None:
         for value in (0.0, 0.3):
             found = solve(T, kernel, [value])
             q = joint_values(found.q, chain)
-            assert found.complete
+            assert found.certain
             full = np.column_stack([q, np.full(len(q), value)])
             np.testing.assert_allclose(numeric_arm(chain).pose(full) - T, 0.0, atol=1e-9)
 

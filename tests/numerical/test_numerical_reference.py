@@ -2,19 +2,36 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 
 from dhgen.kinematics.build import build_chain
 from dhgen.numerical.kernel import NumericalKernel, numerical_kernel
-from dhgen.numerical.reference import solve
+from dhgen.numerical.runtime_arm import runtime_arm
 from dhgen.robot.load import load
-from dhgen.runtime.python.numerical.arm import strides
+from dhgen.runtime.python.numerical.arm import arm_numbers, strides
+from dhgen.runtime.python.numerical.search import solve_whole
 from tests.targets.made import ROBOTS, in_c
 
 
 def kernel(name: str) -> NumericalKernel:
     return numerical_kernel(build_chain(load(ROBOTS / f"{name}.yaml")), redundant=False)
+
+
+@dataclass(frozen=True)
+class Found:
+    """Solutions, and in which of them a joint was indeterminate."""
+
+    q: np.ndarray
+    chosen: np.ndarray
+
+
+def solve(T: np.ndarray, seed: np.ndarray, arm: NumericalKernel) -> Found:
+    numbers, entries = arm_numbers(runtime_arm(arm)), tuple(map(float, T[:3].ravel()))
+    q, found, chosen = solve_whole(numbers, entries, np.zeros(0), seed)
+    return Found(q[found], chosen[found])
 
 
 @pytest.mark.parametrize("name", ["puma560", "ur5", "rrprrr", "cuspidal_3r"])
@@ -28,7 +45,7 @@ def test_the_same_solutions_as_a_closed_form(name: str) -> None:
         T = arm.arm.pose(q)
         rows, status = closed.ik(T, np.zeros(chain.dof))
         wanted = rows[status != 1]
-        found = solve(T, np.zeros(chain.dof), np.zeros(0), arm).q
+        found = solve(T, np.zeros(chain.dof), arm).q
         apart = found[:, None] - wanted
         turned = np.remainder(apart + np.pi, 2 * np.pi) - np.pi
         gaps = np.abs(np.where(arm.turns, turned, apart)).max(axis=-1)
@@ -41,7 +58,7 @@ def test_a_straight_wrist_follows_the_seed(q5: float) -> None:
     arm = kernel("puma560")
     q = np.array([0.4, -0.7, 0.5, 0.9, q5, -0.3])
     T = arm.arm.pose(q)
-    here, elsewhere = (solve(T, seed, np.zeros(0), arm) for seed in (q, np.zeros(6)))
+    here, elsewhere = (solve(T, seed, arm) for seed in (q, np.zeros(6)))
     for found in (here, elsewhere):
         assert found.chosen.any()
         np.testing.assert_allclose(
@@ -53,7 +70,7 @@ def test_a_straight_wrist_follows_the_seed(q5: float) -> None:
 def test_a_stretched_arm_is_one_solution() -> None:
     arm = kernel("scara_rrp")
     T = arm.arm.pose(np.array([0.7, 0.0, -0.1]))
-    found = solve(T, np.zeros(3), np.zeros(0), arm)
+    found = solve(T, np.zeros(3), arm)
     assert len(found.q) == 1
     assert not found.chosen.any()
 

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from ..arrays import Bools, Floats
 
 OWN = of_file(__file__)
-apart, inner = OWN.apart, OWN.inner
+apart, inner, jit = OWN.apart, OWN.inner, OWN.jit
 
 
 # Starts in a round; the search ends with the first round that finds nothing new.
@@ -140,3 +140,11 @@ def all_joints(
             count = keep(arm, T, joints, near, kept, kinds, count, u)
     sort_rows(arm, kept, kinds, count, joints, q, found, chosen)
     return q, found, chosen
+
+
+@jit
+def solve_whole(
+    arm: Floats, pose: tuple[float, ...], q_free: Floats, seed: Floats
+) -> tuple[Floats, Bools, Bools]:
+    """Returns what `all_joints` does, for callers in Python."""
+    return all_joints(arm, pose, q_free, seed)

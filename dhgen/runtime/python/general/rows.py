@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from ..arrays import Bools, Floats, Ints
 
 OWN = of_file(__file__)
-apart, inner = OWN.apart, OWN.inner
+apart, inner, jit = OWN.apart, OWN.inner, OWN.jit
 
 STARTS = 12  # beside what the loop has, where that is not certainly everything
 # An angle above this [rad] of a turn that the arm does not have belongs to a pose that it does not
@@ -47,7 +47,7 @@ NEARLY_NONE_IN_DOUBT = 0.1
 
 
 @inner
-def _any_turn(T: Floats, flat: Floats) -> None:
+def any_turn(T: Floats, flat: Floats) -> None:
     """Replaces the first columns of a pose by any that fit its z axis, where the tool only points.
 
     T. Duff et al., Building an orthonormal basis, revisited (2017).
@@ -147,7 +147,7 @@ def all_joints(
     rows, solved = int(arm[ROWS]), int(arm[SOLVED])
     flat = T.copy().reshape(12)
     if arm[POINTING_LOOP] > 0.0:
-        _any_turn(T, flat)
+        any_turn(T, flat)
     angles, residual = np.empty((rows, 6)), np.empty(rows)
     known = solve_loop(arm, flat, q_free, angles, residual)
     certain, many = known >= 0, known if known >= 0 else -1 - known
@@ -169,3 +169,11 @@ def all_joints(
             count = keep(arm, T, joints, near, kept, kinds, count, u)
     sort_rows(arm, kept, kinds, count, joints, q, found, chosen)
     return q, found, chosen
+
+
+@jit
+def solve_whole(
+    arm: Floats, pose: tuple[float, ...], q_free: Floats, seed: Floats
+) -> tuple[Floats, Bools, Bools]:
+    """Returns what `all_joints` does, for callers in Python."""
+    return all_joints(arm, pose, q_free, seed)
