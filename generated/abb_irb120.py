@@ -52,14 +52,14 @@ JOINT_LIMITS = (
     (-6.98132, 6.98132),
 )
 BRANCHES = (
-    "left-down-noflip",
-    "left-down-flip",
-    "left-up-noflip",
-    "left-up-flip",
-    "right-down-noflip",
-    "right-down-flip",
-    "right-up-noflip",
-    "right-up-flip",
+    "back-down-noflip",
+    "back-down-flip",
+    "back-up-noflip",
+    "back-up-flip",
+    "front-up-noflip",
+    "front-up-flip",
+    "front-down-noflip",
+    "front-down-flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -294,7 +294,7 @@ def _solve(pose, seed, q, status):
     # theta2, type 3: U1[2, 4] and U1[1, 4]
     v5 = seed[1] + offset2
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:
@@ -329,7 +329,7 @@ def _solve(pose, seed, q, status):
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

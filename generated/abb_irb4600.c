@@ -54,8 +54,8 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const abb_irb4600_branches[8] = {
-    "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
-    "right-down-flip", "right-up-noflip", "right-up-flip",
+    "back-down-noflip", "back-down-flip", "back-up-noflip", "back-up-flip", "front-up-noflip",
+    "front-up-flip", "front-down-noflip", "front-down-flip",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -144,7 +144,7 @@ static void solve(
     const double Z1_3 = t34 - d1;
     const double v2 = Z1_3 * Z1_3;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
@@ -172,7 +172,7 @@ static void solve(
         const double v8 = T12 * s1 - T22 * c1, v9 = T12 * c1 + T22 * s1, v11 = T11 * s1 - T21 * c1,
             v12 = T11 * c1 + T21 * s1;
 
-        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+        for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */

@@ -48,7 +48,7 @@ static const double
     const number T34 = T[11]
 
 const char *const arm_3r_branches[4] = {
-    "left-down", "left-up", "right-down", "right-up",
+    "back-down", "back-up", "front-up", "front-down",
 };
 
 static const struct dhgen_joint joints[3] = {
@@ -107,7 +107,7 @@ static void solve(
     const double Z1_3 = T34 - d1;
     const double v1 = Z1_3 * Z1_3;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
@@ -130,7 +130,7 @@ static void solve(
         const double Y1_2 = a2 + d4 * v2;
         const double v4 = Z1_3 * Y1_2, v5 = root1 * Y1_2;
 
-        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+        for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */

@@ -48,10 +48,10 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-down",
-    "left-up",
-    "right-down",
-    "right-up",
+    "back-down",
+    "back-up",
+    "front-up",
+    "front-down",
 )
 MAX_SOLUTIONS = 4
 
@@ -184,7 +184,7 @@ def _solve(pose, seed, q, status):
     Z1_3 = T34 - d1
     v1 = Z1_3 * Z1_3
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:
@@ -210,7 +210,7 @@ def _solve(pose, seed, q, status):
         v4 = Z1_3 * Y1_2
         v5 = root1 * Y1_2
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

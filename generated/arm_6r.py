@@ -51,14 +51,14 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-down-noflip",
-    "left-down-flip",
-    "left-up-noflip",
-    "left-up-flip",
-    "right-down-noflip",
-    "right-down-flip",
-    "right-up-noflip",
-    "right-up-flip",
+    "back-down-noflip",
+    "back-down-flip",
+    "back-up-noflip",
+    "back-up-flip",
+    "front-up-noflip",
+    "front-up-flip",
+    "front-down-noflip",
+    "front-down-flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -263,7 +263,7 @@ def _solve(pose, seed, q, status):
     Z1_3 = wz - d1
     v1 = Z1_3 * Z1_3
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:
@@ -300,7 +300,7 @@ def _solve(pose, seed, q, status):
         v12 = T21 * c1 - T11 * s1
         v13 = T11 * c1 + T21 * s1
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

@@ -41,7 +41,7 @@ static const double
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
 const char *const bartell_rprpr_branches[2] = {
-    "left", "right",
+    "shoulder+", "shoulder-",
 };
 
 static const struct dhgen_joint joints[5] = {
@@ -105,7 +105,7 @@ static void solve(
     /* theta3, type 3: U1[3, 3] and U1[1, 3] */
     const double v5 = T33 * T33;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* shoulder+, shoulder- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */

@@ -51,8 +51,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left",
-    "right",
+    "shoulder+",
+    "shoulder-",
 )
 MAX_SOLUTIONS = 2
 
@@ -177,7 +177,7 @@ def _solve(pose, seed, q, status):
     # theta3, type 3: U1[3, 3] and U1[1, 3]
     v5 = T33 * T33
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # shoulder+, shoulder-
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:

@@ -52,14 +52,14 @@ JOINT_LIMITS = (
     (-6.2831853, 6.2831853),
 )
 BRANCHES = (
-    "left-down-noflip",
-    "left-down-flip",
-    "left-up-noflip",
-    "left-up-flip",
-    "right-down-noflip",
-    "right-down-flip",
-    "right-up-noflip",
-    "right-up-flip",
+    "front-down-noflip",
+    "front-down-flip",
+    "front-up-noflip",
+    "front-up-flip",
+    "back-up-noflip",
+    "back-up-flip",
+    "back-down-noflip",
+    "back-down-flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -318,7 +318,7 @@ def _solve(pose, seed, q, status):
     # theta4, type 2: U4[3, 3]
     v10 = seed[3] + offset4
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # front, back
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and (free1 or not apart1):
@@ -351,7 +351,7 @@ def _solve(pose, seed, q, status):
         v14 = T21 * c1 + T11 * s1
         v15 = T11 * c1 - T21 * s1
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

@@ -86,8 +86,8 @@ static const double
     f7 = 0.22414386804201336; /* 1 / 2 * sqrt3 * f1 */
 
 const char *const concurrent_345_branches[8] = {
-    "root1-noflip", "root1-flip", "root2-noflip", "root2-flip", "root3-noflip", "root3-flip",
-    "root4-noflip", "root4-flip",
+    "root1-elbow+", "root1-elbow-", "root2-elbow+", "root2-elbow-", "root3-elbow+", "root3-elbow-",
+    "root4-elbow+", "root4-elbow-",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -341,7 +341,7 @@ static void solve(
             v103) - sqrt2 * (T33 * (k28 + k1 * c2)));
         const double v105 = k15 * Z1_4;
 
-        for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
+        for (int i2 = 0; i2 < 2; i2++) { /* elbow+, elbow- */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && free3) continue; /* both signs give the same */

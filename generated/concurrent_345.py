@@ -52,14 +52,14 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "root1-noflip",
-    "root1-flip",
-    "root2-noflip",
-    "root2-flip",
-    "root3-noflip",
-    "root3-flip",
-    "root4-noflip",
-    "root4-flip",
+    "root1-elbow+",
+    "root1-elbow-",
+    "root2-elbow+",
+    "root2-elbow-",
+    "root3-elbow+",
+    "root3-elbow-",
+    "root4-elbow+",
+    "root4-elbow-",
 )
 MAX_SOLUTIONS = 8
 
@@ -1035,7 +1035,7 @@ def _solve(pose, seed, moved, q, status):
         )
         v105 = k15 * Z1_4
 
-        for i2 in range(2):  # noflip, flip
+        for i2 in range(2):  # elbow+, elbow-
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and free3:

@@ -49,7 +49,7 @@ static const double
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
 const char *const craig_417_branches[2] = {
-    "left", "right",
+    "right", "left",
 };
 
 static const struct dhgen_joint joints[4] = {
@@ -127,7 +127,7 @@ static void solve(
     /* theta3, type 3: U2[3, 4] and U2[1, 4] */
     const double v10 = 2.0 * T24, v11 = 2.0 * T14;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */

@@ -50,8 +50,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left",
     "right",
+    "left",
 )
 MAX_SOLUTIONS = 2
 
@@ -222,7 +222,7 @@ def _solve(pose, seed, q, status):
     v10 = 2.0 * T24
     v11 = 2.0 * T14
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and (free1 or not apart1):

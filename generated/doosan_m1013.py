@@ -53,14 +53,14 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-down-noflip",
-    "left-down-flip",
-    "left-up-noflip",
-    "left-up-flip",
     "right-down-noflip",
     "right-down-flip",
     "right-up-noflip",
     "right-up-flip",
+    "left-up-noflip",
+    "left-up-flip",
+    "left-down-noflip",
+    "left-down-flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -295,7 +295,7 @@ def _solve(pose, seed, q, status):
     # theta4, type 2: U4[3, 3]
     v12 = seed[3] + offset4
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and (free1 or not apart1):
@@ -331,7 +331,7 @@ def _solve(pose, seed, q, status):
         v16 = T21 * c1 - T11 * s1
         v17 = T11 * c1 + T21 * s1
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

@@ -53,14 +53,14 @@ JOINT_LIMITS = (
     (-6.2831, 6.2831),
 )
 BRANCHES = (
-    "left-down-noflip",
-    "left-down-flip",
-    "left-up-noflip",
-    "left-up-flip",
-    "right-down-noflip",
-    "right-down-flip",
-    "right-up-noflip",
-    "right-up-flip",
+    "back-up-noflip",
+    "back-up-flip",
+    "back-down-noflip",
+    "back-down-flip",
+    "front-down-noflip",
+    "front-down-flip",
+    "front-up-noflip",
+    "front-up-flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -294,7 +294,7 @@ def _solve(pose, seed, q, status):
     # theta2, type 3: U1[1, 4] and U1[2, 4]
     v6 = seed[1] + offset2
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:
@@ -327,7 +327,7 @@ def _solve(pose, seed, q, status):
         v12 = T23 * c1 - T13 * s1
         v13 = T13 * c1 + T23 * s1
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

@@ -55,9 +55,9 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const franka_panda_branches[8] = {
-    "noflip4-noflip5-noflip3", "noflip4-noflip5-flip3", "noflip4-flip5-noflip3",
-    "noflip4-flip5-flip3", "flip4-noflip5-noflip3", "flip4-noflip5-flip3", "flip4-flip5-noflip3",
-    "flip4-flip5-flip3",
+    "elbow4+-noflip-elbow3+", "elbow4+-noflip-elbow3-", "elbow4+-flip-elbow3+",
+    "elbow4+-flip-elbow3-", "elbow4--noflip-elbow3+", "elbow4--noflip-elbow3-",
+    "elbow4--flip-elbow3+", "elbow4--flip-elbow3-",
 };
 
 static const struct dhgen_joint joints[7] = {
@@ -166,7 +166,7 @@ static void solve(
     const double v28 = c7 * T11 - s7 * T12, v31 = c7 * T12 + s7 * T11, v39 = c7 * T21 - s7 * T22,
         v42 = c7 * T22 + s7 * T21;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
+    for (int i1 = 0; i1 < 2; i1++) { /* elbow4+, elbow4- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
         if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
@@ -201,7 +201,7 @@ static void solve(
             v36 = s4 * v28, v37 = s5 * (c4 * v31), v40 = s5 * v39, v41 = T23 * s5, v44 = c4 * v39,
             v45 = T23 * s4, v46 = T23 * c4, v47 = s4 * v39, v48 = s5 * (c4 * v42);
 
-        for (int i2 = 0; i2 < 2; i2++) { /* noflip5, flip5 */
+        for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta5 */
             if (e2 < 0.0 && (free5 || !apart5)) continue; /* both signs give the same */
@@ -234,7 +234,7 @@ static void solve(
                 v43 = c5 * v42 - (c6 * v40 + s6 * v41),
                 v49 = c6 * (c5 * v44 + v45) + s6 * (c5 * v46 - v47) + v48;
 
-            for (int i3 = 0; i3 < 2; i3++) { /* noflip3, flip3 */
+            for (int i3 = 0; i3 < 2; i3++) { /* elbow3+, elbow3- */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta3 */
                 if (e3 < 0.0 && free3) continue; /* both signs give the same */
@@ -348,7 +348,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     left |= (dhgen_abs_wide(D4) <= m1 * (merge_slack2 + 2.0 * dhgen_abs_wide(Z4))) | (0.0 <
         dhgen_exceeds_wide(free_joints[0], joints + 6));
 
-    DHGEN_UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
+    DHGEN_UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* elbow4+, elbow4- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         SIGNED(wide, double);
 
@@ -363,7 +363,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             q4_p = v11 + v62;
         left |= (N5 <= doubt_limit_squared2) | (dhgen_abs_wide(v4 * D5) <= v12);
 
-        DHGEN_UNROLLED for (int i2 = 0; i2 < 2; i2++) { /* noflip5, flip5 */
+        DHGEN_UNROLLED for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             SIGNED_TWICE(wide, double);
 

@@ -53,14 +53,14 @@ JOINT_LIMITS = (
     (-2.8973, 2.8973),
 )
 BRANCHES = (
-    "noflip4-noflip5-noflip3",
-    "noflip4-noflip5-flip3",
-    "noflip4-flip5-noflip3",
-    "noflip4-flip5-flip3",
-    "flip4-noflip5-noflip3",
-    "flip4-noflip5-flip3",
-    "flip4-flip5-noflip3",
-    "flip4-flip5-flip3",
+    "elbow4+-noflip-elbow3+",
+    "elbow4+-noflip-elbow3-",
+    "elbow4+-flip-elbow3+",
+    "elbow4+-flip-elbow3-",
+    "elbow4--noflip-elbow3+",
+    "elbow4--noflip-elbow3-",
+    "elbow4--flip-elbow3+",
+    "elbow4--flip-elbow3-",
 )
 MAX_SOLUTIONS = 8
 FREE_JOINTS = (7,)  # from 1: the caller gives their values
@@ -356,7 +356,7 @@ def _solve(pose, q_free, seed, q, status):
     v39 = c7 * T21 - s7 * T22
     v42 = c7 * T22 + s7 * T21
 
-    for i1 in range(2):  # noflip4, flip4
+    for i1 in range(2):  # elbow4+, elbow4-
         e1 = 1.0 - 2.0 * i1
         # theta4
         if e1 < 0.0 and not apart4:
@@ -411,7 +411,7 @@ def _solve(pose, q_free, seed, q, status):
         v47 = s4 * v39
         v48 = s5 * (c4 * v42)
 
-        for i2 in range(2):  # noflip5, flip5
+        for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
             # theta5
             if e2 < 0.0 and (free5 or not apart5):
@@ -446,7 +446,7 @@ def _solve(pose, q_free, seed, q, status):
             v43 = c5 * v42 - (c6 * v40 + s6 * v41)
             v49 = c6 * (c5 * v44 + v45) + s6 * (c5 * v46 - v47) + v48
 
-            for i3 in range(2):  # noflip3, flip3
+            for i3 in range(2):  # elbow3+, elbow3-
                 e3 = 1.0 - 2.0 * i3
                 # theta3
                 if e3 < 0.0 and free3:

@@ -57,8 +57,8 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const igus_rebel_branches[8] = {
-    "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
-    "right-down-flip", "right-up-noflip", "right-up-flip",
+    "back-down-noflip", "back-down-flip", "back-up-noflip", "back-up-flip", "front-up-noflip",
+    "front-up-flip", "front-down-noflip", "front-down-flip",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -152,7 +152,7 @@ static void solve(
     /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
     const double v7 = seed[1] + offset2;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
@@ -180,7 +180,7 @@ static void solve(
         const double v10 = T22 * c1 - T12 * s1, v11 = T12 * c1 + T22 * s1,
             v13 = T21 * c1 - T11 * s1, v14 = T11 * c1 + T21 * s1;
 
-        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+        for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */

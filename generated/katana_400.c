@@ -54,7 +54,7 @@ static const double
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
 const char *const katana_400_branches[4] = {
-    "left-down", "left-up", "right-down", "right-up",
+    "front-down", "front-up", "back-up", "back-down",
 };
 
 static const struct dhgen_joint joints[5] = {
@@ -134,7 +134,7 @@ static void solve(
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double v8 = T34 - d1;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* front, back */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
@@ -193,7 +193,7 @@ static void solve(
             pose_slack))
             continue; /* the arm can't take this pose */
 
-        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+        for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */

@@ -51,10 +51,10 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-down",
-    "left-up",
-    "right-down",
-    "right-up",
+    "front-down",
+    "front-up",
+    "back-up",
+    "back-down",
 )
 MAX_SOLUTIONS = 4
 
@@ -254,7 +254,7 @@ def _solve(pose, seed, q, status):
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     v8 = T34 - d1
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # front, back
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:
@@ -324,7 +324,7 @@ def _solve(pose, seed, q, status):
         ):
             continue  # the arm can't take this pose
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

@@ -57,8 +57,8 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const kawasaki_rs007n_branches[8] = {
-    "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
-    "right-down-flip", "right-up-noflip", "right-up-flip",
+    "front-down-noflip", "front-down-flip", "front-up-noflip", "front-up-flip", "back-up-noflip",
+    "back-up-flip", "back-down-noflip", "back-down-flip",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -155,7 +155,7 @@ static void solve(
     /* theta4, type 2: U4[3, 3] */
     const double v12 = seed[3] + offset4;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* front, back */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
@@ -186,7 +186,7 @@ static void solve(
         /* joint values */
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
 
-        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+        for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */

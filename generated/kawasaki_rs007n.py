@@ -53,14 +53,14 @@ JOINT_LIMITS = (
     (-6.283185307179586, 6.283185307179586),
 )
 BRANCHES = (
-    "left-down-noflip",
-    "left-down-flip",
-    "left-up-noflip",
-    "left-up-flip",
-    "right-down-noflip",
-    "right-down-flip",
-    "right-up-noflip",
-    "right-up-flip",
+    "front-down-noflip",
+    "front-down-flip",
+    "front-up-noflip",
+    "front-up-flip",
+    "back-up-noflip",
+    "back-up-flip",
+    "back-down-noflip",
+    "back-down-flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -293,7 +293,7 @@ def _solve(pose, seed, q, status):
     # theta4, type 2: U4[3, 3]
     v12 = seed[3] + offset4
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # front, back
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:
@@ -332,7 +332,7 @@ def _solve(pose, seed, q, status):
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

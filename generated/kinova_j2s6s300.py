@@ -57,10 +57,10 @@ BRANCHES = (
     "left-down-flip",
     "left-up-noflip",
     "left-up-flip",
-    "right-down-noflip",
-    "right-down-flip",
     "right-up-noflip",
     "right-up-flip",
+    "right-down-noflip",
+    "right-down-flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -341,7 +341,7 @@ def _solve(pose, seed, q, status):
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

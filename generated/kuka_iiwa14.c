@@ -58,8 +58,9 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const kuka_iiwa14_branches[8] = {
-    "noflip4-left-noflip5", "noflip4-left-flip5", "noflip4-right-noflip5", "noflip4-right-flip5",
-    "flip4-left-noflip5", "flip4-left-flip5", "flip4-right-noflip5", "flip4-right-flip5",
+    "elbow+-shoulder+-noflip", "elbow+-shoulder+-flip", "elbow+-shoulder--noflip",
+    "elbow+-shoulder--flip", "elbow--shoulder+-noflip", "elbow--shoulder+-flip",
+    "elbow--shoulder--noflip", "elbow--shoulder--flip",
 };
 
 static const struct dhgen_joint joints[7] = {
@@ -172,7 +173,7 @@ static void solve(
         v42 = v3 * (c3 * T32), v44 = s3 * T31, v47 = v3 * (c3 * T11), v48 = v3 * (c3 * T21),
         v52 = v3 * (c3 * T31);
 
-    for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
+    for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
         if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
@@ -204,7 +205,7 @@ static void solve(
         /* joint values */
         const double q4 = dhgen_wrap(atan2(-v4, -v3) - offset4);
 
-        for (int i2 = 0; i2 < 2; i2++) { /* left, right */
+        for (int i2 = 0; i2 < 2; i2++) { /* shoulder+, shoulder- */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta1 */
             if (e2 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
@@ -247,7 +248,7 @@ static void solve(
             const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
 
-            for (int i3 = 0; i3 < 2; i3++) { /* noflip5, flip5 */
+            for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta5 */
                 if (e3 < 0.0 && free5) continue; /* both signs give the same */
@@ -356,7 +357,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         dhgen_exceeds_wide(free_joints[0], joints + 2)) | (dhgen_abs_wide(D1 * (k3 * w4)) <= m2 *
         (merge_slack1 + 2.0 * dhgen_abs_wide(Z1)));
 
-    DHGEN_UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
+    DHGEN_UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         SIGNED(wide, double);
 
@@ -364,7 +365,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         const dhgen_wide v67 = e1 * angle5 - offset4, q4_ = dhgen_raised_wide(v67),
             v70 = dhgen_exceeds_wide(q4_, joints + 3), q4_p = v6 + q4_;
 
-        DHGEN_UNROLLED for (int i2 = 0; i2 < 2; i2++) { /* left, right */
+        DHGEN_UNROLLED for (int i2 = 0; i2 < 2; i2++) { /* shoulder+, shoulder- */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             SIGNED_TWICE(wide, double);
 

@@ -54,14 +54,14 @@ JOINT_LIMITS = (
     (-3.0543261909900767, 3.0543261909900767),
 )
 BRANCHES = (
-    "noflip4-left-noflip5",
-    "noflip4-left-flip5",
-    "noflip4-right-noflip5",
-    "noflip4-right-flip5",
-    "flip4-left-noflip5",
-    "flip4-left-flip5",
-    "flip4-right-noflip5",
-    "flip4-right-flip5",
+    "elbow+-shoulder+-noflip",
+    "elbow+-shoulder+-flip",
+    "elbow+-shoulder--noflip",
+    "elbow+-shoulder--flip",
+    "elbow--shoulder+-noflip",
+    "elbow--shoulder+-flip",
+    "elbow--shoulder--noflip",
+    "elbow--shoulder--flip",
 )
 MAX_SOLUTIONS = 8
 FREE_JOINTS = (3,)  # from 1: the caller gives their values
@@ -354,7 +354,7 @@ def _solve(pose, q_free, seed, q, status):
     v48 = v3 * (c3 * T21)
     v52 = v3 * (c3 * T31)
 
-    for i1 in range(2):  # noflip4, flip4
+    for i1 in range(2):  # elbow+, elbow-
         e1 = 1.0 - 2.0 * i1
         # theta4
         if e1 < 0.0 and not apart4:
@@ -399,7 +399,7 @@ def _solve(pose, q_free, seed, q, status):
         # joint values
         q4 = _wrap(_atan2(-v4, -v3) - offset4)
 
-        for i2 in range(2):  # left, right
+        for i2 in range(2):  # shoulder+, shoulder-
             e2 = 1.0 - 2.0 * i2
             # theta1
             if e2 < 0.0 and (free1 or not apart1):
@@ -447,7 +447,7 @@ def _solve(pose, q_free, seed, q, status):
             q1 = _wrap(_atan2(s1, c1) - offset1)
             q2 = _wrap(_atan2(s2, c2) - offset2)
 
-            for i3 in range(2):  # noflip5, flip5
+            for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
                 # theta5
                 if e3 < 0.0 and free5:

@@ -55,8 +55,8 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const kuka_iiwa14_arm_angle_branches[8] = {
-    "noflip4-left-noflip5", "noflip4-left-flip5", "noflip4-right-noflip5", "noflip4-right-flip5",
-    "flip4-left-noflip5", "flip4-left-flip5", "flip4-right-noflip5", "flip4-right-flip5",
+    "elbow+-back-noflip", "elbow+-back-flip", "elbow+-front-noflip", "elbow+-front-flip",
+    "elbow--back-noflip", "elbow--back-flip", "elbow--front-noflip", "elbow--front-flip",
 };
 
 static const struct dhgen_joint joints[7] = {
@@ -201,7 +201,7 @@ static void solve(
     /* theta1, type 2: B1[3, 2] */
     const double v20 = seed[0] + offset1;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
+    for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
         if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
@@ -236,7 +236,7 @@ static void solve(
         /* joint values */
         const double q4 = dhgen_wrap(atan2(-v3, -v2) - offset4);
 
-        for (int i2 = 0; i2 < 2; i2++) { /* left, right */
+        for (int i2 = 0; i2 < 2; i2++) { /* back, front */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta1 */
             if (e2 < 0.0 && free1) continue; /* both signs give the same */
@@ -273,7 +273,7 @@ static void solve(
             const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
 
-            for (int i3 = 0; i3 < 2; i3++) { /* noflip5, flip5 */
+            for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta5 */
                 if (e3 < 0.0 && free5) continue; /* both signs give the same */

@@ -55,14 +55,14 @@ JOINT_LIMITS = (
     (-3.0543261909900767, 3.0543261909900767),
 )
 BRANCHES = (
-    "noflip4-left-noflip5",
-    "noflip4-left-flip5",
-    "noflip4-right-noflip5",
-    "noflip4-right-flip5",
-    "flip4-left-noflip5",
-    "flip4-left-flip5",
-    "flip4-right-noflip5",
-    "flip4-right-flip5",
+    "elbow+-back-noflip",
+    "elbow+-back-flip",
+    "elbow+-front-noflip",
+    "elbow+-front-flip",
+    "elbow--back-noflip",
+    "elbow--back-flip",
+    "elbow--front-noflip",
+    "elbow--front-flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -392,7 +392,7 @@ def _solve(pose, q_free, seed, q, status):
     # theta1, type 2: B1[3, 2]
     v20 = seed[0] + offset1
 
-    for i1 in range(2):  # noflip4, flip4
+    for i1 in range(2):  # elbow+, elbow-
         e1 = 1.0 - 2.0 * i1
         # theta4
         if e1 < 0.0 and not apart4:
@@ -433,7 +433,7 @@ def _solve(pose, q_free, seed, q, status):
         # joint values
         q4 = _wrap(_atan2(-v3, -v2) - offset4)
 
-        for i2 in range(2):  # left, right
+        for i2 in range(2):  # back, front
             e2 = 1.0 - 2.0 * i2
             # theta1
             if e2 < 0.0 and free1:
@@ -478,7 +478,7 @@ def _solve(pose, q_free, seed, q, status):
             q1 = _wrap(_atan2(s1, c1) - offset1)
             q2 = _wrap(_atan2(s2, c2) - offset2)
 
-            for i3 in range(2):  # noflip5, flip5
+            for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
                 # theta5
                 if e3 < 0.0 and free5:

@@ -52,14 +52,14 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-down-noflip",
-    "left-down-flip",
-    "left-up-noflip",
-    "left-up-flip",
-    "right-down-noflip",
-    "right-down-flip",
-    "right-up-noflip",
-    "right-up-flip",
+    "back-down-noflip",
+    "back-down-flip",
+    "back-up-noflip",
+    "back-up-flip",
+    "front-up-noflip",
+    "front-up-flip",
+    "front-down-noflip",
+    "front-down-flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -276,7 +276,7 @@ def _solve(pose, seed, q, status):
     # theta2, type 3: U1[1, 4] and U1[3, 4]
     v7 = seed[1] + offset2
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:
@@ -309,7 +309,7 @@ def _solve(pose, seed, q, status):
         v13 = T21 * c1 - T11 * s1
         v14 = T11 * c1 + T21 * s1
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

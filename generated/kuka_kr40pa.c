@@ -53,7 +53,7 @@ static const double
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
 const char *const kuka_kr40pa_branches[2] = {
-    "down", "up",
+    "elbow+", "elbow-",
 };
 
 static const struct dhgen_joint joints[4] = {
@@ -200,7 +200,7 @@ static void solve(
         c1) <= doubtful_slack && fabs(T13 - s234 * c1) <= doubtful_slack))
         return; /* the arm can't take this pose */
 
-    for (int i1 = 0; i1 < 2; i1++) { /* down, up */
+    for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta3 */
         if (e1 < 0.0 && !apart3) continue; /* both signs give the same */

@@ -45,7 +45,7 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const olson_pprrrr_branches[4] = {
-    "noflip3-noflip5", "noflip3-flip5", "flip3-noflip5", "flip3-flip5",
+    "elbow+-noflip", "elbow+-flip", "elbow--noflip", "elbow--flip",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -122,7 +122,7 @@ static void solve(
     /* r1, type 1: U0 A6^-1 [2, 4] */
     const double wy = T24 - T23 * d6;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* noflip3, flip3 */
+    for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta3 */
         if (e1 < 0.0 && free3) continue; /* both signs give the same */
@@ -166,7 +166,7 @@ static void solve(
         /* r1 */
         const double v14 = c3 * a4;
 
-        for (int i2 = 0; i2 < 2; i2++) { /* noflip5, flip5 */
+        for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta5 */
             if (e2 < 0.0 && (free5 || !apart5 || (near3 && !(v9 < D5))))

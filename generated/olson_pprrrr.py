@@ -53,10 +53,10 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "noflip3-noflip5",
-    "noflip3-flip5",
-    "flip3-noflip5",
-    "flip3-flip5",
+    "elbow+-noflip",
+    "elbow+-flip",
+    "elbow--noflip",
+    "elbow--flip",
 )
 MAX_SOLUTIONS = 4
 
@@ -226,7 +226,7 @@ def _solve(pose, seed, q, status):
     # r1, type 1: U0 A6^-1 [2, 4]
     wy = T24 - T23 * d6
 
-    for i1 in range(2):  # noflip3, flip3
+    for i1 in range(2):  # elbow+, elbow-
         e1 = 1.0 - 2.0 * i1
         # theta3
         if e1 < 0.0 and free3:
@@ -276,7 +276,7 @@ def _solve(pose, seed, q, status):
         # r1
         v14 = c3 * a4
 
-        for i2 in range(2):  # noflip5, flip5
+        for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
             # theta5
             if e2 < 0.0 and (free5 or not apart5 or (near3 and not (v9 < D5))):

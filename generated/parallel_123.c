@@ -72,8 +72,8 @@ static const double
     g1 = 0.23; /* d1 + d2 + d3 [m] */
 
 const char *const parallel_123_branches[8] = {
-    "root1-down", "root1-up", "root2-down", "root2-up", "root3-down", "root3-up", "root4-down",
-    "root4-up",
+    "root1-right", "root1-left", "root2-right", "root2-left", "root3-right", "root3-left",
+    "root4-right", "root4-left",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -311,7 +311,7 @@ static void solve(
             s123)) + (v59 - (c123 * v57 + s123 * k18)));
         const double v60 = X1_1 * Z1_1, v61 = X1_1 * Z2_1;
 
-        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+        for (int i2 = 0; i2 < 2; i2++) { /* right, left */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta2 */
             if (e2 < 0.0 && (!apart2 || (near6 && !(shortest2_clear < N2 && N2 < longest2_clear))))

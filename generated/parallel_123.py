@@ -53,14 +53,14 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "root1-down",
-    "root1-up",
-    "root2-down",
-    "root2-up",
-    "root3-down",
-    "root3-up",
-    "root4-down",
-    "root4-up",
+    "root1-right",
+    "root1-left",
+    "root2-right",
+    "root2-left",
+    "root3-right",
+    "root3-left",
+    "root4-right",
+    "root4-left",
 )
 MAX_SOLUTIONS = 8
 
@@ -958,7 +958,7 @@ def _solve(pose, seed, moved, q, status):
         v60 = X1_1 * Z1_1
         v61 = X1_1 * Z2_1
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # right, left
             e2 = 1.0 - 2.0 * i2
             # theta2
             if (

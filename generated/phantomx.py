@@ -50,8 +50,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "down",
-    "up",
+    "elbow+",
+    "elbow-",
 )
 MAX_SOLUTIONS = 2
 
@@ -576,7 +576,7 @@ def _solve(pose, seed, q, status):
     ):
         return  # the arm can't take this pose
 
-    for i1 in range(2):  # down, up
+    for i1 in range(2):  # elbow+, elbow-
         e1 = 1.0 - 2.0 * i1
         # theta3
         if e1 < 0.0 and not apart3:

@@ -45,7 +45,7 @@ static const double
     const number T24 = T[7]
 
 const char *const planar_rr_branches[2] = {
-    "down", "up",
+    "right", "left",
 };
 
 static const struct dhgen_joint joints[2] = {
@@ -101,7 +101,7 @@ static void solve(
     const double X1_1 = a1 + a2 * c2;
     const double v1 = T24 * X1_1, v2 = T14 * X1_1;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* down, up */
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta2 */
         if (e1 < 0.0 && !apart2) continue; /* both signs give the same */

@@ -47,8 +47,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "down",
-    "up",
+    "right",
+    "left",
 )
 MAX_SOLUTIONS = 2
 
@@ -156,7 +156,7 @@ def _solve(pose, seed, q, status):
     v1 = T24 * X1_1
     v2 = T14 * X1_1
 
-    for i1 in range(2):  # down, up
+    for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta2
         if e1 < 0.0 and not apart2:

@@ -49,8 +49,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "down",
-    "up",
+    "right",
+    "left",
 )
 MAX_SOLUTIONS = 2
 
@@ -217,7 +217,7 @@ def _solve(pose, seed, q, status):
     ):
         return  # the arm can't take this pose
 
-    for i1 in range(2):  # down, up
+    for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta2
         if e1 < 0.0 and not apart2:

@@ -60,8 +60,9 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const prismatic_2_wrist_branches[8] = {
-    "left-noflip3-noflip4", "left-noflip3-flip4", "left-flip3-noflip4", "left-flip3-flip4",
-    "right-noflip3-noflip4", "right-noflip3-flip4", "right-flip3-noflip4", "right-flip3-flip4",
+    "shoulder+-elbow+-noflip", "shoulder+-elbow+-flip", "shoulder+-elbow--noflip",
+    "shoulder+-elbow--flip", "shoulder--elbow+-noflip", "shoulder--elbow+-flip",
+    "shoulder--elbow--noflip", "shoulder--elbow--flip",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -176,7 +177,7 @@ static void solve(
         v30 = T22 * cat2, v31 = sat2 * T32, v35 = sat2 * T11, v36 = T21 * sat2, v37 = T31 * cat2,
         v39 = T11 * cat2, v40 = T21 * cat2, v41 = sat2 * T31;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* shoulder+, shoulder- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
@@ -200,7 +201,7 @@ static void solve(
             v33 = T22 * c1 - T12 * s1, v38 = c1 * v35 + s1 * v36 + v37,
             v42 = c1 * v39 + s1 * v40 - v41, v43 = T21 * c1 - T11 * s1;
 
-        for (int i2 = 0; i2 < 2; i2++) { /* noflip3, flip3 */
+        for (int i2 = 0; i2 < 2; i2++) { /* elbow+, elbow- */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && (!apart3 || (near1 && !(blur_slack1 * (blur_slack1 + v9) < D3))))
@@ -225,7 +226,7 @@ static void solve(
             /* theta6 */
             const double v34 = s3 * v33 - v12 * v32, v44 = s3 * v43 - v12 * v42;
 
-            for (int i3 = 0; i3 < 2; i3++) { /* noflip4, flip4 */
+            for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */

@@ -53,14 +53,14 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-noflip3-noflip4",
-    "left-noflip3-flip4",
-    "left-flip3-noflip4",
-    "left-flip3-flip4",
-    "right-noflip3-noflip4",
-    "right-noflip3-flip4",
-    "right-flip3-noflip4",
-    "right-flip3-flip4",
+    "shoulder+-elbow+-noflip",
+    "shoulder+-elbow+-flip",
+    "shoulder+-elbow--noflip",
+    "shoulder+-elbow--flip",
+    "shoulder--elbow+-noflip",
+    "shoulder--elbow+-flip",
+    "shoulder--elbow--noflip",
+    "shoulder--elbow--flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -319,7 +319,7 @@ def _solve(pose, seed, q, status):
     v40 = T21 * cat2
     v41 = sat2 * T31
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # shoulder+, shoulder-
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and (free1 or not apart1):
@@ -349,7 +349,7 @@ def _solve(pose, seed, q, status):
         v42 = c1 * v39 + s1 * v40 - v41
         v43 = T21 * c1 - T11 * s1
 
-        for i2 in range(2):  # noflip3, flip3
+        for i2 in range(2):  # elbow+, elbow-
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and (not apart3 or (near1 and not (blur_slack1 * (blur_slack1 + v9) < D3))):
@@ -375,7 +375,7 @@ def _solve(pose, seed, q, status):
             v34 = s3 * v33 - v12 * v32
             v44 = s3 * v43 - v12 * v42
 
-            for i3 in range(2):  # noflip4, flip4
+            for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
                 # theta4
                 if e3 < 0.0 and free4:

@@ -51,14 +51,14 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-down-noflip",
-    "left-down-flip",
-    "left-up-noflip",
-    "left-up-flip",
     "right-down-noflip",
     "right-down-flip",
     "right-up-noflip",
     "right-up-flip",
+    "left-up-noflip",
+    "left-up-flip",
+    "left-down-noflip",
+    "left-down-flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -284,7 +284,7 @@ def _solve(pose, seed, q, status):
     v3 = t34 * t34
     v4 = 1.0 if free1 else (w1 if apart1 else least_root1) * k5
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and (free1 or not apart1):
@@ -320,7 +320,7 @@ def _solve(pose, seed, q, status):
         v15 = T11 * c1 + T21 * s1
         v16 = T11 * s1 - T21 * c1
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

@@ -1694,8 +1694,8 @@ static const float
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const puma560_f32_branches[8] = {
-    "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
-    "right-down-flip", "right-up-noflip", "right-up-flip",
+    "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
+    "left-up-flip", "left-down-noflip", "left-down-flip",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -1784,7 +1784,7 @@ static void solve(
     const float Z1_3 = T34 - d1;
     const float v3 = Z1_3 * Z1_3, v4 = free1 ? 1.0f : (apart1 ? w1 : least_root1) * k4;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const float e1 = i1 == 0 ? 1.0f : -1.0f;
         /* theta1 */
         if (e1 < 0.0f && (free1 || !apart1)) continue; /* both signs give the same */
@@ -1811,7 +1811,7 @@ static void solve(
         const float v10 = T12 * s1 - T22 * c1, v11 = T12 * c1 + T22 * s1,
             v13 = T11 * s1 - T21 * c1, v14 = T11 * c1 + T21 * s1;
 
-        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+        for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const float e2 = i2 == 0 ? 1.0f : -1.0f;
             /* theta3 */
             if (e2 < 0.0f && !apart3) continue; /* both signs give the same */

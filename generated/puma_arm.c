@@ -54,7 +54,7 @@ static const double
     const number T34 = T[11]
 
 const char *const puma_arm_branches[4] = {
-    "left-down", "left-up", "right-down", "right-up",
+    "right-down", "right-up", "left-up", "left-down",
 };
 
 static const struct dhgen_joint joints[3] = {
@@ -121,7 +121,7 @@ static void solve(
     const double Z1_3 = T34 - d1;
     const double v3 = Z1_3 * Z1_3, v4 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k4;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
@@ -139,7 +139,7 @@ static void solve(
         const double w3 = sqrt(apart3 ? D3 : 0.0);
         const double v5 = k5 * K3, v6 = k6 * K3;
 
-        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+        for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */

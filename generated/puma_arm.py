@@ -48,10 +48,10 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-down",
-    "left-up",
     "right-down",
     "right-up",
+    "left-up",
+    "left-down",
 )
 MAX_SOLUTIONS = 4
 
@@ -203,7 +203,7 @@ def _solve(pose, seed, q, status):
     v3 = Z1_3 * Z1_3
     v4 = 1.0 if free1 else (w1 if apart1 else least_root1) * k4
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and (free1 or not apart1):
@@ -224,7 +224,7 @@ def _solve(pose, seed, q, status):
         v5 = k5 * K3
         v6 = k6 * K3
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

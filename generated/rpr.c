@@ -41,7 +41,7 @@ static const double
     const number T34 = T[11]
 
 const char *const rpr_branches[4] = {
-    "left-noflip", "left-flip", "right-noflip", "right-flip",
+    "shoulder+-noflip", "shoulder+-flip", "shoulder--noflip", "shoulder--flip",
 };
 
 static const struct dhgen_joint joints[3] = {
@@ -98,7 +98,7 @@ static void solve(
     if (!(-(reach_slack1 * (v1 + reach_slack1)) <= D3)) return; /* out of reach */
     const double w3 = sqrt(apart3 ? D3 : 0.0);
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* shoulder+, shoulder- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */

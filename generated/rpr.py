@@ -48,10 +48,10 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-noflip",
-    "left-flip",
-    "right-noflip",
-    "right-flip",
+    "shoulder+-noflip",
+    "shoulder+-flip",
+    "shoulder--noflip",
+    "shoulder--flip",
 )
 MAX_SOLUTIONS = 4
 
@@ -162,7 +162,7 @@ def _solve(pose, seed, q, status):
         return  # out of reach
     w3 = math.sqrt(D3 if apart3 else 0.0)
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # shoulder+, shoulder-
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:

@@ -36,8 +36,8 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const rrprrr_branches[8] = {
-    "left-forward-noflip", "left-forward-flip", "left-backward-noflip", "left-backward-flip",
-    "right-forward-noflip", "right-forward-flip", "right-backward-noflip", "right-backward-flip",
+    "back-forward-noflip", "back-forward-flip", "back-backward-noflip", "back-backward-flip",
+    "front-forward-noflip", "front-forward-flip", "front-backward-noflip", "front-backward-flip",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -107,7 +107,7 @@ static void solve(
     /* theta2, r3, type 4: U1[1, 4] and U1[3, 4] */
     const double v1 = T34 * T34;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */

@@ -51,14 +51,14 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-forward-noflip",
-    "left-forward-flip",
-    "left-backward-noflip",
-    "left-backward-flip",
-    "right-forward-noflip",
-    "right-forward-flip",
-    "right-backward-noflip",
-    "right-backward-flip",
+    "back-forward-noflip",
+    "back-forward-flip",
+    "back-backward-noflip",
+    "back-backward-flip",
+    "front-forward-noflip",
+    "front-forward-flip",
+    "front-backward-noflip",
+    "front-backward-flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -191,7 +191,7 @@ def _solve(pose, seed, q, status):
     # theta2, r3, type 4: U1[1, 4] and U1[3, 4]
     v1 = T34 * T34
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:

@@ -50,8 +50,8 @@ JOINT_LIMITS = (
     (-6.283185307179586, 6.283185307179586),
 )
 BRANCHES = (
-    "down",
-    "up",
+    "right",
+    "left",
 )
 MAX_SOLUTIONS = 2
 
@@ -209,7 +209,7 @@ def _solve(pose, seed, q, status):
     ):
         return  # the arm can't take this pose
 
-    for i1 in range(2):  # down, up
+    for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta2
         if e1 < 0.0 and not apart2:

@@ -49,7 +49,7 @@ static const double
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
 const char *const scara_prrr_branches[2] = {
-    "down", "up",
+    "right", "left",
 };
 
 static const struct dhgen_joint joints[4] = {
@@ -121,7 +121,7 @@ static void solve(
         pose_slack))
         return; /* the arm can't take this pose */
 
-    for (int i1 = 0; i1 < 2; i1++) { /* down, up */
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta3 */
         if (e1 < 0.0 && !apart3) continue; /* both signs give the same */

@@ -47,7 +47,7 @@ static const double
     const number T34 = T[11]
 
 const char *const scara_rrp_branches[2] = {
-    "down", "up",
+    "right", "left",
 };
 
 static const struct dhgen_joint joints[3] = {
@@ -107,7 +107,7 @@ static void solve(
     const double X1_1 = a1 + a2 * c2;
     const double v1 = T24 * X1_1, v2 = T14 * X1_1;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* down, up */
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta2 */
         if (e1 < 0.0 && !apart2) continue; /* both signs give the same */

@@ -49,7 +49,7 @@ static const double
     const number T33 = T[10], T34 = T[11]
 
 const char *const scara_wrist_branches[4] = {
-    "down-left", "down-right", "up-left", "up-right",
+    "right-noflip", "right-flip", "left-noflip", "left-flip",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -135,7 +135,7 @@ static void solve(
     const int free12m4 = w12m4 <= free_limit;
     const double divisor12m4 = free12m4 ? 1.0 : w12m4;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* down, up */
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta2 */
         if (e1 < 0.0 && !apart2) continue; /* both signs give the same */
@@ -156,7 +156,7 @@ static void solve(
         /* theta12m4 */
         const double v3 = q2 + q1, v4 = v3 - seed[3];
 
-        for (int i2 = 0; i2 < 2; i2++) { /* left, right */
+        for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta12m4 */
             if (e2 < 0.0 && free12m4) continue; /* both signs give the same */

@@ -53,10 +53,10 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "down-left",
-    "down-right",
-    "up-left",
-    "up-right",
+    "right-noflip",
+    "right-flip",
+    "left-noflip",
+    "left-flip",
 )
 MAX_SOLUTIONS = 4
 
@@ -233,7 +233,7 @@ def _solve(pose, seed, q, status):
     free12m4 = w12m4 <= free_limit
     divisor12m4 = 1.0 if free12m4 else w12m4
 
-    for i1 in range(2):  # down, up
+    for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta2
         if e1 < 0.0 and not apart2:
@@ -256,7 +256,7 @@ def _solve(pose, seed, q, status):
         v3 = q2 + q1
         v4 = v3 - seed[3]
 
-        for i2 in range(2):  # left, right
+        for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
             # theta12m4
             if e2 < 0.0 and free12m4:

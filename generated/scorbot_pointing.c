@@ -57,7 +57,7 @@ static const double
     const number T33 = T[10], T34 = T[11]
 
 const char *const scorbot_pointing_branches[4] = {
-    "left-down", "left-up", "right-down", "right-up",
+    "back-down", "back-up", "front-up", "front-down",
 };
 
 static const struct dhgen_joint joints[5] = {
@@ -172,7 +172,7 @@ static void solve(
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double v8 = T34 - d1;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
@@ -218,7 +218,7 @@ static void solve(
             fabs(T23 - s1 * s234) <= doubtful_slack))
             continue; /* the arm can't take this pose */
 
-        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+        for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */

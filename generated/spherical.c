@@ -37,7 +37,7 @@ static const double
     const number T34 = T[11]
 
 const char *const spherical_branches[4] = {
-    "left-forward", "left-backward", "right-forward", "right-backward",
+    "front-forward", "front-backward", "back-forward", "back-backward",
 };
 
 static const struct dhgen_joint joints[3] = {
@@ -90,7 +90,7 @@ static void solve(
     const double Y2_2 = T34 - d1;
     const double v1 = Y2_2 * Y2_2;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* front, back */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */

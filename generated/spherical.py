@@ -48,10 +48,10 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-forward",
-    "left-backward",
-    "right-forward",
-    "right-backward",
+    "front-forward",
+    "front-backward",
+    "back-forward",
+    "back-backward",
 )
 MAX_SOLUTIONS = 4
 
@@ -152,7 +152,7 @@ def _solve(pose, seed, q, status):
     Y2_2 = T34 - d1
     v1 = Y2_2 * Y2_2
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # front, back
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:

@@ -41,7 +41,7 @@ static const double
     const number T34 = T[11]
 
 const char *const spherical_offset_branches[4] = {
-    "left-forward", "left-backward", "right-forward", "right-backward",
+    "right-forward", "right-backward", "left-forward", "left-backward",
 };
 
 static const struct dhgen_joint joints[3] = {
@@ -98,7 +98,7 @@ static void solve(
     /* theta2, r3, type 4: U1[1, 4] and U1[2, 4] */
     const double v3 = T34 * T34;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */

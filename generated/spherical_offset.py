@@ -50,10 +50,10 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-forward",
-    "left-backward",
     "right-forward",
     "right-backward",
+    "left-forward",
+    "left-backward",
 )
 MAX_SOLUTIONS = 4
 
@@ -165,7 +165,7 @@ def _solve(pose, seed, q, status):
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
     v3 = T34 * T34
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and (free1 or not apart1):

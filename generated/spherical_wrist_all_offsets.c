@@ -61,8 +61,8 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const spherical_wrist_all_offsets_branches[8] = {
-    "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
-    "right-down-flip", "right-up-noflip", "right-up-flip",
+    "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
+    "left-up-flip", "left-down-noflip", "left-down-flip",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -157,7 +157,7 @@ static void solve(
     const double Z1_3 = wz - d1;
     const double v4 = Z1_3 * Z1_3, v5 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k5;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
@@ -185,7 +185,7 @@ static void solve(
         const double v11 = T12 * s1 - T22 * c1, v12 = T12 * c1 + T22 * s1,
             v14 = T11 * s1 - T21 * c1, v15 = T11 * c1 + T21 * s1;
 
-        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+        for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */

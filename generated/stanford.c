@@ -44,8 +44,8 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const stanford_branches[8] = {
-    "left-forward-noflip", "left-forward-flip", "left-backward-noflip", "left-backward-flip",
     "right-forward-noflip", "right-forward-flip", "right-backward-noflip", "right-backward-flip",
+    "left-forward-noflip", "left-forward-flip", "left-backward-noflip", "left-backward-flip",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -123,7 +123,7 @@ static void solve(
     const double Y2_2 = T34 - d1;
     const double v3 = Y2_2 * Y2_2;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */

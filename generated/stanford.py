@@ -51,14 +51,14 @@ JOINT_LIMITS = (
     (-2.9670597283903604, 2.9670597283903604),
 )
 BRANCHES = (
-    "left-forward-noflip",
-    "left-forward-flip",
-    "left-backward-noflip",
-    "left-backward-flip",
     "right-forward-noflip",
     "right-forward-flip",
     "right-backward-noflip",
     "right-backward-flip",
+    "left-forward-noflip",
+    "left-forward-flip",
+    "left-backward-noflip",
+    "left-backward-flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -223,7 +223,7 @@ def _solve(pose, seed, q, status):
     Y2_2 = T34 - d1
     v3 = Y2_2 * Y2_2
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and (free1 or not apart1):

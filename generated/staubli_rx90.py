@@ -52,14 +52,14 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-down-noflip",
-    "left-down-flip",
-    "left-up-noflip",
-    "left-up-flip",
-    "right-down-noflip",
-    "right-down-flip",
-    "right-up-noflip",
-    "right-up-flip",
+    "back-up-noflip",
+    "back-up-flip",
+    "back-down-noflip",
+    "back-down-flip",
+    "front-down-noflip",
+    "front-down-flip",
+    "front-up-noflip",
+    "front-up-flip",
 )
 MAX_SOLUTIONS = 8
 
@@ -229,7 +229,7 @@ def _solve(pose, seed, q, status):
     # theta3, type 8: U1[3, 4] and U1[1, 4]
     v1 = T34 * T34
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:
@@ -266,7 +266,7 @@ def _solve(pose, seed, q, status):
         v10 = T11 * s1 - T21 * c1
         v11 = T11 * c1 + T21 * s1
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

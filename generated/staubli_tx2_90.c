@@ -59,8 +59,8 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const staubli_tx2_90_branches[8] = {
-    "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
-    "right-down-flip", "right-up-noflip", "right-up-flip",
+    "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
+    "left-up-flip", "left-down-noflip", "left-down-flip",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -161,7 +161,7 @@ static void solve(
     /* theta4, type 2: U4[3, 3] */
     const double v15 = seed[3] + offset4;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
@@ -193,7 +193,7 @@ static void solve(
         const double v16 = T12 * s1 - T22 * c1, v17 = T12 * c1 + T22 * s1,
             v19 = T23 * c1 - T13 * s1, v20 = T13 * c1 + T23 * s1;
 
-        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+        for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */

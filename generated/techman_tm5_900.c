@@ -61,8 +61,8 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const techman_tm5_900_branches[8] = {
-    "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
-    "right-noflip-up", "right-flip-down", "right-flip-up",
+    "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-up",
+    "right-noflip-down", "right-flip-up", "right-flip-down",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -231,7 +231,7 @@ static void solve(
             const double X1_2 = a2 + a3 * c3;
             const double v11 = Z1_3 * X1_2, v12 = Z2_3 * X1_2;
 
-            for (int i3 = 0; i3 < 2; i3++) { /* down, up */
+            for (int i3 = 0; i3 < 2; i3++) { /* +, - */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta3 */
                 if (e3 < 0.0 && (!apart3 || (near6 && !(shortest3_clear < N3 && N3 <

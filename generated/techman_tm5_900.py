@@ -57,10 +57,10 @@ BRANCHES = (
     "left-noflip-up",
     "left-flip-down",
     "left-flip-up",
-    "right-noflip-down",
     "right-noflip-up",
-    "right-flip-down",
+    "right-noflip-down",
     "right-flip-up",
+    "right-flip-down",
 )
 MAX_SOLUTIONS = 8
 
@@ -381,7 +381,7 @@ def _solve(pose, seed, q, status):
             v11 = Z1_3 * X1_2
             v12 = Z2_3 * X1_2
 
-            for i3 in range(2):  # down, up
+            for i3 in range(2):  # +, -
                 e3 = 1.0 - 2.0 * i3
                 # theta3
                 if (

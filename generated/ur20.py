@@ -52,14 +52,14 @@ JOINT_LIMITS = (
     (-6.283185307179586, 6.283185307179586),
 )
 BRANCHES = (
-    "left-noflip-down",
-    "left-noflip-up",
-    "left-flip-down",
-    "left-flip-up",
     "right-noflip-down",
     "right-noflip-up",
     "right-flip-down",
     "right-flip-up",
+    "left-noflip-up",
+    "left-noflip-down",
+    "left-flip-up",
+    "left-flip-down",
 )
 MAX_SOLUTIONS = 8
 
@@ -287,7 +287,7 @@ def _solve(pose, seed, q, status):
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     v7 = T34 - d1
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and (free1 or not apart1):
@@ -365,7 +365,7 @@ def _solve(pose, seed, q, status):
             v10 = Z1_3 * X1_2
             v11 = Z2_3 * X1_2
 
-            for i3 in range(2):  # down, up
+            for i3 in range(2):  # +, -
                 e3 = 1.0 - 2.0 * i3
                 # theta3
                 if (

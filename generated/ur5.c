@@ -57,8 +57,8 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const ur5_branches[8] = {
-    "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
-    "right-noflip-up", "right-flip-down", "right-flip-up",
+    "right-noflip-down", "right-noflip-up", "right-flip-down", "right-flip-up", "left-noflip-up",
+    "left-noflip-down", "left-flip-up", "left-flip-down",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -152,7 +152,7 @@ static void solve(
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double v7 = T34 - d1;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
@@ -221,7 +221,7 @@ static void solve(
             const double X1_2 = a2 + a3 * c3;
             const double v10 = Z1_3 * X1_2, v11 = Z2_3 * X1_2;
 
-            for (int i3 = 0; i3 < 2; i3++) { /* down, up */
+            for (int i3 = 0; i3 < 2; i3++) { /* +, - */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta3 */
                 if (e3 < 0.0 && (!apart3 || (near6 && !(shortest3_clear < N3 && N3 <

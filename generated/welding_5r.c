@@ -54,8 +54,8 @@ static const double
     k7 = 2.2222222222222223; /* 1 / (2 * L3 * L2) [m^-2] */
 
 const char *const welding_5r_branches[8] = {
-    "root1-down", "root1-up", "root2-down", "root2-up", "root3-down", "root3-up", "root4-down",
-    "root4-up",
+    "root1-elbow+", "root1-elbow-", "root2-elbow+", "root2-elbow-", "root3-elbow+", "root3-elbow-",
+    "root4-elbow+", "root4-elbow-",
 };
 
 static const struct dhgen_joint joints[5] = {
@@ -255,7 +255,7 @@ static void solve(
         const double X1_2 = L2 + L3 * c3;
         const double v31 = Z1_3 * X1_2, v32 = Z2_3 * X1_2;
 
-        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+        for (int i2 = 0; i2 < 2; i2++) { /* elbow+, elbow- */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && (!apart3 || (near1 && !(shortest3_clear < N3 && N3 < longest3_clear))))

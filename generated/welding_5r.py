@@ -51,14 +51,14 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "root1-down",
-    "root1-up",
-    "root2-down",
-    "root2-up",
-    "root3-down",
-    "root3-up",
-    "root4-down",
-    "root4-up",
+    "root1-elbow+",
+    "root1-elbow-",
+    "root2-elbow+",
+    "root2-elbow-",
+    "root3-elbow+",
+    "root3-elbow-",
+    "root4-elbow+",
+    "root4-elbow-",
 )
 MAX_SOLUTIONS = 8
 
@@ -836,7 +836,7 @@ def _solve(pose, seed, moved, q, status):
         v31 = Z1_3 * X1_2
         v32 = Z2_3 * X1_2
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # elbow+, elbow-
             e2 = 1.0 - 2.0 * i2
             # theta3
             if (

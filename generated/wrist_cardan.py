@@ -49,8 +49,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left",
-    "right",
+    "noflip",
+    "flip",
 )
 MAX_SOLUTIONS = 2
 
@@ -135,7 +135,7 @@ def _solve(pose, seed, q, status):
     free1 = w1 <= free_limit
     divisor1 = 1.0 if free1 else w1
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # noflip, flip
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:

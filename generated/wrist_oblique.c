@@ -53,7 +53,7 @@ static const double
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const wrist_oblique_branches[2] = {
-    "left", "right",
+    "shoulder+", "shoulder-",
 };
 
 static const struct dhgen_joint joints[3] = {
@@ -128,7 +128,7 @@ static void solve(
     const double v19 = T31 * k5, v20 = T33 * k5, v22 = T34 * k5, v25 = k1 * T31, v26 = k1 * T33,
         v27 = k1 * T34;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* shoulder+, shoulder- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */

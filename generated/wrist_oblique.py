@@ -49,8 +49,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left",
-    "right",
+    "shoulder+",
+    "shoulder-",
 )
 MAX_SOLUTIONS = 2
 
@@ -225,7 +225,7 @@ def _solve(pose, seed, q, status):
     v26 = k1 * T33
     v27 = k1 * T34
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # shoulder+, shoulder-
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and (free1 or not apart1):

@@ -36,7 +36,7 @@ static const double
     const number T33 = T[10]
 
 const char *const wrist_zxz_branches[2] = {
-    "left", "right",
+    "noflip", "flip",
 };
 
 static const struct dhgen_joint joints[3] = {
@@ -85,7 +85,7 @@ static void solve(
     const int free1 = w1 <= free_limit;
     const double divisor1 = free1 ? 1.0 : w1;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+    for (int i1 = 0; i1 < 2; i1++) { /* noflip, flip */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */

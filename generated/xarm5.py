@@ -51,10 +51,10 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "left-down",
-    "left-up",
-    "right-down",
-    "right-up",
+    "back-down",
+    "back-up",
+    "front-up",
+    "front-down",
 )
 MAX_SOLUTIONS = 4
 
@@ -274,7 +274,7 @@ def _solve(pose, seed, q, status):
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     v10 = T34 - d1
 
-    for i1 in range(2):  # left, right
+    for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
         # theta1
         if e1 < 0.0 and free1:
@@ -346,7 +346,7 @@ def _solve(pose, seed, q, status):
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
 
-        for i2 in range(2):  # down, up
+        for i2 in range(2):  # +, -
             e2 = 1.0 - 2.0 * i2
             # theta3
             if e2 < 0.0 and not apart3:

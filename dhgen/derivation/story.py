@@ -14,7 +14,6 @@ from dhgen.derivation.quotes import quotes_of
 from dhgen.derivation.text.formula import ONE
 from dhgen.derivation.text.walk import leads_negative
 from dhgen.kinematics.ring import content, primitive
-from dhgen.paul.derivation import branch_labels
 from dhgen.paul.kind import Kind
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.mixed_forms import right_inverse
@@ -198,10 +197,10 @@ class Story:
         """The last three joints when their axes meet in one point."""
         return wrist_joints(self.algebra.chain)
 
-    @cached_property
+    @property
     def branch_names(self) -> tuple[str, ...]:
         """A name for every row."""
-        return branch_labels(tuple(axis.meaning for axis in self.program.axes))
+        return self.program.branches
 
     @property
     def has_branch_words(self) -> bool:

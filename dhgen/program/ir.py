@@ -19,6 +19,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from enum import Enum
+from itertools import product
 from typing import TYPE_CHECKING, ClassVar, Literal
 
 from dhgen.program.reserved import NOTHING, Reserved
@@ -62,16 +63,23 @@ class Axis:
         name: e1, e2, ... for signs; the name of the root's angle for polynomials.
         meaning: What its values are called, for signs + first: ("left", "right").
         step: The number of the derivation's step that brings it in, from 1.
+        factors: Positions of other signs: the word goes by the product with these.
     """
 
     name: str
     meaning: tuple[str, ...]
     step: int
+    factors: tuple[int, ...] = ()
 
     @property
     def count(self) -> int:
         """How many values it has."""
         return len(self.meaning)
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """What its own values are called: a sign whose word goes by a product is + or -."""
+        return ("+", "-") if self.factors else self.meaning
 
 
 @dataclass(frozen=True, slots=True)
@@ -310,6 +318,18 @@ class Program:
     def rows(self) -> int:
         """How many branches there are."""
         return self.combinations(range(len(self.axes)))
+
+    @property
+    def branches(self) -> tuple[str, ...]:
+        """The name of every row, e.g. left-down-noflip; the first sign changes slowest."""
+        names = []
+        for chosen in product(*(range(axis.count) for axis in self.axes)):
+            words = []
+            for place, axis in zip(chosen, self.axes, strict=True):
+                turned = sum(chosen[other] for other in axis.factors)
+                words.append(axis.meaning[(place + turned) % axis.count])
+            names.append("-".join(words) or "only")
+        return tuple(names)
 
     @property
     def turning(self) -> tuple[tuple[int, int], ...]:

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.task import telling_entries
-from dhgen.paul.derivation import branch_labels
 from dhgen.printing.comments import plain_path
 from dhgen.program.regular.limits import ArmLimits, Limits
 from dhgen.program.regular.regular import regular
@@ -71,7 +70,7 @@ class SolverModule:
     @property
     def branches(self) -> tuple[str, ...]:
         """The name of every row."""
-        return branch_labels(tuple(axis.meaning for axis in self.solver.axes))
+        return self.solver.branches
 
     @property
     def programs(self) -> tuple[Program, ...]:

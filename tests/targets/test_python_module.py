@@ -102,7 +102,7 @@ def read_only(module: Any, which: int) -> Any:
         (lambda m, T: m.ik(T, [0, 0, np.nan, 0, 0, 0]), "q_seed must be finite"),
         (
             lambda m, T: m.ik(T, branch="sideways"),
-            "no branch 'sideways'; give a row, from 0, or a name: left-down-noflip,",
+            "no branch 'sideways'; give a row, from 0, or a name: right-down-noflip,",
         ),
         (lambda m, T: m.ik(T, branch=8), "no branch 8; give a row, from 0, or a name: "),
         (lambda m, T: m.ik(T, branch=True), "no branch True; give a row"),

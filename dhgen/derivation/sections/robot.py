@@ -10,9 +10,10 @@ from dhgen.derivation.sections.frames import frame_sentences
 from dhgen.derivation.sections.parameters import constant_blocks
 from dhgen.derivation.sections.tables import axes_blocks, table_blocks
 from dhgen.derivation.text.blocks import Given, Heading, Paragraph, Prose, joined, paragraph, say
-from dhgen.derivation.text.formula import ONE, equal, minus
+from dhgen.derivation.text.formula import ONE, equal, minus, times
 from dhgen.derivation.text.words import counted, many, numeral
 from dhgen.method import Method
+from dhgen.paul.kind import Part
 from dhgen.robot.robot import DhTable, JointKind
 from dhgen.robot.task import TaskKind
 
@@ -123,10 +124,16 @@ def _solutions(story: Story) -> str:
     )
 
 
-LOOKS = (
-    " Each sign chooses one of the two values that its step finds. Which of two looks like its "
-    "name depends on how the arm is built and mounted; what a row means never changes."
-)
+_SEEN = {
+    "left-right of the arm": "seen from above towards the wrist, the plane of the arm passes axis "
+    "1 on the left or on the right",
+    "front-back of the arm": "the arm faces the wrist (front) or reaches over itself (back)",
+    "up-down of the elbow": "the elbow is above or below the line from the shoulder to the end of "
+    "the forearm, unless the wrist is nearer to axis 1 than the shoulder",
+    "left-right of the elbow": "seen from above, the elbow is on the left or on the right of the "
+    "line from the shoulder to the end of the forearm",
+    "backward-forward of the slide": "the slide is farther out (forward) or less far",
+}
 
 
 def branch_legend(story: Story) -> list[Block]:
@@ -134,9 +141,20 @@ def branch_legend(story: Story) -> list[Block]:
     if story.derivation.whole is not None or not story.has_branch_words:
         return []
     choices = [_choice(story, place, axis) for place, axis in enumerate(story.program.axes)]
-    signed = any(axis.count == 2 for axis in story.program.axes)
-    text = f"In these names {'; '.join('{}' for _ in choices)}.{LOOKS if signed else ''}"
-    return [Paragraph(Prose(text, tuple(choices)))]
+    seen = [text for axis in story.program.axes if (text := _seen(story, axis))]
+    legend = say(f"In these names {'; '.join('{}' for _ in choices)}.", *choices)
+    if not seen:
+        return [Paragraph(legend)]
+    return [Paragraph(legend), Paragraph(say(f"What the names mean: {'; '.join(seen)}."))]
+
+
+def _seen(story: Story, axis: Axis) -> str:
+    """What a person sees of the arm in rows of these names."""
+    part = story.steps[axis.step - 1].kind.value.part
+    whose = {Part.ELBOW: "the elbow", Part.SLIDE: "the slide"}.get(part, "the arm")
+    words = "-".join(sorted(word.rstrip("0123456789") for word in axis.meaning))
+    words = {"down-up": "up-down", "back-front": "front-back"}.get(words, words)
+    return _SEEN.get(f"{words} of {whose}", "")
 
 
 def _choice(story: Story, place: int, axis: Axis) -> Prose:
@@ -146,10 +164,13 @@ def _choice(story: Story, place: int, axis: Axis) -> Prose:
         first, last = axis.meaning[0], axis.meaning[-1]
         return say(f"{first} to {last} are the roots of step {axis.step} for {{}}", unknown)
     plus, opposite = axis.meaning
-    sign = branch_sign(place)
+    sign = times(*(branch_sign(each) for each in sorted((*axis.factors, place))))
+    brings = f", where {{}} is the sign of step {axis.step}" if axis.factors else ""
+    where = "" if axis.factors else f" in step {axis.step}"
     return say(
-        f"{plus} is {{}} and {opposite} is {{}} in step {axis.step}, which gives {{}}",
+        f"{plus} is {{}} and {opposite} is {{}}{where}{brings}, which gives {{}}",
         equal(sign, ONE),
         equal(sign, minus(ONE)),
+        *([branch_sign(place)] if axis.factors else []),
         unknown,
     )

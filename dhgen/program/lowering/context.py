@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
 from dhgen.method import Method
-from dhgen.paul.derivation import branch_words
 from dhgen.paul.kind import Kind
 from dhgen.program.building.builder import Builder
 from dhgen.program.lowering.angles import Angles
@@ -76,7 +75,6 @@ class Lowering:
         self._algebra = derivation.problem.algebra
         self._constants = {c.name: c for c in self._algebra.chain.constants}
         self._values: dict[str, Node] = {}
-        self._words = branch_words(derivation.steps)
         self.builder = Builder(reserved.with_own({*self._constants, "T", "q", "status"}))
         self.polynomials = PolynomialLowering(self._algebra, self.builder, self.value)
         self.angles = Angles(self._algebra, self.builder, self.polynomials, self._values)
@@ -91,12 +89,11 @@ class Lowering:
 
     def new_sign(self) -> Node:
         """The sign of the step at hand."""
-        words = self._words[len(self.builder.axes)]
-        return self.builder.sign(words, self.step_number)
+        return self.builder.sign(("+", "-"), self.step_number)
 
     def new_root(self, angle: AngleSum, coefficients: tuple[Node, ...]) -> Node:
         """A root of the polynomial of the step at hand, which is an angle."""
-        words = self._words[len(self.builder.axes)]
+        words = tuple(f"root{number}" for number in range(1, Kind.CIRCLE.value.roots + 1))
         joints = self._algebra.chain.joints
         turning = tuple((joint, sign * joints[joint - 1].sign) for joint, sign in angle.terms)
         name = f"x{angle.suffix}"

@@ -15,6 +15,7 @@ from dhgen.program.lowering.context import Lowering
 from dhgen.program.lowering.final_check import check_rows
 from dhgen.program.lowering.frame_columns import no_parts, parts_of
 from dhgen.program.lowering.polynomials import LONG
+from dhgen.program.lowering.postures import with_postures
 from dhgen.program.lowering.shoulder import lower_shoulder
 from dhgen.program.lowering.types import KERNELS
 from dhgen.program.regular.regular import effort
@@ -60,10 +61,11 @@ def lower(
         return replace(program, led=kernel) if checks.led else replace(program, tightened=kernel)
 
     checks = checks_needed(derivation, tolerances, lowered)
-    if not checks.rows:
-        return lowered(checks)
-    tried = (lowered(checks), lowered(replace(checks, moved=True)))
-    return min(tried, key=lambda program: effort(program, tolerances))
+    program = lowered(checks)
+    if checks.rows:
+        tried = (program, lowered(replace(checks, moved=True)))
+        program = min(tried, key=lambda each: effort(each, tolerances))
+    return with_postures(program, derivation)
 
 
 def _parts(derivation: Derivation, tolerances: Tolerances) -> PartsOf:

@@ -124,7 +124,7 @@ class _Flattening:
             self._values[c.name, ()] = builder.known(c)
         for place, axis in enumerate(self._program.axes):
             if place in self._lanes:
-                self._values[axis.name, ()] = builder.sign(axis.meaning, axis.step, axis.name)
+                self._values[axis.name, ()] = builder.sign(axis.words, axis.step, axis.name)
             else:
                 self._axes[axis.name] = (place,)
                 self._values[axis.name, (PLUS,)] = builder.integer(1)

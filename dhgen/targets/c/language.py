@@ -119,7 +119,7 @@ class C:
         value = f"{index} == 0 ? 1.0 : -1.0" if loop.is_sign else f"{name}_roots[{index}]"
         values = {each: f"{value}[{place}]" for place, each in enumerate(loop.names)}
         truths = {truth: f"{name}_{truth}[{index}]" for truth in loop.truths}
-        meaning = loop.axis.meaning
+        meaning = loop.axis.words
         words = ", ".join(meaning) if count <= MOST_WORDS else f"{meaning[0]} to {meaning[-1]}"
         return [
             f"for (int {index} = 0; {index} < {count}; {index}++) {{ /* {words} */",

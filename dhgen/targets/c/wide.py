@@ -108,7 +108,7 @@ class _Wide:
                 lines += wrapped(f"{indent}left |= {text};", indent)
         if depth < len(flat.lanes):
             i, axis = f"i{depth + 1}", flat.program.axes[depth]
-            meaning = ", ".join(axis.meaning)
+            meaning = ", ".join(axis.words)
             lines += [
                 "",
                 f"{indent}{self._unrolled}for (int {i} = 0; {i} < 2; {i}++) {{ /* {meaning} */",

@@ -107,7 +107,7 @@ class Python:
         value = f"1.0 - 2.0 * {index}" if loop.is_sign else f"{name}_roots[{index}]"
         values = {n: f"{name}_roots[{index}, {k}]" for k, n in enumerate(loop.names)}
         values |= {truth: f"{name}_{truth}[{index}]" for truth in loop.truths}
-        meaning, count = loop.axis.meaning, loop.axis.count
+        meaning, count = loop.axis.words, loop.axis.count
         words = ", ".join(meaning) if count <= MOST_WORDS else f"{meaning[0]} to {meaning[-1]}"
         return [
             f"for {index} in range({count}):  # {words}",
