@@ -23,10 +23,11 @@ from typing import TYPE_CHECKING
 
 from dhgen.atomic_write import write_files
 from dhgen.derivation import derivation_document
-from dhgen.errors import PrecisionError, VerificationError
+from dhgen.errors import PrecisionError, UnsolvedError, VerificationError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
 from dhgen.paul.derive import derive
+from dhgen.paul.refusal.other_convention import other_convention
 from dhgen.program.lowering.programs import robot_programs
 from dhgen.robot_files import RobotFile, led_to
 from dhgen.targets.emit import emit
@@ -86,7 +87,10 @@ def compile_loaded(
     robot, source, digest = file.robot, source_name(file.path, out), file.digest
     tell("deriving")
     chain = build_chain(robot)
-    derivation = derive(chain, numerical=robot.numerical)
+    try:
+        derivation = derive(chain, numerical=robot.numerical)
+    except UnsolvedError as error:
+        raise UnsolvedError("\n".join((str(error), *other_convention(robot)))) from error
     tell("writing programs")
     module = _module(robot, derivation, source, digest, DOUBLE)
     single = None

@@ -51,6 +51,17 @@ def test_an_arm_without_a_solution_is_exit_1_and_nothing_is_written(
     assert not (tmp_path / "generated").exists()
 
 
+def test_a_table_of_the_other_convention_is_told_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    rows = "  - {theta: q, d: 0.1, alpha: pi/2}\n  - {theta: q, a: 0.3}\n  - {theta: q, a: 0.2}\n"
+    Path("arm.yaml").write_text(f"name: arm\ntask: position\nconvention: modified\njoints:\n{rows}")
+    assert main(["explain", "arm.yaml"]) == 1
+    last = capsys.readouterr().err.splitlines()[-1]
+    assert last.startswith("with `convention: standard` this table is an arm whose joints all")
+
+
 def test_one_bad_file_among_good_ones(run: Run, tmp_path: Path) -> None:
     (tmp_path / "wrong.yaml").write_text(WRONG)
     done = run("wrong.yaml", PLANAR, folder=tmp_path)

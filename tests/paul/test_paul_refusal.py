@@ -10,6 +10,7 @@ from dhgen.paul.mobility import Surplus, crowded_axes
 from dhgen.paul.pool import build_pool
 from dhgen.paul.problem import build_problem
 from dhgen.paul.refusal.free_joint_advice import GENERAL, Choice, choices_text
+from dhgen.paul.refusal.other_convention import other_convention
 from dhgen.paul.refusal.unsolved import missed_structure, refusal
 from dhgen.paul.search import Search
 from dhgen.paul.types import CLOSED
@@ -38,6 +39,9 @@ def stuck(*rows: str, **sections: str) -> list[str]:
     return refusal(search, algebra.chain).splitlines()
 
 
+FEW = "nearly no pose is in reach, and those few have infinitely many solutions: "
+
+
 def test_too_many_joints_for_the_task_are_said_first() -> None:
     (first, *_) = refused(*["theta: q, a: 0.3"] * 3, task="[x, y]")
     assert first.startswith("the arm has infinitely many solutions for every pose: joints 1, 2, 3")
@@ -60,7 +64,8 @@ def test_joints_that_move_nothing_are_named_together() -> None:
     _, second, third, *_ = refused(*rows, task="[z]")
     assert second == "joints 1, 2 can move without changing what the task names"
     assert third == "list them under `free`, to solve for the others given their values"
-    _, second, third = refused(*rows[:2], task="position")
+    first, _, second, third = refused(*rows[:2], task="position")
+    assert first == f"{FEW}0 independent motions are left, and the task asks for 3"
     assert second == "joints 1, 2 can move without changing what the task names"
     assert third == "no joint is left to solve for: `task` must name something that the arm moves"
 
@@ -69,15 +74,17 @@ def test_joints_that_move_nothing_are_named_together() -> None:
     ("rows", "task", "serving"), [(2, "[x, z]", "[x, y]"), (3, "position", "pose")]
 )
 def test_a_coordinate_that_no_joint_moves_is_told(rows: int, task: str, serving: str) -> None:
-    first, second, third, *_ = refused(*["theta: q, a: 0.3"] * rows, task=task)
-    assert first.endswith(": the task names z, which no joint moves")
+    head, first, second, third, *_ = refused(*["theta: q, a: 0.3"] * rows, task=task)
+    assert head.startswith(FEW)
+    assert first == "the task names z, which no joint moves"
     assert "can move together" in second
     assert third == f"`task: {serving}` determines every joint"
 
 
 def test_where_no_other_task_serves_none_is_named() -> None:
-    first, *lines = refused(*["theta: q, a: 0.3"] * 4, task="[x, z]")
-    assert first.endswith(": the task names z, which no joint moves")
+    head, first, *lines = refused(*["theta: q, a: 0.3"] * 4, task="[x, z]")
+    assert head == f"{FEW}1 independent motion is left, and the task asks for 2"
+    assert first == "the task names z, which no joint moves"
     assert not any("task:" in line for line in lines)
 
 
@@ -94,8 +101,8 @@ SLIDES = ("d: q, alpha: pi/2", "theta: pi/2, d: q, alpha: pi/2", "theta: pi/2, d
 )
 def test_where_some_joints_are_free_the_whole_list_is_named(free: str, said: str) -> None:
     rows = (*SLIDES, "theta: q, alpha: pi/2", "theta: q")
-    first, second, third, *_ = refused(*rows, task="[x, y]", free=free)
-    assert f": with joint{'s' * (len(free) > 3)} {free[1:-1]} given, joint" in first
+    first, second, third = refused(*rows, task="[x, y]", free=free)[-4:-1]
+    assert f"with joint{'s' * (len(free) > 3)} {free[1:-1]} given, joint" in first
     assert second.startswith(said)
     assert third == "  free: [1, 4, 5] leaves a closed form with one row"
 
@@ -112,17 +119,70 @@ def test_one_more_free_joint_is_named_with_those_that_are_there() -> None:
 
 
 def test_axes_that_are_nearly_one_line_are_told_so() -> None:
-    (first, *_) = refused("theta: q, a: 1e-3", "theta: q, a: 1e6", task="[x, y]")
-    nearly = "axes 1 and 2 are 0.001 apart, which at the arm's size counts as one line"
-    assert first == f"the arm has infinitely many solutions for every pose: {nearly}"
+    _, second, *_ = refused("theta: q, a: 1e-3", "theta: q, a: 1e6", task="[x, y]")
+    assert second == "axes 1 and 2 are 0.001 apart, which at the arm's size counts as one line"
 
 
 def test_axes_that_leave_a_joint_too_many_are_the_reason() -> None:
-    first, second, *_ = refused(*SKEW, "theta: q, d: 0.2", "theta: q")
-    assert first == (
-        "the arm has infinitely many solutions for every pose: axes 5 and 6 are the same line"
-    )
-    assert second.startswith("joints 5, 6 can move together")
+    """Six joints on five lines: a pose is in reach only by chance, and then joints 5, 6 turn."""
+    first, second, third, *_ = refused(*SKEW, "theta: q, d: 0.2", "theta: q")
+    assert first == f"{FEW}5 independent motions are left, and the task asks for 6"
+    assert second == "axes 5 and 6 are the same line"
+    assert third.startswith("joints 5, 6 can move together")
+
+
+SAME_LINE = (
+    "theta: q, d: 0.4, alpha: pi/2",
+    "theta: q, a: 0.5",
+    "theta: q, a: 0.1, alpha: pi/2",
+    "theta: q, d: 0.4, alpha: -pi/2",
+    "theta: q",
+    "theta: q, d: 0.1",
+)
+
+
+UR = (
+    "theta: q, d: 0.089, alpha: pi/2",
+    "theta: q, a: -0.425",
+    "theta: q, a: -0.392",
+    "theta: q, d: 0.109, alpha: pi/2",
+    "theta: q, d: 0.095, alpha: -pi/2",
+    "theta: q, d: 0.082",
+)
+PUMA_BY_CRAIG = (
+    "theta: q",
+    "theta: q, alpha: -pi/2",
+    "theta: q, a: 0.43, d: 0.12",
+    "theta: q, a: -0.02, d: 0.43, alpha: -pi/2",
+    "theta: q, alpha: pi/2",
+    "theta: q, alpha: -pi/2",
+)
+
+
+@pytest.mark.parametrize(
+    ("rows", "own", "said"), [(UR, "standard", "modified"), (PUMA_BY_CRAIG, "modified", "standard")]
+)
+def test_a_table_under_the_other_convention_is_told_so(
+    rows: tuple[str, ...], own: str, said: str
+) -> None:
+    (line,) = other_convention(table(*rows, convention=said))
+    assert line.startswith(f"with `convention: {own}` this table is an arm whose joints all count")
+    assert not other_convention(table(*rows, convention=own))
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_an_arm_that_neither_convention_makes_proper_gets_no_such_line(convention: str) -> None:
+    assert other_convention(table(*SAME_LINE, convention=convention)) == []
+    assert other_convention(table(*["theta: q, a: 0.3"] * 3, task="[x, y]")) == []
+
+
+def test_what_free_joints_are_said_to_leave_comes_out() -> None:
+    """Of five joints asked for a whole pose, without three axes that belong together."""
+    (advice,) = (line for line in refused(*SAME_LINE) if line.startswith("  free: "))
+    assert advice == "  free: [5] or [6] leaves a closed form with 4 rows"
+    for free in "[5]", "[6]":
+        left = derive(build_chain(table(*SAME_LINE, free=free)))
+        assert (left.method, left.branches) == (Method.CLOSED_FORM, 4)
 
 
 MEETING = ("theta: q, alpha: 80 deg", "theta: q, alpha: 20 deg", "theta: q, alpha: 95 deg")

@@ -119,11 +119,12 @@ def _general(chain: Chain) -> list[Choice]:
 def _has_structure(chain: Chain) -> bool:
     """Whether there is hope: few joints that turn, or three axes that belong together.
 
-    The search on a general arm takes minutes and finds nothing.
+    The search on a general arm takes minutes and finds nothing. Where the task gives more equations
+    than there are joints, it is short and often finds something.
     """
     joints = chain.solved
     turning = [joint for joint in joints if joint.kind is JointKind.REVOLUTE]
-    if len(joints) <= MOST_SKEW or len(turning) <= MOST_TURNING:
+    if len(joints) <= MOST_SKEW or len(turning) <= MOST_TURNING or chain.overdetermined:
         return True
     arm, source = numeric_arm(chain), np.random.default_rng(9)
     places = [joint.number - 1 for joint in turning]

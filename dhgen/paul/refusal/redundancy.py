@@ -36,8 +36,8 @@ def redundant(
         choices: Joints that would make good free ones.
     """
     still = still_coordinates(chain)
-    first, *others = [*_in_vain(still), *crowded_axes(chain), _moved(chain, spare)]
-    lines = [f"the arm has infinitely many solutions for every pose: {first}", *others]
+    why = [*_in_vain(still), *crowded_axes(chain), _moved(chain, spare)]
+    lines = _how_many(chain, spare, why)
     start, whole = before
     if whole.count == len(start.solved):
         lines.append("no joint is left to solve for: `task` must name something that the arm moves")
@@ -48,6 +48,19 @@ def redundant(
         "--numerical would give the solution near a seed, by damped least squares",
     ]
     return "\n".join(lines)
+
+
+def _how_many(chain: Chain, spare: Surplus, why: list[str]) -> list[str]:
+    """How many solutions a pose has, with the reasons: infinitely many if it is in reach at all."""
+    independent, asked = chain.dof - chain.given - spare.count, chain.task.dimension
+    if independent == asked:
+        first, *others = why
+        return [f"the arm has infinitely many solutions for every pose: {first}", *others]
+    few = "nearly no pose is in reach, and those few have infinitely many solutions"
+    motions = (
+        "1 independent motion is" if independent == 1 else f"{independent} independent motions are"
+    )
+    return [f"{few}: {motions} left, and the task asks for {asked}", *why]
 
 
 def _given(
