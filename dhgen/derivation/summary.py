@@ -14,11 +14,13 @@ from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import PLAIN
 from dhgen.derivation.text.words import counted
 from dhgen.general.kernel import GeneralKernel
+from dhgen.paul.mobility import determining_tasks
 from dhgen.paul.refusal.unsolved import missed_structure
 
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
+    from dhgen.kinematics.chain import Chain
     from dhgen.numerical.kernel import NumericalKernel
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.step import Step
@@ -42,7 +44,7 @@ def summary_text(story: Story, singular: list[Singularity]) -> str:
     lines.append(f"{counted(story.program.rows, 'row')}" + (f": {names}" if names else ""))
     lines += [_singular(each) for each in singular]
     if story.derivation.problem.overdetermined:
-        lines.append(CHECKED)
+        lines += [CHECKED, *_just_enough(story.algebra.chain)]
     return "\n".join(lines) + "\n"
 
 
@@ -56,12 +58,19 @@ def _whole(kernel: GeneralKernel | NumericalKernel, story: Story) -> list[str]:
             f"no closed form: the {kernel.method} algorithm, up to {kernel.rows} solutions",
             f"a polynomial of degree {degree} in {hidden}; rows by ascending joint values",
             *missed_structure(story.algebra.chain),
-            *([CHECKED] if kernel.checked else []),
+            *([CHECKED, *_just_enough(story.algebra.chain)] if kernel.checked else []),
         ]
     if kernel.redundant:
         return ["numerical, as asked for: the solution near the seed, by damped least squares"]
     found = "by damped least squares, as many as are found from evenly spread starts"
     return [f"numerical, as asked for: up to {kernel.rows} solutions {found}; others may exist"]
+
+
+def _just_enough(chain: Chain) -> list[str]:
+    """A task that asks for as much as the arm can choose, if there is one."""
+    tasks = determining_tasks(chain).items()
+    enough = [text for text, task in tasks if task.dimension == chain.dof - chain.given]
+    return [f"`task: {text}` would ask for as much as it can" for text in enough[:1]]
 
 
 def _step(story: Story, number: int) -> tuple[str, str, str, str]:

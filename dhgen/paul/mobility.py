@@ -18,6 +18,7 @@ from dhgen.kinematics.neighbours import EXACT, axis_triples, short_number
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.kinematics.task import task_jacobian, units
 from dhgen.robot.robot import JointKind
+from dhgen.robot.task import Task, TaskKind
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -30,6 +31,7 @@ NULL = 1e-9  # a singular value, or a joint's part in a null vector, this small 
 NEARLY_NULL = 1e-4  # this is more than twists leave that were meant to be right angles
 SAME_LINE = 1e-9
 ROUNDING = 1e-14  # of the arm's size: what places of axes are computed to
+PLAIN_TASKS = (TaskKind.POSITION, TaskKind.ORIENTATION, TaskKind.POINTING, TaskKind.POSE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,6 +99,21 @@ def moving_coordinates(chain: Chain) -> tuple[str, ...]:
     rates = numeric_arm(chain).jacobian(q)[..., :3, :] * units(chain)
     most = np.abs(rates).max(axis=(0, 2))
     return tuple(n for n, rate in zip("xyz", most, strict=True) if rate > NULL * chain.size)
+
+
+def determining_tasks(chain: Chain) -> dict[str, Task]:
+    """Other tasks that fix every joint, as the file writes them; first those that ask for least."""
+    moving = moving_coordinates(chain)
+    tasks = {kind.value: Task(kind) for kind in PLAIN_TASKS}
+    if len(moving) < 3:
+        tasks = {f"[{', '.join(moving)}]": Task(TaskKind.COORDINATES, moving), **tasks}
+    return {
+        text: task
+        for text, task in tasks.items()
+        if task != chain.task
+        and task.dimension >= chain.dof - chain.given
+        and not surplus(replace(chain, task=task)).count
+    }
 
 
 def crowded_axes(chain: Chain) -> list[str]:

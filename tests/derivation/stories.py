@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from dhgen.derivation.story import Story
 from dhgen.kinematics.build import build_chain
@@ -12,6 +13,9 @@ from dhgen.program.lowering.lower import lower
 from dhgen.robot.load import load
 from dhgen.targets.reserved import RESERVED
 from tests.structures import STRUCTURES
+
+if TYPE_CHECKING:
+    from dhgen.robot.robot import Robot
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 GENERATED = ROBOTS.parent / "generated"
@@ -42,6 +46,10 @@ def document(name: str) -> str:
 @cache
 def story(name: str) -> Story:
     """A robot with its derivation and program."""
-    robot = load(OWN.get(name, ROBOTS) / f"{name}.yaml")
+    return story_of(load(OWN.get(name, ROBOTS) / f"{name}.yaml"))
+
+
+def story_of(robot: Robot) -> Story:
+    """The same of a robot that has no file."""
     derivation = derive(build_chain(robot), numerical=robot.numerical)
     return Story(robot, derivation, lower(derivation, reserved=RESERVED))

@@ -16,12 +16,21 @@ from dhgen.derivation import (
 )
 from dhgen.derivation.sections.closing import tree_text
 from dhgen.derivation.sections.transforms import PAGE
+from dhgen.derivation.summary import CHECKED
 from dhgen.derivation.types import PRINTERS
 from dhgen.paul.kind import Kind
 from tests.derivation.golden import FOLDER, made, without_cost
 from tests.derivation.golden import NAMES as GOLDEN
 from tests.derivation.made import made_of
-from tests.derivation.stories import ALL_WHOLE, NAMES, WITH_STEPS, document, story
+from tests.derivation.stories import (
+    ALL_WHOLE,
+    NAMES,
+    WITH_STEPS,
+    document,
+    story,
+    story_of,
+)
+from tests.kinematics.values import table
 
 SECTIONS = [
     "The robot",
@@ -179,6 +188,23 @@ def test_summary(name: str) -> None:
         assert lines[number - 1].startswith(f"{number}. ")
         assert f"type {step.kind.number}" in lines[number - 1]
     assert len(lines) <= 16
+
+
+@pytest.mark.parametrize(
+    ("rows", "enough"),
+    [
+        (("theta: q, a: 0.4", "theta: q, a: 0.3"), ["[x, y]"]),
+        (("theta: q, alpha: pi/2", "theta: q, a: 0.3", "theta: q, a: 0.2"), ["position"]),
+        (("theta: q, a: 0.4", "theta: q, a: 0.3", "theta: q, a: 0.2"), []),  # both and the turn
+    ],
+)
+def test_a_task_that_asks_for_as_much_as_the_arm_can_choose_is_named(
+    rows: tuple[str, ...], enough: list[str]
+) -> None:
+    of = story_of(table(*rows))
+    lines = derivation_summary(of.robot, of.derivation, of.program).splitlines()
+    told = [f"`task: {task}` would ask for as much as it can" for task in enough]
+    assert lines[lines.index(CHECKED) + 1 :] == told
 
 
 def test_alternatives_name_the_way_of_document_003() -> None:

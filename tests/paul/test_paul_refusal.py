@@ -54,9 +54,10 @@ def test_a_joint_that_moves_nothing_is_named_alone() -> None:
         "theta: q, a: 0.2, alpha: 90 deg",
         "theta: q, d: 0.1",
     ]
-    first, second, *_ = refused(*rows, task="[x, y]")
+    first, second, *rest = refused(*rows, task="[x, y]")
     assert first.endswith("joint 3 can move without changing what the task names")
     assert second == "list it under `free`, to solve for the others given its value"
+    assert "`task: orientation` determines every joint" in rest
 
 
 def test_joints_that_move_nothing_are_named_together() -> None:
@@ -71,14 +72,36 @@ def test_joints_that_move_nothing_are_named_together() -> None:
 
 
 @pytest.mark.parametrize(
-    ("rows", "task", "serving"), [(2, "[x, z]", "[x, y]"), (3, "position", "pose")]
+    ("rows", "task", "serving"),
+    [
+        (2, "[x, z]", "[x, y]` determines every joint"),
+        (3, "position", "pose` determines every joint of poses that the arm can take"),
+    ],
 )
 def test_a_coordinate_that_no_joint_moves_is_told(rows: int, task: str, serving: str) -> None:
     head, first, second, third, *_ = refused(*["theta: q, a: 0.3"] * rows, task=task)
     assert head.startswith(FEW)
     assert first == "the task names z, which no joint moves"
     assert "can move together" in second
-    assert third == f"`task: {serving}` determines every joint"
+    assert third == f"`task: {serving}"
+
+
+def test_a_tool_that_points_along_the_axis_of_the_last_joint() -> None:
+    """Its turn is asked for by a pose; a sixth joint is missing for all of them."""
+    rows = (
+        "theta: q, d: 0.1, alpha: pi/2",
+        *["theta: q, a: 0.3"] * 2,
+        "theta: q + pi/2, alpha: pi/2",
+        "theta: q, d: 0.1",
+    )
+    lines = refused(*rows, task="pointing")
+    assert lines[:2] == [
+        f"{FEW}4 independent motions are left, and the task asks for 5",
+        "joint 5 can move without changing what the task names",
+    ]
+    assert lines[3] == "  free: [5] leaves a closed form with 4 rows"
+    assert lines[4] == "`task: pose` determines every joint of poses that the arm can take"
+    assert derive(build_chain(table(*rows, task="pose"))).method is Method.CLOSED_FORM
 
 
 def test_where_no_other_task_serves_none_is_named() -> None:
@@ -101,10 +124,11 @@ SLIDES = ("d: q, alpha: pi/2", "theta: pi/2, d: q, alpha: pi/2", "theta: pi/2, d
 )
 def test_where_some_joints_are_free_the_whole_list_is_named(free: str, said: str) -> None:
     rows = (*SLIDES, "theta: q, alpha: pi/2", "theta: q")
-    first, second, third = refused(*rows, task="[x, y]", free=free)[-4:-1]
-    assert f"with joint{'s' * (len(free) > 3)} {free[1:-1]} given, joint" in first
-    assert second.startswith(said)
-    assert third == "  free: [1, 4, 5] leaves a closed form with one row"
+    lines = refused(*rows, task="[x, y]", free=free)
+    why, which = (i for i, line in enumerate(lines) if " given, joint" in line or said in line)
+    assert f"with joint{'s' * (len(free) > 3)} {free[1:-1]} given, joint" in lines[why]
+    assert lines[which].startswith(said)
+    assert lines[which + 1] == "  free: [1, 4, 5] leaves a closed form with one row"
 
 
 def test_one_more_free_joint_is_named_with_those_that_are_there() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import islice
 from typing import TYPE_CHECKING
 
@@ -10,13 +9,12 @@ from dhgen.kinematics.arm_angle import why_no_arm_angle
 from dhgen.paul.mobility import (
     NEARLY_NULL,
     crowded_axes,
-    moving_coordinates,
+    determining_tasks,
     still_coordinates,
     surplus,
 )
 from dhgen.paul.refusal.free_joint_advice import choices_text
 from dhgen.paul.refusal.size_limits import MOST_GIVEN, are_too_many_given
-from dhgen.robot.task import Task, TaskKind
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
@@ -42,11 +40,10 @@ def redundant(
     if whole.count == len(start.solved):
         lines.append("no joint is left to solve for: `task` must name something that the arm moves")
         return "\n".join(lines)
-    lines += [
-        *(_other_task(chain) if still else ()),
-        *_given(chain, before, choices),
-        "--numerical would give the solution near a seed, by damped least squares",
-    ]
+    ways = [_given(chain, before, choices), _other_task(chain)]
+    for way in reversed(ways) if still else ways:
+        lines += way
+    lines.append("--numerical would give the solution near a seed, by damped least squares")
     return "\n".join(lines)
 
 
@@ -63,20 +60,18 @@ def _how_many(chain: Chain, spare: Surplus, why: list[str]) -> list[str]:
     return [f"{few}: {motions} left, and the task asks for {asked}", *why]
 
 
-def _given(
-    chain: Chain, before: tuple[Chain, Surplus], choices: tuple[Choice, ...]
-) -> tuple[str, ...]:
+def _given(chain: Chain, before: tuple[Chain, Surplus], choices: tuple[Choice, ...]) -> list[str]:
     """Which joints may be given, to solve for the others."""
     start, whole = before
     if are_too_many_given(start.given + whole.count):
-        return (f"{whole.count} are too many to be given under `free`: {MOST_GIVEN} may be",)
+        return [f"{whole.count} are too many to be given under `free`: {MOST_GIVEN} may be"]
     values = "its value" if whole.count == 1 else "their values"
     which = _which(whole, chain.free, kept=start.free == chain.free)
-    return (
+    return [
         f"list {which}, to solve for the others given {values}",
         *choices_text(choices, whole),
         *_elbow_choice(chain),
-    )
+    ]
 
 
 def near_redundancy(chain: Chain) -> list[str]:
@@ -123,14 +118,12 @@ def _in_vain(still: tuple[str, ...]) -> list[str]:
 
 
 def _other_task(chain: Chain) -> list[str]:
-    """A task that fixes every joint, where the one that is given names what does not move."""
-    moving = moving_coordinates(chain)
-    tasks = {
-        f"[{', '.join(moving)}]": Task(TaskKind.COORDINATES, moving),
-        "pose": Task(TaskKind.POSE),
-    }
-    serving = (t for t, task in tasks.items() if not surplus(replace(chain, task=task)).count)
-    return [f"`task: {text}` determines every joint" for text in islice(serving, 1)]
+    """The first task that fixes every joint, if there is one."""
+    return [
+        f"`task: {text}` determines every joint"
+        + " of poses that the arm can take" * (task.dimension > chain.dof - chain.given)
+        for text, task in islice(determining_tasks(chain).items(), 1)
+    ]
 
 
 def _elbow_choice(chain: Chain) -> list[str]:
