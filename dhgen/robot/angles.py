@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from dhgen.robot.exact import Surd, number
 from dhgen.robot.expression import (
@@ -92,12 +92,26 @@ def sine(angle: Expression, value: float) -> Expression:
     return Call("sin", angle) if k is None else exact_cosine(k - 6)
 
 
-def snap_notice(value: float, exact: float, meant: Expression) -> str | None:
-    """The notice for a value that is replaced by the exact one it means."""
+class Near(NamedTuple):
+    """What a cell nearly is.
+
+    Attributes:
+        off: How far it is from that, as the file would write the difference.
+        of: What it is nearly, of its own: pi/2, 90 deg.
+        written: What to write in place of the cell: q + pi/2.
+    """
+
+    off: float
+    of: str
+    written: str
+
+
+def near_exact(value: float, exact: float, meant: Expression) -> Near | None:
+    """What a value is nearly that is replaced by an exact one; None but for rounding."""
     distance = abs(value - exact)
     if distance <= ROUNDING * max(1.0, abs(exact)):
         return None
-    return f"is {distance:.1e} away from {to_text(meant)} and taken as {to_text(meant)}"
+    return Near(distance, to_text(meant), to_text(meant))
 
 
 def unit_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
@@ -105,18 +119,15 @@ def unit_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
 
     Args:
         value: The angle in radians; NaN gets no notice.
-        unit: How the file writes it: see `slip_notice`.
+        unit: How the file writes it: see `near_right_angle`.
     """
     if unit == "pi":
         return turns_notice(value, f"{value:g} deg")
     return None if unit else _radians_notice(math.degrees(value))
 
 
-def slip_notice(value: float, unit: Literal["pi", "deg", ""], joint: str = "") -> str | None:
-    """The notice for an angle that looks like a slip.
-
-    It is nearly, but not exactly, a multiple of pi/2, or in the other unit than the file's, where
-    the cell does not name one.
+def near_right_angle(value: float, unit: Literal["pi", "deg", ""], joint: str = "") -> Near | None:
+    """The multiple of pi/2 that an angle nearly, but not exactly, is.
 
     Args:
         value: The angle in radians.
@@ -125,18 +136,15 @@ def slip_notice(value: float, unit: Literal["pi", "deg", ""], joint: str = "") -
     """
     if not math.isfinite(value):
         return None
-    if notice := unit_notice(value, unit):
-        return notice
     quarters, distance = _quarters(value)
     if not SNAP < distance <= SLIP:
         return None
-    shown = distance if unit == "pi" else math.degrees(distance)
     meant = _multiple(quarters, unit)
     written = meant
     if joint:
         sign = "-" if quarters < 0 else "+"
         written = f"{joint} {sign} {_multiple(abs(quarters), unit)}" if quarters else joint
-    return f"is {shown:.1e} away from {meant}: write {written} if that is meant"
+    return Near(distance if unit == "pi" else math.degrees(distance), meant, written)
 
 
 def _multiple(quarters: int, unit: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.robot.cell_notes import note_slips, note_snapped, note_turns
 from dhgen.robot.cells import INVALID, Cells
 from dhgen.robot.frames import IDENTITY_FRAME, read_frame
 from dhgen.robot.joints import read_axis, read_row
@@ -49,8 +50,7 @@ class _Assembly:
         for name in self.cells.used.unused():
             message = f"no cell uses the parameter '{name}': remove it, or use it in a cell"
             self.report.notice_at_key(("parameters", name), message)
-        note_spread(self.report, self.cells.lengths)
-        note_distance(self.report, self.cells.lengths)
+        self._note_cells(units)
         file = self.shape.file
         if file is None or geometry is None:
             return None
@@ -73,6 +73,15 @@ class _Assembly:
             notices=self.report.notices,
             doubts=tuple(self.report.doubts),
         )
+
+    def _note_cells(self, units: Units) -> None:
+        """Remarks that cells get beside each other."""
+        note_slips(self.report, self.cells.slips)
+        note_snapped(self.report, self.cells.snapped)
+        in_radians = "angle" in units.model_fields_set
+        note_turns(self.report, self.cells.turned, in_radians=in_radians)
+        note_spread(self.report, self.cells.lengths, units.length)
+        note_distance(self.report, self.cells.lengths)
 
     def _parameters(self) -> tuple[Parameter, ...]:
         plain = self.document.plain(("parameters",)) if self.document.has("parameters") else {}

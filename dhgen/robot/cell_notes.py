@@ -1,4 +1,7 @@
-"""What is noted of cells: the parameters that they use, and exact values taken in their place."""
+"""What is noted of cells, beside each other where there are several of a kind.
+
+The parameters that they use, exact values in their place, slips, degrees in a file of radians.
+"""
 
 from __future__ import annotations
 
@@ -7,9 +10,16 @@ from itertools import takewhile
 from typing import TYPE_CHECKING
 
 from dhgen.robot.expression import ZERO, Expression, Name, parts, to_text
+from dhgen.robot.source import quoted
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.robot.angles import Near
     from dhgen.robot.reader import Path
+    from dhgen.robot.report import Report
+
+ALONE = 5  # so many notes of a kind are given one by one; of more the first, with a list
 
 
 class UsedNames:
@@ -70,6 +80,82 @@ def taken(path: Path, text: str, variable: str, exact: Expression) -> Taken:
         sign = "-" if value.startswith("-") else "+"
         value = f"{variable} {sign} {value.removeprefix('-')}"
     return Taken(_place(path), text, value)
+
+
+@dataclass(frozen=True, slots=True)
+class NearCell:
+    """A cell that nearly is an exact value, or an offset in it that is.
+
+    Attributes:
+        path: Where it is.
+        text: Its text.
+        near: What it nearly is.
+        is_offset: Whether only the offset in it is.
+    """
+
+    path: Path
+    text: str
+    near: Near
+    is_offset: bool = False
+
+
+def note_slips(report: Report, cells: Sequence[NearCell]) -> None:
+    """Reports angles that look like right angles written with too few digits."""
+    if len(cells) > ALONE:
+        head = f"{len(cells)} angles are nearly, but not exactly, multiples of a right angle"
+        report.notice(cells[0].path, f"{head}: write {_listed(cells)}, if that is meant")
+        return
+    for cell in cells:
+        off, of, written = cell.near
+        what = "the offset of " * cell.is_offset + quoted(cell.text)
+        message = f"{what} is {off:.1e} away from {of}: write {written} if that is meant"
+        report.notice(cell.path, message)
+
+
+def note_snapped(report: Report, cells: Sequence[NearCell]) -> None:
+    """Reports cells in whose place an exact value is taken."""
+    if len(cells) > ALONE:
+        within = max(cell.near.off for cell in cells)
+        head = f"{len(cells)} cells are within {within:.1e} of exact values"
+        report.notice(cells[0].path, f"{head} and taken as these: {_listed(cells)}")
+        return
+    for cell in cells:
+        off, of, _ = cell.near
+        message = f"{quoted(cell.text)} is {off:.1e} away from {of} and taken as {of}"
+        report.notice(cell.path, message)
+
+
+def note_turns(report: Report, turned: Sequence[tuple[Path, str]], *, in_radians: bool) -> None:
+    """Reports angles of many turns; several are a mistake, unless the file says that it means rad.
+
+    Args:
+        report: Where mistakes and notices go.
+        turned: The places of such angles, and what there is to say of each of them alone.
+        in_radians: Whether the file names the unit.
+    """
+    if len(turned) > 1 and not in_radians:
+        path, message = turned[0]
+        head = f"{message.split(':')[0]}, and {_more(len(turned) - 1)} many turns, too"
+        units = "`units: {angle: deg}` if degrees are meant, `units: {angle: rad}` if not"
+        report.error(path, f"{head}: write {units}")
+        return
+    for path, message in turned:
+        report.notice(path, message)
+
+
+def _more(count: int) -> str:
+    return "one more angle is of" if count == 1 else f"{count} more angles are of"
+
+
+def _listed(cells: Sequence[NearCell]) -> str:
+    """What to write for which texts, and where these are: pi/2 for '1.57' (alpha of joint 2)."""
+    places: dict[tuple[str, str], list[str]] = {}
+    for cell in cells:
+        places.setdefault((cell.near.written, cell.text), []).append(_place(cell.path))
+    return ", ".join(
+        f"{written} for {quoted(text)} ({', '.join(where)})"
+        for (written, text), where in places.items()
+    )
 
 
 def _place(path: Path) -> str:

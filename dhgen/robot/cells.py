@@ -13,13 +13,13 @@ from dhgen.robot.angles import (
     SNAP,
     exact_angle,
     near_cosine,
-    slip_notice,
-    snap_notice,
+    near_exact,
+    near_right_angle,
     twelfths,
     unit_notice,
 )
 from dhgen.robot.arithmetic import parse
-from dhgen.robot.cell_notes import Taken, UsedNames, taken
+from dhgen.robot.cell_notes import NearCell, Taken, UsedNames, taken
 from dhgen.robot.exact import canonical
 from dhgen.robot.expression import (
     ZERO,
@@ -55,6 +55,9 @@ class Cells:
         self.used = UsedNames()
         self.lengths: list[Length] = []
         self.taken: list[Taken] = []
+        self.snapped: list[NearCell] = []
+        self.slips: list[NearCell] = []
+        self.turned: list[tuple[Path, str]] = []
 
     def announce(self, parameters: Mapping[str, str]) -> None:
         """Which parameters there will be, for the messages about cells that use them too early."""
@@ -138,12 +141,18 @@ class Cells:
         if self.units.speaks_of_pi(angle):
             notice = self.units.mixed_notice(angle)
         else:
-            notice = unit_notice(
-                self.value(self.radians(angle)), "" if self.units.degrees else "pi"
-            )
+            value = self.value(self.radians(angle))
+            notice = unit_notice(value, "" if self.units.degrees else "pi")
         if notice:
-            self.report.notice(path, f"{quoted(text.strip())} {notice}")
+            self._notice_unit(path, quoted(text.strip()), notice, angle)
         return notice is not None
+
+    def _notice_unit(self, path: Path, what: str, notice: str, angle: Expression) -> None:
+        """Reports an angle that looks like the other unit; many turns with those of other cells."""
+        if self.units.degrees or self.units.speaks_of_pi(angle):
+            self.report.notice(path, f"{what} {notice}")
+        else:
+            self.turned.append((path, f"{what} {notice}"))
 
     def note_mixture(self, path: Path, text: str, angle: Expression) -> None:
         """Reports a plain number that is added to what holds pi."""
@@ -174,12 +183,18 @@ class Cells:
             self.report.error(path, f"the angle {value:.6g} rad is beyond {LARGEST_ANGLE:.0e}")
         elif (k := twelfths(value)) is not None:
             return self._snapped(path, text, value, exact_angle(k))
-        elif notice := self.units.mixed_notice(expression) or slip_notice(
-            value, self._unit(text), _variable(text)
-        ):
-            part = "the offset of " if _variable(text) else ""
-            self.report.notice(path, f"{part}{quoted(text.strip())} {notice}")
+        else:
+            self._look_at_angle(path, text, expression, value)
         return expression
+
+    def _look_at_angle(self, path: Path, text: str, angle: Expression, value: float) -> None:
+        """Looks for slips: the other unit, and what is nearly a right angle."""
+        unit, variable = self._unit(text), _variable(text)
+        if notice := self.units.mixed_notice(angle) or unit_notice(value, unit):
+            part = "the offset of " if variable else ""
+            self._notice_unit(path, part + quoted(text.strip()), notice, angle)
+        elif near := near_right_angle(value, unit, variable):
+            self.slips.append(NearCell(path, text.strip(), near, is_offset=bool(variable)))
 
     def snap_ratio(self, path: Path, text: str, expression: Expression) -> Expression:
         """The exact form of a number that may be a cosine."""
@@ -199,8 +214,8 @@ class Cells:
         return "" if self.units.degrees and not re.search(r"\bpi\b", text) else "pi"
 
     def _snapped(self, path: Path, text: str, value: float, exact: Expression) -> Expression:
-        if notice := snap_notice(value, self.value(exact), exact):
-            self.report.notice(path, f"{quoted(text.strip())} {notice}")
+        if near := near_exact(value, self.value(exact), exact):
+            self.snapped.append(NearCell(path, text.strip(), near))
             self.taken.append(taken(path, text.strip(), _variable(text), exact))
         return exact
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 from dhgen.robot.angles import SNAP
@@ -24,6 +25,15 @@ NOTHING = 1e-8
 # What is farther away than so many arms are long rounds positions by more than singular poses bear:
 # with a base 200 sizes away an arm with a spherical wrist passes verification, with 700 it fails.
 FAR = 300.0
+# Between lengths in mm and those in m is a gap, of 80 to 5000 times as a rule. Real arms have gaps
+# of 290 beside offsets of less than a millimetre; one of 50 below a length that no arm has.
+GAP = 300.0
+GAP_BELOW_LONG = 50.0
+LONG = 10.0  # m
+# Neither arms of 100 m are built nor arms of less than 5 mm, but in micrometres.
+LONGEST = 100.0  # m
+SHORTEST = 5e-3  # m
+METRES = {"m": 1.0, "dm": 0.1, "cm": 0.01, "mm": 1e-3, "um": 1e-6, "in": 0.0254, "ft": 0.3048}
 
 
 class Length(NamedTuple):
@@ -34,10 +44,15 @@ class Length(NamedTuple):
     text: str
 
 
-def note_spread(report: Report, lengths: Iterable[Length]) -> None:
-    """Reports the shortest length where it is next to nothing beside the longest.
+def note_spread(report: Report, lengths: Iterable[Length], unit: str) -> None:
+    """Reports lengths that are next to nothing beside the others, or not in the unit of the file.
 
     The place of the base in the world is no length of the arm; how far a slide goes is.
+
+    Args:
+        report: Where notices and doubts go.
+        lengths: Those of the file.
+        unit: What the file says that they are in.
     """
     arm = [each for each in lengths if each.value > SNAP and each.path[0] != "base"]
     links = [each for each in arm if "limits" not in each.path]
@@ -49,9 +64,40 @@ def note_spread(report: Report, lengths: Iterable[Length]) -> None:
     write = "write 0 if that is meant, and give all lengths in one unit"
     if ratio < NOTHING:
         report.notice(shortest.path, f"{text}, and may count as zero: {write}")
-    elif ratio < COARSE:
+        return
+    if ratio < COARSE:
         why = "rounding may exceed what is promised if it alone separates two axes"
         report.doubt(shortest.path, f"{text}, and {why}: {write}")
+    elif not _note_gap(report, links, unit):
+        _note_unit(report, max(links, key=_value), unit)
+
+
+def _note_gap(report: Report, links: list[Length], unit: str) -> bool:
+    """Whether lengths are of two sizes, as in two units; there is a notice then."""
+    by_value = sorted(links, key=_value)
+    wide = GAP_BELOW_LONG if by_value[-1].value * METRES[unit] > LONG else GAP
+    below, above = max(pairwise(by_value), key=_ratio, default=(by_value[0],) * 2)
+    if _ratio((below, above)) < wide:
+        return False
+    times = f"{quoted(above.text)} is {_ratio((below, above)):.0f} times as long as"
+    message = f"{times} {quoted(below.text)}, and no length is between: are both in {unit}?"
+    report.notice(above.path, message)
+    return True
+
+
+def _note_unit(report: Report, longest: Length, unit: str) -> None:
+    """Reports an arm of a size that none has in its unit."""
+    metres = longest.value * METRES[unit]
+    if metres > LONGEST or (metres < SHORTEST and unit != "um"):
+        other = "mm" if metres > LONGEST else "m"
+        size = f"the longest length of this arm is {longest.value:g} {unit}"
+        write = f"write `units: {{length: {other}}}` if that is meant"
+        report.notice(longest.path, f"{size}: {write}")
+
+
+def _ratio(pair: tuple[Length, Length]) -> float:
+    below, above = pair
+    return above.value / below.value
 
 
 def note_distance(report: Report, lengths: Iterable[Length]) -> None:

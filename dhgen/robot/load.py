@@ -19,6 +19,13 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
 
 _XML = re.compile(r"\ufeff?\s*<[?!A-Za-z]")
+_KINDS_OF_XML = {
+    "<xacro:": "a xacro",
+    "<robot": "a URDF",
+    "<sdf": "an SDF",
+    "<mujoco": "an MJCF",
+}
+_UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 _BINARY = re.compile(rb"[\x00-\x08\x0e-\x1f]")  # what no text in any 8-bit encoding has
 
 
@@ -43,15 +50,14 @@ def load(path: str | os.PathLike[str]) -> Robot:
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise _refusal(Diagnostic(name, 0, 0, f"the file can't be read: {reason}")) from None
+    if what := _kind_of_xml(content):
+        raise _refusal(Diagnostic(name, 0, 0, f"this is {what}; a robot file is YAML"))
     if len(content) > MAX_BYTES:
         raise _refusal(Diagnostic(name, 0, 0, f"a robot file has at most {MAX_BYTES // 1024} KiB"))
     try:
         text = content.decode("utf-8")
     except UnicodeDecodeError as error:
         raise _refusal(_no_utf8(content, name, error.start)) from None
-    if _XML.match(text):
-        what = "a URDF" if "<robot" in text else "XML"
-        raise _refusal(Diagnostic(name, 0, 0, f"this is {what}; a robot file is YAML"))
     return load_text(text, name)
 
 
@@ -72,9 +78,17 @@ def load_text(text: str, file_name: str) -> Robot:
     return robot
 
 
+def _kind_of_xml(content: bytes) -> str | None:
+    """What a file is that begins like XML."""
+    text = content.decode("utf-16" if content.startswith(_UTF_16) else "utf-8", "replace")
+    if not _XML.match(text):
+        return None
+    return next((kind for mark, kind in _KINDS_OF_XML.items() if mark in text), "XML")
+
+
 def _no_utf8(content: bytes, name: str, start: int) -> Diagnostic:
     """The message for a file that is not UTF-8 from some byte on; one without lines shows none."""
-    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+    if content.startswith(_UTF_16):
         return Diagnostic(name, 0, 0, "the file is UTF-16: save it as UTF-8")
     if _BINARY.search(content):
         return Diagnostic(name, 0, 0, "this is not text; a robot file is YAML")

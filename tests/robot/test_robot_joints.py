@@ -194,7 +194,7 @@ def test_ends_in_the_wrong_order_are_shown_with_what_is_told_of_them(
 
 
 def test_notes_on_other_fields_wait_until_the_mistakes_are_mended() -> None:
-    rows = "theta: q, limits: [170, x]", "theta: q, alpha: 90, limits: [-170, 170]", "alpha: 90"
+    rows = "theta: q, limits: [170, x]", "theta: q, alpha: 1.5708", "alpha: 1.5708"
     with pytest.raises(RobotFileError) as info:
         robot(table(*rows))
     assert [found.message.split(";")[0] for found in info.value.diagnostics] == [

@@ -8,6 +8,7 @@ import pytest
 
 from dhgen.errors import RobotFileError
 from dhgen.robot.load import load, load_text
+from dhgen.robot.reader import MAX_BYTES
 from tests.robot.robot_texts import JOINTS, MINIMAL, marked, mistake, mistakes, table
 
 if TYPE_CHECKING:
@@ -155,7 +156,11 @@ def test_a_file_that_is_not_utf8_says_where(tmp_path: Path) -> None:
         (MINIMAL.encode("utf-16"), "the file is UTF-16: save it as UTF-8"),
         (b'<robot name="r">\n</robot>\n', "this is a URDF; a robot file is YAML"),
         (b'\xef\xbb\xbf<?xml version="1.0"?>\n<robot/>', "this is a URDF; a robot file is YAML"),
-        (b"<!-- an arm -->\n<mujoco/>\n", "this is XML; a robot file is YAML"),
+        (b"<!-- an arm -->\n<mujoco/>\n", "this is an MJCF; a robot file is YAML"),
+        (b"<!-- an arm -->\n<arm/>\n", "this is XML; a robot file is YAML"),
+        (b'<robot><xacro:include filename="a"/></robot>', "this is a xacro; a robot file is YAML"),
+        ('<robot name="r"/>'.encode("utf-16"), "this is a URDF; a robot file is YAML"),
+        (b"<robot>" + b" " * MAX_BYTES, "this is a URDF; a robot file is YAML"),
     ],
 )
 def test_what_is_no_text_is_not_shown(content: bytes, message: str, tmp_path: Path) -> None:

@@ -211,6 +211,25 @@ def test_lengths_that_may_be_out_of_proportion_are_a_doubt() -> None:
 
 
 @pytest.mark.parametrize(
+    ("rows", "unit", "told"),
+    [
+        (["d: 0.29", "a: 270", "d: 0.302"], "m", "'270' is 894 times as long as '0.302', and no"),
+        (["d: 0.9", "a: 70", "a: 455"], "m", "'70' is 78 times as long as '0.9', and no"),
+        (["d: 0.29", "a: 270", "d: 0.302"], "mm", "'270' is 894 times as long as '0.302', and no"),
+        (["d: 0.4", "a: 1.0", "d: 0.2"], "mm", "the longest length of this arm is 1 mm: write `un"),
+        (["d: 400", "a: 1000", "d: 0"], "m", "the longest length of this arm is 1000 m: write `un"),
+        (["d: 0.00035", "a: 0.4", "d: 0.01"], "m", ""),  # an offset of Kinova's Gen3
+        (["d: 400", "a: 1000", "d: 10"], "mm", ""),
+        (["d: 0.4", "a: 1", "d: 0.2"], "um", ""),
+        (["d: 1", "a: 2", "d: 60"], "in", ""),
+    ],
+)
+def test_lengths_in_another_unit_are_told(rows: list[str], unit: str, told: str) -> None:
+    text = table(*(f"theta: q, {row}" for row in rows), units=f"{{length: {unit}}}")
+    assert [notice.message[: len(told)] for notice in robot(text).notices] == [told] * bool(told)
+
+
+@pytest.mark.parametrize(
     ("rest", "told"),
     [
         ("base: {xyz: [4e5, -5e6, 0]}", ["4e5", "-5e6"]),

@@ -9,7 +9,9 @@ import pytest
 from dhgen.robot.expression import to_text
 from tests.robot.robot_texts import (
     axes,
+    marked,
     mistake,
+    mistakes,
     robot,
     row,
     table,
@@ -86,6 +88,30 @@ def test_degrees_in_a_file_of_radians_are_told() -> None:
         "'90' is 14.3 turns: write 90 deg if degrees are meant"
     ]
     assert not robot(table("theta: q, alpha: 90 deg, limits: [-7, 7]")).notices
+
+
+DEGREES = ("theta: q, alpha: -90, limits: [-165, 165]", "theta: q + 90, limits: [-110, w]")
+
+
+def test_degrees_in_several_cells_are_a_mistake() -> None:
+    """-90 rad are fourteen turns: the arm would be another one."""
+    named = "{w: 70}"
+    (found,) = mistakes(table(*DEGREES, parameters=named))
+    assert marked(found) == "-90"
+    assert found.message == (
+        "'-90' is 14.3 turns, and 3 more angles are of many turns, too: write `units: {angle: deg}`"
+        " if degrees are meant, `units: {angle: rad}` if not"
+    )
+    in_degrees = robot(table(*DEGREES, parameters=named, units="{angle: deg}"))
+    assert not in_degrees.notices
+    assert in_degrees.joints[1].limits == pytest.approx((math.radians(-110), math.radians(70)))
+
+
+def test_many_turns_in_a_file_that_says_rad_are_only_noted() -> None:
+    notices = told_of_cells(table(*DEGREES, parameters="{w: 70}", units="{angle: rad}"))
+    assert notices[0] == "'-90' is 14.3 turns: write -90 deg if degrees are meant"
+    assert len(notices) == 4
+    assert not told_of_cells(table("theta: q, limits: [-13, 12]", "theta: q, limits: [-7, 7]"))[1:]
 
 
 @pytest.mark.parametrize(
