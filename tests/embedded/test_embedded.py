@@ -21,7 +21,10 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
 
-pytestmark = pytest.mark.skipif(bool(MISSING), reason=f"not installed: {', '.join(MISSING)}")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(bool(MISSING), reason=f"not installed: {', '.join(MISSING)}"),
+]
 
 POSES = 24
 SMALL = [name for name in NAMES if robot(name).float32]

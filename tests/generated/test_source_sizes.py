@@ -61,6 +61,7 @@ def test_with_rounded_twists(name: str, tmp_path: Path) -> None:
     assert size_of(rounded(name), tmp_path, name) <= MOST
 
 
+@pytest.mark.slow
 def test_with_seven_rounded_twists(tmp_path: Path) -> None:
     """Columns that are carried from link to link: multiplied out it was 91.6 kB."""
     assert MOST < size_of(rounded("franka_panda"), tmp_path, "franka_panda") <= MOST_OF_SEVEN

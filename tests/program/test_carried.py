@@ -43,6 +43,7 @@ def arm(name: str) -> tuple[Robot, Derivation]:
     return robot, derive(build_chain(robot))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", COUNTS)
 def test_operations(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     best, long = COUNTS[name]
@@ -56,6 +57,7 @@ def counted(name: str) -> tuple[int, int]:
     return found.additions, found.multiplications
 
 
+@pytest.mark.slow
 def test_rows_are_those_of_what_is_multiplied_out(monkeypatch: pytest.MonkeyPatch) -> None:
     robot, derivation = arm("franka_panda")
     q = np.random.default_rng(3).uniform(-1.5, 1.5, (200, len(robot.joints)))

@@ -74,6 +74,7 @@ def test_no_warnings_without_the_fast_path(name: str) -> None:
     assert compiled(COMPILERS[-1], *flags) == ""
 
 
+@pytest.mark.slow
 @pytest.mark.skipif("clang" not in COMPILERS, reason="no clang")
 @pytest.mark.parametrize("level", ["-O2", "-Os", "-Oz"])
 def test_no_warnings_where_loops_are_unrolled(level: str) -> None:
@@ -177,6 +178,7 @@ LANES = ["ur5", "scara", "kuka_iiwa14", "cartesian"]
 SANITIZED = [(name, "scalar") for name in EVERY] + [(name, "lanes") for name in LANES]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "form"), SANITIZED)
 def test_sanitizers_find_nothing(name: str, form: str) -> None:
     module = made(name).module

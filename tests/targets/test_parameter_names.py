@@ -113,6 +113,7 @@ def test_formulas_read_the_constants(names: tuple[str, ...], tmp_path: Path) -> 
     check_names(tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "arm", [PLANAR + MOUNTING, AHEAD + MOUNTING, WRIST], ids=["planar", "ahead", "wrist"]
 )

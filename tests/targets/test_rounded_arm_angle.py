@@ -61,6 +61,7 @@ def asked() -> FloatArray:
     return np.concatenate([[known], right, mixed])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_rows_at_right_angles_are_exact_and_have_the_arm_angle(language: str) -> None:
     robot, q = compiled().robot, asked()

@@ -79,6 +79,7 @@ C = {"fk": f"void {NAME}_fk", "jacobian": f"void {NAME}_jacobian", "solve": "sta
 FEWEST = {"fk": 4, "jacobian": 4, "solve": 12}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("function", PYTHON)
 def test_every_sign_of_python(
     compilation: Compilation, function: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -94,6 +95,7 @@ def test_every_sign_of_python(
             verify(compilation.module, folder)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("function", C)
 def test_every_fifth_sign_of_c(
     compilation: Compilation, function: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

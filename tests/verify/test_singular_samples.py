@@ -93,6 +93,7 @@ def test_a_hand_that_folds_back_into_the_shoulder(name: str) -> None:
     assert report.residual < 1e-11
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["stretched_elbow", "one_sided", "remote_centre"])
 def test_limits_at_singular_places_refuse_no_arm(
     name: str, monkeypatch: pytest.MonkeyPatch
