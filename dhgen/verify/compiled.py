@@ -11,6 +11,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import dhgen.runtime.python
 from dhgen.atomic_write import replace_files
 from dhgen.runtime import PYTHON
 from dhgen.runtime.python.jit import digest_of
@@ -54,6 +55,37 @@ def compiled_code(module: ModuleType) -> Mapping[str, bytes]:
             if any(digest in path.name for digest in known):
                 made[place + path.name] = path.read_bytes()
     return made
+
+
+def runtime_code() -> Mapping[str, bytes]:
+    """What numba keeps of the compiler's own runtime, by names as in `compiled_code`.
+
+    What solves all joints at once is compiled once for all robots: a text that is imported first
+    serves wherever else it lies, too.
+    """
+    if config is None:
+        return {}
+    own = Path(dhgen.runtime.python.__file__).parent
+    made: dict[str, bytes] = {}
+    for text in sorted(own.rglob("*.py")):
+        place, digest = _place(text, own), digest_of(text)
+        for path in _folder(text).glob(f"{text.stem}.* {digest}-*.nb[ci]"):
+            made[place + path.name] = path.read_bytes()
+    return made
+
+
+def together(code: Mapping[str, bytes], other: Mapping[str, bytes]) -> Mapping[str, bytes]:
+    """Compiled code of two folders: where both have a function, all of the second's.
+
+    An index has its own numbers for the code of other arguments.
+    """
+    known = {_function(name) for name in other}
+    return {**{name: made for name, made in code.items() if _function(name) not in known}, **other}
+
+
+def _function(name: str) -> str:
+    """What names of an index and of the code that it lists have in common."""
+    return name.rsplit(".", 1 if name.endswith(".nbi") else 2)[0]
 
 
 def keep_compiled(code: Mapping[str, bytes], path: Path) -> None:

@@ -15,10 +15,12 @@ import numpy as np
 from dhgen.errors import VerificationError
 from dhgen.method import Method
 from dhgen.paul.refusal.redundancy import near_redundancy
+from dhgen.program.all_joints import whole_solver
 from dhgen.program.interpret import interpret
+from dhgen.program.ir import AllJoints
 from dhgen.robot.task import TaskKind
 from dhgen.tolerances import TOLERANCES
-from dhgen.verify.compiled import compiled_code, import_temporary
+from dhgen.verify.compiled import compiled_code, import_temporary, runtime_code, together
 from dhgen.verify.demands import FIXED, FOUND, FOUND_SINGULAR, Demands
 from dhgen.verify.languages import Languages
 from dhgen.verify.native import NATIVE, PORTABLE, compile_solver
@@ -27,6 +29,7 @@ from dhgen.verify.samples import samples, spoiled_poses
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
+    from types import ModuleType
 
     from numpy.typing import NDArray
 
@@ -72,7 +75,7 @@ def verify(module: SolverModule, folder: Path) -> Report:
 
 
 def _verify(module: SolverModule, folder: Path) -> Report:
-    python = import_temporary(folder / f"{module.name}.py")
+    python = imported(module, folder)
     source = folder / f"{module.name}.c"
     shape = module.chain.dof, module.solver.rows, module.chain.given
     made = (compile_solver(source, folder, module.name, *shape, b) for b in (PORTABLE, NATIVE))
@@ -83,7 +86,25 @@ def _verify(module: SolverModule, folder: Path) -> Report:
         checker.sample(sample)
     checker.impossible()
     seen = checker.poses, checker.solutions, demands.residual, bool(builds)
-    return Report(*seen, code=compiled_code(python))
+    code = compiled_code(python)
+    return Report(*seen, code=together(runtime_code(), code) if _whole(module) else code)
+
+
+def imported(module: SolverModule, folder: Path) -> ModuleType:
+    """The Python module of a robot from a temporary folder.
+
+    What solves for all joints is the compiler's own, imported before the robot's copy of the text:
+    its compiled code stays.
+    """
+    whole = _whole(module)
+    if whole is not None:
+        whole_solver(whole)
+    return import_temporary(folder / f"{module.name}.py")
+
+
+def _whole(module: SolverModule) -> AllJoints | None:
+    """The statement that solves for all joints, if there is one."""
+    return next((each for each in module.solver.body if isinstance(each, AllJoints)), None)
 
 
 class _Checker:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numba
 
 from dhgen.runtime.python.jit import digest_of
-from dhgen.verify.compiled import compiled_code, import_temporary, keep_compiled
+from dhgen.verify.compiled import compiled_code, import_temporary, keep_compiled, together
 from dhgen.verify.native import import_module
 from tests.cli.commands import ROOT, copy, full_disk
 
@@ -141,3 +141,39 @@ def test_no_index_is_kept_without_its_code(tmp_path: Path, monkeypatch: pytest.M
         patch.setattr(Path, "write_bytes", full_disk)
         keep_compiled({f"{one}.1.nbc": b"1", f"{one}.nbi": b"one"}, module)
     assert not list(tmp_path.rglob("*.nbi"))
+
+
+def test_of_two_folders_a_function_is_taken_whole() -> None:
+    """An index has its own numbers for the code of other arguments."""
+    one = {f"dhgen_runtime/jit.one.py311.{end}": b"1" for end in ("nbi", "1.nbc", "2.nbc")}
+    other = {f"dhgen_runtime/jit.one.py311.{end}": b"2" for end in ("nbi", "1.nbc")}
+    alone = {f"dhgen_runtime/jit.two.py311.{end}": b"1" for end in ("nbi", "1.nbc")}
+    assert together(one | alone, other) == other | alone
+
+
+WHOLE = """
+import sys
+from pathlib import Path
+
+from dhgen.atomic_write import write_files
+from dhgen.verify.verify import imported
+from tests.compiling import compile_file
+
+made = compile_file(Path("robots/planar_rrrr.yaml"))
+write_files(Path(sys.argv[1]), made.files)
+imported(made.module, Path(sys.argv[1]))
+
+from dhgen.runtime.python.numerical.search import OWN
+
+print(OWN._apart["all_joints"][0].py_func.__code__.co_filename)
+"""
+
+
+def test_what_solves_all_joints_is_compiled_once_for_all_robots(tmp_path: Path) -> None:
+    """Its code is the compiler's own and stays, though robots have a copy of the text."""
+    command = [sys.executable, "-c", WHOLE, str(tmp_path)]
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    assert (
+        Path(run.stdout.strip())
+        == ROOT / "dhgen" / "runtime" / "python" / "numerical" / "search.py"
+    )
