@@ -31,9 +31,8 @@ static const double
     l2 = 550.0, /* link length 2 [mm] */
     ez = 175.0, /* z of the tool frame [mm] */
     zz_ = 500.0, /* z of the base frame [mm] */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
-    /* square of a length that fixes no angle [mm^2] */
-    free_limit_squared2 = 5.7599999999999994e-18,
+    free_limit = 1e-12, /* a length that fixes no angle */
+    free_limit2 = 5.76e-06, /* a length that fixes no angle [mm^2] */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 0.024; /* a pose may be rounded by this [mm] */
 
@@ -85,6 +84,7 @@ static void solve(
 {
     double (*const q)[3] = (double (*)[3])rows;
     (void)free_joints;
+    (void)seed;
     (void)moved;
     ENTRIES(double);
 
@@ -94,40 +94,39 @@ static void solve(
 
     /* theta12, type 3: U0[1, 2] and U0[2, 2] */
     const double w12 = sqrt(T32 * T32 + T22 * T22);
-    const int free12 = w12 <= free_limit_squared;
-    const double v1 = 1.0 / (free12 ? 1.0 : w12), v2 = seed[0] + seed[1];
-    const double c12 = free12 ? cos(v2) : T22 * v1, s12 = free12 ? sin(v2) : T32 * v1;
+    const int short12 = w12 <= free_limit;
+    const double v1 = 1.0 / (short12 ? 1.0 : w12);
+    const double c12 = T22 * v1, s12 = T32 * v1;
 
     /* theta1, type 3: U0[1, 4] and U0[2, 4] */
     const double t14 = T24 - ez * T23;
-    const double v3 = c12 * l2;
+    const double v2 = c12 * l2;
     const double t24 = T34 - ez * T33 - zz_;
-    const double v4 = s12 * l2, v5 = l1 * (t24 - v4), v6 = l1 * (t14 - v3);
-    const double w1 = sqrt(v5 * v5 + v6 * v6);
-    const int free1 = w1 <= free_limit_squared2;
-    const double v7 = 1.0 / (free1 ? 1.0 : w1);
-    const double c1 = free1 ? cos(seed[0]) : v6 * v7, s1 = free1 ? sin(seed[0]) : v5 * v7;
+    const double v3 = s12 * l2, v4 = l1 * (t24 - v3), v5 = l1 * (t14 - v2);
+    const double w1 = sqrt(v4 * v4 + v5 * v5);
+    const int short1 = w1 <= free_limit2;
+    const double v6 = 1.0 / (short1 ? 1.0 : w1);
+    const double c1 = v5 * v6, s1 = v4 * v6;
     const double q1 = atan2(s1, c1);
 
     /* is the pose one that the arm can take? */
     if (!(fabs(t34 - (d1 - r3)) <= pose_slack1 && fabs(1.0 + T13) <= pose_slack && fabs(T12) <=
-        pose_slack && fabs(t24 - (v4 + l1 * s1)) <= pose_slack1 && fabs(T33) <= pose_slack &&
-        fabs(T32 - s12) <= pose_slack && fabs(t14 - (v3 + l1 * c1)) <= pose_slack1 && fabs(T22 -
+        pose_slack && fabs(t24 - (v3 + l1 * s1)) <= pose_slack1 && fabs(T33) <= pose_slack &&
+        fabs(T32 - s12) <= pose_slack && fabs(t14 - (v2 + l1 * c1)) <= pose_slack1 && fabs(T22 -
         c12) <= pose_slack && fabs(T23) <= pose_slack))
         return; /* the arm can't take this pose */
 
     /* joint values */
     const double q2 = dhgen_wrap(atan2(s12, c12) - q1);
-    const int free1_ = free12 || free1;
     const int row = 0;
     q[row][0] = q1; q[row][1] = q2; q[row][2] = r3;
-    status[row] = (free1_ || free12) ? DHGEN_FREE_JOINT : DHGEN_OK;
+    status[row] = DHGEN_OK;
 }
 
 #ifndef ADEPT_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 static const double
-    m3 = 0.003317759999999999, /* doubt_limit_squared2^2 [mm^4] */
+    m3 = 331776.0, /* doubt_limit2^2 [mm^4] */
     m4 = 0.000576, /* pose_slack1^2 [mm^2] */
     m5 = 1.0000000000000002e-10; /* pose_slack^2 */
 /* coefficients */
@@ -225,12 +224,11 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[2] = { 1, 0 };
 static const struct dhgen_arm arm = {
     3, 1, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.0004167, 0.0004167, 0.0004167, 1.0, 1.0, 1.0 }, 0.0004166666666666667, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52,
+    NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,

@@ -65,13 +65,13 @@ l1 = 600.0  # link length 1 [mm]
 l2 = 550.0  # link length 2 [mm]
 ez = 175.0  # z of the tool frame [mm]
 zz_ = 500.0  # z of the base frame [mm]
-free_limit_squared = 1e-24  # square of a length that fixes no angle
-free_limit_squared2 = 5.7599999999999994e-18  # square of a length that fixes no angle [mm^2]
+free_limit = 1e-12  # a length that fixes no angle
+free_limit2 = 5.76e-06  # a length that fixes no angle [mm^2]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 0.024  # a pose may be rounded by this [mm]
-m1 = 330000.0  # a coefficient of v5
-m2 = 600.0  # a coefficient of v5
-m3 = 0.003317759999999999  # doubt_limit_squared2^2 [mm^4]
+m1 = 330000.0  # a coefficient of v4
+m2 = 600.0  # a coefficient of v4
+m3 = 331776.0  # doubt_limit2^2 [mm^4]
 m4 = 0.000576  # pose_slack1^2 [mm^2]
 m5 = 1.0000000000000002e-10  # pose_slack^2
 
@@ -150,43 +150,41 @@ def _solve(pose, seed, q, status):
 
     # theta12, type 3: U0[1, 2] and U0[2, 2]
     w12 = math.sqrt(T32 * T32 + T22 * T22)
-    free12 = w12 <= free_limit_squared
-    v1 = 1.0 / (1.0 if free12 else w12)
-    v2 = seed[0] + seed[1]
-    c12 = math.cos(v2) if free12 else T22 * v1
-    s12 = math.sin(v2) if free12 else T32 * v1
+    short12 = w12 <= free_limit
+    v1 = 1.0 / (1.0 if short12 else w12)
+    c12 = T22 * v1
+    s12 = T32 * v1
 
     # theta1, type 3: U0[1, 4] and U0[2, 4]
     t14 = T24 - ez * T23
-    v3 = c12 * l2
+    v2 = c12 * l2
     t24 = T34 - ez * T33 - zz_
-    v4 = s12 * l2
-    v5 = l1 * (t24 - v4)
-    v6 = l1 * (t14 - v3)
-    w1 = math.sqrt(v5 * v5 + v6 * v6)
-    free1 = w1 <= free_limit_squared2
-    v7 = 1.0 / (1.0 if free1 else w1)
-    c1 = math.cos(seed[0]) if free1 else v6 * v7
-    s1 = math.sin(seed[0]) if free1 else v5 * v7
+    v3 = s12 * l2
+    v4 = l1 * (t24 - v3)
+    v5 = l1 * (t14 - v2)
+    w1 = math.sqrt(v4 * v4 + v5 * v5)
+    short1 = w1 <= free_limit2
+    v6 = 1.0 / (1.0 if short1 else w1)
+    c1 = v5 * v6
+    s1 = v4 * v6
     q1 = _atan2(s1, c1)
 
     # is the pose one that the arm can take?
     if (
         not (abs(t34 - (d1 - r3)) <= pose_slack1 and abs(1.0 + T13) <= pose_slack and abs(T12) <=
-        pose_slack and abs(t24 - (v4 + l1 * s1)) <= pose_slack1 and abs(T33) <= pose_slack and
-        abs(T32 - s12) <= pose_slack and abs(t14 - (v3 + l1 * c1)) <= pose_slack1 and abs(T22 - c12)
+        pose_slack and abs(t24 - (v3 + l1 * s1)) <= pose_slack1 and abs(T33) <= pose_slack and
+        abs(T32 - s12) <= pose_slack and abs(t14 - (v2 + l1 * c1)) <= pose_slack1 and abs(T22 - c12)
         <= pose_slack and abs(T23) <= pose_slack)
     ):
         return  # the arm can't take this pose
 
     # joint values
     q2 = _wrap(_atan2(s12, c12) - q1)
-    free1_ = free12 or free1
     row = 0
     q[row, 0] = q1
     q[row, 1] = q2
     q[row, 2] = r3
-    status[row] = FREE_JOINT if free1_ or free12 else OK
+    status[row] = OK
 
 
 @_njit(forceinline=True)

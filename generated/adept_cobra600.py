@@ -66,7 +66,7 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 d1 = 0.387  # joint offset 1 [m]
 a1 = 0.325  # link length 1 [m]
 a2 = 0.275  # link length 2 [m]
-free_limit_squared = 1e-24  # square of a length that fixes no angle
+free_limit = 1e-12  # a length that fixes no angle
 longest2 = 0.3600000000000001  # square of the longest reach [m^2]
 shortest2 = 0.0024999999999999988  # square of the shortest reach [m^2]
 longest2_reach = 0.36000000000011856  # the longest, with what rounding adds [m^2]
@@ -164,11 +164,10 @@ def _solve(pose, seed, q, status):
 
     # theta12m4, type 3: U0[1, 2] and U0[2, 2]
     w12m4 = math.sqrt(T21 * T21 + T11 * T11)
-    free12m4 = w12m4 <= free_limit_squared
-    v1 = 1.0 / (1.0 if free12m4 else w12m4)
-    v2 = seed[0] + seed[1] - seed[3]
-    c12m4 = math.cos(v2) if free12m4 else T11 * v1
-    s12m4 = math.sin(v2) if free12m4 else T21 * v1
+    short12m4 = w12m4 <= free_limit
+    v1 = 1.0 / (1.0 if short12m4 else w12m4)
+    c12m4 = T11 * v1
+    s12m4 = T21 * v1
     theta12m4 = _atan2(s12m4, c12m4)
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
@@ -183,8 +182,8 @@ def _solve(pose, seed, q, status):
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     X1_1 = a1 + a2 * c2
-    v3 = T24 * X1_1
-    v4 = T14 * X1_1
+    v2 = T24 * X1_1
+    v3 = T14 * X1_1
 
     # is the pose one that the arm can take?
     if (
@@ -204,8 +203,8 @@ def _solve(pose, seed, q, status):
 
         # theta1
         Y1_1 = a2 * s2
-        S1 = v3 - T14 * Y1_1
-        C1 = v4 + T24 * Y1_1
+        S1 = v2 - T14 * Y1_1
+        C1 = v3 + T24 * Y1_1
         w1 = math.sqrt(S1 * S1 + C1 * C1)
         free1 = w1 <= free_limit_squared2
         factor1 = 1.0 / (1.0 if free1 else w1)
@@ -224,13 +223,12 @@ def _solve(pose, seed, q, status):
 
         # joint values
         q4 = _wrap(q2 + q1 - theta12m4)
-        free1_ = free12m4 or free1
         row = i1
         q[row, 0] = q1
         q[row, 1] = q2
         q[row, 2] = r3
         q[row, 3] = q4
-        status[row] = FREE_JOINT if free1_ or free12m4 or free12m4 else OK
+        status[row] = FREE_JOINT if free1 else OK
 
 
 @_njit(forceinline=True)

@@ -30,7 +30,6 @@ static const double
     d1 = 2.0, /* joint offset 1 [m] */
     second_weight = 0.5, /* lengths count in arm sizes [m^-1] */
     free_limit = 1e-12, /* a length that fixes no angle */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 2e-05; /* a pose may be rounded by this [m] */
 
@@ -120,36 +119,34 @@ static void solve(
         /* theta3 */
         const double Z2_3 = T13 * c1 + T23 * s1;
         const double w3 = sqrt(Z2_3 * Z2_3 + v5);
-        const int free3 = w3 <= free_limit_squared;
-        const double factor3 = 1.0 / (free3 ? 1.0 : w3);
-        const double c3 = free3 ? cos(seed[2]) : -(T33 * factor3),
-            s3 = free3 ? sin(seed[2]) : Z2_3 * factor3;
-        const double q3 = atan2(s3, c3);
+        const int short3 = w3 <= free_limit;
+        const double factor3 = 1.0 / (short3 ? 1.0 : w3);
+        const double v6 = T33 * factor3;
+        const double s3 = Z2_3 * factor3;
+        const double q3 = atan2(s3, -v6);
 
         /* r4, type 1: U3[2, 4] */
-        const double r4 = c3 * -v1 + s3 * (T14 * c1 + T24 * s1);
+        const double r4 = s3 * (T14 * c1 + T24 * s1) - v6 * -v1;
 
         /* theta5, type 3: U1[2, 2] and U1[2, 1] */
         const double Z1_5 = T22 * c1 - T12 * s1;
         const double Z2_5 = T21 * c1 - T11 * s1;
         const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
-        const int free5 = w5 <= free_limit_squared;
-        const double v6 = 1.0 / (free5 ? 1.0 : w5);
-        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v6),
-            s5 = free5 ? sin(seed[4]) : -(Z2_5 * v6);
-        const double q5 = atan2(s5, c5);
+        const int short5 = w5 <= free_limit;
+        const double v7 = 1.0 / (short5 ? 1.0 : w5), v8 = Z1_5 * v7, v9 = Z2_5 * v7;
+        const double q5 = atan2(-v9, -v8);
 
         /* is the pose one that the arm can take? */
-        const double v7 = c1 * s3, v8 = s1 * s3;
-        if (!(fabs(T34 - (d1 - c3 * r4)) <= pose_slack1 && fabs(T33 + c3) <= pose_slack && fabs(T31
-            - s3 * c5) <= pose_slack && fabs(T24 - (r4 * v8 - c1 * r2)) <= pose_slack1 && fabs(T23 -
-            v8) <= pose_slack && fabs(T21 - (c5 * (s1 * c3) - c1 * s5)) <= pose_slack && fabs(T14 -
-            (r4 * v7 + s1 * r2)) <= pose_slack1 && fabs(T11 - (c5 * (c1 * c3) + s1 * s5)) <=
-            pose_slack && fabs(T13 - v7) <= pose_slack))
+        const double v10 = c1 * s3, v11 = s1 * s3;
+        if (!(fabs(T34 - (d1 + v6 * r4)) <= pose_slack1 && fabs(T33 - v6) <= pose_slack && fabs(T31
+            + s3 * v8) <= pose_slack && fabs(T24 - (r4 * v11 - c1 * r2)) <= pose_slack1 && fabs(T23
+            - v11) <= pose_slack && fabs(T21 - (v8 * (s1 * v6) + c1 * v9)) <= pose_slack && fabs(T14
+            - (r4 * v10 + s1 * r2)) <= pose_slack1 && fabs(T11 - (v8 * (c1 * v6) - s1 * v9)) <=
+            pose_slack && fabs(T13 - v10) <= pose_slack))
             continue; /* the arm can't take this pose */
         const int row = i1;
         q[row][0] = q1; q[row][1] = r2; q[row][2] = q3; q[row][3] = r4; q[row][4] = q5;
-        status[row] = (free1 || free3 || free5) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
@@ -157,9 +154,8 @@ static void solve(
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 static const double
     m1 = 9.999999999999999e-09, /* doubt_limit^2 */
-    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    m4 = 4.0000000000000007e-10, /* pose_slack1^2 [m^2] */
-    m5 = 1.0000000000000002e-10; /* pose_slack^2 */
+    m3 = 4.0000000000000007e-10, /* pose_slack1^2 [m^2] */
+    m4 = 1.0000000000000002e-10; /* pose_slack^2 */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -189,14 +185,14 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta5 */
     const dhgen_wide v11 = w1 * (v6 * (v3 * T22 + v4 * T12)),
         v12 = w1 * (v6 * (v3 * T21 + v4 * T11)), v13 = v12 * v12 + v11 * v11,
-        v14 = dhgen_sqrt_wide(v13) * (1.0 / v13), c5 = v11 * v14, s5 = v12 * v14,
+        v14 = dhgen_sqrt_wide(v13) * (1.0 / v13), v15 = v11 * v14, v16 = v12 * v14,
         angle3 = dhgen_atan2_wide(v12, v11);
 
     /* is the pose one that the arm can take? */
-    const dhgen_wide v15 = v7 * s3, v16 = s1 * s3, v17 = T34 - (d1 + v10 * q4_p), v18 = T33 - v10,
-        v19 = T31 - s3 * c5, v20 = T24 - (q4_p * v16 + v7 * q2_p), v21 = T23 - v16,
-        v22 = T21 - (v7 * s5 - c5 * (s1 * v10)), v23 = T14 - (s1 * q2_p - q4_p * v15),
-        v24 = T11 - (c5 * (v7 * v10) + s1 * s5), v25 = T13 + v15;
+    const dhgen_wide v17 = v7 * s3, v18 = s1 * s3, v19 = T34 - (d1 + v10 * q4_p), v20 = T33 - v10,
+        v21 = T31 - s3 * v15, v22 = T24 - (q4_p * v18 + v7 * q2_p), v23 = T23 - v18,
+        v24 = T21 - (v7 * v16 - v15 * (s1 * v10)), v25 = T14 - (s1 * q2_p - q4_p * v17),
+        v26 = T11 - (v15 * (v7 * v10) + s1 * v16), v27 = T13 + v17;
 
     q[0] = angle1; q[1] = q2_p; q[2] = angle2; q[3] = q4_p; q[4] = angle3;
     kind[0] = dhgen_kind_wide(q[0]);
@@ -205,8 +201,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[1] = dhgen_kind_wide(q[5]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] * T[3] * T[3] + T[7] *
         T[7] * T[7] + T[11] * T[11] * T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v8 <= m3) | (v5 <= m1) | (v13 <= m3) | (m5 < v18 * v18 + v19 * v19 + v21
-        * v21 + v22 * v22 + v24 * v24 + v25 * v25) | (m4 < v17 * v17 + v20 * v20 + v23 * v23));
+    return (exact == 0) | ((v8 <= m1) | (v5 <= m1) | (v13 <= m1) | (m4 < v20 * v20 + v21 * v21 + v23
+        * v23 + v24 * v24 + v26 * v26 + v27 * v27) | (m3 < v19 * v19 + v22 * v22 + v25 * v25));
 }
 
 #if DHGEN_LANES > 1
@@ -242,21 +238,21 @@ DHGEN_INLINE int solve_regular(
 
     /* theta5 */
     const double v13 = w1 * (v6 * (v3 * T22 + v4 * T12)), v14 = w1 * (v6 * (v3 * T21 + v4 * T11)),
-        v15 = v14 * v14 + v13 * v13, v16 = sqrt(v15) * (1.0 / v15), c5 = v13 * v16, s5 = v14 * v16,
-        v17 = copysign(DHGEN_HALF_TURN, v14);
+        v15 = v14 * v14 + v13 * v13, v16 = sqrt(v15) * (1.0 / v15), v17 = v13 * v16,
+        v18 = v14 * v16, v19 = copysign(DHGEN_HALF_TURN, v14);
 
     /* is the pose one that the arm can take? */
-    const double v18 = v7 * s3, v19 = s1 * s3, v20 = T34 - (d1 + v12 * q4), v21 = T33 - v12,
-        v22 = T31 - s3 * c5, v23 = T24 - (q4 * v19 + v7 * r2), v24 = T23 - v19,
-        v25 = T21 - (v7 * s5 - c5 * (s1 * v12)), v26 = T14 - (s1 * r2 - q4 * v18),
-        v27 = T11 - (c5 * (v7 * v12) + s1 * s5), v28 = T13 + v18;
+    const double v20 = v7 * s3, v21 = s1 * s3, v22 = T34 - (d1 + v12 * q4), v23 = T33 - v12,
+        v24 = T31 - s3 * v17, v25 = T24 - (q4 * v21 + v7 * r2), v26 = T23 - v21,
+        v27 = T21 - (v7 * v18 - v17 * (s1 * v12)), v28 = T14 - (s1 * r2 - q4 * v20),
+        v29 = T11 - (v17 * (v7 * v12) + s1 * v18), v30 = T13 + v20;
 
     /* joint values */
     const dhgen_four q2 = e1 * r2;
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0)) | (unsigned)((v10
-        <= m3) | (v5 <= m1) | (v15 <= m3) | (m5 < v21 * v21 + v22 * v22 + v24 * v24 + v25 * v25 +
-        v27 * v27 + v28 * v28) | (m4 < v20 * v20 + v23 * v23 + v26 * v26)))
+        <= m1) | (v5 <= m1) | (v15 <= m1) | (m4 < v23 * v23 + v24 * v24 + v26 * v26 + v27 * v27 +
+        v29 * v29 + v30 * v30) | (m3 < v22 * v22 + v25 * v25 + v28 * v28)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(v4, Z2_3, v14, v4),
@@ -265,7 +261,7 @@ DHGEN_INLINE int solve_regular(
         angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0),
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1),
         angle3 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2);
-    const dhgen_four q1 = angle1 + v8 * v9, q5 = angle3 + v9 * v17, q3 = e1 * angle2;
+    const dhgen_four q1 = angle1 + v8 * v9, q5 = angle3 + v9 * v19, q3 = e1 * angle2;
 
     dhgen_store_4(q, q + 5, q, q + 5, q1, q2, q3, dhgen_all_four(q4));
     dhgen_store_1(q + 4, q + 9, q + 4, q + 9, q5);
@@ -284,12 +280,12 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 4, 2, 0 };
+static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     5, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5, 0.5, 0.5, 1.0, 1.0, 1.0 }, 0.5, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
+    choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,

@@ -66,13 +66,11 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 d1 = 2.0  # joint offset 1 [m]
 second_weight = 0.5  # lengths count in arm sizes [m^-1]
 free_limit = 1e-12  # a length that fixes no angle
-free_limit_squared = 1e-24  # square of a length that fixes no angle
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 2e-05  # a pose may be rounded by this [m]
 m1 = 9.999999999999999e-09  # doubt_limit^2
-m3 = 9.999999999999997e-17  # doubt_limit_squared^2
-m4 = 4.0000000000000007e-10  # pose_slack1^2 [m^2]
-m5 = 1.0000000000000002e-10  # pose_slack^2
+m3 = 4.0000000000000007e-10  # pose_slack1^2 [m^2]
+m4 = 1.0000000000000002e-10  # pose_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -193,34 +191,34 @@ def _solve(pose, seed, q, status):
         # theta3
         Z2_3 = T13 * c1 + T23 * s1
         w3 = math.sqrt(Z2_3 * Z2_3 + v5)
-        free3 = w3 <= free_limit_squared
-        factor3 = 1.0 / (1.0 if free3 else w3)
-        c3 = math.cos(seed[2]) if free3 else -(T33 * factor3)
-        s3 = math.sin(seed[2]) if free3 else Z2_3 * factor3
-        q3 = _atan2(s3, c3)
+        short3 = w3 <= free_limit
+        factor3 = 1.0 / (1.0 if short3 else w3)
+        v6 = T33 * factor3
+        s3 = Z2_3 * factor3
+        q3 = _atan2(s3, -v6)
 
         # r4, type 1: U3[2, 4]
-        r4 = c3 * -v1 + s3 * (T14 * c1 + T24 * s1)
+        r4 = s3 * (T14 * c1 + T24 * s1) - v6 * -v1
 
         # theta5, type 3: U1[2, 2] and U1[2, 1]
         Z1_5 = T22 * c1 - T12 * s1
         Z2_5 = T21 * c1 - T11 * s1
         w5 = math.sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5)
-        free5 = w5 <= free_limit_squared
-        v6 = 1.0 / (1.0 if free5 else w5)
-        c5 = math.cos(seed[4]) if free5 else -(Z1_5 * v6)
-        s5 = math.sin(seed[4]) if free5 else -(Z2_5 * v6)
-        q5 = _atan2(s5, c5)
+        short5 = w5 <= free_limit
+        v7 = 1.0 / (1.0 if short5 else w5)
+        v8 = Z1_5 * v7
+        v9 = Z2_5 * v7
+        q5 = _atan2(-v9, -v8)
 
         # is the pose one that the arm can take?
-        v7 = c1 * s3
-        v8 = s1 * s3
+        v10 = c1 * s3
+        v11 = s1 * s3
         if (
-            not (abs(T34 - (d1 - c3 * r4)) <= pose_slack1 and abs(T33 + c3) <= pose_slack and
-            abs(T31 - s3 * c5) <= pose_slack and abs(T24 - (r4 * v8 - c1 * r2)) <= pose_slack1 and
-            abs(T23 - v8) <= pose_slack and abs(T21 - (c5 * (s1 * c3) - c1 * s5)) <= pose_slack and
-            abs(T14 - (r4 * v7 + s1 * r2)) <= pose_slack1 and abs(T11 - (c5 * (c1 * c3) + s1 * s5))
-            <= pose_slack and abs(T13 - v7) <= pose_slack)
+            not (abs(T34 - (d1 + v6 * r4)) <= pose_slack1 and abs(T33 - v6) <= pose_slack and
+            abs(T31 + s3 * v8) <= pose_slack and abs(T24 - (r4 * v11 - c1 * r2)) <= pose_slack1 and
+            abs(T23 - v11) <= pose_slack and abs(T21 - (v8 * (s1 * v6) + c1 * v9)) <= pose_slack and
+            abs(T14 - (r4 * v10 + s1 * r2)) <= pose_slack1 and abs(T11 - (v8 * (c1 * v6) - s1 * v9))
+            <= pose_slack and abs(T13 - v10) <= pose_slack)
         ):
             continue  # the arm can't take this pose
         row = i1
@@ -229,7 +227,7 @@ def _solve(pose, seed, q, status):
         q[row, 2] = q3
         q[row, 3] = r4
         q[row, 4] = q5
-        status[row] = FREE_JOINT if free1 or free3 or free5 else OK
+        status[row] = FREE_JOINT if free1 else OK
 
 
 @_njit(forceinline=True)
@@ -447,26 +445,26 @@ def _regular(pose, q, status):
     v12 = w1 * (v6 * (v3 * T21 + v4 * T11))
     v13 = v12 * v12 + v11 * v11
     v14 = math.sqrt(v13) * (1.0 / v13)
-    c5 = v11 * v14
-    s5 = v12 * v14
+    v15 = v11 * v14
+    v16 = v12 * v14
 
     # is the pose one that the arm can take?
-    v15 = v7 * s3
-    v16 = s1 * s3
-    v17 = T34 - (d1 + v10 * q4_p)
-    v18 = T33 - v10
-    v19 = T31 - s3 * c5
-    v20 = T24 - (q4_p * v16 + v7 * q2_p)
-    v21 = T23 - v16
-    v22 = T21 - (v7 * s5 - c5 * (s1 * v10))
-    v23 = T14 - (s1 * q2_p - q4_p * v15)
-    v24 = T11 - (c5 * (v7 * v10) + s1 * s5)
-    v25 = T13 + v15
+    v17 = v7 * s3
+    v18 = s1 * s3
+    v19 = T34 - (d1 + v10 * q4_p)
+    v20 = T33 - v10
+    v21 = T31 - s3 * v15
+    v22 = T24 - (q4_p * v18 + v7 * q2_p)
+    v23 = T23 - v18
+    v24 = T21 - (v7 * v16 - v15 * (s1 * v10))
+    v25 = T14 - (s1 * q2_p - q4_p * v17)
+    v26 = T11 - (v15 * (v7 * v10) + s1 * v16)
+    v27 = T13 + v17
 
     # a joint is free, or branches meet
     if (
-        v8 <= m3 or v5 <= m1 or v13 <= m3 or m5 < v18 * v18 + v19 * v19 + v21 * v21 + v22 * v22 +
-        v24 * v24 + v25 * v25 or m4 < v17 * v17 + v20 * v20 + v23 * v23
+        v8 <= m1 or v5 <= m1 or v13 <= m1 or m4 < v20 * v20 + v21 * v21 + v23 * v23 + v24 * v24 +
+        v26 * v26 + v27 * v27 or m3 < v19 * v19 + v22 * v22 + v25 * v25
     ):
         return False
 
@@ -600,19 +598,19 @@ def _in_tiles(T, q, status):
             v12 = w1 * (v6 * (v3 * T21 + v4 * T11))
             v13 = v12 * v12 + v11 * v11
             v14 = math.sqrt(v13) * (1.0 / v13)
-            c5 = v11 * v14
-            s5 = v12 * v14
-            v15 = v7 * s3
-            v16 = s1 * s3
-            v17 = T34 - (d1 + v10 * q4_p)
-            v18 = T33 - v10
-            v19 = T31 - s3 * c5
-            v20 = T24 - (q4_p * v16 + v7 * q2_p)
-            v21 = T23 - v16
-            v22 = T21 - (v7 * s5 - c5 * (s1 * v10))
-            v23 = T14 - (s1 * q2_p - q4_p * v15)
-            v24 = T11 - (c5 * (v7 * v10) + s1 * s5)
-            v25 = T13 + v15
+            v15 = v11 * v14
+            v16 = v12 * v14
+            v17 = v7 * s3
+            v18 = s1 * s3
+            v19 = T34 - (d1 + v10 * q4_p)
+            v20 = T33 - v10
+            v21 = T31 - s3 * v15
+            v22 = T24 - (q4_p * v18 + v7 * q2_p)
+            v23 = T23 - v18
+            v24 = T21 - (v7 * v16 - v15 * (s1 * v10))
+            v25 = T14 - (s1 * q2_p - q4_p * v17)
+            v26 = T11 - (v15 * (v7 * v10) + s1 * v16)
+            v27 = T13 + v17
             work[272 + k] = v4
             work[288 + k] = v5
             work[304 + k] = q2_p
@@ -620,15 +618,15 @@ def _in_tiles(T, q, status):
             work[336 + k] = q4_p
             work[352 + k] = v12
             work[368 + k] = v13
-            work[384 + k] = v17
-            work[400 + k] = v18
-            work[416 + k] = v19
-            work[432 + k] = v20
-            work[448 + k] = v21
-            work[464 + k] = v22
-            work[480 + k] = v23
-            work[496 + k] = v24
-            work[512 + k] = v25
+            work[384 + k] = v19
+            work[400 + k] = v20
+            work[416 + k] = v21
+            work[432 + k] = v22
+            work[448 + k] = v23
+            work[464 + k] = v24
+            work[480 + k] = v25
+            work[496 + k] = v26
+            work[512 + k] = v27
             work[528 + k] = v4
             work[544 + k] = Z2_3
             work[560 + k] = v12
@@ -645,15 +643,15 @@ def _in_tiles(T, q, status):
             q4_p = work[336 + k]
             v12 = work[352 + k]
             v13 = work[368 + k]
-            v17 = work[384 + k]
-            v18 = work[400 + k]
-            v19 = work[416 + k]
-            v20 = work[432 + k]
-            v21 = work[448 + k]
-            v22 = work[464 + k]
-            v23 = work[480 + k]
-            v24 = work[496 + k]
-            v25 = work[512 + k]
+            v19 = work[384 + k]
+            v20 = work[400 + k]
+            v21 = work[416 + k]
+            v22 = work[432 + k]
+            v23 = work[448 + k]
+            v24 = work[464 + k]
+            v25 = work[480 + k]
+            v26 = work[496 + k]
+            v27 = work[512 + k]
             angle1 = work[528 + k]
             angle2 = work[544 + k]
             angle3 = work[560 + k]
@@ -680,8 +678,8 @@ def _in_tiles(T, q, status):
             work[768 + k] = UNREACHABLE if _624 != _624 else OK
             work[784 + k] = UNREACHABLE if _704 != _704 else OK
             work[256 + k] = (
-                1.0 if v8 <= m3 or v5 <= m1 or v13 <= m3 or m5 < v18 * v18 + v19 * v19 + v21 * v21 +
-                v22 * v22 + v24 * v24 + v25 * v25 or m4 < v17 * v17 + v20 * v20 + v23 * v23 else
+                1.0 if v8 <= m1 or v5 <= m1 or v13 <= m1 or m4 < v20 * v20 + v21 * v21 + v23 * v23 +
+                v24 * v24 + v26 * v26 + v27 * v27 or m3 < v19 * v19 + v22 * v22 + v25 * v25 else
                 work[256 + k]
             )
         for k in range(first, first + count):

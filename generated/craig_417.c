@@ -31,7 +31,8 @@ static const double
     d4 = 1.0, /* joint offset 4 [m] */
     a3 = 1.0, /* link length 4 [m] */
     free_limit_squared = 1e-24, /* square of a length that fixes no angle */
-    free_limit_squared2 = 9e-24, /* square of a length that fixes no angle [m^2] */
+    free_limit = 1e-12, /* a length that fixes no angle */
+    free_limit2 = 9e-12, /* a length that fixes no angle [m^2] */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 3.0000000000000004e-05, /* a pose may be rounded by this [m] */
     k1 = 0.5, /* 1 / 2 */
@@ -121,9 +122,6 @@ static void solve(
     /* theta2, type 3: U1[3, 3] and U1[1, 3] */
     const double v3 = k2 * T33, v4 = v3 * v3;
 
-    /* theta34, type 3: U1[2, 2] and U1[2, 1] */
-    const double v9 = seed[2] + seed[3];
-
     /* theta3, type 3: U2[3, 4] and U2[1, 4] */
     const double v10 = 2.0 * T24, v11 = 2.0 * T14;
 
@@ -139,47 +137,45 @@ static void solve(
         /* theta2 */
         const double S2 = k2 * root1;
         const double w2 = sqrt(S2 * S2 + v4);
-        const int free2 = w2 <= free_limit_squared;
-        const double v5 = 1.0 / (free2 ? 1.0 : w2);
-        const double c2 = free2 ? cos(seed[1]) : v3 * v5, s2 = free2 ? sin(seed[1]) : -(S2 * v5);
-        const double q2 = atan2(s2, c2);
+        const int short2 = w2 <= free_limit;
+        const double v5 = 1.0 / (short2 ? 1.0 : w2);
+        const double c2 = v3 * v5, v6 = S2 * v5;
+        const double q2 = atan2(-v6, c2);
 
-        /* theta34 */
+        /* theta34, type 3: U1[2, 2] and U1[2, 1] */
         const double Z2_34 = T21 * c1 - T11 * s1;
-        const double v6 = k2 * Z2_34, v7 = k2 * (T22 * c1 - T12 * s1);
-        const double w34 = sqrt(v6 * v6 + v7 * v7);
-        const int free34 = w34 <= free_limit_squared;
-        const double v8 = 1.0 / (free34 ? 1.0 : w34);
-        const double c34 = free34 ? cos(v9) : v7 * v8, s34 = free34 ? sin(v9) : v6 * v8;
+        const double v7 = k2 * Z2_34, v8 = k2 * (T22 * c1 - T12 * s1);
+        const double w34 = sqrt(v7 * v7 + v8 * v8);
+        const int short34 = w34 <= free_limit;
+        const double v9 = 1.0 / (short34 ? 1.0 : w34);
+        const double c34 = v8 * v9, s34 = v7 * v9;
 
         /* theta3 */
-        const double v12 = s2 * T34, v13 = a3 * (k1 * (s1 * v11 - c1 * v10 + k7));
-        const double C3 = k2 * (c2 * (c1 * T14 + s1 * T24) - v12);
+        const double v12 = v6 * T34, v13 = a3 * (k1 * (s1 * v11 - c1 * v10 + k7));
+        const double C3 = k2 * (c2 * (c1 * T14 + s1 * T24) + v12);
         const double w3 = sqrt(v13 * v13 + C3 * C3);
-        const int free3 = w3 <= free_limit_squared2;
-        const double factor3 = 1.0 / (free3 ? 1.0 : w3);
-        const double c3 = free3 ? cos(seed[2]) : C3 * factor3,
-            s3 = free3 ? sin(seed[2]) : -(v13 * factor3);
-        const double q3 = atan2(s3, c3);
+        const int short3 = w3 <= free_limit2;
+        const double factor3 = 1.0 / (short3 ? 1.0 : w3);
+        const double c3 = C3 * factor3, v14 = v13 * factor3;
+        const double q3 = atan2(-v14, c3);
 
         /* is the pose one that the arm can take? */
-        const double v14 = c1 * c2, v15 = c1 * s2, v16 = s1 * c2, v17 = s1 * s2,
-            v18 = k1 * (sqrt2 * s34), v19 = a3 * s3;
-        if (!(fabs(c1 * T24 - s1 * T14 - k1 * (sqrt2 * (k6 + v19))) <= pose_slack1 && fabs(T23 * c1
-            - T13 * s1 - k2) <= pose_slack && fabs(Z2_34 - v18) <= pose_slack && fabs(T14 * v15 +
-            T24 * v17 + c2 * T34 + k1 * (sqrt2 * (v19 - k6))) <= pose_slack1 && fabs(k2 - (T13 * v15
-            + T23 * v17 + T33 * c2)) <= pose_slack && fabs(v18 + (T11 * v15 + T21 * v17 + T31 * c2))
-            <= pose_slack && fabs(T14 * v14 + T24 * v16 - v12 - a3 * c3) <= pose_slack1 && fabs(T11
-            * v14 + T21 * v16 - T31 * s2 - c34) <= pose_slack && fabs(T13 * v14 + T23 * v16 - T33 *
-            s2) <= pose_slack))
+        const double v15 = c1 * c2, v16 = c1 * v6, v17 = s1 * c2, v18 = s1 * v6,
+            v19 = k1 * (sqrt2 * s34), v20 = a3 * v14;
+        if (!(fabs(c1 * T24 - s1 * T14 - k1 * (sqrt2 * (k6 - v20))) <= pose_slack1 && fabs(T23 * c1
+            - T13 * s1 - k2) <= pose_slack && fabs(Z2_34 - v19) <= pose_slack && fabs(T14 * v16 +
+            T24 * v18 - c2 * T34 + k1 * (sqrt2 * (k6 + v20))) <= pose_slack1 && fabs(k2 + (T13 * v16
+            + T23 * v18 - T33 * c2)) <= pose_slack && fabs(T11 * v16 + T21 * v18 - T31 * c2 - v19)
+            <= pose_slack && fabs(v12 + (T14 * v15 + T24 * v17) - a3 * c3) <= pose_slack1 &&
+            fabs(T11 * v15 + T21 * v17 + T31 * v6 - c34) <= pose_slack && fabs(T13 * v15 + T23 * v17
+            + T33 * v6) <= pose_slack))
             continue; /* the arm can't take this pose */
 
         /* joint values */
         const double q4 = dhgen_wrap(atan2(s34, c34) - q3);
-        const int free3_ = free34 || free3;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-        status[row] = (free1 || free2 || free3_ || free34) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
@@ -187,8 +183,8 @@ static void solve(
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 static const double
     m1 = 1.414213562373105e-11, /* 1000 * k5 */
-    m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    m6 = 8.1e-15, /* doubt_limit_squared2^2 [m^4] */
+    m2 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m6 = 8.1e-07, /* doubt_limit2^2 [m^4] */
     m7 = 9.000000000000002e-10, /* pose_slack1^2 [m^2] */
     m8 = 2.7000000000000006e-09, /* 3 * pose_slack1^2 [m^2] */
     m9 = 1.0000000000000002e-10, /* pose_slack^2 */
@@ -243,11 +239,11 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v49 = c1_m * T24 + v8 * T14 - k1 * (sqrt2 * (k6 - v47)), v50 = T23 * c1_p + T13 * v7 - k2,
         v51 = T23 * c1_m + T13 * v8 - k2, v52 = c1_p * T21 + v7 * T11 - v44,
         v53 = c1_m * T21 + v8 * T11 - v45, v54 = c2 * T34,
-        v55 = v54 + (T24 * v42 - T14 * v38) - k1 * (sqrt2 * (k6 + v46)),
-        v56 = v54 + (T14 * v39 - T24 * v43) - k1 * (sqrt2 * (k6 + v47)), v57 = T33 * c2,
-        v58 = k2 - (v57 + (T23 * v42 - T13 * v38)), v59 = k2 - (v57 + (T13 * v39 - T23 * v43)),
-        v60 = c2 * T31, v61 = v44 + (v60 + (T21 * v42 - T11 * v38)),
-        v62 = v45 + (v60 + (T11 * v39 - T21 * v43)),
+        v55 = T14 * v38 - T24 * v42 - v54 + k1 * (sqrt2 * (k6 + v46)),
+        v56 = T24 * v43 - T14 * v39 - v54 + k1 * (sqrt2 * (k6 + v47)), v57 = T33 * c2,
+        v58 = k2 + (T13 * v38 - T23 * v42 - v57), v59 = k2 + (T23 * v43 - T13 * v39 - v57),
+        v60 = c2 * T31, v61 = T11 * v38 - T21 * v42 - v60 - v44,
+        v62 = T21 * v43 - T11 * v39 - v60 - v45,
         v63 = v28 + (T14 * v36 - T24 * v40) - a3 * (C3_p * factor3_p),
         v64 = T14 * v37 - T24 * v41 - v28 - a3 * (C3_m * factor3_m), v65 = v13 * T31,
         v66 = v65 + (T11 * v36 - T21 * v40) - v20 * v24,
@@ -320,11 +316,11 @@ DHGEN_INLINE int solve_regular(
         v32 = c1 * T24 + v5 * T14 - k1 * (sqrt2 * (k6 - v31)), v33 = T23 * c1 + T13 * v5 - k2,
         v34 = c1 * T21 + v5 * T11 - v30;
     const double v35 = c2 * T34;
-    const dhgen_four v36 = v35 + e1 * (T24 * v29 - T14 * v27) - k1 * (sqrt2 * (k6 + v31));
+    const dhgen_four v36 = e1 * (T14 * v27 - T24 * v29) - v35 + k1 * (sqrt2 * (k6 + v31));
     const double v37 = T33 * c2;
-    const dhgen_four v38 = k2 - (v37 + e1 * (T23 * v29 - T13 * v27));
+    const dhgen_four v38 = k2 + (e1 * (T13 * v27 - T23 * v29) - v37);
     const double v39 = c2 * T31;
-    const dhgen_four v40 = v30 + (v39 + e1 * (T21 * v29 - T11 * v27)),
+    const dhgen_four v40 = e1 * (T11 * v27 - T21 * v29) - v39 - v30,
         v41 = e1 * v21 + (T14 * v26 - T24 * v28) - a3 * (C3 * factor3);
     const double v42 = v10 * T31;
     const dhgen_four v43 = T11 * v26 - T21 * v28 + e1 * v42 - v16 * v18;
@@ -370,12 +366,12 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[4] = { 3, 2, 1, 0 };
+static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.3333, 0.3333, 0.3333, 1.0, 1.0, 1.0 }, 0.3333333333333333, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 4, NULL, 0, 52,
+    choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,

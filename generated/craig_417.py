@@ -66,7 +66,8 @@ sqrt2 = 1.4142135623730951  # square root of 2
 d4 = 1.0  # joint offset 4 [m]
 a3 = 1.0  # link length 4 [m]
 free_limit_squared = 1e-24  # square of a length that fixes no angle
-free_limit_squared2 = 9e-24  # square of a length that fixes no angle [m^2]
+free_limit = 1e-12  # a length that fixes no angle
+free_limit2 = 9e-12  # a length that fixes no angle [m^2]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 3.0000000000000004e-05  # a pose may be rounded by this [m]
 k1 = 0.5  # 1 / 2
@@ -77,11 +78,11 @@ k5 = 1.4142135623731051e-14  # merge_slack * (2 * sqrt2 * 1 / 2 + merge_slack)
 k6 = 2.0  # d3 + d4 [m]
 k7 = 2.8284271247461903  # sqrt2 * k6 [m]
 m1 = 1.414213562373105e-11  # 1000 * k5
-m2 = 9.999999999999997e-17  # doubt_limit_squared^2
-m3 = 0.7071067811865476  # a coefficient of v6
+m2 = 9.999999999999999e-09  # doubt_limit^2
+m3 = 0.7071067811865476  # a coefficient of v7
 m4 = 0.5  # a coefficient of v13
 m5 = 1.4142135623730951  # a coefficient of v13
-m6 = 8.1e-15  # doubt_limit_squared2^2 [m^4]
+m6 = 8.1e-07  # doubt_limit2^2 [m^4]
 m7 = 9.000000000000002e-10  # pose_slack1^2 [m^2]
 m8 = 2.7000000000000006e-09  # 3 * pose_slack1^2 [m^2]
 m9 = 1.0000000000000002e-10  # pose_slack^2
@@ -215,9 +216,6 @@ def _solve(pose, seed, q, status):
     v3 = k2 * T33
     v4 = v3 * v3
 
-    # theta34, type 3: U1[2, 2] and U1[2, 1]
-    v9 = seed[2] + seed[3]
-
     # theta3, type 3: U2[3, 4] and U2[1, 4]
     v10 = 2.0 * T24
     v11 = 2.0 * T14
@@ -235,60 +233,59 @@ def _solve(pose, seed, q, status):
         # theta2
         S2 = k2 * root1
         w2 = math.sqrt(S2 * S2 + v4)
-        free2 = w2 <= free_limit_squared
-        v5 = 1.0 / (1.0 if free2 else w2)
-        c2 = math.cos(seed[1]) if free2 else v3 * v5
-        s2 = math.sin(seed[1]) if free2 else -(S2 * v5)
-        q2 = _atan2(s2, c2)
+        short2 = w2 <= free_limit
+        v5 = 1.0 / (1.0 if short2 else w2)
+        c2 = v3 * v5
+        v6 = S2 * v5
+        q2 = _atan2(-v6, c2)
 
-        # theta34
+        # theta34, type 3: U1[2, 2] and U1[2, 1]
         Z2_34 = T21 * c1 - T11 * s1
-        v6 = k2 * Z2_34
-        v7 = k2 * (T22 * c1 - T12 * s1)
-        w34 = math.sqrt(v6 * v6 + v7 * v7)
-        free34 = w34 <= free_limit_squared
-        v8 = 1.0 / (1.0 if free34 else w34)
-        c34 = math.cos(v9) if free34 else v7 * v8
-        s34 = math.sin(v9) if free34 else v6 * v8
+        v7 = k2 * Z2_34
+        v8 = k2 * (T22 * c1 - T12 * s1)
+        w34 = math.sqrt(v7 * v7 + v8 * v8)
+        short34 = w34 <= free_limit
+        v9 = 1.0 / (1.0 if short34 else w34)
+        c34 = v8 * v9
+        s34 = v7 * v9
 
         # theta3
-        v12 = s2 * T34
+        v12 = v6 * T34
         v13 = a3 * (k1 * (s1 * v11 - c1 * v10 + k7))
-        C3 = k2 * (c2 * (c1 * T14 + s1 * T24) - v12)
+        C3 = k2 * (c2 * (c1 * T14 + s1 * T24) + v12)
         w3 = math.sqrt(v13 * v13 + C3 * C3)
-        free3 = w3 <= free_limit_squared2
-        factor3 = 1.0 / (1.0 if free3 else w3)
-        c3 = math.cos(seed[2]) if free3 else C3 * factor3
-        s3 = math.sin(seed[2]) if free3 else -(v13 * factor3)
-        q3 = _atan2(s3, c3)
+        short3 = w3 <= free_limit2
+        factor3 = 1.0 / (1.0 if short3 else w3)
+        c3 = C3 * factor3
+        v14 = v13 * factor3
+        q3 = _atan2(-v14, c3)
 
         # is the pose one that the arm can take?
-        v14 = c1 * c2
-        v15 = c1 * s2
-        v16 = s1 * c2
-        v17 = s1 * s2
-        v18 = k1 * (sqrt2 * s34)
-        v19 = a3 * s3
+        v15 = c1 * c2
+        v16 = c1 * v6
+        v17 = s1 * c2
+        v18 = s1 * v6
+        v19 = k1 * (sqrt2 * s34)
+        v20 = a3 * v14
         if (
-            not (abs(c1 * T24 - s1 * T14 - k1 * (sqrt2 * (k6 + v19))) <= pose_slack1 and abs(T23 *
-            c1 - T13 * s1 - k2) <= pose_slack and abs(Z2_34 - v18) <= pose_slack and abs(T14 * v15 +
-            T24 * v17 + c2 * T34 + k1 * (sqrt2 * (v19 - k6))) <= pose_slack1 and abs(k2 - (T13 * v15
-            + T23 * v17 + T33 * c2)) <= pose_slack and abs(v18 + (T11 * v15 + T21 * v17 + T31 * c2))
-            <= pose_slack and abs(T14 * v14 + T24 * v16 - v12 - a3 * c3) <= pose_slack1 and abs(T11
-            * v14 + T21 * v16 - T31 * s2 - c34) <= pose_slack and abs(T13 * v14 + T23 * v16 - T33 *
-            s2) <= pose_slack)
+            not (abs(c1 * T24 - s1 * T14 - k1 * (sqrt2 * (k6 - v20))) <= pose_slack1 and abs(T23 *
+            c1 - T13 * s1 - k2) <= pose_slack and abs(Z2_34 - v19) <= pose_slack and abs(T14 * v16 +
+            T24 * v18 - c2 * T34 + k1 * (sqrt2 * (k6 + v20))) <= pose_slack1 and abs(k2 + (T13 * v16
+            + T23 * v18 - T33 * c2)) <= pose_slack and abs(T11 * v16 + T21 * v18 - T31 * c2 - v19)
+            <= pose_slack and abs(v12 + (T14 * v15 + T24 * v17) - a3 * c3) <= pose_slack1 and
+            abs(T11 * v15 + T21 * v17 + T31 * v6 - c34) <= pose_slack and abs(T13 * v15 + T23 * v17
+            + T33 * v6) <= pose_slack)
         ):
             continue  # the arm can't take this pose
 
         # joint values
         q4 = _wrap(_atan2(s34, c34) - q3)
-        free3_ = free34 or free3
         row = i1
         q[row, 0] = q1
         q[row, 1] = q2
         q[row, 2] = q3
         q[row, 3] = q4
-        status[row] = FREE_JOINT if free1 or free2 or free3_ or free34 else OK
+        status[row] = FREE_JOINT if free1 else OK
 
 
 @_njit(forceinline=True)
@@ -547,14 +544,14 @@ def _regular(pose, q, status):
     v52 = c1_p * T21 + v7 * T11 - v44
     v53 = c1_m * T21 + v8 * T11 - v45
     v54 = c2 * T34
-    v55 = v54 + (T24 * v42 - T14 * v38) - k1 * (sqrt2 * (k6 + v46))
-    v56 = v54 + (T14 * v39 - T24 * v43) - k1 * (sqrt2 * (k6 + v47))
+    v55 = T14 * v38 - T24 * v42 - v54 + k1 * (sqrt2 * (k6 + v46))
+    v56 = T24 * v43 - T14 * v39 - v54 + k1 * (sqrt2 * (k6 + v47))
     v57 = T33 * c2
-    v58 = k2 - (v57 + (T23 * v42 - T13 * v38))
-    v59 = k2 - (v57 + (T13 * v39 - T23 * v43))
+    v58 = k2 + (T13 * v38 - T23 * v42 - v57)
+    v59 = k2 + (T23 * v43 - T13 * v39 - v57)
     v60 = c2 * T31
-    v61 = v44 + (v60 + (T21 * v42 - T11 * v38))
-    v62 = v45 + (v60 + (T11 * v39 - T21 * v43))
+    v61 = T11 * v38 - T21 * v42 - v60 - v44
+    v62 = T21 * v43 - T11 * v39 - v60 - v45
     v63 = v28 + (T14 * v36 - T24 * v40) - a3 * (C3_p * factor3_p)
     v64 = T14 * v37 - T24 * v41 - v28 - a3 * (C3_m * factor3_m)
     v65 = v13 * T31
@@ -768,14 +765,14 @@ def _in_tiles(T, q, status):
             v52 = c1_p * T21 + v7 * T11 - v44
             v53 = c1_m * T21 + v8 * T11 - v45
             v54 = c2 * T34
-            v55 = v54 + (T24 * v42 - T14 * v38) - k1 * (sqrt2 * (k6 + v46))
-            v56 = v54 + (T14 * v39 - T24 * v43) - k1 * (sqrt2 * (k6 + v47))
+            v55 = T14 * v38 - T24 * v42 - v54 + k1 * (sqrt2 * (k6 + v46))
+            v56 = T24 * v43 - T14 * v39 - v54 + k1 * (sqrt2 * (k6 + v47))
             v57 = T33 * c2
-            v58 = k2 - (v57 + (T23 * v42 - T13 * v38))
-            v59 = k2 - (v57 + (T13 * v39 - T23 * v43))
+            v58 = k2 + (T13 * v38 - T23 * v42 - v57)
+            v59 = k2 + (T23 * v43 - T13 * v39 - v57)
             v60 = c2 * T31
-            v61 = v44 + (v60 + (T21 * v42 - T11 * v38))
-            v62 = v45 + (v60 + (T11 * v39 - T21 * v43))
+            v61 = T11 * v38 - T21 * v42 - v60 - v44
+            v62 = T21 * v43 - T11 * v39 - v60 - v45
             v63 = v28 + (T14 * v36 - T24 * v40) - a3 * (C3_p * factor3_p)
             v64 = T14 * v37 - T24 * v41 - v28 - a3 * (C3_m * factor3_m)
             v65 = v13 * T31

@@ -28,7 +28,7 @@
 
 static const double
     d1 = 0.3, /* joint offset 1 [m] */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    free_limit = 1e-12, /* a length that fixes no angle */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 3e-06; /* a pose may be rounded by this [m] */
 
@@ -77,6 +77,7 @@ static void solve(
 {
     double (*const q)[3] = (double (*)[3])rows;
     (void)free_joints;
+    (void)seed;
     (void)moved;
     ENTRIES(double);
 
@@ -85,9 +86,9 @@ static void solve(
 
     /* theta1, type 3: U0[1, 3] and U0[2, 3] */
     const double w1 = sqrt(T21 * T21 + T11 * T11);
-    const int free1 = w1 <= free_limit_squared;
-    const double v1 = 1.0 / (free1 ? 1.0 : w1);
-    const double c1 = free1 ? cos(seed[0]) : T11 * v1, s1 = free1 ? sin(seed[0]) : T21 * v1;
+    const int short1 = w1 <= free_limit;
+    const double v1 = 1.0 / (short1 ? 1.0 : w1);
+    const double c1 = T11 * v1, s1 = T21 * v1;
     const double q1 = atan2(s1, c1);
 
     /* r3, type 1: U1[2, 4] */
@@ -101,7 +102,7 @@ static void solve(
         return; /* the arm can't take this pose */
     const int row = 0;
     q[row][0] = q1; q[row][1] = r2; q[row][2] = r3;
-    status[row] = (free1) ? DHGEN_FREE_JOINT : DHGEN_OK;
+    status[row] = DHGEN_OK;
 }
 
 #ifndef CYLINDRICAL_PLAIN
@@ -190,12 +191,11 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     3, 1, 0, DHGEN_POSE, joints, NULL, 0,
     { 3.333, 3.333, 3.333, 1.0, 1.0, 1.0 }, 3.3333333333333335, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
+    NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,

@@ -61,7 +61,7 @@ OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
 d1 = 0.3  # joint offset 1 [m]
-free_limit_squared = 1e-24  # square of a length that fixes no angle
+free_limit = 1e-12  # a length that fixes no angle
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 3e-06  # a pose may be rounded by this [m]
 m1 = 9.000000000000001e-12  # pose_slack1^2 [m^2]
@@ -130,10 +130,10 @@ def _solve(pose, seed, q, status):
 
     # theta1, type 3: U0[1, 3] and U0[2, 3]
     w1 = math.sqrt(T21 * T21 + T11 * T11)
-    free1 = w1 <= free_limit_squared
-    v1 = 1.0 / (1.0 if free1 else w1)
-    c1 = math.cos(seed[0]) if free1 else T11 * v1
-    s1 = math.sin(seed[0]) if free1 else T21 * v1
+    short1 = w1 <= free_limit
+    v1 = 1.0 / (1.0 if short1 else w1)
+    c1 = T11 * v1
+    s1 = T21 * v1
     q1 = _atan2(s1, c1)
 
     # r3, type 1: U1[2, 4]
@@ -151,7 +151,7 @@ def _solve(pose, seed, q, status):
     q[row, 0] = q1
     q[row, 1] = r2
     q[row, 2] = r3
-    status[row] = FREE_JOINT if free1 else OK
+    status[row] = OK
 
 
 @_njit(forceinline=True)

@@ -28,7 +28,7 @@
 static const double
     a1 = 0.225, /* link length 1 [m] */
     a2 = 0.175, /* link length 2 [m] */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    free_limit = 1e-12, /* a length that fixes no angle */
     longest2 = 0.16000000000000003, /* square of the longest reach [m^2] */
     shortest2 = 0.002500000000000002, /* square of the shortest reach [m^2] */
     longest2_reach = 0.16000000000003203, /* the longest, with what rounding adds [m^2] */
@@ -96,10 +96,10 @@ static void solve(
 
     /* theta12m4, type 3: U0[1, 2] and U0[2, 2] */
     const double w12m4 = sqrt(T21 * T21 + T11 * T11);
-    const int free12m4 = w12m4 <= free_limit_squared;
-    const double v1 = 1.0 / (free12m4 ? 1.0 : w12m4), v2 = seed[0] + seed[1] - seed[3];
-    const double c12m4 = free12m4 ? cos(v2) : T11 * v1;
-    const double s12m4 = free12m4 ? sin(v2) : T21 * v1;
+    const int short12m4 = w12m4 <= free_limit;
+    const double v1 = 1.0 / (short12m4 ? 1.0 : w12m4);
+    const double c12m4 = T11 * v1;
+    const double s12m4 = T21 * v1;
     const double theta12m4 = atan2(s12m4, c12m4);
 
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
@@ -113,7 +113,7 @@ static void solve(
 
     /* theta1, type 3: U0[2, 4] and U0[1, 4] */
     const double X1_1 = a1 + a2 * c2;
-    const double v3 = T24 * X1_1, v4 = T14 * X1_1;
+    const double v2 = T24 * X1_1, v3 = T14 * X1_1;
 
     /* is the pose one that the arm can take? */
     if (!(fabs(1.0 + T33) <= pose_slack && fabs(T31) <= pose_slack && fabs(T23) <= pose_slack &&
@@ -130,8 +130,8 @@ static void solve(
 
         /* theta1 */
         const double Y1_1 = a2 * s2;
-        const double S1 = v3 - T14 * Y1_1;
-        const double C1 = v4 + T24 * Y1_1;
+        const double S1 = v2 - T14 * Y1_1;
+        const double C1 = v3 + T24 * Y1_1;
         const double w1 = sqrt(S1 * S1 + C1 * C1);
         const int free1 = w1 <= free_limit_squared2;
         const double factor1 = 1.0 / (free1 ? 1.0 : w1);
@@ -147,10 +147,9 @@ static void solve(
 
         /* joint values */
         const double q4 = dhgen_wrap(q2 + q1 - theta12m4);
-        const int free1_ = free12m4 || free1;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = T34; q[row][3] = q4;
-        status[row] = (free1_ || free12m4 || free12m4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
@@ -266,12 +265,12 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
+static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 2.5, 2.5, 2.5, 1.0, 1.0, 1.0 }, 2.5, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
+    choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,

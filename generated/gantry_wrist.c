@@ -121,7 +121,7 @@ static void solve(
         const int row = i1;
         q[row][0] = wz; q[row][1] = wy; q[row][2] = r3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
-        status[row] = (free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free4 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 

@@ -269,7 +269,7 @@ static void solve(
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
-        status[row] = (chosen) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = chosen ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 

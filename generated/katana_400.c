@@ -33,8 +33,7 @@ static const double
     d5 = 0.1473, /* joint offset 5 [m] */
     second_weight = 0.6778, /* lengths count in arm sizes [m] */
     free_limit1 = 6.777999999999999e-13, /* a length that fixes no angle [m] */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
-    offset4 = -1.5707963267948966, /* offset of joint 4 [rad] */
+    free_limit = 1e-12, /* a length that fixes no angle */
     longest3 = 0.108241, /* square of the longest reach [m^2] */
     shortest3 = 0.002600999999999999, /* square of the shortest reach [m^2] */
     longest3_reach = 0.10824100000004461, /* the longest, with what rounding adds [m^2] */
@@ -44,6 +43,7 @@ static const double
     free_limit_squared2 = 4.594128399999999e-25, /* square of a length that fixes no angle [m^2] */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 6.778e-06, /* a pose may be rounded by this [m] */
+    offset4 = -1.5707963267948966, /* offset of joint 4 [rad] */
     k1 = 0.055421000000000005, /* a2^2 + a3^2 [m^2] */
     k2 = 18.932222642938278; /* 1 / (2 * a3 * a2) [m^-2] */
 
@@ -129,10 +129,10 @@ static void solve(
     const double divisor1 = free1 ? 1.0 : w1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v4 = T33 * T33, v5 = seed[1] + seed[2] + (seed[3] + offset4);
+    const double v4 = T33 * T33;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v8 = T34 - d1;
+    const double v10 = T34 - d1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* front, back */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -146,36 +146,30 @@ static void solve(
         /* theta234 */
         const double Z2_234 = T13 * c1 + T23 * s1;
         const double w234 = sqrt(Z2_234 * Z2_234 + v4);
-        const int free234 = w234 <= free_limit_squared;
-        const double factor234 = 1.0 / (free234 ? 1.0 : w234);
-        const double c234 = free234 ? cos(v5) : T33 * factor234,
-            s234 = free234 ? sin(v5) : -(Z2_234 * factor234);
-        const double theta234 = atan2(s234, c234);
+        const int short234 = w234 <= free_limit;
+        const double factor234 = 1.0 / (short234 ? 1.0 : w234);
+        const double c234 = T33 * factor234, v5 = Z2_234 * factor234;
+        const double theta234 = atan2(-v5, c234);
 
         /* theta5, type 3: U1[3, 2] and U1[3, 1] */
         const double Z1_5 = T12 * s1 - T22 * c1;
         const double Z2_5 = T11 * s1 - T21 * c1;
         const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
-        const int free5 = w5 <= free_limit_squared;
-        const double v6 = 1.0 / (free5 ? 1.0 : w5);
-        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v6),
-            s5 = free5 ? sin(seed[4]) : -(Z2_5 * v6);
-        const double q5 = atan2(s5, c5);
+        const int short5 = w5 <= free_limit;
+        const double v6 = 1.0 / (short5 ? 1.0 : w5), v7 = Z1_5 * v6, v8 = Z2_5 * v6;
+        const double q5 = atan2(-v8, -v7);
 
         /* theta3 */
-        const double v7 = c234 * d5;
-        const double Z1_3 = v8 - v7;
-        const double v9 = s234 * d5;
-        const double Z2_3 = v9 + (T14 * c1 + T24 * s1);
+        const double v9 = c234 * d5;
+        const double Z1_3 = v10 - v9;
+        const double v11 = v5 * d5;
+        const double Z2_3 = T14 * c1 + T24 * s1 - v11;
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
             if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) dhgen_lose(DHGEN_LOST + 2, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) dhgen_lose(DHGEN_LOST + 3, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) dhgen_lose(DHGEN_LOST + 4, D3, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
         const double w3 = sqrt(apart3 ? D3 : 0.0);
@@ -183,14 +177,13 @@ static void solve(
 
         /* theta2, type 3: U1[2, 4] and U1[1, 4] */
         const double X1_2 = a2 + a3 * c3;
-        const double v10 = Z1_3 * X1_2, v11 = Z2_3 * X1_2;
+        const double v12 = Z1_3 * X1_2, v13 = Z2_3 * X1_2;
 
         /* is the pose one that the arm can take? */
-        const double v13 = d1 + v7;
-        if (!(fabs(T33 - c234) <= pose_slack && fabs(T31 - s234 * c5) <= pose_slack && fabs(T23 + s1
-            * s234) <= pose_slack && fabs(T21 - (c5 * (s1 * c234) + c1 * s5)) <= pose_slack &&
-            fabs(T11 - (c5 * (c1 * c234) - s1 * s5)) <= pose_slack && fabs(T13 + c1 * s234) <=
-            pose_slack))
+        const double v15 = d1 + v9;
+        if (!(fabs(T33 - c234) <= pose_slack && fabs(T31 - v5 * v7) <= pose_slack && fabs(T23 - s1 *
+            v5) <= pose_slack && fabs(T21 + (v7 * (s1 * c234) + c1 * v8)) <= pose_slack && fabs(T11
+            - (s1 * v8 - v7 * (c1 * c234))) <= pose_slack && fabs(T13 - c1 * v5) <= pose_slack))
             continue; /* the arm can't take this pose */
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
@@ -202,8 +195,8 @@ static void solve(
 
             /* theta2 */
             const double Y1_2 = a3 * s3;
-            const double S2 = v10 - Z2_3 * Y1_2;
-            const double C2 = v11 + Z1_3 * Y1_2;
+            const double S2 = v12 - Z2_3 * Y1_2;
+            const double C2 = v13 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
@@ -213,18 +206,16 @@ static void solve(
 
             /* is the pose one that the arm can take? */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
-                v12 = a3 * c23 + (a2 * c2 - v9);
-            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v13))) <= pose_slack1 && fabs(T14 - c1 * v12) <=
-                pose_slack1 && fabs(T24 - s1 * v12) <= pose_slack1))
+                v14 = a3 * c23 + (v11 + a2 * c2);
+            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 && fabs(T14 - c1 * v14) <=
+                pose_slack1 && fabs(T24 - s1 * v14) <= pose_slack1))
                 continue; /* the arm can't take this pose */
 
             /* joint values */
             const double q4 = dhgen_wrap(theta234 - (q3 + q2) - offset4);
-            const int free2_ = free234 || free2;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-            status[row] = (free1 || free2_ || free234 || free234 || free5) ? DHGEN_FREE_JOINT :
-                DHGEN_OK;
+            status[row] = (free1 || free2) ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }
@@ -233,7 +224,7 @@ static void solve(
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 static const double
     m1 = 4.594128399999999e-09, /* doubt_limit1^2 [m^2] */
-    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m3 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m4 = 4.706018907896038e-13,
     m7 = 2.1106015755686554e-17, /* doubt_limit_squared2^2 [m^4] */
@@ -443,13 +434,12 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[5] = { 4, 3, 2, 1, 0 };
-static const int together[4] = { 0, 1, 2, 3 };
+static const int choosable[2] = { 1, 0 };
 static const struct dhgen_arm arm = {
     5, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.475, 1.475, 1.475, 1.0, 1.0, 1.0 }, 1.475361463558572, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 5, together, 4, 52,
+    choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,

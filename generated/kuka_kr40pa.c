@@ -33,7 +33,7 @@ static const double
     a2 = 0.8, /* link length 2 [m] */
     a3 = 0.8, /* link length 3 [m] */
     a4 = 0.15, /* link length 4 [m] */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    free_limit = 1e-12, /* a length that fixes no angle */
     longest3 = 2.5600000000000005, /* square of the longest reach [m^2] */
     shortest3 = 0.0, /* square of the shortest reach [m^2] */
     longest3_reach = 2.5600704004840003, /* the longest, with what rounding adds [m^2] */
@@ -156,48 +156,40 @@ static void solve(
 
     /* theta234, type 3: U0[3, 3] and U0[3, 1] */
     const double w234 = sqrt(T31 * T31 + T33 * T33);
-    const int free234 = w234 <= free_limit_squared;
-    const double factor234 = 1.0 / (free234 ? 1.0 : w234);
-    const double v1 = seed[1] + seed[2] + seed[3];
-    const double c234 = free234 ? cos(v1) : T33 * factor234,
-        s234 = free234 ? sin(v1) : -(T31 * factor234);
-    const double theta234 = atan2(s234, c234);
+    const int short234 = w234 <= free_limit;
+    const double factor234 = 1.0 / (short234 ? 1.0 : w234);
+    const double c234 = T33 * factor234, v1 = T31 * factor234;
+    const double theta234 = atan2(-v1, c234);
 
     /* theta1, type 3: U0[1, 2] and U0[2, 2] */
     const double w1 = sqrt(T12 * T12 + T22 * T22);
-    const int free1 = w1 <= free_limit_squared;
-    const double v2 = 1.0 / (free1 ? 1.0 : w1);
-    const double c1 = free1 ? cos(seed[0]) : T22 * v2, s1 = free1 ? sin(seed[0]) : -(T12 * v2);
-    const double q1 = atan2(s1, c1);
+    const int short1 = w1 <= free_limit;
+    const double v2 = 1.0 / (short1 ? 1.0 : w1);
+    const double c1 = T22 * v2, v3 = T12 * v2;
+    const double q1 = atan2(-v3, c1);
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v3 = s234 * a4;
-    const double Z1_3 = v3 + (T34 - d1);
-    const double v4 = a1 + c234 * a4;
-    const double Z2_3 = c1 * T14 + s1 * T24 - v4;
+    const double v4 = v1 * a4;
+    const double Z1_3 = T34 - d1 - v4;
+    const double v5 = a1 + c234 * a4;
+    const double Z2_3 = c1 * T14 - v3 * T24 - v5;
     const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const double K3 = N3 - k1;
     const double D3 = (longest3 - N3) * (N3 - shortest3);
     const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-    if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-        if (free234) dhgen_lose(DHGEN_LOST + 2, D3, q[0], &status[0]);
-        if (free234) dhgen_lose(DHGEN_LOST + 3, D3, q[0], &status[0]);
-        if (free234) dhgen_lose(DHGEN_LOST + 4, D3, q[0], &status[0]);
-        if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[0], &status[0]);
-        return; /* out of reach */
-    }
+    if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) return; /* out of reach */
     const double w3 = sqrt(apart3 ? D3 : 0.0);
     const double c3 = K3 * k2;
 
     /* theta2, type 3: U1[1, 4] and U1[2, 4] */
     const double Y1_2 = a2 + a3 * c3;
-    const double v6 = Z1_3 * Y1_2, v8 = Z2_3 * Y1_2;
+    const double v7 = Z1_3 * Y1_2, v9 = Z2_3 * Y1_2;
 
     /* is the pose one that the arm can take? */
-    const double v10 = v3 - d1;
-    if (!(fabs(T33 - c234) <= doubtful_slack && fabs(T31 + s234) <= doubtful_slack && fabs(T23 -
-        s234 * s1) <= doubtful_slack && fabs(T21 - c234 * s1) <= doubtful_slack && fabs(T11 - c234 *
-        c1) <= doubtful_slack && fabs(T13 - s234 * c1) <= doubtful_slack))
+    const double v11 = d1 + v4;
+    if (!(fabs(T33 - c234) <= doubtful_slack && fabs(T31 - v1) <= doubtful_slack && fabs(T23 - v1 *
+        v3) <= doubtful_slack && fabs(T21 + c234 * v3) <= doubtful_slack && fabs(T11 - c234 * c1) <=
+        doubtful_slack && fabs(T13 + v1 * c1) <= doubtful_slack))
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
@@ -208,28 +200,27 @@ static void solve(
         const double q3 = atan2(s3, c3);
 
         /* theta2 */
-        const double v5 = a3 * s3, v7 = Z2_3 * v5 + v6;
-        const double C2 = v8 - Z1_3 * v5;
-        const double w2 = sqrt(v7 * v7 + C2 * C2);
+        const double v6 = a3 * s3, v8 = Z2_3 * v6 + v7;
+        const double C2 = v9 - Z1_3 * v6;
+        const double w2 = sqrt(v8 * v8 + C2 * C2);
         const int free2 = w2 <= free_limit_squared2;
         const double factor2 = 1.0 / (free2 ? 1.0 : w2);
         const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
-            s2 = free2 ? sin(seed[1]) : -(v7 * factor2);
+            s2 = free2 ? sin(seed[1]) : -(v8 * factor2);
         const double q2 = atan2(s2, c2);
 
         /* is the pose one that the arm can take? */
         const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
-            v9 = a3 * c23 + (v4 + a2 * c2);
-        if (!(fabs(T34 + (a3 * s23 + (a2 * s2 + v10))) <= doubtful_slack1 && fabs(T14 - c1 * v9) <=
-            doubtful_slack1 && fabs(T24 - s1 * v9) <= doubtful_slack1))
+            v10 = a3 * c23 + (v5 + a2 * c2);
+        if (!(fabs(T34 + (a3 * s23 + (a2 * s2 - v11))) <= doubtful_slack1 && fabs(T14 - c1 * v10) <=
+            doubtful_slack1 && fabs(T24 + v3 * v10) <= doubtful_slack1))
             continue; /* the arm can't take this pose */
 
         /* joint values */
         const double q4 = dhgen_wrap(theta234 - (q3 + q2));
-        const int free2_ = free234 || free2;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-        status[row] = (free1 || free2_ || free234 || free234) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free2 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
@@ -237,7 +228,7 @@ static void solve(
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 static const double
     doubt_limit_squared2 = 4.839999999999999e-08, /* square of a length that fixes no angle [m^2] */
-    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m1 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m2 = 0.0001802301952675207,
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
@@ -380,12 +371,12 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[4] = { 3, 2, 1, 0 };
+static const int choosable[1] = { 1 };
 static const struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0 }, 0.4545454545454546, entries, 9,
-    0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 4, NULL, 0, 52,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
+    choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,

@@ -68,7 +68,7 @@ a1 = 0.15  # link length 1 [m]
 a2 = 0.8  # link length 2 [m]
 a3 = 0.8  # link length 3 [m]
 a4 = 0.15  # link length 4 [m]
-free_limit_squared = 1e-24  # square of a length that fixes no angle
+free_limit = 1e-12  # a length that fixes no angle
 longest3 = 2.5600000000000005  # square of the longest reach [m^2]
 shortest3 = 0.0  # square of the shortest reach [m^2]
 longest3_reach = 2.5600704004840003  # the longest, with what rounding adds [m^2]
@@ -81,7 +81,7 @@ doubtful_slack1 = 0.022  # a row may miss the pose by this before it is tightene
 k1 = 1.2800000000000002  # 2 * a3 * a2 [m^2]
 k2 = 0.7812499999999999  # 1 / k1 [m^-2]
 doubt_limit_squared2 = 4.839999999999999e-08  # square of a length that fixes no angle [m^2]
-m1 = 9.999999999999997e-17  # doubt_limit_squared^2
+m1 = 9.999999999999999e-09  # doubt_limit^2
 m2 = 0.0001802301952675207  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.8076207197736452e-10
@@ -201,10 +201,6 @@ def jacobian(q):
     J[4, 3] = c1
     J[5, 0] = 1.0
     return J
-
-
-_LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
-_NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
 
 
 @_inner
@@ -513,66 +509,50 @@ def _tighten(pose, q, status):
 
 @_inner
 def _solve(pose, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-
-    The first value of a row that is _LOST says how far it is from a solution (negative).
-    """
+    """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
 
     # theta234, type 3: U0[3, 3] and U0[3, 1]
     w234 = math.sqrt(T31 * T31 + T33 * T33)
-    free234 = w234 <= free_limit_squared
-    factor234 = 1.0 / (1.0 if free234 else w234)
-    v1 = seed[1] + seed[2] + seed[3]
-    c234 = math.cos(v1) if free234 else T33 * factor234
-    s234 = math.sin(v1) if free234 else -(T31 * factor234)
-    theta234 = _atan2(s234, c234)
+    short234 = w234 <= free_limit
+    factor234 = 1.0 / (1.0 if short234 else w234)
+    c234 = T33 * factor234
+    v1 = T31 * factor234
+    theta234 = _atan2(-v1, c234)
 
     # theta1, type 3: U0[1, 2] and U0[2, 2]
     w1 = math.sqrt(T12 * T12 + T22 * T22)
-    free1 = w1 <= free_limit_squared
-    v2 = 1.0 / (1.0 if free1 else w1)
-    c1 = math.cos(seed[0]) if free1 else T22 * v2
-    s1 = math.sin(seed[0]) if free1 else -(T12 * v2)
-    q1 = _atan2(s1, c1)
+    short1 = w1 <= free_limit
+    v2 = 1.0 / (1.0 if short1 else w1)
+    c1 = T22 * v2
+    v3 = T12 * v2
+    q1 = _atan2(-v3, c1)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v3 = s234 * a4
-    Z1_3 = v3 + (T34 - d1)
-    v4 = a1 + c234 * a4
-    Z2_3 = c1 * T14 + s1 * T24 - v4
+    v4 = v1 * a4
+    Z1_3 = T34 - d1 - v4
+    v5 = a1 + c234 * a4
+    Z2_3 = c1 * T14 - v3 * T24 - v5
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
     K3 = N3 - k1
     D3 = (longest3 - N3) * (N3 - shortest3)
     apart3 = shortest3_apart < N3 and N3 < longest3_apart
     if not (shortest3_reach <= N3 and N3 <= longest3_reach):
-        if free234:
-            status[0] = _LOST + 2
-            q[0, 0] = D3
-        if free234:
-            status[0] = _LOST + 3
-            q[0, 0] = D3
-        if free234:
-            status[0] = _LOST + 4
-            q[0, 0] = D3
-        if free1:
-            status[0] = _LOST + 1
-            q[0, 0] = D3
         return  # out of reach
     w3 = math.sqrt(D3 if apart3 else 0.0)
     c3 = K3 * k2
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
     Y1_2 = a2 + a3 * c3
-    v6 = Z1_3 * Y1_2
-    v8 = Z2_3 * Y1_2
+    v7 = Z1_3 * Y1_2
+    v9 = Z2_3 * Y1_2
 
     # is the pose one that the arm can take?
-    v10 = v3 - d1
+    v11 = d1 + v4
     if (
-        not (abs(T33 - c234) <= doubtful_slack and abs(T31 + s234) <= doubtful_slack and abs(T23 -
-        s234 * s1) <= doubtful_slack and abs(T21 - c234 * s1) <= doubtful_slack and abs(T11 - c234 *
-        c1) <= doubtful_slack and abs(T13 - s234 * c1) <= doubtful_slack)
+        not (abs(T33 - c234) <= doubtful_slack and abs(T31 - v1) <= doubtful_slack and abs(T23 - v1
+        * v3) <= doubtful_slack and abs(T21 + c234 * v3) <= doubtful_slack and abs(T11 - c234 * c1)
+        <= doubtful_slack and abs(T13 + v1 * c1) <= doubtful_slack)
     ):
         return  # the arm can't take this pose
 
@@ -585,35 +565,34 @@ def _solve(pose, seed, q, status):
         q3 = _atan2(s3, c3)
 
         # theta2
-        v5 = a3 * s3
-        v7 = Z2_3 * v5 + v6
-        C2 = v8 - Z1_3 * v5
-        w2 = math.sqrt(v7 * v7 + C2 * C2)
+        v6 = a3 * s3
+        v8 = Z2_3 * v6 + v7
+        C2 = v9 - Z1_3 * v6
+        w2 = math.sqrt(v8 * v8 + C2 * C2)
         free2 = w2 <= free_limit_squared2
         factor2 = 1.0 / (1.0 if free2 else w2)
         c2 = math.cos(seed[1]) if free2 else C2 * factor2
-        s2 = math.sin(seed[1]) if free2 else -(v7 * factor2)
+        s2 = math.sin(seed[1]) if free2 else -(v8 * factor2)
         q2 = _atan2(s2, c2)
 
         # is the pose one that the arm can take?
         c23 = c3 * c2 - s3 * s2
         s23 = c3 * s2 + s3 * c2
-        v9 = a3 * c23 + (v4 + a2 * c2)
+        v10 = a3 * c23 + (v5 + a2 * c2)
         if (
-            not (abs(T34 + (a3 * s23 + (a2 * s2 + v10))) <= doubtful_slack1 and abs(T14 - c1 * v9)
-            <= doubtful_slack1 and abs(T24 - s1 * v9) <= doubtful_slack1)
+            not (abs(T34 + (a3 * s23 + (a2 * s2 - v11))) <= doubtful_slack1 and abs(T14 - c1 * v10)
+            <= doubtful_slack1 and abs(T24 + v3 * v10) <= doubtful_slack1)
         ):
             continue  # the arm can't take this pose
 
         # joint values
         q4 = _wrap(theta234 - (q3 + q2))
-        free2_ = free234 or free2
         row = i1
         q[row, 0] = q1
         q[row, 1] = q2
         q[row, 2] = q3
         q[row, 3] = q4
-        status[row] = FREE_JOINT if free1 or free2_ or free234 or free234 else OK
+        status[row] = FREE_JOINT if free2 else OK
 
 
 @_njit(forceinline=True)
@@ -622,188 +601,6 @@ def _read(T):
     valid, pose = _read_rows(T)
     px, py, pz = pose[3], pose[7], pose[11]
     return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
-
-
-@_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % turn, angle)
-
-
-_CHOOSABLE = (3, 2, 1, 0,)  # joints, from 0, that may be free
-
-
-@_inner
-def _serves(search, q, status):
-    """Whether a row was solved, as exactly as poses may be rounded."""
-    return status[search[0]] != UNREACHABLE and status[search[0]] < _LOST
-
-
-@_inner
-def _shortfall(pose, row, q, status):
-    """How far a row is from a solution: 0 if it is solved.
-    """
-    if status[row] >= _LOST:
-        return q[row, 0]
-    return -math.inf if status[row] == UNREACHABLE else 0.0
-
-
-@_inner
-def _attempt(pose, seed, search, moved, q, status):
-    """Solves with a joint moved: 0 if it serves, else less.
-
-    A search is a row, the joint that had been chosen, whether limits count.
-    """
-    row, joint = search[0], search[1]
-    for i in range(2):
-        status[i] = UNREACHABLE
-    kept = seed[joint]
-    seed[joint] = kept + moved
-    _solve(pose, seed, q, status)
-    seed[joint] = kept
-    return _shortfall(pose, row, q, status)
-
-
-@_inner
-def _peak(pose, seed, search, low, high, q, status):
-    """Golden section for the move between low and high that comes nearest, or one that serves."""
-    for _ in range(52):
-        third = 0.3819660112501051 * (high - low)
-        left = _attempt(pose, seed, search, low + third, q, status)
-        right = _attempt(pose, seed, search, high - third, q, status)
-        if left == 0.0 or right == 0.0:
-            return low + third if left == 0.0 else high - third
-        if left >= right:
-            high -= third
-        else:
-            low += third
-    return low
-
-
-@_inner
-def _summit(pose, seed, search, low, high, q, status):
-    """A move between low and high that serves; NaN if there is none."""
-    top = _peak(pose, seed, search, low, high, q, status)
-    if _attempt(pose, seed, search, top, q, status) == 0.0:
-        return top
-    # beside a place where the branches meet, this one has no solution of its own
-    for moved in (top - 1e-09, top + 1e-09):
-        if math.isinf(_attempt(pose, seed, search, moved, q, status)):
-            return math.nan
-    _attempt(pose, seed, search, top, q, status)
-    return top if _serves(search, q, status) else math.nan
-
-
-@_inner
-def _serving(pose, seed, search, q, status):
-    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
-
-    A fan of values shows where it serves or nearly so, golden section finds what lies between two
-    of them, bisection the end that is nearest to the seed; of two that are equally near the lower
-    one.
-    """
-    if _attempt(pose, seed, search, 0.0, q, status) == 0.0:
-        return 0.0
-    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
-    after = _attempt(pose, seed, search, -32.0 * step, q, status)
-    for k in range(-32, 32 + 1):
-        before, here = here, after
-        after = _attempt(pose, seed, search, (k + 1) * step, q, status)
-        outer = k * step
-        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
-        if here < 0.0 and here >= before and here > after:
-            low, high = outer - step, outer + step
-            outer = _summit(pose, seed, search, low, high, q, status)
-            if math.isnan(outer):
-                continue
-        elif here < 0.0 or (before if k > 0 else after) == 0.0:
-            continue
-        for _ in range(52):
-            middle = 0.5 * (inner + outer)
-            if _attempt(pose, seed, search, middle, q, status) == 0.0:
-                outer = middle
-            else:
-                inner = middle
-        if not abs(outer) >= abs(nearest) - 1e-09:
-            nearest = outer
-    return nearest
-
-
-@_inner
-def _serving_digits(pose, seed, search, q, status):
-    """The same for a joint that is nearly free: its angle is known to few digits.
-
-    Also where the arm just reaches (an elbow that is stretched). As long as the angle is right up
-    to rounding of what it was taken from, `_solve` takes it as it would take its own.
-    """
-    before, past = np.full(2, -math.inf), np.zeros(2)
-    moved = 1e-15
-    while moved < 0.1:
-        for way in range(2):
-            there = -moved if way else moved
-            here = _attempt(pose, seed, search, there, q, status)
-            if here == 0.0:
-                return there
-            if here < 2.0 * before[way] and past[way] == 0.0:
-                past[way] = 1.0
-                low = 0.25 * there
-                top = _summit(pose, seed, search, low, there, q, status)
-                if not math.isnan(top):
-                    return top
-            before[way] = here
-        moved *= 2.0
-    return math.nan
-
-
-@_inner
-def _choose_again(pose, given, row, q, status):
-    """A free joint took the seed's value, and then the arm could not reach.
-
-    The joint takes the nearest value that serves.
-    """
-    nearly = status[row] > _NEARLY
-    search = row, status[row] - (_NEARLY if nearly else _LOST) - 1, False
-    seed, trial, result = given.copy(), q.copy(), status.copy()
-    if nearly:
-        seed[search[1]] = q[row, 1]
-        moved = _serving_digits(pose, seed, search, trial, result)
-    else:
-        seed[search[1]] = _without_turns(seed[search[1]])
-        moved = _serving(pose, seed, search, trial, result)
-    _attempt(pose, seed, search, moved, trial, result)
-    served = not math.isnan(moved) and _serves(search, trial, result)
-    status[row] = result[row] if served else UNREACHABLE
-    for i in range(4):
-        q[row, i] = trial[row, i] if served else math.nan
-
-
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
-def _other_choices(pose, seed, q, status):
-    """Other values for free joints, in rows that the seed's do not serve."""
-    for row in range(2):
-        if status[row] >= _LOST:
-            _choose_again(pose, seed, row, q, status)
-
-
-@_inner
-def _choose(pose, seed, q, status):
-    """The same where there is a row that needs it."""
-    served = True
-    for row in range(2):
-        served = served and status[row] < _LOST
-    if served:
-        return
-    # arrays of the caller may have any layout
-    values, rows, kinds = np.empty(4), np.empty((2, 4)), np.empty(2, np.uint8)
-    for row in range(2):
-        kinds[row] = status[row]
-        for i in range(4):
-            values[i], rows[row, i] = seed[i], q[row, i]
-    _other_choices(pose, values, rows, kinds)
-    for row in range(2):
-        status[row] = kinds[row]
-        for i in range(4):
-            q[row, i] = rows[row, i]
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
@@ -1065,7 +862,6 @@ def _whole(pose, seed, q, status):
     for row in range(2 - 1, -1, -1):
         if status[row] != UNREACHABLE:
             begun = row
-    _choose(pose, seed, q, status)
     _tighten(pose, q, status)
     _seek(pose, seed, begun, q, status)
     _stay(pose, seed, q, status)

@@ -73,9 +73,7 @@ a3 = 0.135  # link length 3 [m]
 d5 = 0.2175  # joint offset 5 [m]
 second_weight = 0.6875  # lengths count in arm sizes [m]
 free_limit1 = 6.874999999999999e-13  # a length that fixes no angle [m]
-free_limit_squared = 1e-24  # square of a length that fixes no angle
-offset2 = 1.5707963267948966  # offset of joint 2 [rad]
-offset4 = 1.5707963267948966  # offset of joint 4 [rad]
+free_limit = 1e-12  # a length that fixes no angle
 longest3 = 0.08410000000000002  # square of the longest reach [m^2]
 shortest3 = 0.0003999999999999996  # square of the shortest reach [m^2]
 longest3_reach = 0.08410000000003988  # the longest, with what rounding adds [m^2]
@@ -83,12 +81,14 @@ shortest3_reach = 0.00039999999999724956  # the shortest, with what rounding add
 longest3_apart = 0.08409999999999603  # the longest, where branches merge [m^2]
 shortest3_apart = 0.00040000000000027465  # the shortest, where branches merge [m^2]
 free_limit_squared2 = 4.7265625e-25  # square of a length that fixes no angle [m^2]
+offset2 = 1.5707963267948966  # offset of joint 2 [rad]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 6.875e-06  # a pose may be rounded by this [m]
+offset4 = 1.5707963267948966  # offset of joint 4 [rad]
 k1 = 0.04225  # a2^2 + a3^2 [m^2]
 k2 = 23.894862604540023  # 1 / (2 * a3 * a2) [m^-2]
 m1 = 4.726562499999999e-09  # doubt_limit1^2 [m^2]
-m3 = 9.999999999999997e-17  # doubt_limit_squared^2
+m3 = 9.999999999999999e-09  # doubt_limit^2
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m4 = 3.345324017800363e-13
 m5 = 3.2258064516129035  # a coefficient of S2
@@ -256,11 +256,12 @@ def _solve(pose, seed, q, status):
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
     v4 = T33 * T33
-    v5 = seed[1] + offset2
-    v6 = v5 + seed[2] + (seed[3] + offset4)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v9 = T34 - d1
+    v10 = T34 - d1
+
+    # theta2, type 3: U1[2, 4] and U1[1, 4]
+    v14 = seed[1] + offset2
 
     for i1 in range(2):  # front, back
         e1 = 1.0 - 2.0 * i1
@@ -275,27 +276,27 @@ def _solve(pose, seed, q, status):
         # theta234
         Z2_234 = T13 * c1 + T23 * s1
         w234 = math.sqrt(Z2_234 * Z2_234 + v4)
-        free234 = w234 <= free_limit_squared
-        factor234 = 1.0 / (1.0 if free234 else w234)
-        c234 = math.cos(v6) if free234 else -(T33 * factor234)
-        s234 = math.sin(v6) if free234 else Z2_234 * factor234
-        theta234 = _atan2(s234, c234)
+        short234 = w234 <= free_limit
+        factor234 = 1.0 / (1.0 if short234 else w234)
+        v5 = T33 * factor234
+        s234 = Z2_234 * factor234
+        theta234 = _atan2(s234, -v5)
 
         # theta5, type 3: U1[3, 2] and U1[3, 1]
         S5 = T21 * c1 - T11 * s1
         C5 = T22 * c1 - T12 * s1
         w5 = math.sqrt(S5 * S5 + C5 * C5)
-        free5 = w5 <= free_limit_squared
-        v7 = 1.0 / (1.0 if free5 else w5)
-        c5 = math.cos(seed[4]) if free5 else -(C5 * v7)
-        s5 = math.sin(seed[4]) if free5 else -(S5 * v7)
-        q5 = _atan2(s5, c5)
+        short5 = w5 <= free_limit
+        v6 = 1.0 / (1.0 if short5 else w5)
+        v7 = C5 * v6
+        v8 = S5 * v6
+        q5 = _atan2(-v8, -v7)
 
         # theta3
-        v8 = c234 * d5
-        Z1_3 = v8 + v9
-        v10 = s234 * d5
-        Z2_3 = T14 * c1 + T24 * s1 - a1 - v10
+        v9 = v5 * d5
+        Z1_3 = v10 - v9
+        v11 = s234 * d5
+        Z2_3 = T14 * c1 + T24 * s1 - a1 - v11
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
         D3 = (longest3 - N3) * (N3 - shortest3)
@@ -304,31 +305,22 @@ def _solve(pose, seed, q, status):
             if free1:
                 status[2 * i1] = _LOST + 1
                 q[2 * i1, 0] = D3
-            if free234:
-                status[2 * i1] = _LOST + 2
-                q[2 * i1, 0] = D3
-            if free234:
-                status[2 * i1] = _LOST + 3
-                q[2 * i1, 0] = D3
-            if free234:
-                status[2 * i1] = _LOST + 4
-                q[2 * i1, 0] = D3
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
         c3 = K3 * k2
 
-        # theta2, type 3: U1[2, 4] and U1[1, 4]
+        # theta2
         X1_2 = a2 + a3 * c3
-        v11 = Z1_3 * X1_2
-        v12 = Z2_3 * X1_2
+        v12 = Z1_3 * X1_2
+        v13 = Z2_3 * X1_2
 
         # is the pose one that the arm can take?
-        v13 = a1 + v10
-        v15 = d1 - v8
+        v15 = a1 + v11
+        v17 = d1 + v9
         if (
-            not (abs(T33 + c234) <= pose_slack and abs(T31 - s234 * c5) <= pose_slack and abs(T23 -
-            s1 * s234) <= pose_slack and abs(T21 - (c5 * (s1 * c234) - c1 * s5)) <= pose_slack and
-            abs(T11 - (c5 * (c1 * c234) + s1 * s5)) <= pose_slack and abs(T13 - c1 * s234) <=
+            not (abs(T33 - v5) <= pose_slack and abs(T31 + s234 * v7) <= pose_slack and abs(T23 - s1
+            * s234) <= pose_slack and abs(T21 - (v7 * (s1 * v5) + c1 * v8)) <= pose_slack and
+            abs(T11 - (v7 * (c1 * v5) - s1 * v8)) <= pose_slack and abs(T13 - c1 * s234) <=
             pose_slack)
         ):
             continue  # the arm can't take this pose
@@ -343,36 +335,35 @@ def _solve(pose, seed, q, status):
 
             # theta2
             Y1_2 = a3 * s3
-            S2 = v11 - Z2_3 * Y1_2
-            C2 = v12 + Z1_3 * Y1_2
+            S2 = v12 - Z2_3 * Y1_2
+            C2 = v13 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v5) if free2 else C2 * factor2
-            s2 = math.sin(v5) if free2 else S2 * factor2
+            c2 = math.cos(v14) if free2 else C2 * factor2
+            s2 = math.sin(v14) if free2 else S2 * factor2
             theta2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v14 = a3 * c23 + (a2 * c2 + v13)
+            v16 = a3 * c23 + (a2 * c2 + v15)
             if (
-                not (abs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 and abs(T14 - c1 * v14)
-                <= pose_slack1 and abs(T24 - s1 * v14) <= pose_slack1)
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 and abs(T14 - c1 * v16)
+                <= pose_slack1 and abs(T24 - s1 * v16) <= pose_slack1)
             ):
                 continue  # the arm can't take this pose
 
             # joint values
             q2 = _wrap(theta2 - offset2)
             q4 = _wrap(theta234 - (q3 + theta2) - offset4)
-            free2_ = free234 or free2
             row = 2 * i1 + i2
             q[row, 0] = q1
             q[row, 1] = q2
             q[row, 2] = q3
             q[row, 3] = q4
             q[row, 4] = q5
-            status[row] = FREE_JOINT if free1 or free2_ or free234 or free234 or free5 else OK
+            status[row] = FREE_JOINT if free1 or free2 else OK
 
 
 @_njit(forceinline=True)
@@ -389,7 +380,7 @@ def _without_turns(angle):
     return math.copysign(abs(angle) % turn, angle)
 
 
-_CHOOSABLE = (4, 3, 2, 1, 0,)  # joints, from 0, that may be free
+_CHOOSABLE = (1, 0,)  # joints, from 0, that may be free
 
 
 @_inner
@@ -515,38 +506,6 @@ def _serving_digits(pose, seed, search, q, status):
 
 
 @_inner
-def _nearest_miss(pose, seed, search, q, status):
-    """How far a free joint has to be moved until the arm comes nearest to its pose."""
-    step = 0.09817477042468103
-    first = _attempt(pose, seed, search, 0.0, q, status)
-    best, at = first, 0.0
-    for k in range(-32, 32 + 1):
-        here = _attempt(pose, seed, search, k * step, q, status)
-        if here > best:
-            best, at = here, k * step
-    at = _peak(pose, seed, search, at - step, at + step, q, status)
-    return at if _attempt(pose, seed, search, at, q, status) > first else 0.0
-
-
-@_inner
-def _serving_in_turn(pose, seed, search, q, status):
-    """Several joints are free, and none serves by itself: the search and the move that do.
-
-    In turn each is moved to where the arm comes nearest, until one serves.
-    """
-    for k in range(12):
-        moved = _nearest_miss(pose, seed, search, q, status)
-        if k > 0 and moved == 0.0:
-            break
-        seed[search[1]] += moved
-        search = search[0], (0, 1, 2, 3)[k % 4], False
-        moved = _serving(pose, seed, search, q, status)
-        if not math.isnan(moved):
-            return search, moved
-    return search, math.nan
-
-
-@_inner
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
@@ -561,8 +520,6 @@ def _choose_again(pose, given, row, q, status):
     else:
         seed[search[1]] = _without_turns(seed[search[1]])
         moved = _serving(pose, seed, search, trial, result)
-        if math.isnan(moved):
-            search, moved = _serving_in_turn(pose, seed, search, trial, result)
     _attempt(pose, seed, search, moved, trial, result)
     served = not math.isnan(moved) and _serves(search, trial, result)
     status[row] = result[row] if served else UNREACHABLE

@@ -333,12 +333,11 @@ static void solve(
 
             /* joint values */
             const double q3 = dhgen_wrap(theta123 - (q2 + q1));
-            const int free1_ = free123 || free1;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
-            status[row] = (free1_ || free123 || free123 || free6) ? DHGEN_FREE_JOINT : (x6_close[i1]
-                || near6 || near123 || near1) ? DHGEN_CLOSE : DHGEN_OK;
+            status[row] = (free123 || free1 || free6) ? DHGEN_FREE_JOINT : (x6_close[i1] || near6 ||
+                near123 || near1) ? DHGEN_CLOSE : DHGEN_OK;
         }
     }
 }

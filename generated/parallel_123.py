@@ -983,7 +983,6 @@ def _solve(pose, seed, moved, q, status):
 
             # joint values
             q3 = _wrap(theta123 - (q2 + q1))
-            free1_ = free123 or free1
             row = 2 * i1 + i2
             q[row, 0] = q1
             q[row, 1] = q2
@@ -992,8 +991,8 @@ def _solve(pose, seed, moved, q, status):
             q[row, 4] = q5
             q[row, 5] = q6
             status[row] = (
-                FREE_JOINT if free1_ or free123 or free123 or free6 else _CLOSE if x6_close[i1] or
-                near6 or near123 or near1 else OK
+                FREE_JOINT if free123 or free1 or free6 else _CLOSE if x6_close[i1] or near6 or
+                near123 or near1 else OK
             )
 
 

@@ -31,8 +31,7 @@ static const double
     a2 = 105.0, /* link length 2 [mm] */
     a3 = 105.0, /* link length 3 [mm] */
     a4 = 105.0, /* link length 4 [mm] */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
-    offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
+    free_limit = 1e-12, /* a length that fixes no angle */
     longest3 = 44100.0, /* square of the longest reach [mm^2] */
     shortest3 = 0.0, /* square of the shortest reach [mm^2] */
     longest3_reach = 44101.4910126025, /* the longest, with what rounding adds [mm^2] */
@@ -40,6 +39,7 @@ static const double
     longest3_apart = 44099.99999999851, /* the longest, where branches merge [mm^2] */
     shortest3_apart = 1.26025e-23, /* the shortest, where branches merge [mm^2] */
     free_limit_squared2 = 1.26025e-19, /* square of a length that fixes no angle [mm^2] */
+    offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
     doubtful_slack = 0.01, /* a row may miss the pose by this before it is tightened */
     /* a row may miss the pose by this before it is tightened [mm] */
     doubtful_slack1 = 3.5500000000000003,
@@ -155,47 +155,40 @@ static void solve(
 
     /* theta1, type 3: U0[1, 3] and U0[2, 3] */
     const double w1 = sqrt(T12 * T12 + T22 * T22);
-    const int free1 = w1 <= free_limit_squared;
-    const double v1 = 1.0 / (free1 ? 1.0 : w1);
-    const double c1 = free1 ? cos(seed[0]) : -(T22 * v1), s1 = free1 ? sin(seed[0]) : T12 * v1;
-    const double q1 = atan2(s1, c1);
+    const int short1 = w1 <= free_limit;
+    const double v1 = 1.0 / (short1 ? 1.0 : w1), v2 = T22 * v1;
+    const double s1 = T12 * v1;
+    const double q1 = atan2(s1, -v2);
 
     /* theta2m3m4, type 3: U0[3, 2] and U0[3, 1] */
     const double w2m3m4 = sqrt(T33 * T33 + T31 * T31);
-    const int free2m3m4 = w2m3m4 <= free_limit_squared;
-    const double factor2m3m4 = 1.0 / (free2m3m4 ? 1.0 : w2m3m4);
-    const double v2 = seed[1] + offset2, v3 = v2 - seed[2] - seed[3];
-    const double c2m3m4 = free2m3m4 ? cos(v3) : -(T31 * factor2m3m4);
-    const double s2m3m4 = free2m3m4 ? sin(v3) : T33 * factor2m3m4;
-    const double theta2m3m4 = atan2(s2m3m4, c2m3m4);
+    const int short2m3m4 = w2m3m4 <= free_limit;
+    const double factor2m3m4 = 1.0 / (short2m3m4 ? 1.0 : w2m3m4);
+    const double v3 = T31 * factor2m3m4;
+    const double s2m3m4 = T33 * factor2m3m4;
+    const double theta2m3m4 = atan2(s2m3m4, -v3);
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double v4 = s2m3m4 * a4;
     const double Z1_3 = T34 - d1 - v4;
-    const double v5 = c2m3m4 * a4;
-    const double Z2_3 = v5 + (c1 * T14 + s1 * T24);
+    const double v5 = v3 * a4;
+    const double Z2_3 = s1 * T24 - v2 * T14 - v5;
     const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const double K3 = N3 - k1;
     const double D3 = (longest3 - N3) * (N3 - shortest3);
     const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-    if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-        if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[0], &status[0]);
-        if (free2m3m4) dhgen_lose(DHGEN_LOST + 2, D3, q[0], &status[0]);
-        if (free2m3m4) dhgen_lose(DHGEN_LOST + 3, D3, q[0], &status[0]);
-        if (free2m3m4) dhgen_lose(DHGEN_LOST + 4, D3, q[0], &status[0]);
-        return; /* out of reach */
-    }
+    if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) return; /* out of reach */
     const double w3 = sqrt(apart3 ? D3 : 0.0);
     const double c3 = K3 * k2;
 
     /* theta2, type 3: U1[1, 4] and U1[2, 4] */
     const double X2_2 = a2 + a3 * c3;
-    const double v7 = Z1_3 * X2_2, v8 = Z2_3 * X2_2;
+    const double v7 = Z1_3 * X2_2, v8 = Z2_3 * X2_2, v10 = seed[1] + offset2;
 
     /* is the pose one that the arm can take? */
-    const double v11 = d1 + v4;
-    if (!(fabs(T32) <= doubtful_slack && fabs(s2m3m4 - T33) <= doubtful_slack && fabs(T22 + c1) <=
-        doubtful_slack && fabs(T23 + s1 * c2m3m4) <= doubtful_slack && fabs(T13 + c1 * c2m3m4) <=
+    const double v12 = d1 + v4;
+    if (!(fabs(T32) <= doubtful_slack && fabs(s2m3m4 - T33) <= doubtful_slack && fabs(T22 - v2) <=
+        doubtful_slack && fabs(s1 * v3 - T23) <= doubtful_slack && fabs(T13 + v2 * v3) <=
         doubtful_slack && fabs(T12 - s1) <= doubtful_slack))
         return; /* the arm can't take this pose */
 
@@ -213,24 +206,23 @@ static void solve(
         const double w2 = sqrt(S2 * S2 + v9 * v9);
         const int free2 = w2 <= free_limit_squared2;
         const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-        const double c2 = free2 ? cos(v2) : -(v9 * factor2), s2 = free2 ? sin(v2) : S2 * factor2;
+        const double c2 = free2 ? cos(v10) : -(v9 * factor2), s2 = free2 ? sin(v10) : S2 * factor2;
         const double theta2 = atan2(s2, c2);
 
         /* is the pose one that the arm can take? */
         const double c2m3 = c3 * c2 + s3 * s2;
         const double s2m3 = c3 * s2 - s3 * c2;
-        const double v10 = a3 * c2m3 + (v5 + a2 * c2);
-        if (!(fabs(T34 - (a3 * s2m3 + (a2 * s2 + v11))) <= doubtful_slack1 && fabs(T14 + c1 * v10)
-            <= doubtful_slack1 && fabs(T24 + s1 * v10) <= doubtful_slack1))
+        const double v11 = a3 * c2m3 + (a2 * c2 - v5);
+        if (!(fabs(T34 - (a3 * s2m3 + (a2 * s2 + v12))) <= doubtful_slack1 && fabs(T14 - v2 * v11)
+            <= doubtful_slack1 && fabs(T24 + s1 * v11) <= doubtful_slack1))
             continue; /* the arm can't take this pose */
 
         /* joint values */
         const double q2 = dhgen_wrap(theta2 - offset2);
         const double q4 = dhgen_wrap(theta2 - q3 - theta2m3m4);
-        const int free2_ = free2m3m4 || free2;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-        status[row] = (free1 || free2_ || free2m3m4 || free2m3m4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free2 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
@@ -239,7 +231,7 @@ static void solve(
 static const double
     /* square of a length that fixes no angle [mm^2] */
     doubt_limit_squared2 = 0.0012602499999999999,
-    m1 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m1 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [mm^4] */
     m2 = 65755.87888877846,
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [mm^4] */
@@ -280,7 +272,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* is the pose one that the arm can take? */
     const dhgen_wide v11 = -Z2_3 - v6, v12 = d1 + v5, v13 = T33 * factor2m3m4 - T33,
-        v14 = T23 - factor2m3m4 * (s1 * T31), v15 = T13 + factor2m3m4 * (v3 * T31), v16 = v1 - 1.0,
+        v14 = factor2m3m4 * (s1 * T31) - T23, v15 = T13 + factor2m3m4 * (v3 * T31), v16 = v1 - 1.0,
         v17 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9))),
         v18 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9))),
         v19 = T14 - v3 * v11, v20 = T24 + s1 * v11, v21 = v19 * v19, v22 = v20 * v20,
@@ -338,7 +330,7 @@ DHGEN_INLINE int solve_regular(
 
     /* is the pose one that the arm can take? */
     const double v10 = -Z2_3 - v6, v11 = d1 + v5, v12 = T33 * factor2m3m4 - T33,
-        v13 = T23 - factor2m3m4 * (s1 * T31), v14 = T13 + factor2m3m4 * (v3 * T31), v15 = v1 - 1.0;
+        v13 = factor2m3m4 * (s1 * T31) - T23, v14 = T13 + factor2m3m4 * (v3 * T31), v15 = v1 - 1.0;
     const dhgen_four v16 = T34 - (v11 + factor2 * (a2 * S2) + factor2 * (a3 * (v7 + v8)));
     const double v17 = T14 - v3 * v10, v18 = T24 + s1 * v10, v19 = v17 * v17, v20 = v18 * v18;
     const dhgen_four v21 = v20 + (v19 + v16 * v16);
@@ -382,12 +374,12 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[4] = { 3, 2, 1, 0 };
+static const int choosable[1] = { 1 };
 static const struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.002817, 0.002817, 0.002817, 1.0, 1.0, 1.0 }, 0.0028169014084507044, entries, 9,
-    0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 4, NULL, 0, 52,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
+    choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,

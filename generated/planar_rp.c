@@ -96,7 +96,7 @@ static void solve(
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
         const int row = i1;
         q[row][0] = q1; q[row][1] = r2;
-        status[row] = (free1) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 

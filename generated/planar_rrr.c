@@ -30,7 +30,7 @@ static const double
     a1 = 0.4, /* link length 1 [m] */
     a2 = 0.3, /* link length 2 [m] */
     a3 = 0.15, /* link length 3 [m] */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    free_limit = 1e-12, /* a length that fixes no angle */
     longest2 = 0.48999999999999994, /* square of the longest reach [m^2] */
     shortest2 = 0.010000000000000007, /* square of the shortest reach [m^2] */
     longest2_reach = 0.490000000000119, /* the longest, with what rounding adds [m^2] */
@@ -100,32 +100,27 @@ static void solve(
 
     /* theta123, type 3: U0[1, 2] and U0[2, 2] */
     const double w123 = sqrt(T21 * T21 + T11 * T11);
-    const int free123 = w123 <= free_limit_squared;
-    const double v1 = 1.0 / (free123 ? 1.0 : w123), v2 = seed[0] + seed[1] + seed[2];
-    const double c123 = free123 ? cos(v2) : T11 * v1, s123 = free123 ? sin(v2) : T21 * v1;
+    const int short123 = w123 <= free_limit;
+    const double v1 = 1.0 / (short123 ? 1.0 : w123);
+    const double c123 = T11 * v1, s123 = T21 * v1;
     const double theta123 = atan2(s123, c123);
 
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
-    const double v3 = c123 * a3;
-    const double Z1_2 = T14 - v3;
-    const double v4 = s123 * a3;
-    const double Z2_2 = T24 - v4;
+    const double v2 = c123 * a3;
+    const double Z1_2 = T14 - v2;
+    const double v3 = s123 * a3;
+    const double Z2_2 = T24 - v3;
     const double N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
     const double K2 = N2 - k1;
     const double D2 = (longest2 - N2) * (N2 - shortest2);
     const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
-    if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) {
-        if (free123) dhgen_lose(DHGEN_LOST + 1, D2, q[0], &status[0]);
-        if (free123) dhgen_lose(DHGEN_LOST + 2, D2, q[0], &status[0]);
-        if (free123) dhgen_lose(DHGEN_LOST + 3, D2, q[0], &status[0]);
-        return; /* out of reach */
-    }
+    if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) return; /* out of reach */
     const double w2 = sqrt(apart2 ? D2 : 0.0);
     const double c2 = K2 * k2;
 
     /* theta1, type 3: U0[2, 4] and U0[1, 4] */
     const double X1_1 = a1 + a2 * c2;
-    const double v5 = Z2_2 * X1_1, v6 = Z1_2 * X1_1;
+    const double v4 = Z2_2 * X1_1, v5 = Z1_2 * X1_1;
 
     /* is the pose one that the arm can take? */
     if (!(fabs(T34) <= pose_slack1 && fabs(T33 - 1.0) <= pose_slack && fabs(T31) <= pose_slack &&
@@ -142,8 +137,8 @@ static void solve(
 
         /* theta1 */
         const double Y1_1 = a2 * s2;
-        const double S1 = v5 - Z1_2 * Y1_1;
-        const double C1 = v6 + Z2_2 * Y1_1;
+        const double S1 = v4 - Z1_2 * Y1_1;
+        const double C1 = v5 + Z2_2 * Y1_1;
         const double w1 = sqrt(S1 * S1 + C1 * C1);
         const int free1 = w1 <= free_limit_squared2;
         const double factor1 = 1.0 / (free1 ? 1.0 : w1);
@@ -153,16 +148,15 @@ static void solve(
 
         /* is the pose one that the arm can take? */
         const double c12 = c2 * c1 - s2 * s1, s12 = c2 * s1 + s2 * c1;
-        if (!(fabs(T14 - (a2 * c12 + (v3 + a1 * c1))) <= pose_slack1 && fabs(T24 - (a2 * s12 + (v4 +
+        if (!(fabs(T14 - (a2 * c12 + (v2 + a1 * c1))) <= pose_slack1 && fabs(T24 - (a2 * s12 + (v3 +
             a1 * s1))) <= pose_slack1))
             continue; /* the arm can't take this pose */
 
         /* joint values */
         const double q3 = dhgen_wrap(theta123 - (q2 + q1));
-        const int free1_ = free123 || free1;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
-        status[row] = (free1_ || free123 || free123) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
@@ -298,13 +292,12 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 2, 1, 0 };
-static const int together[3] = { 0, 1, 2 };
+static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     3, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.176, 1.176, 1.176, 1.0, 1.0, 1.0 }, 1.1764705882352942, entries, 9,
-    0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, together, 3, 52,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
+    choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,

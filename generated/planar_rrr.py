@@ -64,7 +64,7 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 a1 = 0.4  # link length 1 [m]
 a2 = 0.3  # link length 2 [m]
 a3 = 0.15  # link length 3 [m]
-free_limit_squared = 1e-24  # square of a length that fixes no angle
+free_limit = 1e-12  # a length that fixes no angle
 longest2 = 0.48999999999999994  # square of the longest reach [m^2]
 shortest2 = 0.010000000000000007  # square of the shortest reach [m^2]
 longest2_reach = 0.490000000000119  # the longest, with what rounding adds [m^2]
@@ -160,54 +160,37 @@ def jacobian(q):
     return J
 
 
-_LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
-_NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
-
-
 @_inner
 def _solve(pose, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-
-    The first value of a row that is _LOST says how far it is from a solution (negative).
-    """
+    """Fills the rows of the branches that have a solution, and no others."""
     T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
 
     # theta123, type 3: U0[1, 2] and U0[2, 2]
     w123 = math.sqrt(T21 * T21 + T11 * T11)
-    free123 = w123 <= free_limit_squared
-    v1 = 1.0 / (1.0 if free123 else w123)
-    v2 = seed[0] + seed[1] + seed[2]
-    c123 = math.cos(v2) if free123 else T11 * v1
-    s123 = math.sin(v2) if free123 else T21 * v1
+    short123 = w123 <= free_limit
+    v1 = 1.0 / (1.0 if short123 else w123)
+    c123 = T11 * v1
+    s123 = T21 * v1
     theta123 = _atan2(s123, c123)
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
-    v3 = c123 * a3
-    Z1_2 = T14 - v3
-    v4 = s123 * a3
-    Z2_2 = T24 - v4
+    v2 = c123 * a3
+    Z1_2 = T14 - v2
+    v3 = s123 * a3
+    Z2_2 = T24 - v3
     N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
     K2 = N2 - k1
     D2 = (longest2 - N2) * (N2 - shortest2)
     apart2 = shortest2_apart < N2 and N2 < longest2_apart
     if not (shortest2_reach <= N2 and N2 <= longest2_reach):
-        if free123:
-            status[0] = _LOST + 1
-            q[0, 0] = D2
-        if free123:
-            status[0] = _LOST + 2
-            q[0, 0] = D2
-        if free123:
-            status[0] = _LOST + 3
-            q[0, 0] = D2
         return  # out of reach
     w2 = math.sqrt(D2 if apart2 else 0.0)
     c2 = K2 * k2
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     X1_1 = a1 + a2 * c2
-    v5 = Z2_2 * X1_1
-    v6 = Z1_2 * X1_1
+    v4 = Z2_2 * X1_1
+    v5 = Z1_2 * X1_1
 
     # is the pose one that the arm can take?
     if (
@@ -227,8 +210,8 @@ def _solve(pose, seed, q, status):
 
         # theta1
         Y1_1 = a2 * s2
-        S1 = v5 - Z1_2 * Y1_1
-        C1 = v6 + Z2_2 * Y1_1
+        S1 = v4 - Z1_2 * Y1_1
+        C1 = v5 + Z2_2 * Y1_1
         w1 = math.sqrt(S1 * S1 + C1 * C1)
         free1 = w1 <= free_limit_squared2
         factor1 = 1.0 / (1.0 if free1 else w1)
@@ -240,19 +223,18 @@ def _solve(pose, seed, q, status):
         c12 = c2 * c1 - s2 * s1
         s12 = c2 * s1 + s2 * c1
         if (
-            not (abs(T14 - (a2 * c12 + (v3 + a1 * c1))) <= pose_slack1 and abs(T24 - (a2 * s12 + (v4
+            not (abs(T14 - (a2 * c12 + (v2 + a1 * c1))) <= pose_slack1 and abs(T24 - (a2 * s12 + (v3
             + a1 * s1))) <= pose_slack1)
         ):
             continue  # the arm can't take this pose
 
         # joint values
         q3 = _wrap(theta123 - (q2 + q1))
-        free1_ = free123 or free1
         row = i1
         q[row, 0] = q1
         q[row, 1] = q2
         q[row, 2] = q3
-        status[row] = FREE_JOINT if free1_ or free123 or free123 else OK
+        status[row] = FREE_JOINT if free1 else OK
 
 
 @_njit(forceinline=True)
@@ -261,222 +243,6 @@ def _read(T):
     valid, pose = _read_rows(T)
     px, py, pz = pose[3], pose[7], pose[11]
     return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
-
-
-@_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % turn, angle)
-
-
-_CHOOSABLE = (2, 1, 0,)  # joints, from 0, that may be free
-
-
-@_inner
-def _serves(search, q, status):
-    """Whether a row was solved, as exactly as poses may be rounded."""
-    return status[search[0]] != UNREACHABLE and status[search[0]] < _LOST
-
-
-@_inner
-def _shortfall(pose, row, q, status):
-    """How far a row is from a solution: 0 if it is solved.
-    """
-    if status[row] >= _LOST:
-        return q[row, 0]
-    return -math.inf if status[row] == UNREACHABLE else 0.0
-
-
-@_inner
-def _attempt(pose, seed, search, moved, q, status):
-    """Solves with a joint moved: 0 if it serves, else less.
-
-    A search is a row, the joint that had been chosen, whether limits count.
-    """
-    row, joint = search[0], search[1]
-    for i in range(2):
-        status[i] = UNREACHABLE
-    kept = seed[joint]
-    seed[joint] = kept + moved
-    _solve(pose, seed, q, status)
-    seed[joint] = kept
-    return _shortfall(pose, row, q, status)
-
-
-@_inner
-def _peak(pose, seed, search, low, high, q, status):
-    """Golden section for the move between low and high that comes nearest, or one that serves."""
-    for _ in range(52):
-        third = 0.3819660112501051 * (high - low)
-        left = _attempt(pose, seed, search, low + third, q, status)
-        right = _attempt(pose, seed, search, high - third, q, status)
-        if left == 0.0 or right == 0.0:
-            return low + third if left == 0.0 else high - third
-        if left >= right:
-            high -= third
-        else:
-            low += third
-    return low
-
-
-@_inner
-def _summit(pose, seed, search, low, high, q, status):
-    """A move between low and high that serves; NaN if there is none."""
-    top = _peak(pose, seed, search, low, high, q, status)
-    if _attempt(pose, seed, search, top, q, status) == 0.0:
-        return top
-    # beside a place where the branches meet, this one has no solution of its own
-    for moved in (top - 1e-09, top + 1e-09):
-        if math.isinf(_attempt(pose, seed, search, moved, q, status)):
-            return math.nan
-    _attempt(pose, seed, search, top, q, status)
-    return top if _serves(search, q, status) else math.nan
-
-
-@_inner
-def _serving(pose, seed, search, q, status):
-    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
-
-    A fan of values shows where it serves or nearly so, golden section finds what lies between two
-    of them, bisection the end that is nearest to the seed; of two that are equally near the lower
-    one.
-    """
-    if _attempt(pose, seed, search, 0.0, q, status) == 0.0:
-        return 0.0
-    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
-    after = _attempt(pose, seed, search, -32.0 * step, q, status)
-    for k in range(-32, 32 + 1):
-        before, here = here, after
-        after = _attempt(pose, seed, search, (k + 1) * step, q, status)
-        outer = k * step
-        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
-        if here < 0.0 and here >= before and here > after:
-            low, high = outer - step, outer + step
-            outer = _summit(pose, seed, search, low, high, q, status)
-            if math.isnan(outer):
-                continue
-        elif here < 0.0 or (before if k > 0 else after) == 0.0:
-            continue
-        for _ in range(52):
-            middle = 0.5 * (inner + outer)
-            if _attempt(pose, seed, search, middle, q, status) == 0.0:
-                outer = middle
-            else:
-                inner = middle
-        if not abs(outer) >= abs(nearest) - 1e-09:
-            nearest = outer
-    return nearest
-
-
-@_inner
-def _serving_digits(pose, seed, search, q, status):
-    """The same for a joint that is nearly free: its angle is known to few digits.
-
-    Also where the arm just reaches (an elbow that is stretched). As long as the angle is right up
-    to rounding of what it was taken from, `_solve` takes it as it would take its own.
-    """
-    before, past = np.full(2, -math.inf), np.zeros(2)
-    moved = 1e-15
-    while moved < 0.1:
-        for way in range(2):
-            there = -moved if way else moved
-            here = _attempt(pose, seed, search, there, q, status)
-            if here == 0.0:
-                return there
-            if here < 2.0 * before[way] and past[way] == 0.0:
-                past[way] = 1.0
-                low = 0.25 * there
-                top = _summit(pose, seed, search, low, there, q, status)
-                if not math.isnan(top):
-                    return top
-            before[way] = here
-        moved *= 2.0
-    return math.nan
-
-
-@_inner
-def _nearest_miss(pose, seed, search, q, status):
-    """How far a free joint has to be moved until the arm comes nearest to its pose."""
-    step = 0.09817477042468103
-    first = _attempt(pose, seed, search, 0.0, q, status)
-    best, at = first, 0.0
-    for k in range(-32, 32 + 1):
-        here = _attempt(pose, seed, search, k * step, q, status)
-        if here > best:
-            best, at = here, k * step
-    at = _peak(pose, seed, search, at - step, at + step, q, status)
-    return at if _attempt(pose, seed, search, at, q, status) > first else 0.0
-
-
-@_inner
-def _serving_in_turn(pose, seed, search, q, status):
-    """Several joints are free, and none serves by itself: the search and the move that do.
-
-    In turn each is moved to where the arm comes nearest, until one serves.
-    """
-    for k in range(12):
-        moved = _nearest_miss(pose, seed, search, q, status)
-        if k > 0 and moved == 0.0:
-            break
-        seed[search[1]] += moved
-        search = search[0], (0, 1, 2)[k % 3], False
-        moved = _serving(pose, seed, search, q, status)
-        if not math.isnan(moved):
-            return search, moved
-    return search, math.nan
-
-
-@_inner
-def _choose_again(pose, given, row, q, status):
-    """A free joint took the seed's value, and then the arm could not reach.
-
-    The joint takes the nearest value that serves.
-    """
-    nearly = status[row] > _NEARLY
-    search = row, status[row] - (_NEARLY if nearly else _LOST) - 1, False
-    seed, trial, result = given.copy(), q.copy(), status.copy()
-    if nearly:
-        seed[search[1]] = q[row, 1]
-        moved = _serving_digits(pose, seed, search, trial, result)
-    else:
-        seed[search[1]] = _without_turns(seed[search[1]])
-        moved = _serving(pose, seed, search, trial, result)
-        if math.isnan(moved):
-            search, moved = _serving_in_turn(pose, seed, search, trial, result)
-    _attempt(pose, seed, search, moved, trial, result)
-    served = not math.isnan(moved) and _serves(search, trial, result)
-    status[row] = result[row] if served else UNREACHABLE
-    for i in range(3):
-        q[row, i] = trial[row, i] if served else math.nan
-
-
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
-def _other_choices(pose, seed, q, status):
-    """Other values for free joints, in rows that the seed's do not serve."""
-    for row in range(2):
-        if status[row] >= _LOST:
-            _choose_again(pose, seed, row, q, status)
-
-
-@_inner
-def _choose(pose, seed, q, status):
-    """The same where there is a row that needs it."""
-    served = True
-    for row in range(2):
-        served = served and status[row] < _LOST
-    if served:
-        return
-    # arrays of the caller may have any layout
-    values, rows, kinds = np.empty(3), np.empty((2, 3)), np.empty(2, np.uint8)
-    for row in range(2):
-        kinds[row] = status[row]
-        for i in range(3):
-            values[i], rows[row, i] = seed[i], q[row, i]
-    _other_choices(pose, values, rows, kinds)
-    for row in range(2):
-        status[row] = kinds[row]
-        for i in range(3):
-            q[row, i] = rows[row, i]
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
@@ -628,7 +394,6 @@ def _whole(pose, seed, q, status):
         for i in range(3):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    _choose(pose, seed, q, status)
     _stay(pose, seed, q, status)
     count = 0
     for row in range(2):

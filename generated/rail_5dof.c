@@ -31,9 +31,8 @@ static const double
     a1 = 2.0, /* link length 2 [m] */
     d3 = 1.0, /* joint offset 3 [m] */
     d5 = 3.0, /* joint offset 5 [m] */
-    free_limit_squared2 = 3.6e-23, /* square of a length that fixes no angle [m^2] */
+    free_limit2 = 3.6e-11, /* a length that fixes no angle [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
     doubtful_slack = 0.01, /* a row may miss the pose by this before it is tightened */
     doubtful_slack1 = 0.06; /* a row may miss the pose by this before it is tightened [m] */
 
@@ -146,27 +145,26 @@ static void solve(
     const double v1 = d3 * (wx - a1);
     const double C2 = d3 * wy;
     const double w2 = sqrt(v1 * v1 + C2 * C2);
-    const int free2 = w2 <= free_limit_squared2;
-    const double v2 = 1.0 / (free2 ? 1.0 : w2);
-    const double c2 = free2 ? cos(seed[1]) : -(C2 * v2), s2 = free2 ? sin(seed[1]) : v1 * v2;
-    const double q2 = atan2(s2, c2);
+    const int short2 = w2 <= free_limit2;
+    const double v2 = 1.0 / (short2 ? 1.0 : w2), v3 = C2 * v2;
+    const double s2 = v1 * v2;
+    const double q2 = atan2(s2, -v3);
 
     /* theta3, type 2: U3[2, 3] */
-    const double X3 = T13 * c2 + T23 * s2;
+    const double X3 = T23 * s2 - T13 * v3;
     const double w3 = sqrt(X3 * X3 + T33 * T33);
     const int free3 = w3 <= free_limit;
     const double divisor3 = free3 ? 1.0 : w3;
 
     /* theta4, type 3: U3[3, 3] and U3[1, 3] */
-    const double Z1_4 = T23 * c2 - T13 * s2;
-    const double v3 = Z1_4 * Z1_4;
+    const double v4 = T23 * v3 + T13 * s2, v5 = v4 * v4;
 
     /* theta5, type 3: U3[2, 2] and U3[2, 1] */
-    const double v5 = T12 * c2 + T22 * s2, v6 = T11 * c2 + T21 * s2;
+    const double v7 = T22 * s2 - T12 * v3, v8 = T21 * s2 - T11 * v3;
 
     /* is the pose one that the arm can take? */
-    const double v9 = T34 - wz, v11 = T14 - a1, v12 = c2 * v11 + T24 * s2,
-        v13 = T21 * c2 - T11 * s2, v14 = T24 * c2 - s2 * v11;
+    const double v13 = T34 - wz, v15 = T14 - a1, v16 = T24 * s2 - v3 * v15,
+        v17 = T11 * s2 + T21 * v3, v18 = s2 * v15 + T24 * v3;
 
     for (int i1 = 0; i1 < 2; i1++) { /* noflip, flip */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -179,44 +177,41 @@ static void solve(
         const double root3 = w3 * e1;
 
         /* theta4 */
-        const double w4 = sqrt(root3 * root3 + v3);
-        const int free4 = w4 <= free_limit_squared;
-        const double v4 = 1.0 / (free4 ? 1.0 : w4);
-        const double c4 = free4 ? cos(seed[3]) : -(Z1_4 * v4),
-            s4 = free4 ? sin(seed[3]) : root3 * v4;
+        const double w4 = sqrt(root3 * root3 + v5);
+        const int short4 = w4 <= free_limit;
+        const double v6 = 1.0 / (short4 ? 1.0 : w4);
+        const double c4 = v4 * v6, s4 = root3 * v6;
         const double q4 = atan2(s4, c4);
 
         /* theta5 */
-        const double C5 = s3 * v5 - T32 * c3;
-        const double S5 = s3 * v6 - T31 * c3;
+        const double C5 = s3 * v7 - T32 * c3;
+        const double S5 = s3 * v8 - T31 * c3;
         const double w5 = sqrt(S5 * S5 + C5 * C5);
-        const int free5 = w5 <= free_limit_squared;
-        const double v7 = 1.0 / (free5 ? 1.0 : w5);
-        const double c5 = free5 ? cos(seed[4]) : -(C5 * v7), s5 = free5 ? sin(seed[4]) : -(S5 * v7);
-        const double q5 = atan2(s5, c5);
+        const int short5 = w5 <= free_limit;
+        const double v9 = 1.0 / (short5 ? 1.0 : w5), v10 = C5 * v9, v11 = S5 * v9;
+        const double q5 = atan2(-v11, -v10);
 
         /* is the pose one that the arm can take? */
-        const double v8 = s3 * s4, v10 = c3 * s4;
-        if (!(fabs(v9 + d5 * v8) <= doubtful_slack1 && fabs(T33 + v8) <= doubtful_slack && fabs(T31
-            - (c5 * (s3 * c4) + c3 * s5)) <= doubtful_slack && fabs(v14 + (d3 + d5 * c4)) <=
-            doubtful_slack1 && fabs(Z1_4 + c4) <= doubtful_slack && fabs(v13 + s4 * c5) <=
-            doubtful_slack && fabs(v12 + d5 * v10) <= doubtful_slack1 && fabs(v6 - (c5 * (c3 * c4) -
-            s3 * s5)) <= doubtful_slack && fabs(X3 + v10) <= doubtful_slack))
+        const double v12 = s3 * s4, v14 = c3 * s4;
+        if (!(fabs(v13 + d5 * v12) <= doubtful_slack1 && fabs(T33 + v12) <= doubtful_slack &&
+            fabs(T31 + (v10 * (s3 * c4) + c3 * v11)) <= doubtful_slack && fabs(d3 + d5 * c4 - v18)
+            <= doubtful_slack1 && fabs(c4 - v4) <= doubtful_slack && fabs(v17 + s4 * v10) <=
+            doubtful_slack && fabs(v16 + d5 * v14) <= doubtful_slack1 && fabs(v8 - (s3 * v11 - v10 *
+            (c3 * c4))) <= doubtful_slack && fabs(X3 + v14) <= doubtful_slack))
             continue; /* the arm can't take this pose */
         const int row = i1;
         q[row][0] = wz; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-        status[row] = (free2 || free3 || free4 || free5) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free3 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
 #ifndef RAIL_5DOF_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 static const double
-    m1 = 1.296e-13, /* doubt_limit_squared2^2 [m^4] */
+    m1 = 1.296e-05, /* doubt_limit2^2 [m^4] */
     m2 = 9.999999999999999e-09, /* doubt_limit^2 */
-    m4 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
-    m5 = 3.6000000000000004e-23, /* exact_slack1^2 [m^2] */
-    m6 = 1e-24; /* exact_slack^2 */
+    m4 = 3.6000000000000004e-23, /* exact_slack1^2 [m^2] */
+    m5 = 1e-24; /* exact_slack^2 */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -253,8 +248,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* is the pose one that the arm can take? */
     const dhgen_wide v17 = v7 * s4, v18 = v6 * s4, v19 = T14 - a1, v20 = T34 - q1_p - d5 * v17,
         v21 = T33 - v17, v22 = v3 * v15, v23 = T31 - v3 * (v22 * (v7 * c4) + v8 * v16),
-        v24 = d3 + v3 * (d5 * c4) - v3 * (T24 * C2 + s2 * v19), v25 = v3 * (c4 - v9),
-        v26 = v3 * (C2 * T21 + s2 * T11 + s4 * v15), v27 = v3 * (T24 * s2 - C2 * v19 - d5 * v18),
+        v24 = d3 + v3 * (d5 * c4) - v3 * (s2 * v19 + T24 * C2), v25 = v3 * (c4 - v9),
+        v26 = v3 * (s2 * T11 + C2 * T21 + s4 * v15), v27 = v3 * (T24 * s2 - C2 * v19 - d5 * v18),
         v28 = v3 * (v12 - (v22 * (v8 * c4) - v7 * v16)), v29 = v3 * (X3 - v18);
 
     q[0] = q1_p; q[1] = angle1; q[2] = angle2; q[3] = angle3; q[4] = angle4;
@@ -264,8 +259,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[1] = dhgen_kind_wide(q[5]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] * T[3] * T[3] + T[7] *
         T[7] * T[7] + T[11] * T[11] * T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v4 <= m2) | (v2 <= m1) | (v10 <= m4) | (v13 <= m4) | (m6 < v21 * v21 +
-        v23 * v23 + v25 * v25 + v26 * v26 + v28 * v28 + v29 * v29) | (m5 < v20 * v20 + v24 * v24 +
+    return (exact == 0) | ((v4 <= m2) | (v2 <= m1) | (v10 <= m2) | (v13 <= m2) | (m5 < v21 * v21 +
+        v23 * v23 + v25 * v25 + v26 * v26 + v28 * v28 + v29 * v29) | (m4 < v20 * v20 + v24 * v24 +
         v27 * v27));
 }
 
@@ -308,13 +303,13 @@ DHGEN_INLINE int solve_regular(
     /* is the pose one that the arm can take? */
     const double v20 = v7 * s4, v21 = v6 * s4, v22 = T14 - a1, v23 = T34 - q1 - d5 * v20,
         v24 = T33 - v20, v25 = v3 * v17, v26 = T31 - v3 * (v25 * (v7 * c4) + v8 * v18),
-        v27 = d3 + v3 * (d5 * c4) - v3 * (T24 * C2 + s2 * v22), v28 = v3 * (c4 - v11),
-        v29 = v3 * (C2 * T21 + s2 * T11 + s4 * v17), v30 = v3 * (T24 * s2 - C2 * v22 - d5 * v21),
+        v27 = d3 + v3 * (d5 * c4) - v3 * (s2 * v22 + T24 * C2), v28 = v3 * (c4 - v11),
+        v29 = v3 * (s2 * T11 + C2 * T21 + s4 * v17), v30 = v3 * (T24 * s2 - C2 * v22 - d5 * v21),
         v31 = v3 * (v14 - (v25 * (v8 * c4) - v7 * v18)), v32 = v3 * (X3 - v21);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0)) | (unsigned)((v4 <=
-        m2) | (v2 <= m1) | (v12 <= m4) | (v15 <= m4) | (m6 < v24 * v24 + v26 * v26 + v28 * v28 + v29
-        * v29 + v31 * v31 + v32 * v32) | (m5 < v23 * v23 + v27 * v27 + v30 * v30)))
+        m2) | (v2 <= m1) | (v12 <= m2) | (v15 <= m2) | (m5 < v24 * v24 + v26 * v26 + v28 * v28 + v29
+        * v29 + v31 * v31 + v32 * v32) | (m4 < v23 * v23 + v27 * v27 + v30 * v30)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(v1, -v7, s4, -v18),
@@ -344,12 +339,12 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[4] = { 4, 3, 2, 1 };
+static const int choosable[1] = { 2 };
 static const struct dhgen_arm arm = {
     5, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.1667, 0.1667, 0.1667, 1.0, 1.0, 1.0 }, 0.16666666666666666, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 4, NULL, 0, 52,
+    choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,

@@ -65,16 +65,14 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 a1 = 2.0  # link length 2 [m]
 d3 = 1.0  # joint offset 3 [m]
 d5 = 3.0  # joint offset 5 [m]
-free_limit_squared2 = 3.6e-23  # square of a length that fixes no angle [m^2]
+free_limit2 = 3.6e-11  # a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
-free_limit_squared = 1e-24  # square of a length that fixes no angle
 doubtful_slack = 0.01  # a row may miss the pose by this before it is tightened
 doubtful_slack1 = 0.06  # a row may miss the pose by this before it is tightened [m]
-m1 = 1.296e-13  # doubt_limit_squared2^2 [m^4]
+m1 = 1.296e-05  # doubt_limit2^2 [m^4]
 m2 = 9.999999999999999e-09  # doubt_limit^2
-m4 = 9.999999999999997e-17  # doubt_limit_squared^2
-m5 = 3.6000000000000004e-23  # exact_slack1^2 [m^2]
-m6 = 1e-24  # exact_slack^2
+m4 = 3.6000000000000004e-23  # exact_slack1^2 [m^2]
+m5 = 1e-24  # exact_slack^2
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -495,32 +493,32 @@ def _solve(pose, seed, q, status):
     v1 = d3 * (wx - a1)
     C2 = d3 * wy
     w2 = math.sqrt(v1 * v1 + C2 * C2)
-    free2 = w2 <= free_limit_squared2
-    v2 = 1.0 / (1.0 if free2 else w2)
-    c2 = math.cos(seed[1]) if free2 else -(C2 * v2)
-    s2 = math.sin(seed[1]) if free2 else v1 * v2
-    q2 = _atan2(s2, c2)
+    short2 = w2 <= free_limit2
+    v2 = 1.0 / (1.0 if short2 else w2)
+    v3 = C2 * v2
+    s2 = v1 * v2
+    q2 = _atan2(s2, -v3)
 
     # theta3, type 2: U3[2, 3]
-    X3 = T13 * c2 + T23 * s2
+    X3 = T23 * s2 - T13 * v3
     w3 = math.sqrt(X3 * X3 + T33 * T33)
     free3 = w3 <= free_limit
     divisor3 = 1.0 if free3 else w3
 
     # theta4, type 3: U3[3, 3] and U3[1, 3]
-    Z1_4 = T23 * c2 - T13 * s2
-    v3 = Z1_4 * Z1_4
+    v4 = T23 * v3 + T13 * s2
+    v5 = v4 * v4
 
     # theta5, type 3: U3[2, 2] and U3[2, 1]
-    v5 = T12 * c2 + T22 * s2
-    v6 = T11 * c2 + T21 * s2
+    v7 = T22 * s2 - T12 * v3
+    v8 = T21 * s2 - T11 * v3
 
     # is the pose one that the arm can take?
-    v9 = T34 - wz
-    v11 = T14 - a1
-    v12 = c2 * v11 + T24 * s2
-    v13 = T21 * c2 - T11 * s2
-    v14 = T24 * c2 - s2 * v11
+    v13 = T34 - wz
+    v15 = T14 - a1
+    v16 = T24 * s2 - v3 * v15
+    v17 = T11 * s2 + T21 * v3
+    v18 = s2 * v15 + T24 * v3
 
     for i1 in range(2):  # noflip, flip
         e1 = 1.0 - 2.0 * i1
@@ -534,32 +532,32 @@ def _solve(pose, seed, q, status):
         root3 = w3 * e1
 
         # theta4
-        w4 = math.sqrt(root3 * root3 + v3)
-        free4 = w4 <= free_limit_squared
-        v4 = 1.0 / (1.0 if free4 else w4)
-        c4 = math.cos(seed[3]) if free4 else -(Z1_4 * v4)
-        s4 = math.sin(seed[3]) if free4 else root3 * v4
+        w4 = math.sqrt(root3 * root3 + v5)
+        short4 = w4 <= free_limit
+        v6 = 1.0 / (1.0 if short4 else w4)
+        c4 = v4 * v6
+        s4 = root3 * v6
         q4 = _atan2(s4, c4)
 
         # theta5
-        C5 = s3 * v5 - T32 * c3
-        S5 = s3 * v6 - T31 * c3
+        C5 = s3 * v7 - T32 * c3
+        S5 = s3 * v8 - T31 * c3
         w5 = math.sqrt(S5 * S5 + C5 * C5)
-        free5 = w5 <= free_limit_squared
-        v7 = 1.0 / (1.0 if free5 else w5)
-        c5 = math.cos(seed[4]) if free5 else -(C5 * v7)
-        s5 = math.sin(seed[4]) if free5 else -(S5 * v7)
-        q5 = _atan2(s5, c5)
+        short5 = w5 <= free_limit
+        v9 = 1.0 / (1.0 if short5 else w5)
+        v10 = C5 * v9
+        v11 = S5 * v9
+        q5 = _atan2(-v11, -v10)
 
         # is the pose one that the arm can take?
-        v8 = s3 * s4
-        v10 = c3 * s4
+        v12 = s3 * s4
+        v14 = c3 * s4
         if (
-            not (abs(v9 + d5 * v8) <= doubtful_slack1 and abs(T33 + v8) <= doubtful_slack and
-            abs(T31 - (c5 * (s3 * c4) + c3 * s5)) <= doubtful_slack and abs(v14 + (d3 + d5 * c4)) <=
-            doubtful_slack1 and abs(Z1_4 + c4) <= doubtful_slack and abs(v13 + s4 * c5) <=
-            doubtful_slack and abs(v12 + d5 * v10) <= doubtful_slack1 and abs(v6 - (c5 * (c3 * c4) -
-            s3 * s5)) <= doubtful_slack and abs(X3 + v10) <= doubtful_slack)
+            not (abs(v13 + d5 * v12) <= doubtful_slack1 and abs(T33 + v12) <= doubtful_slack and
+            abs(T31 + (v10 * (s3 * c4) + c3 * v11)) <= doubtful_slack and abs(d3 + d5 * c4 - v18) <=
+            doubtful_slack1 and abs(c4 - v4) <= doubtful_slack and abs(v17 + s4 * v10) <=
+            doubtful_slack and abs(v16 + d5 * v14) <= doubtful_slack1 and abs(v8 - (s3 * v11 - v10 *
+            (c3 * c4))) <= doubtful_slack and abs(X3 + v14) <= doubtful_slack)
         ):
             continue  # the arm can't take this pose
         row = i1
@@ -568,7 +566,7 @@ def _solve(pose, seed, q, status):
         q[row, 2] = q3
         q[row, 3] = q4
         q[row, 4] = q5
-        status[row] = FREE_JOINT if free2 or free3 or free4 or free5 else OK
+        status[row] = FREE_JOINT if free3 else OK
 
 
 @_njit(forceinline=True)
@@ -911,17 +909,17 @@ def _regular(pose, q, status):
     v21 = T33 - v17
     v22 = v3 * v15
     v23 = T31 - v3 * (v22 * (v7 * c4) + v8 * v16)
-    v24 = d3 + v3 * (d5 * c4) - v3 * (T24 * C2 + s2 * v19)
+    v24 = d3 + v3 * (d5 * c4) - v3 * (s2 * v19 + T24 * C2)
     v25 = v3 * (c4 - v9)
-    v26 = v3 * (C2 * T21 + s2 * T11 + s4 * v15)
+    v26 = v3 * (s2 * T11 + C2 * T21 + s4 * v15)
     v27 = v3 * (T24 * s2 - C2 * v19 - d5 * v18)
     v28 = v3 * (v12 - (v22 * (v8 * c4) - v7 * v16))
     v29 = v3 * (X3 - v18)
 
     # a joint is free, or branches meet
     if (
-        v4 <= m2 or v2 <= m1 or v10 <= m4 or v13 <= m4 or m6 < v21 * v21 + v23 * v23 + v25 * v25 +
-        v26 * v26 + v28 * v28 + v29 * v29 or m5 < v20 * v20 + v24 * v24 + v27 * v27
+        v4 <= m2 or v2 <= m1 or v10 <= m2 or v13 <= m2 or m5 < v21 * v21 + v23 * v23 + v25 * v25 +
+        v26 * v26 + v28 * v28 + v29 * v29 or m4 < v20 * v20 + v24 * v24 + v27 * v27
     ):
         return False
 
@@ -1068,9 +1066,9 @@ def _in_tiles(T, q, status):
             v21 = T33 - v17
             v22 = v3 * v15
             v23 = T31 - v3 * (v22 * (v7 * c4) + v8 * v16)
-            v24 = d3 + v3 * (d5 * c4) - v3 * (T24 * C2 + s2 * v19)
+            v24 = d3 + v3 * (d5 * c4) - v3 * (s2 * v19 + T24 * C2)
             v25 = v3 * (c4 - v9)
-            v26 = v3 * (C2 * T21 + s2 * T11 + s4 * v15)
+            v26 = v3 * (s2 * T11 + C2 * T21 + s4 * v15)
             v27 = v3 * (T24 * s2 - C2 * v19 - d5 * v18)
             v28 = v3 * (v12 - (v22 * (v8 * c4) - v7 * v16))
             v29 = v3 * (X3 - v18)
@@ -1142,8 +1140,8 @@ def _in_tiles(T, q, status):
             work[784 + k] = UNREACHABLE if _656 != _656 else OK
             work[800 + k] = UNREACHABLE if _656 != _656 else OK
             work[256 + k] = (
-                1.0 if v4 <= m2 or v2 <= m1 or v10 <= m4 or v13 <= m4 or m6 < v21 * v21 + v23 * v23
-                + v25 * v25 + v26 * v26 + v28 * v28 + v29 * v29 or m5 < v20 * v20 + v24 * v24 + v27
+                1.0 if v4 <= m2 or v2 <= m1 or v10 <= m2 or v13 <= m2 or m5 < v21 * v21 + v23 * v23
+                + v25 * v25 + v26 * v26 + v28 * v28 + v29 * v29 or m4 < v20 * v20 + v24 * v24 + v27
                 * v27 else work[256 + k]
             )
         for k in range(first, first + count):

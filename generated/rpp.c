@@ -96,7 +96,7 @@ static void solve(
         const double r2 = w2 * e1;
         const int row = i1;
         q[row][0] = q1; q[row][1] = r2; q[row][2] = r3;
-        status[row] = (free1) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 

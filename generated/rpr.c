@@ -120,7 +120,7 @@ static void solve(
             const double r2 = root1 + v3;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = r2; q[row][2] = q3;
-            status[row] = (free1) ? DHGEN_FREE_JOINT : DHGEN_OK;
+            status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }

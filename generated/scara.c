@@ -29,7 +29,7 @@ static const double
     L1 = 0.4, /* link length 1 [m] */
     L2 = 0.3, /* link length 2 [m] */
     L4 = 0.1, /* x of the tool frame [m] */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    free_limit = 1e-12, /* a length that fixes no angle */
     longest2 = 0.48999999999999994, /* square of the longest reach [m^2] */
     shortest2 = 0.010000000000000007, /* square of the shortest reach [m^2] */
     longest2_reach = 0.490000000000112, /* the longest, with what rounding adds [m^2] */
@@ -103,9 +103,9 @@ static void solve(
 
     /* theta124, type 3: U0[1, 2] and U0[2, 2] */
     const double w124 = sqrt(T21 * T21 + T11 * T11);
-    const int free124 = w124 <= free_limit_squared;
-    const double v1 = 1.0 / (free124 ? 1.0 : w124), v2 = seed[0] + seed[1] + seed[3];
-    const double c124 = free124 ? cos(v2) : T11 * v1, s124 = free124 ? sin(v2) : T21 * v1;
+    const int short124 = w124 <= free_limit;
+    const double v1 = 1.0 / (short124 ? 1.0 : w124);
+    const double c124 = T11 * v1, s124 = T21 * v1;
     const double theta124 = atan2(s124, c124);
 
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
@@ -121,7 +121,7 @@ static void solve(
 
     /* theta1, type 3: U0[2, 4] and U0[1, 4] */
     const double X1_1 = L1 + L2 * c2;
-    const double v3 = t24 * X1_1, v4 = t14 * X1_1;
+    const double v2 = t24 * X1_1, v3 = t14 * X1_1;
 
     /* is the pose one that the arm can take? */
     if (!(fabs(T33 - 1.0) <= pose_slack && fabs(T31) <= pose_slack && fabs(T23) <= pose_slack &&
@@ -138,8 +138,8 @@ static void solve(
 
         /* theta1 */
         const double Y1_1 = L2 * s2;
-        const double S1 = v3 - t14 * Y1_1;
-        const double C1 = v4 + t24 * Y1_1;
+        const double S1 = v2 - t14 * Y1_1;
+        const double C1 = v3 + t24 * Y1_1;
         const double w1 = sqrt(S1 * S1 + C1 * C1);
         const int free1 = w1 <= free_limit_squared2;
         const double factor1 = 1.0 / (free1 ? 1.0 : w1);
@@ -155,10 +155,9 @@ static void solve(
 
         /* joint values */
         const double q4 = dhgen_wrap(theta124 - (q2 + q1));
-        const int free1_ = free124 || free1;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = t34; q[row][3] = q4;
-        status[row] = (free1_ || free124 || free124) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
@@ -282,12 +281,12 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
+static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.25, 1.25, 1.25, 1.0, 1.0, 1.0 }, 1.25, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
+    choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,

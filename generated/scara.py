@@ -65,7 +65,7 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 L1 = 0.4  # link length 1 [m]
 L2 = 0.3  # link length 2 [m]
 L4 = 0.1  # x of the tool frame [m]
-free_limit_squared = 1e-24  # square of a length that fixes no angle
+free_limit = 1e-12  # a length that fixes no angle
 longest2 = 0.48999999999999994  # square of the longest reach [m^2]
 shortest2 = 0.010000000000000007  # square of the shortest reach [m^2]
 longest2_reach = 0.490000000000112  # the longest, with what rounding adds [m^2]
@@ -178,11 +178,10 @@ def _solve(pose, seed, q, status):
 
     # theta124, type 3: U0[1, 2] and U0[2, 2]
     w124 = math.sqrt(T21 * T21 + T11 * T11)
-    free124 = w124 <= free_limit_squared
-    v1 = 1.0 / (1.0 if free124 else w124)
-    v2 = seed[0] + seed[1] + seed[3]
-    c124 = math.cos(v2) if free124 else T11 * v1
-    s124 = math.sin(v2) if free124 else T21 * v1
+    short124 = w124 <= free_limit
+    v1 = 1.0 / (1.0 if short124 else w124)
+    c124 = T11 * v1
+    s124 = T21 * v1
     theta124 = _atan2(s124, c124)
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
@@ -199,8 +198,8 @@ def _solve(pose, seed, q, status):
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     X1_1 = L1 + L2 * c2
-    v3 = t24 * X1_1
-    v4 = t14 * X1_1
+    v2 = t24 * X1_1
+    v3 = t14 * X1_1
 
     # is the pose one that the arm can take?
     if (
@@ -219,8 +218,8 @@ def _solve(pose, seed, q, status):
 
         # theta1
         Y1_1 = L2 * s2
-        S1 = v3 - t14 * Y1_1
-        C1 = v4 + t24 * Y1_1
+        S1 = v2 - t14 * Y1_1
+        C1 = v3 + t24 * Y1_1
         w1 = math.sqrt(S1 * S1 + C1 * C1)
         free1 = w1 <= free_limit_squared2
         factor1 = 1.0 / (1.0 if free1 else w1)
@@ -239,13 +238,12 @@ def _solve(pose, seed, q, status):
 
         # joint values
         q4 = _wrap(theta124 - (q2 + q1))
-        free1_ = free124 or free1
         row = i1
         q[row, 0] = q1
         q[row, 1] = q2
         q[row, 2] = t34
         q[row, 3] = q4
-        status[row] = FREE_JOINT if free1_ or free124 or free124 else OK
+        status[row] = FREE_JOINT if free1 else OK
 
 
 @_njit(forceinline=True)
@@ -285,7 +283,7 @@ def _without_turns(angle):
     return math.copysign(abs(angle) % turn, angle)
 
 
-_CHOOSABLE = (3, 1, 0,)  # joints, from 0, that may be free
+_CHOOSABLE = (0,)  # joints, from 0, that may be free
 
 
 @_inner

@@ -1668,7 +1668,7 @@ static const float
     L1 = 0.4f, /* link length 1 [m] */
     L2 = 0.3f, /* link length 2 [m] */
     L4 = 0.1f, /* x of the tool frame [m] */
-    free_limit_squared = 4e-10f, /* square of a length that fixes no angle */
+    free_limit = 2e-05f, /* a length that fixes no angle */
     longest2 = 0.49f, /* square of the longest reach [m^2] */
     shortest2 = 0.01f, /* square of the shortest reach [m^2] */
     longest2_reach = 0.49000448f, /* the longest, with what rounding adds [m^2] */
@@ -1744,9 +1744,9 @@ static void solve(
 
     /* theta124, type 3: U0[1, 2] and U0[2, 2] */
     const float w124 = sqrtf(T21 * T21 + T11 * T11);
-    const int free124 = w124 <= free_limit_squared;
-    const float v1 = 1.0f / (free124 ? 1.0f : w124), v2 = seed[0] + seed[1] + seed[3];
-    const float c124 = free124 ? cosf(v2) : T11 * v1, s124 = free124 ? sinf(v2) : T21 * v1;
+    const int short124 = w124 <= free_limit;
+    const float v1 = 1.0f / (short124 ? 1.0f : w124);
+    const float c124 = T11 * v1, s124 = T21 * v1;
     const float theta124 = atan2f(s124, c124);
 
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
@@ -1762,7 +1762,7 @@ static void solve(
 
     /* theta1, type 3: U0[2, 4] and U0[1, 4] */
     const float X1_1 = L1 + L2 * c2;
-    const float v3 = t24 * X1_1, v4 = t14 * X1_1;
+    const float v2 = t24 * X1_1, v3 = t14 * X1_1;
 
     /* is the pose one that the arm can take? */
     if (!(fabsf(T33 - 1.0f) <= pose_slack && fabsf(T31) <= pose_slack && fabsf(T23) <= pose_slack &&
@@ -1779,8 +1779,8 @@ static void solve(
 
         /* theta1 */
         const float Y1_1 = L2 * s2;
-        const float S1 = v3 - t14 * Y1_1;
-        const float C1 = v4 + t24 * Y1_1;
+        const float S1 = v2 - t14 * Y1_1;
+        const float C1 = v3 + t24 * Y1_1;
         const float w1 = sqrtf(S1 * S1 + C1 * C1);
         const int free1 = w1 <= free_limit_squared2;
         const float factor1 = 1.0f / (free1 ? 1.0f : w1);
@@ -1797,10 +1797,9 @@ static void solve(
 
         /* joint values */
         const float q4 = dhgen_wrap(theta124 - (q2 + q1));
-        const int free1_ = free124 || free1;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = t34; q[row][3] = q4;
-        status[row] = (free1_ || free124 || free124) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
@@ -1867,12 +1866,12 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
+static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f }, 1.25f, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
+    choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,

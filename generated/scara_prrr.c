@@ -29,7 +29,7 @@
 static const double
     a2 = 0.3, /* link length 2 [m] */
     a3 = 0.25, /* link length 3 [m] */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    free_limit = 1e-12, /* a length that fixes no angle */
     longest3 = 0.30250000000000005, /* square of the longest reach [m^2] */
     shortest3 = 0.0024999999999999988, /* square of the shortest reach [m^2] */
     longest3_reach = 0.3025000000000605, /* the longest, with what rounding adds [m^2] */
@@ -97,9 +97,9 @@ static void solve(
 
     /* theta234, type 3: U0[1, 2] and U0[2, 2] */
     const double w234 = sqrt(T21 * T21 + T11 * T11);
-    const int free234 = w234 <= free_limit_squared;
-    const double v1 = 1.0 / (free234 ? 1.0 : w234), v2 = seed[1] + seed[2] + seed[3];
-    const double c234 = free234 ? cos(v2) : T11 * v1, s234 = free234 ? sin(v2) : T21 * v1;
+    const int short234 = w234 <= free_limit;
+    const double v1 = 1.0 / (short234 ? 1.0 : w234);
+    const double c234 = T11 * v1, s234 = T21 * v1;
     const double theta234 = atan2(s234, c234);
 
     /* theta3, type 8: U0[1, 4] and U0[2, 4] */
@@ -113,7 +113,7 @@ static void solve(
 
     /* theta2, type 3: U0[2, 4] and U0[1, 4] */
     const double X1_2 = a2 + a3 * c3;
-    const double v3 = T24 * X1_2, v4 = T14 * X1_2;
+    const double v2 = T24 * X1_2, v3 = T14 * X1_2;
 
     /* is the pose one that the arm can take? */
     if (!(fabs(1.0 + T33) <= pose_slack && fabs(T31) <= pose_slack && fabs(T23) <= pose_slack &&
@@ -130,8 +130,8 @@ static void solve(
 
         /* theta2 */
         const double Y1_2 = a3 * s3;
-        const double S2 = v3 - T14 * Y1_2;
-        const double C2 = v4 + T24 * Y1_2;
+        const double S2 = v2 - T14 * Y1_2;
+        const double C2 = v3 + T24 * Y1_2;
         const double w2 = sqrt(S2 * S2 + C2 * C2);
         const int free2 = w2 <= free_limit_squared2;
         const double factor2 = 1.0 / (free2 ? 1.0 : w2);
@@ -147,10 +147,9 @@ static void solve(
 
         /* joint values */
         const double q4 = dhgen_wrap(theta234 - (q3 + q2));
-        const int free2_ = free234 || free2;
         const int row = i1;
         q[row][0] = T34; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-        status[row] = (free2_ || free234 || free234) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free2 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
@@ -254,12 +253,12 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 2, 1 };
+static const int choosable[1] = { 1 };
 static const struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.818, 1.818, 1.818, 1.0, 1.0, 1.0 }, 1.8181818181818181, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
+    choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,

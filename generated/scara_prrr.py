@@ -64,7 +64,7 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 
 a2 = 0.3  # link length 2 [m]
 a3 = 0.25  # link length 3 [m]
-free_limit_squared = 1e-24  # square of a length that fixes no angle
+free_limit = 1e-12  # a length that fixes no angle
 longest3 = 0.30250000000000005  # square of the longest reach [m^2]
 shortest3 = 0.0024999999999999988  # square of the shortest reach [m^2]
 longest3_reach = 0.3025000000000605  # the longest, with what rounding adds [m^2]
@@ -157,11 +157,10 @@ def _solve(pose, seed, q, status):
 
     # theta234, type 3: U0[1, 2] and U0[2, 2]
     w234 = math.sqrt(T21 * T21 + T11 * T11)
-    free234 = w234 <= free_limit_squared
-    v1 = 1.0 / (1.0 if free234 else w234)
-    v2 = seed[1] + seed[2] + seed[3]
-    c234 = math.cos(v2) if free234 else T11 * v1
-    s234 = math.sin(v2) if free234 else T21 * v1
+    short234 = w234 <= free_limit
+    v1 = 1.0 / (1.0 if short234 else w234)
+    c234 = T11 * v1
+    s234 = T21 * v1
     theta234 = _atan2(s234, c234)
 
     # theta3, type 8: U0[1, 4] and U0[2, 4]
@@ -176,8 +175,8 @@ def _solve(pose, seed, q, status):
 
     # theta2, type 3: U0[2, 4] and U0[1, 4]
     X1_2 = a2 + a3 * c3
-    v3 = T24 * X1_2
-    v4 = T14 * X1_2
+    v2 = T24 * X1_2
+    v3 = T14 * X1_2
 
     # is the pose one that the arm can take?
     if (
@@ -196,8 +195,8 @@ def _solve(pose, seed, q, status):
 
         # theta2
         Y1_2 = a3 * s3
-        S2 = v3 - T14 * Y1_2
-        C2 = v4 + T24 * Y1_2
+        S2 = v2 - T14 * Y1_2
+        C2 = v3 + T24 * Y1_2
         w2 = math.sqrt(S2 * S2 + C2 * C2)
         free2 = w2 <= free_limit_squared2
         factor2 = 1.0 / (1.0 if free2 else w2)
@@ -216,13 +215,12 @@ def _solve(pose, seed, q, status):
 
         # joint values
         q4 = _wrap(theta234 - (q3 + q2))
-        free2_ = free234 or free2
         row = i1
         q[row, 0] = T34
         q[row, 1] = q2
         q[row, 2] = q3
         q[row, 3] = q4
-        status[row] = FREE_JOINT if free2_ or free234 or free234 else OK
+        status[row] = FREE_JOINT if free2 else OK
 
 
 @_njit(forceinline=True)

@@ -126,7 +126,7 @@ static void solve(
         const double q1 = atan2(s1, c1);
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = r3;
-        status[row] = (free1) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 

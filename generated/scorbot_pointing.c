@@ -35,8 +35,7 @@ static const double
     d5 = 0.145, /* joint offset 5 [m] */
     second_weight = 0.952, /* lengths count in arm sizes [m] */
     free_limit1 = 9.52e-13, /* a length that fixes no angle [m] */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
-    offset4 = 1.5707963267948966, /* offset of joint 4 [rad] */
+    free_limit = 1e-12, /* a length that fixes no angle */
     longest3 = 0.195364, /* square of the longest reach [m^2] */
     shortest3 = 0.0, /* square of the shortest reach [m^2] */
     longest3_reach = 0.1953724157706304, /* the longest, with what rounding adds [m^2] */
@@ -47,6 +46,7 @@ static const double
     doubtful_slack = 0.01, /* a row may miss the pose by this before it is tightened */
     /* a row may miss the pose by this before it is tightened [m] */
     doubtful_slack1 = 0.009519999999999999,
+    offset4 = 1.5707963267948966, /* offset of joint 4 [rad] */
     k1 = 0.097682, /* 2 * a3 * a2 [m^2] */
     k2 = 10.237300628570258; /* 1 / k1 [m^-2] */
 
@@ -167,10 +167,10 @@ static void solve(
     const double divisor1 = free1 ? 1.0 : w1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v4 = T33 * T33, v6 = seed[1] + seed[2] + (seed[3] + offset4);
+    const double v4 = T33 * T33;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v8 = T34 - d1;
+    const double v7 = T34 - d1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -184,25 +184,22 @@ static void solve(
         /* theta234 */
         const double Z2_234 = T13 * c1 + T23 * s1;
         const double w234 = sqrt(Z2_234 * Z2_234 + v4);
-        const int free234 = w234 <= free_limit_squared;
-        const double v5 = 1.0 / (free234 ? 1.0 : w234);
-        const double c234 = free234 ? cos(v6) : T33 * v5, s234 = free234 ? sin(v6) : Z2_234 * v5;
+        const int short234 = w234 <= free_limit;
+        const double v5 = 1.0 / (short234 ? 1.0 : w234);
+        const double c234 = T33 * v5, s234 = Z2_234 * v5;
         const double theta234 = atan2(s234, c234);
 
         /* theta3 */
-        const double v7 = c234 * d5;
-        const double Z1_3 = v8 - v7;
-        const double v9 = s234 * d5;
-        const double Z2_3 = T14 * c1 + T24 * s1 - a1 - v9;
+        const double v6 = c234 * d5;
+        const double Z1_3 = v7 - v6;
+        const double v8 = s234 * d5;
+        const double Z2_3 = T14 * c1 + T24 * s1 - a1 - v8;
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
             if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) dhgen_lose(DHGEN_LOST + 2, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) dhgen_lose(DHGEN_LOST + 3, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) dhgen_lose(DHGEN_LOST + 4, D3, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
         const double w3 = sqrt(apart3 ? D3 : 0.0);
@@ -210,10 +207,10 @@ static void solve(
 
         /* theta2, type 3: U1[1, 4] and U1[2, 4] */
         const double Y1_2 = a2 + a3 * c3;
-        const double v11 = Z1_3 * Y1_2, v13 = Z2_3 * Y1_2;
+        const double v10 = Z1_3 * Y1_2, v12 = Z2_3 * Y1_2;
 
         /* is the pose one that the arm can take? */
-        const double v14 = a1 + v9, v16 = d1 + v7;
+        const double v13 = a1 + v8, v15 = d1 + v6;
         if (!(fabs(T33 - c234) <= doubtful_slack && fabs(T13 - c1 * s234) <= doubtful_slack &&
             fabs(T23 - s1 * s234) <= doubtful_slack))
             continue; /* the arm can't take this pose */
@@ -226,29 +223,28 @@ static void solve(
             const double q3 = atan2(s3, c3);
 
             /* theta2 */
-            const double v10 = a3 * s3, v12 = Z2_3 * v10 + v11;
-            const double C2 = v13 - Z1_3 * v10;
-            const double w2 = sqrt(v12 * v12 + C2 * C2);
+            const double v9 = a3 * s3, v11 = Z2_3 * v9 + v10;
+            const double C2 = v12 - Z1_3 * v9;
+            const double w2 = sqrt(v11 * v11 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
             const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
-                s2 = free2 ? sin(seed[1]) : -(v12 * factor2);
+                s2 = free2 ? sin(seed[1]) : -(v11 * factor2);
             const double q2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
-                v15 = a3 * c23 + (a2 * c2 + v14);
-            if (!(fabs(T34 + (a3 * s23 + (a2 * s2 - v16))) <= doubtful_slack1 && fabs(T14 - c1 *
-                v15) <= doubtful_slack1 && fabs(T24 - s1 * v15) <= doubtful_slack1))
+                v14 = a3 * c23 + (a2 * c2 + v13);
+            if (!(fabs(T34 + (a3 * s23 + (a2 * s2 - v15))) <= doubtful_slack1 && fabs(T14 - c1 *
+                v14) <= doubtful_slack1 && fabs(T24 - s1 * v14) <= doubtful_slack1))
                 continue; /* the arm can't take this pose */
 
             /* joint values */
             const double q4 = dhgen_wrap(theta234 - (q3 + q2) - offset4);
-            const int free2_ = free234 || free2;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
             q[row][4] = free_joints[0];
-            status[row] = (free1 || free2_ || free234 || free234) ? DHGEN_FREE_JOINT : DHGEN_OK;
+            status[row] = (free1 || free2) ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }
@@ -257,7 +253,7 @@ static void solve(
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 static const double
     m1 = 9.06304e-09, /* doubt_limit1^2 [m^2] */
-    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m3 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4] */
     m4 = 1.6442094386282138e-06,
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
@@ -463,12 +459,12 @@ static int solve_regular(
 
 static const int given_joints[1] = { 4 };
 static const int entries[6] = { 2, 3, 6, 7, 10, 11 };
-static const int choosable[4] = { 3, 2, 1, 0 };
+static const int choosable[2] = { 1, 0 };
 static const struct dhgen_arm arm = {
     5, 4, 1, DHGEN_POINTING, joints, given_joints, 1,
     { 1.05, 1.05, 1.05, 1.0, 1.0, 1.0 }, 1.050420168067227, entries, 6,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 4, NULL, 0, 52,
+    choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,

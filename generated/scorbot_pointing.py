@@ -75,8 +75,7 @@ a3 = 0.221  # link length 3 [m]
 d5 = 0.145  # joint offset 5 [m]
 second_weight = 0.952  # lengths count in arm sizes [m]
 free_limit1 = 9.52e-13  # a length that fixes no angle [m]
-free_limit_squared = 1e-24  # square of a length that fixes no angle
-offset4 = 1.5707963267948966  # offset of joint 4 [rad]
+free_limit = 1e-12  # a length that fixes no angle
 longest3 = 0.195364  # square of the longest reach [m^2]
 shortest3 = 0.0  # square of the shortest reach [m^2]
 longest3_reach = 0.1953724157706304  # the longest, with what rounding adds [m^2]
@@ -86,10 +85,11 @@ shortest3_apart = 9.06304e-29  # the shortest, where branches merge [m^2]
 free_limit_squared2 = 9.063039999999997e-25  # square of a length that fixes no angle [m^2]
 doubtful_slack = 0.01  # a row may miss the pose by this before it is tightened
 doubtful_slack1 = 0.009519999999999999  # a row may miss the pose by this before it is tightened [m]
+offset4 = 1.5707963267948966  # offset of joint 4 [rad]
 k1 = 0.097682  # 2 * a3 * a2 [m^2]
 k2 = 10.237300628570258  # 1 / k1 [m^-2]
 m1 = 9.06304e-09  # doubt_limit1^2 [m^2]
-m3 = 9.999999999999997e-17  # doubt_limit_squared^2
+m3 = 9.999999999999999e-09  # doubt_limit^2
 m4 = 1.6442094386282138e-06  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m5 = 1.6429994031951627e-12
@@ -557,10 +557,9 @@ def _solve(pose, q_free, seed, q, status):
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
     v4 = T33 * T33
-    v6 = seed[1] + seed[2] + (seed[3] + offset4)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v8 = T34 - d1
+    v7 = T34 - d1
 
     for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
@@ -575,17 +574,17 @@ def _solve(pose, q_free, seed, q, status):
         # theta234
         Z2_234 = T13 * c1 + T23 * s1
         w234 = math.sqrt(Z2_234 * Z2_234 + v4)
-        free234 = w234 <= free_limit_squared
-        v5 = 1.0 / (1.0 if free234 else w234)
-        c234 = math.cos(v6) if free234 else T33 * v5
-        s234 = math.sin(v6) if free234 else Z2_234 * v5
+        short234 = w234 <= free_limit
+        v5 = 1.0 / (1.0 if short234 else w234)
+        c234 = T33 * v5
+        s234 = Z2_234 * v5
         theta234 = _atan2(s234, c234)
 
         # theta3
-        v7 = c234 * d5
-        Z1_3 = v8 - v7
-        v9 = s234 * d5
-        Z2_3 = T14 * c1 + T24 * s1 - a1 - v9
+        v6 = c234 * d5
+        Z1_3 = v7 - v6
+        v8 = s234 * d5
+        Z2_3 = T14 * c1 + T24 * s1 - a1 - v8
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
         D3 = (longest3 - N3) * (N3 - shortest3)
@@ -594,27 +593,18 @@ def _solve(pose, q_free, seed, q, status):
             if free1:
                 status[2 * i1] = _LOST + 1
                 q[2 * i1, 0] = D3
-            if free234:
-                status[2 * i1] = _LOST + 2
-                q[2 * i1, 0] = D3
-            if free234:
-                status[2 * i1] = _LOST + 3
-                q[2 * i1, 0] = D3
-            if free234:
-                status[2 * i1] = _LOST + 4
-                q[2 * i1, 0] = D3
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
         c3 = K3 * k2
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         Y1_2 = a2 + a3 * c3
-        v11 = Z1_3 * Y1_2
-        v13 = Z2_3 * Y1_2
+        v10 = Z1_3 * Y1_2
+        v12 = Z2_3 * Y1_2
 
         # is the pose one that the arm can take?
-        v14 = a1 + v9
-        v16 = d1 + v7
+        v13 = a1 + v8
+        v15 = d1 + v6
         if (
             not (abs(T33 - c234) <= doubtful_slack and abs(T13 - c1 * s234) <= doubtful_slack and
             abs(T23 - s1 * s234) <= doubtful_slack)
@@ -630,36 +620,35 @@ def _solve(pose, q_free, seed, q, status):
             q3 = _atan2(s3, c3)
 
             # theta2
-            v10 = a3 * s3
-            v12 = Z2_3 * v10 + v11
-            C2 = v13 - Z1_3 * v10
-            w2 = math.sqrt(v12 * v12 + C2 * C2)
+            v9 = a3 * s3
+            v11 = Z2_3 * v9 + v10
+            C2 = v12 - Z1_3 * v9
+            w2 = math.sqrt(v11 * v11 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
             c2 = math.cos(seed[1]) if free2 else C2 * factor2
-            s2 = math.sin(seed[1]) if free2 else -(v12 * factor2)
+            s2 = math.sin(seed[1]) if free2 else -(v11 * factor2)
             q2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v15 = a3 * c23 + (a2 * c2 + v14)
+            v14 = a3 * c23 + (a2 * c2 + v13)
             if (
-                not (abs(T34 + (a3 * s23 + (a2 * s2 - v16))) <= doubtful_slack1 and abs(T14 - c1 *
-                v15) <= doubtful_slack1 and abs(T24 - s1 * v15) <= doubtful_slack1)
+                not (abs(T34 + (a3 * s23 + (a2 * s2 - v15))) <= doubtful_slack1 and abs(T14 - c1 *
+                v14) <= doubtful_slack1 and abs(T24 - s1 * v14) <= doubtful_slack1)
             ):
                 continue  # the arm can't take this pose
 
             # joint values
             q4 = _wrap(theta234 - (q3 + q2) - offset4)
-            free2_ = free234 or free2
             row = 2 * i1 + i2
             q[row, 0] = q1
             q[row, 1] = q2
             q[row, 2] = q3
             q[row, 3] = q4
             q[row, 4] = q_free[0]
-            status[row] = FREE_JOINT if free1 or free2_ or free234 or free234 else OK
+            status[row] = FREE_JOINT if free1 or free2 else OK
 
 
 @_njit(forceinline=True)
@@ -676,7 +665,7 @@ def _without_turns(angle):
     return math.copysign(abs(angle) % turn, angle)
 
 
-_CHOOSABLE = (3, 2, 1, 0,)  # joints, from 0, that may be free
+_CHOOSABLE = (1, 0,)  # joints, from 0, that may be free
 
 
 @_inner

@@ -179,7 +179,7 @@ static void solve(
         const double c5 = T23 * c1 - T13 * s1;
 
         /* theta3 */
-        const double v9 = T14 * c1 + T24 * s1, v10 = (free6 || free1 || near6) ? 1.0 : v1;
+        const double v9 = T14 * c1 + T24 * s1, v10 = (free1 || near6) ? 1.0 : v1;
 
         /* joint values */
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);

@@ -323,7 +323,7 @@ def _solve(pose, seed, q, status):
 
         # theta3
         v9 = T14 * c1 + T24 * s1
-        v10 = 1.0 if (free6 or free1 or near6) else v1
+        v10 = 1.0 if (free1 or near6) else v1
 
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)

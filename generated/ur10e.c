@@ -173,7 +173,7 @@ static void solve(
         const double c5 = T13 * s1 - T23 * c1;
 
         /* theta3 */
-        const double v8 = T14 * c1 + T24 * s1, v9 = (free6 || free1 || near6) ? 1.0 : v1;
+        const double v8 = T14 * c1 + T24 * s1, v9 = (free1 || near6) ? 1.0 : v1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;

@@ -310,7 +310,7 @@ def _solve(pose, seed, q, status):
 
         # theta3
         v8 = T14 * c1 + T24 * s1
-        v9 = 1.0 if (free6 or free1 or near6) else v1
+        v9 = 1.0 if (free1 or near6) else v1
 
         for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2

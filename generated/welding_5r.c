@@ -277,11 +277,10 @@ static void solve(
 
             /* joint values */
             const double q4 = dhgen_wrap(theta234 - (q3 + q2));
-            const int free2_ = free234 || free2;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-            status[row] = (free1 || free2_ || free234 || free234) ? DHGEN_FREE_JOINT : (x1_close[i1]
-                || near1 || near234 || near2) ? DHGEN_CLOSE : DHGEN_OK;
+            status[row] = (free1 || free234 || free2) ? DHGEN_FREE_JOINT : (x1_close[i1] || near1 ||
+                near234 || near2) ? DHGEN_CLOSE : DHGEN_OK;
         }
     }
 }

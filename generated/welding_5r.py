@@ -861,7 +861,6 @@ def _solve(pose, seed, moved, q, status):
 
             # joint values
             q4 = _wrap(theta234 - (q3 + q2))
-            free2_ = free234 or free2
             row = 2 * i1 + i2
             q[row, 0] = q1
             q[row, 1] = q2
@@ -869,8 +868,8 @@ def _solve(pose, seed, moved, q, status):
             q[row, 3] = q4
             q[row, 4] = q5
             status[row] = (
-                FREE_JOINT if free1 or free2_ or free234 or free234 else _CLOSE if x1_close[i1] or
-                near1 or near234 or near2 else OK
+                FREE_JOINT if free1 or free234 or free2 else _CLOSE if x1_close[i1] or near1 or
+                near234 or near2 else OK
             )
 
 

@@ -34,7 +34,7 @@ static const double
     free_limit_squared2 = 1.0000000000000002e-26, /* square of a length that fixes no angle [m^2] */
     reach_slack1 = 1.0000000000000002e-14, /* rounding at the boundary of the workspace [m] */
     merge_slack1 = 1e-15, /* nearer to that boundary two branches are one [m] */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    free_limit = 1e-12, /* a length that fixes no angle */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 1.0000000000000002e-06, /* a pose may be rounded by this [m] */
     k1 = 0.5, /* 1 / 2 */
@@ -122,11 +122,11 @@ static void solve(
     const double v6 = sqrt3 * T22, v7 = T12 * sqrt3, v8 = sqrt3 * T21, v9 = T11 * sqrt3;
 
     /* theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1] */
-    const double v12 = k1 * (2.0 * T33 - ca2) * k5, v13 = v12 * v12;
+    const double v14 = k1 * (2.0 * T33 - ca2) * k5, v15 = v14 * v14;
 
     /* is the pose one that the arm can take? */
-    const double v19 = T31 * k5, v20 = T33 * k5, v22 = T34 * k5, v25 = k1 * T31, v26 = k1 * T33,
-        v27 = k1 * T34;
+    const double v21 = T31 * k5, v22 = T33 * k5, v24 = T34 * k5, v27 = k1 * T31, v28 = k1 * T33,
+        v29 = k1 * T34;
 
     for (int i1 = 0; i1 < 2; i1++) { /* shoulder+, shoulder- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -141,34 +141,32 @@ static void solve(
         const double S3 = sa2 * (k1 * (T31 + (s1 * v9 - c1 * v8)));
         const double C3 = sa2 * (k1 * (T32 + (s1 * v7 - c1 * v6)));
         const double w3 = sqrt(S3 * S3 + C3 * C3);
-        const int free3 = w3 <= free_limit_squared;
-        const double v10 = 1.0 / (free3 ? 1.0 : w3);
-        const double c3 = free3 ? cos(seed[2]) : -(C3 * v10),
-            s3 = free3 ? sin(seed[2]) : -(S3 * v10);
-        const double q3 = atan2(s3, c3);
+        const int short3 = w3 <= free_limit;
+        const double v10 = 1.0 / (short3 ? 1.0 : w3), v11 = C3 * v10, v12 = S3 * v10;
+        const double q3 = atan2(-v12, -v11);
 
         /* theta2 */
-        const double v11 = k4 * (T31 * c3 - T32 * s3);
-        const double w2 = sqrt(v11 * v11 + v13);
-        const int free2 = w2 <= free_limit_squared;
-        const double v14 = 1.0 / (free2 ? 1.0 : w2);
-        const double c2 = free2 ? cos(seed[1]) : v12 * v14, s2 = free2 ? sin(seed[1]) : v11 * v14;
+        const double v13 = k4 * (T32 * v12 - T31 * v11);
+        const double w2 = sqrt(v13 * v13 + v15);
+        const int short2 = w2 <= free_limit;
+        const double v16 = 1.0 / (short2 ? 1.0 : w2);
+        const double c2 = v14 * v16, s2 = v13 * v16;
         const double q2 = atan2(s2, c2);
 
         /* is the pose one that the arm can take? */
-        const double v15 = ca2 * s3, v16 = sa2 * s2, v17 = k1 * s1, v18 = k1 * c1, v21 = sa2 * c2,
-            v23 = k1 * (sqrt3 * s1), v24 = k1 * (sqrt3 * c1);
-        if (!(fabs(T14 * v23 - T24 * v24 + v27 - k2) <= pose_slack1 && fabs(T13 * v23 - T23 * v24 +
-            v26 - ca2) <= pose_slack && fabs(sa2 * s3 + (T11 * v23 - T21 * v24 + v25)) <= pose_slack
-            && fabs(T24 * v18 - T14 * v17 + v22 - d3 * v21) <= pose_slack1 && fabs(T23 * v18 - T13 *
-            v17 + v20 - v21) <= pose_slack && fabs(T21 * v18 - T11 * v17 + v19 - (c2 * v15 + c3 *
-            s2)) <= pose_slack && fabs(T14 * c1 + T24 * s1 + d3 * v16) <= pose_slack1 && fabs(T11 *
-            c1 + T21 * s1 - (c3 * c2 - s2 * v15)) <= pose_slack && fabs(T13 * c1 + T23 * s1 + v16)
+        const double v17 = ca2 * v12, v18 = sa2 * s2, v19 = k1 * s1, v20 = k1 * c1, v23 = sa2 * c2,
+            v25 = k1 * (sqrt3 * s1), v26 = k1 * (sqrt3 * c1);
+        if (!(fabs(T14 * v25 - T24 * v26 + v29 - k2) <= pose_slack1 && fabs(T13 * v25 - T23 * v26 +
+            v28 - ca2) <= pose_slack && fabs(T11 * v25 - T21 * v26 + v27 - sa2 * v12) <= pose_slack
+            && fabs(T24 * v20 - T14 * v19 + v24 - d3 * v23) <= pose_slack1 && fabs(T23 * v20 - T13 *
+            v19 + v22 - v23) <= pose_slack && fabs(T21 * v20 - T11 * v19 + v21 + (c2 * v17 + v11 *
+            s2)) <= pose_slack && fabs(T14 * c1 + T24 * s1 + d3 * v18) <= pose_slack1 && fabs(T11 *
+            c1 + T21 * s1 - (s2 * v17 - v11 * c2)) <= pose_slack && fabs(T13 * c1 + T23 * s1 + v18)
             <= pose_slack))
             continue; /* the arm can't take this pose */
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
-        status[row] = (free1 || free2 || free3) ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
@@ -178,7 +176,7 @@ static const double
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.0000000000000002e-10,
     m1 = 1e-12, /* 1000 * merge_slack1 [m] */
-    m3 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m3 = 9.999999999999999e-09, /* doubt_limit^2 */
     m6 = 1.0000000000000004e-12, /* pose_slack1^2 [m^2] */
     m7 = 3.000000000000001e-12, /* 3 * pose_slack1^2 [m^2] */
     m8 = 1.0000000000000002e-10, /* pose_slack^2 */
@@ -358,12 +356,12 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 2, 1, 0 };
+static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     3, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 10.0, 10.0, 10.0, 1.0, 1.0, 1.0 }, 10.0, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
+    choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,

@@ -68,7 +68,7 @@ d3 = 0.1  # joint offset 3 [m]
 free_limit_squared2 = 1.0000000000000002e-26  # square of a length that fixes no angle [m^2]
 reach_slack1 = 1.0000000000000002e-14  # rounding at the boundary of the workspace [m]
 merge_slack1 = 1e-15  # nearer to that boundary two branches are one [m]
-free_limit_squared = 1e-24  # square of a length that fixes no angle
+free_limit = 1e-12  # a length that fixes no angle
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 1.0000000000000002e-06  # a pose may be rounded by this [m]
 k1 = 0.5  # 1 / 2
@@ -82,9 +82,9 @@ f4 = 0.3213938048432697  # ca2 * 1 / 2
 doubt_limit_squared2 = 1.0000000000000002e-10  # square of a length that fixes no angle [m^2]
 m1 = 1e-12  # 1000 * merge_slack1 [m]
 m2 = 0.383022221559489  # a coefficient of S3
-m3 = 9.999999999999997e-17  # doubt_limit_squared^2
-m4 = 0.5  # a coefficient of v17
-m5 = 0.8660254037844386  # a coefficient of v23
+m3 = 9.999999999999999e-09  # doubt_limit^2
+m4 = 0.5  # a coefficient of v19
+m5 = 0.8660254037844386  # a coefficient of v25
 m6 = 1.0000000000000004e-12  # pose_slack1^2 [m^2]
 m7 = 3.000000000000001e-12  # 3 * pose_slack1^2 [m^2]
 m8 = 1.0000000000000002e-10  # pose_slack^2
@@ -214,16 +214,16 @@ def _solve(pose, seed, q, status):
     v9 = T11 * sqrt3
 
     # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
-    v12 = k1 * (2.0 * T33 - ca2) * k5
-    v13 = v12 * v12
+    v14 = k1 * (2.0 * T33 - ca2) * k5
+    v15 = v14 * v14
 
     # is the pose one that the arm can take?
-    v19 = T31 * k5
-    v20 = T33 * k5
-    v22 = T34 * k5
-    v25 = k1 * T31
-    v26 = k1 * T33
-    v27 = k1 * T34
+    v21 = T31 * k5
+    v22 = T33 * k5
+    v24 = T34 * k5
+    v27 = k1 * T31
+    v28 = k1 * T33
+    v29 = k1 * T34
 
     for i1 in range(2):  # shoulder+, shoulder-
         e1 = 1.0 - 2.0 * i1
@@ -239,44 +239,44 @@ def _solve(pose, seed, q, status):
         S3 = sa2 * (k1 * (T31 + (s1 * v9 - c1 * v8)))
         C3 = sa2 * (k1 * (T32 + (s1 * v7 - c1 * v6)))
         w3 = math.sqrt(S3 * S3 + C3 * C3)
-        free3 = w3 <= free_limit_squared
-        v10 = 1.0 / (1.0 if free3 else w3)
-        c3 = math.cos(seed[2]) if free3 else -(C3 * v10)
-        s3 = math.sin(seed[2]) if free3 else -(S3 * v10)
-        q3 = _atan2(s3, c3)
+        short3 = w3 <= free_limit
+        v10 = 1.0 / (1.0 if short3 else w3)
+        v11 = C3 * v10
+        v12 = S3 * v10
+        q3 = _atan2(-v12, -v11)
 
         # theta2
-        v11 = k4 * (T31 * c3 - T32 * s3)
-        w2 = math.sqrt(v11 * v11 + v13)
-        free2 = w2 <= free_limit_squared
-        v14 = 1.0 / (1.0 if free2 else w2)
-        c2 = math.cos(seed[1]) if free2 else v12 * v14
-        s2 = math.sin(seed[1]) if free2 else v11 * v14
+        v13 = k4 * (T32 * v12 - T31 * v11)
+        w2 = math.sqrt(v13 * v13 + v15)
+        short2 = w2 <= free_limit
+        v16 = 1.0 / (1.0 if short2 else w2)
+        c2 = v14 * v16
+        s2 = v13 * v16
         q2 = _atan2(s2, c2)
 
         # is the pose one that the arm can take?
-        v15 = ca2 * s3
-        v16 = sa2 * s2
-        v17 = k1 * s1
-        v18 = k1 * c1
-        v21 = sa2 * c2
-        v23 = k1 * (sqrt3 * s1)
-        v24 = k1 * (sqrt3 * c1)
+        v17 = ca2 * v12
+        v18 = sa2 * s2
+        v19 = k1 * s1
+        v20 = k1 * c1
+        v23 = sa2 * c2
+        v25 = k1 * (sqrt3 * s1)
+        v26 = k1 * (sqrt3 * c1)
         if (
-            not (abs(T14 * v23 - T24 * v24 + v27 - k2) <= pose_slack1 and abs(T13 * v23 - T23 * v24
-            + v26 - ca2) <= pose_slack and abs(sa2 * s3 + (T11 * v23 - T21 * v24 + v25)) <=
-            pose_slack and abs(T24 * v18 - T14 * v17 + v22 - d3 * v21) <= pose_slack1 and abs(T23 *
-            v18 - T13 * v17 + v20 - v21) <= pose_slack and abs(T21 * v18 - T11 * v17 + v19 - (c2 *
-            v15 + c3 * s2)) <= pose_slack and abs(T14 * c1 + T24 * s1 + d3 * v16) <= pose_slack1 and
-            abs(T11 * c1 + T21 * s1 - (c3 * c2 - s2 * v15)) <= pose_slack and abs(T13 * c1 + T23 *
-            s1 + v16) <= pose_slack)
+            not (abs(T14 * v25 - T24 * v26 + v29 - k2) <= pose_slack1 and abs(T13 * v25 - T23 * v26
+            + v28 - ca2) <= pose_slack and abs(T11 * v25 - T21 * v26 + v27 - sa2 * v12) <=
+            pose_slack and abs(T24 * v20 - T14 * v19 + v24 - d3 * v23) <= pose_slack1 and abs(T23 *
+            v20 - T13 * v19 + v22 - v23) <= pose_slack and abs(T21 * v20 - T11 * v19 + v21 + (c2 *
+            v17 + v11 * s2)) <= pose_slack and abs(T14 * c1 + T24 * s1 + d3 * v18) <= pose_slack1
+            and abs(T11 * c1 + T21 * s1 - (s2 * v17 - v11 * c2)) <= pose_slack and abs(T13 * c1 +
+            T23 * s1 + v18) <= pose_slack)
         ):
             continue  # the arm can't take this pose
         row = i1
         q[row, 0] = q1
         q[row, 1] = q2
         q[row, 2] = q3
-        status[row] = FREE_JOINT if free1 or free2 or free3 else OK
+        status[row] = FREE_JOINT if free1 else OK
 
 
 @_njit(forceinline=True)

@@ -34,10 +34,7 @@ static const double
     second_weight = 1.080646614543747, /* lengths count in arm sizes [m] */
     free_limit1 = 1.080646614543747e-12, /* a length that fixes no angle [m] */
     offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
-    offset2 = 1.7566747807196037, /* offset of joint 2 [rad] */
-    offset3 = 2.733184269115749, /* offset of joint 3 [rad] */
-    offset4 = -1.3482663962455592, /* offset of joint 4 [rad] */
+    free_limit = 1e-12, /* a length that fixes no angle */
     longest3 = 0.4104280847263644, /* square of the longest reach [m^2] */
     shortest3 = 0.003803606473635553, /* square of the shortest reach [m^2] */
     longest3_reach = 0.41042808472650283, /* the longest, with what rounding adds [m^2] */
@@ -45,8 +42,11 @@ static const double
     longest3_apart = 0.4104280847263506, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.0038036064736368855, /* the shortest, where branches merge [m^2] */
     free_limit_squared2 = 1.1677971055248617e-24, /* square of a length that fixes no angle [m^2] */
+    offset2 = 1.7566747807196037, /* offset of joint 2 [rad] */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 1.080646614543747e-05, /* a pose may be rounded by this [m] */
+    offset3 = 2.733184269115749, /* offset of joint 3 [rad] */
+    offset4 = -1.3482663962455592, /* offset of joint 4 [rad] */
     k1 = 0.20711584560000001, /* a2^2 + a3^2 [m^2] */
     k2 = 4.918543046385274; /* 1 / (2 * a3 * a2) [m^-2] */
 
@@ -138,11 +138,13 @@ static void solve(
     const double v4 = seed[0] + offset1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v5 = T33 * T33, v6 = seed[1] + offset2,
-        v7 = v6 + (seed[2] + offset3) + (seed[3] + offset4);
+    const double v5 = T33 * T33;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v10 = T34 - d1;
+    const double v11 = T34 - d1;
+
+    /* theta2, type 3: U1[2, 4] and U1[1, 4] */
+    const double v15 = seed[1] + offset2;
 
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -154,51 +156,44 @@ static void solve(
         /* theta234 */
         const double Z2_234 = T13 * c1 + T23 * s1;
         const double w234 = sqrt(Z2_234 * Z2_234 + v5);
-        const int free234 = w234 <= free_limit_squared;
-        const double factor234 = 1.0 / (free234 ? 1.0 : w234);
-        const double c234 = free234 ? cos(v7) : T33 * factor234,
-            s234 = free234 ? sin(v7) : -(Z2_234 * factor234);
-        const double theta234 = atan2(s234, c234);
+        const int short234 = w234 <= free_limit;
+        const double factor234 = 1.0 / (short234 ? 1.0 : w234);
+        const double c234 = T33 * factor234, v6 = Z2_234 * factor234;
+        const double theta234 = atan2(-v6, c234);
 
         /* theta5, type 3: U1[3, 2] and U1[3, 1] */
         const double Z1_5 = T12 * s1 - T22 * c1;
         const double Z2_5 = T11 * s1 - T21 * c1;
         const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
-        const int free5 = w5 <= free_limit_squared;
-        const double v8 = 1.0 / (free5 ? 1.0 : w5);
-        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v8),
-            s5 = free5 ? sin(seed[4]) : -(Z2_5 * v8);
-        const double q5 = atan2(s5, c5);
+        const int short5 = w5 <= free_limit;
+        const double v7 = 1.0 / (short5 ? 1.0 : w5), v8 = Z1_5 * v7, v9 = Z2_5 * v7;
+        const double q5 = atan2(-v9, -v8);
 
         /* theta3 */
-        const double v9 = c234 * d5 + s234 * a4;
-        const double Z1_3 = v10 - v9;
-        const double v11 = s234 * d5 - c234 * a4;
-        const double Z2_3 = v11 + (T14 * c1 + T24 * s1);
+        const double v10 = v6 * a4 - c234 * d5;
+        const double Z1_3 = v10 + v11;
+        const double v12 = c234 * a4 + v6 * d5;
+        const double Z2_3 = T14 * c1 + T24 * s1 - v12;
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
             if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) dhgen_lose(DHGEN_LOST + 2, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) dhgen_lose(DHGEN_LOST + 3, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) dhgen_lose(DHGEN_LOST + 4, D3, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
         const double w3 = sqrt(apart3 ? D3 : 0.0);
         const double c3 = K3 * k2;
 
-        /* theta2, type 3: U1[2, 4] and U1[1, 4] */
+        /* theta2 */
         const double X1_2 = a2 + a3 * c3;
-        const double v12 = Z1_3 * X1_2, v13 = Z2_3 * X1_2;
+        const double v13 = Z1_3 * X1_2, v14 = Z2_3 * X1_2;
 
         /* is the pose one that the arm can take? */
-        const double v15 = d1 + v9;
-        if (!(fabs(T33 - c234) <= pose_slack && fabs(T31 - s234 * c5) <= pose_slack && fabs(T23 + s1
-            * s234) <= pose_slack && fabs(T21 - (c5 * (s1 * c234) + c1 * s5)) <= pose_slack &&
-            fabs(T11 - (c5 * (c1 * c234) - s1 * s5)) <= pose_slack && fabs(T13 + c1 * s234) <=
-            pose_slack))
+        const double v17 = d1 + -v10;
+        if (!(fabs(T33 - c234) <= pose_slack && fabs(T31 - v6 * v8) <= pose_slack && fabs(T23 - s1 *
+            v6) <= pose_slack && fabs(T21 + (v8 * (s1 * c234) + c1 * v9)) <= pose_slack && fabs(T11
+            - (s1 * v9 - v8 * (c1 * c234))) <= pose_slack && fabs(T13 - c1 * v6) <= pose_slack))
             continue; /* the arm can't take this pose */
 
         /* joint values */
@@ -213,30 +208,28 @@ static void solve(
 
             /* theta2 */
             const double Y1_2 = a3 * s3;
-            const double S2 = v12 - Z2_3 * Y1_2;
-            const double C2 = v13 + Z1_3 * Y1_2;
+            const double S2 = v13 - Z2_3 * Y1_2;
+            const double C2 = v14 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v6) : C2 * factor2, s2 = free2 ? sin(v6) : S2 * factor2;
+            const double c2 = free2 ? cos(v15) : C2 * factor2, s2 = free2 ? sin(v15) : S2 * factor2;
             const double theta2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
-                v14 = a3 * c23 + (a2 * c2 + -v11);
-            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 && fabs(T14 - c1 * v14) <=
-                pose_slack1 && fabs(T24 - s1 * v14) <= pose_slack1))
+                v16 = a3 * c23 + (v12 + a2 * c2);
+            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 && fabs(T14 - c1 * v16) <=
+                pose_slack1 && fabs(T24 - s1 * v16) <= pose_slack1))
                 continue; /* the arm can't take this pose */
 
             /* joint values */
             const double q2 = dhgen_wrap(theta2 - offset2);
             const double q3 = dhgen_wrap(theta3 - offset3);
             const double q4 = dhgen_wrap(theta234 - (theta3 + theta2) - offset4);
-            const int free2_ = free234 || free2;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-            status[row] = (free1 || free2_ || free234 || free234 || free5) ? DHGEN_FREE_JOINT :
-                DHGEN_OK;
+            status[row] = (free1 || free2) ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }
@@ -245,7 +238,7 @@ static void solve(
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 static const double
     m1 = 1.1677971055248613e-08, /* doubt_limit1^2 [m^2] */
-    m2 = 9.999999999999997e-17, /* doubt_limit_squared^2 */
+    m2 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m6 = 5.597903840841209e-12,
     m11 = 1.0000000000000002e-10, /* pose_slack^2 */
@@ -280,9 +273,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         angle2 = dhgen_atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
-    const dhgen_wide v12 = d5 * T33, v13 = T34 - d1, v14 = w1 * (m4 * v6),
-        v15 = factor234 * (v12 - v14), v16 = factor234 * (v12 + v14), Z1_3_p = v13 - v15,
-        Z1_3_m = v13 - v16, v17 = a4 * T33, v18 = T14 * c1 + T24 * s1, v19 = w1 * (m5 * v6),
+    const dhgen_wide v12 = d5 * T33, v13 = w1 * (m4 * v6), v14 = v13 - v12, v15 = T34 - d1,
+        Z1_3_p = v15 + factor234 * v14, v16 = factor234 * (v12 + v13), Z1_3_m = v15 - v16,
+        v17 = a4 * T33, v18 = T14 * c1 + T24 * s1, v19 = w1 * (m5 * v6),
         v20 = factor234 * (v17 + v19), v21 = factor234 * (v17 - v19), Z2_3_p = v18 - v20,
         v22 = v18 + v21, N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p,
         N3_m = Z1_3_m * Z1_3_m + v22 * v22, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
@@ -294,70 +287,69 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide v25 = m7 * N3_p - m8, v26 = m7 * N3_m - m8, v27 = Z1_3_p * v25,
         v28 = Z1_3_m * v26, S2_pp = v27 - w3_p * (m7 * Z2_3_p), S2_pm = v27 - w3_p * (m7 * -Z2_3_p),
         v29 = w3_m * (m7 * v22), S2_mp = v28 + v29, S2_mm = v28 - v29, v30 = Z2_3_p * v25,
-        v31 = v22 * v26, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m,
-        angle5 = dhgen_atan2_wide(S2_pp, v30 + w3_p * (m7 * Z1_3_p)),
-        angle6 = dhgen_atan2_wide(S2_pm, v30 + w3_p * (m7 * -Z1_3_p)),
+        v31 = v22 * v26, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m, v32 = w3_p * (m7 * Z1_3_p),
+        angle5 = dhgen_atan2_wide(S2_pp, v30 + v32), angle6 = dhgen_atan2_wide(S2_pm, v30 - v32),
         angle7 = dhgen_atan2_wide(S2_mp, w3_m * (m7 * Z1_3_m) - v31),
         angle8 = dhgen_atan2_wide(S2_mm, w3_m * (m7 * -Z1_3_m) - v31);
 
     /* is the pose one that the arm can take? */
-    const dhgen_wide v32 = Z1_3_p * (m9 + m10 * factor2_p), v33 = Z1_3_m * (m9 + m10 * factor2_m),
-        v34 = v20 + Z2_3_p, v35 = v21 - v22, v36 = d1 + v15, v37 = d1 + v16,
-        v38 = T33 - T33 * factor234, v39 = T31 - factor234 * (Z2_234 * v10),
-        v40 = T23 - factor234 * (s1 * Z2_234),
-        v41 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33))),
-        v42 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33))),
-        v43 = T13 - factor234 * (c1 * Z2_234),
-        v44 = T34 - (a3 * (v32 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp *
+    const dhgen_wide v33 = Z1_3_p * (m9 + m10 * factor2_p), v34 = Z1_3_m * (m9 + m10 * factor2_m),
+        v35 = v20 + Z2_3_p, v36 = v21 - v22, v37 = d1 + factor234 * -v14, v38 = d1 + v16,
+        v39 = T33 - T33 * factor234, v40 = T31 - factor234 * (Z2_234 * v10),
+        v41 = T23 - factor234 * (s1 * Z2_234),
+        v42 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33))),
+        v43 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33))),
+        v44 = T13 - factor234 * (c1 * Z2_234),
+        v45 = T34 - (a3 * (v33 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v37 + a2 * (S2_pp *
             factor2_p))),
-        v45 = T34 - (a3 * (v32 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm *
-            factor2_p))), v46 = w3_m * (m9 * (v22 * factor2_m)),
-        v47 = T34 - (a3 * (v33 - v46) + (v37 + a2 * (S2_mp * factor2_m))),
-        v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m))), v49 = T14 - c1 * v34,
-        v50 = T14 + c1 * v35, v51 = T24 - s1 * v34, v52 = T24 + s1 * v35, v53 = v49 * v49,
-        v54 = v50 * v50, v55 = v51 * v51, v56 = v52 * v52, v57 = v55 + (v53 + v44 * v44),
-        v58 = v55 + (v53 + v45 * v45), v59 = v56 + (v54 + v47 * v47), v60 = v56 + (v54 + v48 * v48);
+        v46 = T34 - (a3 * (v33 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v37 + a2 * (S2_pm *
+            factor2_p))), v47 = w3_m * (m9 * (v22 * factor2_m)),
+        v48 = T34 - (a3 * (v34 - v47) + (v38 + a2 * (S2_mp * factor2_m))),
+        v49 = T34 - (a3 * (v34 + v47) + (v38 + a2 * (S2_mm * factor2_m))), v50 = T14 - c1 * v35,
+        v51 = T14 + c1 * v36, v52 = T24 - s1 * v35, v53 = T24 + s1 * v36, v54 = v50 * v50,
+        v55 = v51 * v51, v56 = v52 * v52, v57 = v53 * v53, v58 = v56 + (v54 + v45 * v45),
+        v59 = v56 + (v54 + v46 * v46), v60 = v57 + (v55 + v48 * v48), v61 = v57 + (v55 + v49 * v49);
 
     /* joint values */
-    const dhgen_wide angle9 = dhgen_atan2_wide(v3, v2), v61 = angle9 - offset1,
-        v62 = angle9 - dhgen_signed_wide(DHGEN_HALF_TURN, v3) - offset1, v63 = angle5 - offset2,
-        v64 = angle6 - offset2, v65 = angle7 - offset2, v66 = angle8 - offset2,
-        v67 = angle3 - offset3, v68 = offset3 + angle3, v69 = angle4 - offset3,
-        v70 = offset3 + angle4, v71 = angle1 - (angle3 + angle5) - offset4,
-        v72 = angle1 - (angle6 - angle3) - offset4, v73 = offset4 + (angle1 + (angle4 + angle7)),
-        v74 = offset4 + (angle1 + (angle8 - angle4)), v75 = dhgen_centred_wide(v71),
-        v76 = dhgen_centred_wide(v72),
-        v77 = dhgen_pick_wide(-v73 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
-            dhgen_only_wide(DHGEN_HALF_TURN < -v73, -DHGEN_TURN)) - v73,
+    const dhgen_wide angle9 = dhgen_atan2_wide(v3, v2), v62 = angle9 - offset1,
+        v63 = angle9 - dhgen_signed_wide(DHGEN_HALF_TURN, v3) - offset1, v64 = angle5 - offset2,
+        v65 = angle6 - offset2, v66 = angle7 - offset2, v67 = angle8 - offset2,
+        v68 = angle3 - offset3, v69 = offset3 + angle3, v70 = angle4 - offset3,
+        v71 = offset3 + angle4, v72 = angle1 - (angle3 + angle5) - offset4,
+        v73 = angle1 - (angle6 - angle3) - offset4, v74 = offset4 + (angle1 + (angle4 + angle7)),
+        v75 = offset4 + (angle1 + (angle8 - angle4)), v76 = dhgen_centred_wide(v72),
+        v77 = dhgen_centred_wide(v73),
         v78 = dhgen_pick_wide(-v74 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
-            dhgen_only_wide(DHGEN_HALF_TURN < -v74, -DHGEN_TURN)) - v74;
-    const double v79 = DHGEN_NAN;
-    const dhgen_wide v80 = dhgen_only_wide((v57 <= m12) == 0, v79),
-        v81 = dhgen_only_wide((v58 <= m12) == 0, v79),
-        v82 = dhgen_only_wide((v59 <= m12) == 0, v79),
-        v83 = dhgen_only_wide((v60 <= m12) == 0, v79), v84 = v23 + dhgen_raised_wide(v61),
-        v85 = v24 + dhgen_raised_wide(v62), v86 = angle2 + v23,
-        v87 = v24 + (angle2 - dhgen_signed_wide(DHGEN_HALF_TURN, -Z2_5));
+            dhgen_only_wide(DHGEN_HALF_TURN < -v74, -DHGEN_TURN)) - v74,
+        v79 = dhgen_pick_wide(-v75 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
+            dhgen_only_wide(DHGEN_HALF_TURN < -v75, -DHGEN_TURN)) - v75;
+    const double v80 = DHGEN_NAN;
+    const dhgen_wide v81 = dhgen_only_wide((v58 <= m12) == 0, v80),
+        v82 = dhgen_only_wide((v59 <= m12) == 0, v80),
+        v83 = dhgen_only_wide((v60 <= m12) == 0, v80),
+        v84 = dhgen_only_wide((v61 <= m12) == 0, v80), v85 = v23 + dhgen_raised_wide(v62),
+        v86 = v24 + dhgen_raised_wide(v63), v87 = angle2 + v23,
+        v88 = v24 + (angle2 - dhgen_signed_wide(DHGEN_HALF_TURN, -Z2_5));
 
-    q[0] = v80 + v84; q[1] = v80 + dhgen_raised_wide(v63); q[2] = v80 + dhgen_raised_wide(v67);
-    q[3] = v80 + dhgen_lowered_wide(v75); q[4] = v80 + v86;
+    q[0] = v81 + v85; q[1] = v81 + dhgen_raised_wide(v64); q[2] = v81 + dhgen_raised_wide(v68);
+    q[3] = v81 + dhgen_lowered_wide(v76); q[4] = v81 + v87;
     kind[0] = dhgen_kind_wide(q[0]);
-    q[5] = v81 + v84; q[6] = v81 + dhgen_raised_wide(v64);
-    q[7] = v81 + (dhgen_only_wide(-v68 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v68);
-    q[8] = v81 + dhgen_lowered_wide(v76); q[9] = v81 + v86;
+    q[5] = v82 + v85; q[6] = v82 + dhgen_raised_wide(v65);
+    q[7] = v82 + (dhgen_only_wide(-v69 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v69);
+    q[8] = v82 + dhgen_lowered_wide(v77); q[9] = v82 + v87;
     kind[1] = dhgen_kind_wide(q[5]);
-    q[10] = v82 + v85; q[11] = v82 + dhgen_raised_wide(v65); q[12] = v82 + dhgen_raised_wide(v69);
-    q[13] = v82 + dhgen_lowered_wide(v77); q[14] = v82 + v87;
+    q[10] = v83 + v86; q[11] = v83 + dhgen_raised_wide(v66); q[12] = v83 + dhgen_raised_wide(v70);
+    q[13] = v83 + dhgen_lowered_wide(v78); q[14] = v83 + v88;
     kind[2] = dhgen_kind_wide(q[10]);
-    q[15] = v83 + v85; q[16] = v83 + dhgen_raised_wide(v66);
-    q[17] = v83 + (dhgen_only_wide(-v70 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v70);
-    q[18] = v83 + dhgen_lowered_wide(v78); q[19] = v83 + v87;
+    q[15] = v84 + v86; q[16] = v84 + dhgen_raised_wide(v67);
+    q[17] = v84 + (dhgen_only_wide(-v71 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v71);
+    q[18] = v84 + dhgen_lowered_wide(v79); q[19] = v84 + v88;
     kind[3] = dhgen_kind_wide(q[15]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (m11 < v38 * v38 + v39 * v39 + v40
-        * v40 + v41 * v41 + v42 * v42 + v43 * v43) | ((m12 < v60) & (v60 <= m13)) | ((m12 < v59) &
-        (v59 <= m13)) | ((m12 < v58) & (v58 <= m13)) | ((m12 < v57) & (v57 <= m13)) |
+    return (exact == 0) | ((v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (m11 < v39 * v39 + v40 * v40 + v41
+        * v41 + v42 * v42 + v43 * v43 + v44 * v44) | ((m12 < v61) & (v61 <= m13)) | ((m12 < v60) &
+        (v60 <= m13)) | ((m12 < v59) & (v59 <= m13)) | ((m12 < v58) & (v58 <= m13)) |
         (dhgen_abs_wide(D3_p) <= m6) | (dhgen_abs_wide(D3_m) <= m6));
 }
 
@@ -392,9 +384,9 @@ DHGEN_INLINE int solve_regular(
 
     /* theta3 */
     const double v14 = d5 * T33;
-    const dhgen_four v15 = v5 * (e1 * v6);
-    const double v16 = T34 - d1;
-    const dhgen_four v17 = factor234 * (v14 - w1 * (m4 * v15)), Z1_3 = v16 - v17;
+    const dhgen_four v15 = v5 * (e1 * v6), v16 = w1 * (m4 * v15) - v14;
+    const double v17 = T34 - d1;
+    const dhgen_four Z1_3 = v17 + factor234 * v16;
     const double v18 = a4 * T33, v19 = T14 * c1 + T24 * s1;
     const dhgen_four v20 = factor234 * (v18 + w1 * (m5 * v15)), Z2_3 = e1 * v19 - v20,
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3),
@@ -405,7 +397,8 @@ DHGEN_INLINE int solve_regular(
         S2 = v24 - w3 * (m7 * v22), v25 = Z2_3 * v23, factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
-    const dhgen_four v26 = Z1_3 * (m9 + m10 * factor2), v27 = v20 + Z2_3, v28 = d1 + v17;
+    const dhgen_four v26 = Z1_3 * (m9 + m10 * factor2), v27 = v20 + Z2_3,
+        v28 = d1 + factor234 * -v16;
     const double v29 = T33 - T33 * factor234, v30 = T31 - factor234 * (Z2_234 * v10),
         v31 = T23 - factor234 * (s1 * Z2_234),
         v32 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33))),
@@ -459,13 +452,12 @@ static int solve_regular(
 #endif
 
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[5] = { 4, 3, 2, 1, 0 };
-static const int together[4] = { 0, 1, 2, 3 };
+static const int choosable[2] = { 1, 0 };
 static const struct dhgen_arm arm = {
     5, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.9254, 0.9254, 0.9254, 1.0, 1.0, 1.0 }, 0.9253718898866895, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 5, together, 4, 52,
+    choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,

@@ -73,10 +73,7 @@ d5 = 0.097  # joint offset 5 [m]
 second_weight = 1.080646614543747  # lengths count in arm sizes [m]
 free_limit1 = 1.080646614543747e-12  # a length that fixes no angle [m]
 offset1 = 3.141592653589793  # offset of joint 1 [rad]
-free_limit_squared = 1e-24  # square of a length that fixes no angle
-offset2 = 1.7566747807196037  # offset of joint 2 [rad]
-offset3 = 2.733184269115749  # offset of joint 3 [rad]
-offset4 = -1.3482663962455592  # offset of joint 4 [rad]
+free_limit = 1e-12  # a length that fixes no angle
 longest3 = 0.4104280847263644  # square of the longest reach [m^2]
 shortest3 = 0.003803606473635553  # square of the shortest reach [m^2]
 longest3_reach = 0.41042808472650283  # the longest, with what rounding adds [m^2]
@@ -84,14 +81,17 @@ shortest3_reach = 0.003803606473622223  # the shortest, with what rounding adds 
 longest3_apart = 0.4104280847263506  # the longest, where branches merge [m^2]
 shortest3_apart = 0.0038036064736368855  # the shortest, where branches merge [m^2]
 free_limit_squared2 = 1.1677971055248617e-24  # square of a length that fixes no angle [m^2]
+offset2 = 1.7566747807196037  # offset of joint 2 [rad]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 1.080646614543747e-05  # a pose may be rounded by this [m]
+offset3 = 2.733184269115749  # offset of joint 3 [rad]
+offset4 = -1.3482663962455592  # offset of joint 4 [rad]
 k1 = 0.20711584560000001  # a2^2 + a3^2 [m^2]
 k2 = 4.918543046385274  # 1 / (2 * a3 * a2) [m^-2]
 m1 = 1.1677971055248613e-08  # doubt_limit1^2 [m^2]
-m2 = 9.999999999999997e-17  # doubt_limit_squared^2
-m4 = 0.076  # a coefficient of v9
-m5 = 0.097  # a coefficient of v11
+m2 = 9.999999999999999e-09  # doubt_limit^2
+m4 = 0.076  # a coefficient of v10
+m5 = 0.097  # a coefficient of v12
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m6 = 5.597903840841209e-12
 m7 = 1.727195576168653  # a coefficient of S2
@@ -268,11 +268,12 @@ def _solve(pose, seed, q, status):
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
     v5 = T33 * T33
-    v6 = seed[1] + offset2
-    v7 = v6 + (seed[2] + offset3) + (seed[3] + offset4)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v10 = T34 - d1
+    v11 = T34 - d1
+
+    # theta2, type 3: U1[2, 4] and U1[1, 4]
+    v15 = seed[1] + offset2
 
     for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
@@ -286,27 +287,27 @@ def _solve(pose, seed, q, status):
         # theta234
         Z2_234 = T13 * c1 + T23 * s1
         w234 = math.sqrt(Z2_234 * Z2_234 + v5)
-        free234 = w234 <= free_limit_squared
-        factor234 = 1.0 / (1.0 if free234 else w234)
-        c234 = math.cos(v7) if free234 else T33 * factor234
-        s234 = math.sin(v7) if free234 else -(Z2_234 * factor234)
-        theta234 = _atan2(s234, c234)
+        short234 = w234 <= free_limit
+        factor234 = 1.0 / (1.0 if short234 else w234)
+        c234 = T33 * factor234
+        v6 = Z2_234 * factor234
+        theta234 = _atan2(-v6, c234)
 
         # theta5, type 3: U1[3, 2] and U1[3, 1]
         Z1_5 = T12 * s1 - T22 * c1
         Z2_5 = T11 * s1 - T21 * c1
         w5 = math.sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5)
-        free5 = w5 <= free_limit_squared
-        v8 = 1.0 / (1.0 if free5 else w5)
-        c5 = math.cos(seed[4]) if free5 else -(Z1_5 * v8)
-        s5 = math.sin(seed[4]) if free5 else -(Z2_5 * v8)
-        q5 = _atan2(s5, c5)
+        short5 = w5 <= free_limit
+        v7 = 1.0 / (1.0 if short5 else w5)
+        v8 = Z1_5 * v7
+        v9 = Z2_5 * v7
+        q5 = _atan2(-v9, -v8)
 
         # theta3
-        v9 = c234 * d5 + s234 * a4
-        Z1_3 = v10 - v9
-        v11 = s234 * d5 - c234 * a4
-        Z2_3 = v11 + (T14 * c1 + T24 * s1)
+        v10 = v6 * a4 - c234 * d5
+        Z1_3 = v10 + v11
+        v12 = c234 * a4 + v6 * d5
+        Z2_3 = T14 * c1 + T24 * s1 - v12
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
         D3 = (longest3 - N3) * (N3 - shortest3)
@@ -315,30 +316,21 @@ def _solve(pose, seed, q, status):
             if free1:
                 status[2 * i1] = _LOST + 1
                 q[2 * i1, 0] = D3
-            if free234:
-                status[2 * i1] = _LOST + 2
-                q[2 * i1, 0] = D3
-            if free234:
-                status[2 * i1] = _LOST + 3
-                q[2 * i1, 0] = D3
-            if free234:
-                status[2 * i1] = _LOST + 4
-                q[2 * i1, 0] = D3
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
         c3 = K3 * k2
 
-        # theta2, type 3: U1[2, 4] and U1[1, 4]
+        # theta2
         X1_2 = a2 + a3 * c3
-        v12 = Z1_3 * X1_2
-        v13 = Z2_3 * X1_2
+        v13 = Z1_3 * X1_2
+        v14 = Z2_3 * X1_2
 
         # is the pose one that the arm can take?
-        v15 = d1 + v9
+        v17 = d1 + -v10
         if (
-            not (abs(T33 - c234) <= pose_slack and abs(T31 - s234 * c5) <= pose_slack and abs(T23 +
-            s1 * s234) <= pose_slack and abs(T21 - (c5 * (s1 * c234) + c1 * s5)) <= pose_slack and
-            abs(T11 - (c5 * (c1 * c234) - s1 * s5)) <= pose_slack and abs(T13 + c1 * s234) <=
+            not (abs(T33 - c234) <= pose_slack and abs(T31 - v6 * v8) <= pose_slack and abs(T23 - s1
+            * v6) <= pose_slack and abs(T21 + (v8 * (s1 * c234) + c1 * v9)) <= pose_slack and
+            abs(T11 - (s1 * v9 - v8 * (c1 * c234))) <= pose_slack and abs(T13 - c1 * v6) <=
             pose_slack)
         ):
             continue  # the arm can't take this pose
@@ -356,22 +348,22 @@ def _solve(pose, seed, q, status):
 
             # theta2
             Y1_2 = a3 * s3
-            S2 = v12 - Z2_3 * Y1_2
-            C2 = v13 + Z1_3 * Y1_2
+            S2 = v13 - Z2_3 * Y1_2
+            C2 = v14 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v6) if free2 else C2 * factor2
-            s2 = math.sin(v6) if free2 else S2 * factor2
+            c2 = math.cos(v15) if free2 else C2 * factor2
+            s2 = math.sin(v15) if free2 else S2 * factor2
             theta2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v14 = a3 * c23 + (a2 * c2 + -v11)
+            v16 = a3 * c23 + (v12 + a2 * c2)
             if (
-                not (abs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 and abs(T14 - c1 * v14)
-                <= pose_slack1 and abs(T24 - s1 * v14) <= pose_slack1)
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 and abs(T14 - c1 * v16)
+                <= pose_slack1 and abs(T24 - s1 * v16) <= pose_slack1)
             ):
                 continue  # the arm can't take this pose
 
@@ -379,14 +371,13 @@ def _solve(pose, seed, q, status):
             q2 = _wrap(theta2 - offset2)
             q3 = _wrap(theta3 - offset3)
             q4 = _wrap(theta234 - (theta3 + theta2) - offset4)
-            free2_ = free234 or free2
             row = 2 * i1 + i2
             q[row, 0] = q1
             q[row, 1] = q2
             q[row, 2] = q3
             q[row, 3] = q4
             q[row, 4] = q5
-            status[row] = FREE_JOINT if free1 or free2_ or free234 or free234 or free5 else OK
+            status[row] = FREE_JOINT if free1 or free2 else OK
 
 
 @_njit(forceinline=True)
@@ -403,7 +394,7 @@ def _without_turns(angle):
     return math.copysign(abs(angle) % turn, angle)
 
 
-_CHOOSABLE = (4, 3, 2, 1, 0,)  # joints, from 0, that may be free
+_CHOOSABLE = (1, 0,)  # joints, from 0, that may be free
 
 
 @_inner
@@ -529,38 +520,6 @@ def _serving_digits(pose, seed, search, q, status):
 
 
 @_inner
-def _nearest_miss(pose, seed, search, q, status):
-    """How far a free joint has to be moved until the arm comes nearest to its pose."""
-    step = 0.09817477042468103
-    first = _attempt(pose, seed, search, 0.0, q, status)
-    best, at = first, 0.0
-    for k in range(-32, 32 + 1):
-        here = _attempt(pose, seed, search, k * step, q, status)
-        if here > best:
-            best, at = here, k * step
-    at = _peak(pose, seed, search, at - step, at + step, q, status)
-    return at if _attempt(pose, seed, search, at, q, status) > first else 0.0
-
-
-@_inner
-def _serving_in_turn(pose, seed, search, q, status):
-    """Several joints are free, and none serves by itself: the search and the move that do.
-
-    In turn each is moved to where the arm comes nearest, until one serves.
-    """
-    for k in range(12):
-        moved = _nearest_miss(pose, seed, search, q, status)
-        if k > 0 and moved == 0.0:
-            break
-        seed[search[1]] += moved
-        search = search[0], (0, 1, 2, 3)[k % 4], False
-        moved = _serving(pose, seed, search, q, status)
-        if not math.isnan(moved):
-            return search, moved
-    return search, math.nan
-
-
-@_inner
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
@@ -575,8 +534,6 @@ def _choose_again(pose, given, row, q, status):
     else:
         seed[search[1]] = _without_turns(seed[search[1]])
         moved = _serving(pose, seed, search, trial, result)
-        if math.isnan(moved):
-            search, moved = _serving_in_turn(pose, seed, search, trial, result)
     _attempt(pose, seed, search, moved, trial, result)
     served = not math.isnan(moved) and _serves(search, trial, result)
     status[row] = result[row] if served else UNREACHABLE
@@ -813,12 +770,12 @@ def _regular(pose, q, status):
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     v12 = d5 * T33
-    v13 = T34 - d1
-    v14 = w1 * (m4 * v6)
-    v15 = factor234 * (v12 - v14)
-    v16 = factor234 * (v12 + v14)
-    Z1_3_p = v13 - v15
-    Z1_3_m = v13 - v16
+    v13 = w1 * (m4 * v6)
+    v14 = v13 - v12
+    v15 = T34 - d1
+    Z1_3_p = v15 + factor234 * v14
+    v16 = factor234 * (v12 + v13)
+    Z1_3_m = v15 - v16
     v17 = a4 * T33
     v18 = T14 * c1 + T24 * s1
     v19 = w1 * (m5 * v6)
@@ -849,52 +806,53 @@ def _regular(pose, q, status):
     v31 = v22 * v26
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
+    v32 = w3_p * (m7 * Z1_3_p)
 
     # is the pose one that the arm can take?
-    v32 = Z1_3_p * (m9 + m10 * factor2_p)
-    v33 = Z1_3_m * (m9 + m10 * factor2_m)
-    v34 = v20 + Z2_3_p
-    v35 = v21 - v22
-    v36 = d1 + v15
-    v37 = d1 + v16
-    v38 = T33 - T33 * factor234
-    v39 = T31 - factor234 * (Z2_234 * v10)
-    v40 = T23 - factor234 * (s1 * Z2_234)
-    v41 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33)))
-    v42 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33)))
-    v43 = T13 - factor234 * (c1 * Z2_234)
-    v44 = T34 - (a3 * (v32 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp * factor2_p)))
-    v45 = (
-        T34 - (a3 * (v32 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm * factor2_p)))
+    v33 = Z1_3_p * (m9 + m10 * factor2_p)
+    v34 = Z1_3_m * (m9 + m10 * factor2_m)
+    v35 = v20 + Z2_3_p
+    v36 = v21 - v22
+    v37 = d1 + factor234 * -v14
+    v38 = d1 + v16
+    v39 = T33 - T33 * factor234
+    v40 = T31 - factor234 * (Z2_234 * v10)
+    v41 = T23 - factor234 * (s1 * Z2_234)
+    v42 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33)))
+    v43 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33)))
+    v44 = T13 - factor234 * (c1 * Z2_234)
+    v45 = T34 - (a3 * (v33 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v37 + a2 * (S2_pp * factor2_p)))
+    v46 = (
+        T34 - (a3 * (v33 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v37 + a2 * (S2_pm * factor2_p)))
     )
-    v46 = w3_m * (m9 * (v22 * factor2_m))
-    v47 = T34 - (a3 * (v33 - v46) + (v37 + a2 * (S2_mp * factor2_m)))
-    v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m)))
-    v49 = T14 - c1 * v34
-    v50 = T14 + c1 * v35
-    v51 = T24 - s1 * v34
-    v52 = T24 + s1 * v35
-    v53 = v49 * v49
+    v47 = w3_m * (m9 * (v22 * factor2_m))
+    v48 = T34 - (a3 * (v34 - v47) + (v38 + a2 * (S2_mp * factor2_m)))
+    v49 = T34 - (a3 * (v34 + v47) + (v38 + a2 * (S2_mm * factor2_m)))
+    v50 = T14 - c1 * v35
+    v51 = T14 + c1 * v36
+    v52 = T24 - s1 * v35
+    v53 = T24 + s1 * v36
     v54 = v50 * v50
     v55 = v51 * v51
     v56 = v52 * v52
-    v57 = v55 + (v53 + v44 * v44)
-    v58 = v55 + (v53 + v45 * v45)
-    v59 = v56 + (v54 + v47 * v47)
-    v60 = v56 + (v54 + v48 * v48)
+    v57 = v53 * v53
+    v58 = v56 + (v54 + v45 * v45)
+    v59 = v56 + (v54 + v46 * v46)
+    v60 = v57 + (v55 + v48 * v48)
+    v61 = v57 + (v55 + v49 * v49)
 
     # joint values
-    v79 = math.sqrt(-1.0)
-    v80 = 0.0 if v57 <= m12 else v79
-    v81 = 0.0 if v58 <= m12 else v79
-    v82 = 0.0 if v59 <= m12 else v79
-    v83 = 0.0 if v60 <= m12 else v79
+    v80 = math.sqrt(-1.0)
+    v81 = 0.0 if v58 <= m12 else v80
+    v82 = 0.0 if v59 <= m12 else v80
+    v83 = 0.0 if v60 <= m12 else v80
+    v84 = 0.0 if v61 <= m12 else v80
 
     # a joint is free, or branches meet
     if (
-        v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v38 * v38 + v39 * v39 + v40 * v40 + v41 * v41 +
-        v42 * v42 + v43 * v43 or (m12 < v60 and v60 <= m13) or (m12 < v59 and v59 <= m13) or (m12 <
-        v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or abs(D3_p) <= m6 or abs(D3_m) <= m6
+        v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v39 * v39 + v40 * v40 + v41 * v41 + v42 * v42 +
+        v43 * v43 + v44 * v44 or (m12 < v61 and v61 <= m13) or (m12 < v60 and v60 <= m13) or (m12 <
+        v59 and v59 <= m13) or (m12 < v58 and v58 <= m13) or abs(D3_p) <= m6 or abs(D3_m) <= m6
     ):
         return False
 
@@ -912,8 +870,8 @@ def _regular(pose, q, status):
     room[17] = -Z1_5
     room[18] = N3_p - k1
     room[19] = N3_m - k1
-    room[20] = v30 + w3_p * (m7 * Z1_3_p)
-    room[21] = v30 + w3_p * (m7 * -Z1_3_p)
+    room[20] = v30 + v32
+    room[21] = v30 - v32
     room[22] = w3_m * (m7 * Z1_3_m) - v31
     room[23] = w3_m * (m7 * -Z1_3_m) - v31
     room[24] = v2
@@ -932,48 +890,48 @@ def _regular(pose, q, status):
     angle9 = room[8]
 
     # joint values
-    v61 = angle9 - offset1
-    v62 = angle9 - math.copysign(half_turn, v3) - offset1
-    v63 = angle5 - offset2
-    v64 = angle6 - offset2
-    v65 = angle7 - offset2
-    v66 = angle8 - offset2
-    v67 = angle3 - offset3
-    v68 = offset3 + angle3
-    v69 = angle4 - offset3
-    v70 = offset3 + angle4
-    v71 = angle1 - (angle3 + angle5) - offset4
-    v72 = angle1 - (angle6 - angle3) - offset4
-    v73 = offset4 + (angle1 + (angle4 + angle7))
-    v74 = offset4 + (angle1 + (angle8 - angle4))
-    v75 = v71 + (turn if v71 <= -half_turn else (-turn if half_turn < v71 else 0.0))
+    v62 = angle9 - offset1
+    v63 = angle9 - math.copysign(half_turn, v3) - offset1
+    v64 = angle5 - offset2
+    v65 = angle6 - offset2
+    v66 = angle7 - offset2
+    v67 = angle8 - offset2
+    v68 = angle3 - offset3
+    v69 = offset3 + angle3
+    v70 = angle4 - offset3
+    v71 = offset3 + angle4
+    v72 = angle1 - (angle3 + angle5) - offset4
+    v73 = angle1 - (angle6 - angle3) - offset4
+    v74 = offset4 + (angle1 + (angle4 + angle7))
+    v75 = offset4 + (angle1 + (angle8 - angle4))
     v76 = v72 + (turn if v72 <= -half_turn else (-turn if half_turn < v72 else 0.0))
-    v77 = (turn if -v73 <= -half_turn else (-turn if half_turn < -v73 else 0.0)) - v73
+    v77 = v73 + (turn if v73 <= -half_turn else (-turn if half_turn < v73 else 0.0))
     v78 = (turn if -v74 <= -half_turn else (-turn if half_turn < -v74 else 0.0)) - v74
-    v84 = v23 + (v61 + (turn if v61 <= -half_turn else 0.0))
-    v85 = v24 + (v62 + (turn if v62 <= -half_turn else 0.0))
-    q1_pp = v80 + v84
-    q1_pm = v81 + v84
-    q1_mp = v82 + v85
-    q1_mm = v83 + v85
-    q2_pp = v80 + (v63 + (turn if v63 <= -half_turn else 0.0))
-    q2_pm = v81 + (v64 + (turn if v64 <= -half_turn else 0.0))
-    q2_mp = v82 + (v65 + (turn if v65 <= -half_turn else 0.0))
-    q2_mm = v83 + (v66 + (turn if v66 <= -half_turn else 0.0))
-    q3_pp = v80 + (v67 + (turn if v67 <= -half_turn else 0.0))
-    q3_pm = v81 + ((turn if -v68 <= -half_turn else 0.0) - v68)
-    q3_mp = v82 + (v69 + (turn if v69 <= -half_turn else 0.0))
-    q3_mm = v83 + ((turn if -v70 <= -half_turn else 0.0) - v70)
-    q4_pp = v80 + (v75 + (-turn if half_turn < v75 else 0.0))
-    q4_pm = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
-    q4_mp = v82 + (v77 + (-turn if half_turn < v77 else 0.0))
-    q4_mm = v83 + (v78 + (-turn if half_turn < v78 else 0.0))
-    v86 = angle2 + v23
-    v87 = v24 + (angle2 - math.copysign(half_turn, -Z2_5))
-    q5_pp = v80 + v86
-    q5_pm = v81 + v86
-    q5_mp = v82 + v87
-    q5_mm = v83 + v87
+    v79 = (turn if -v75 <= -half_turn else (-turn if half_turn < -v75 else 0.0)) - v75
+    v85 = v23 + (v62 + (turn if v62 <= -half_turn else 0.0))
+    v86 = v24 + (v63 + (turn if v63 <= -half_turn else 0.0))
+    q1_pp = v81 + v85
+    q1_pm = v82 + v85
+    q1_mp = v83 + v86
+    q1_mm = v84 + v86
+    q2_pp = v81 + (v64 + (turn if v64 <= -half_turn else 0.0))
+    q2_pm = v82 + (v65 + (turn if v65 <= -half_turn else 0.0))
+    q2_mp = v83 + (v66 + (turn if v66 <= -half_turn else 0.0))
+    q2_mm = v84 + (v67 + (turn if v67 <= -half_turn else 0.0))
+    q3_pp = v81 + (v68 + (turn if v68 <= -half_turn else 0.0))
+    q3_pm = v82 + ((turn if -v69 <= -half_turn else 0.0) - v69)
+    q3_mp = v83 + (v70 + (turn if v70 <= -half_turn else 0.0))
+    q3_mm = v84 + ((turn if -v71 <= -half_turn else 0.0) - v71)
+    q4_pp = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
+    q4_pm = v82 + (v77 + (-turn if half_turn < v77 else 0.0))
+    q4_mp = v83 + (v78 + (-turn if half_turn < v78 else 0.0))
+    q4_mm = v84 + (v79 + (-turn if half_turn < v79 else 0.0))
+    v87 = angle2 + v23
+    v88 = v24 + (angle2 - math.copysign(half_turn, -Z2_5))
+    q5_pp = v81 + v87
+    q5_pm = v82 + v87
+    q5_mp = v83 + v88
+    q5_mm = v84 + v88
 
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
@@ -1092,12 +1050,12 @@ def _in_tiles(T, q, status):
             v10 = Z1_5 * v9
             v11 = Z2_5 * v9
             v12 = d5 * T33
-            v13 = T34 - d1
-            v14 = w1 * (m4 * v6)
-            v15 = factor234 * (v12 - v14)
-            v16 = factor234 * (v12 + v14)
-            Z1_3_p = v13 - v15
-            Z1_3_m = v13 - v16
+            v13 = w1 * (m4 * v6)
+            v14 = v13 - v12
+            v15 = T34 - d1
+            Z1_3_p = v15 + factor234 * v14
+            v16 = factor234 * (v12 + v13)
+            Z1_3_m = v15 - v16
             v17 = a4 * T33
             v18 = T14 * c1 + T24 * s1
             v19 = w1 * (m5 * v6)
@@ -1126,46 +1084,47 @@ def _in_tiles(T, q, status):
             v31 = v22 * v26
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v32 = Z1_3_p * (m9 + m10 * factor2_p)
-            v33 = Z1_3_m * (m9 + m10 * factor2_m)
-            v34 = v20 + Z2_3_p
-            v35 = v21 - v22
-            v36 = d1 + v15
-            v37 = d1 + v16
-            v38 = T33 - T33 * factor234
-            v39 = T31 - factor234 * (Z2_234 * v10)
-            v40 = T23 - factor234 * (s1 * Z2_234)
-            v41 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33)))
-            v42 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33)))
-            v43 = T13 - factor234 * (c1 * Z2_234)
-            v44 = (
-                T34 - (a3 * (v32 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp *
-                factor2_p)))
-            )
+            v32 = w3_p * (m7 * Z1_3_p)
+            v33 = Z1_3_p * (m9 + m10 * factor2_p)
+            v34 = Z1_3_m * (m9 + m10 * factor2_m)
+            v35 = v20 + Z2_3_p
+            v36 = v21 - v22
+            v37 = d1 + factor234 * -v14
+            v38 = d1 + v16
+            v39 = T33 - T33 * factor234
+            v40 = T31 - factor234 * (Z2_234 * v10)
+            v41 = T23 - factor234 * (s1 * Z2_234)
+            v42 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33)))
+            v43 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33)))
+            v44 = T13 - factor234 * (c1 * Z2_234)
             v45 = (
-                T34 - (a3 * (v32 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm *
+                T34 - (a3 * (v33 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v37 + a2 * (S2_pp *
                 factor2_p)))
             )
-            v46 = w3_m * (m9 * (v22 * factor2_m))
-            v47 = T34 - (a3 * (v33 - v46) + (v37 + a2 * (S2_mp * factor2_m)))
-            v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m)))
-            v49 = T14 - c1 * v34
-            v50 = T14 + c1 * v35
-            v51 = T24 - s1 * v34
-            v52 = T24 + s1 * v35
-            v53 = v49 * v49
+            v46 = (
+                T34 - (a3 * (v33 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v37 + a2 * (S2_pm *
+                factor2_p)))
+            )
+            v47 = w3_m * (m9 * (v22 * factor2_m))
+            v48 = T34 - (a3 * (v34 - v47) + (v38 + a2 * (S2_mp * factor2_m)))
+            v49 = T34 - (a3 * (v34 + v47) + (v38 + a2 * (S2_mm * factor2_m)))
+            v50 = T14 - c1 * v35
+            v51 = T14 + c1 * v36
+            v52 = T24 - s1 * v35
+            v53 = T24 + s1 * v36
             v54 = v50 * v50
             v55 = v51 * v51
             v56 = v52 * v52
-            v57 = v55 + (v53 + v44 * v44)
-            v58 = v55 + (v53 + v45 * v45)
-            v59 = v56 + (v54 + v47 * v47)
-            v60 = v56 + (v54 + v48 * v48)
-            v79 = math.sqrt(-1.0)
-            v80 = 0.0 if v57 <= m12 else v79
-            v81 = 0.0 if v58 <= m12 else v79
-            v82 = 0.0 if v59 <= m12 else v79
-            v83 = 0.0 if v60 <= m12 else v79
+            v57 = v53 * v53
+            v58 = v56 + (v54 + v45 * v45)
+            v59 = v56 + (v54 + v46 * v46)
+            v60 = v57 + (v55 + v48 * v48)
+            v61 = v57 + (v55 + v49 * v49)
+            v80 = math.sqrt(-1.0)
+            v81 = 0.0 if v58 <= m12 else v80
+            v82 = 0.0 if v59 <= m12 else v80
+            v83 = 0.0 if v60 <= m12 else v80
+            v84 = 0.0 if v61 <= m12 else v80
             work[272 + k] = v3
             work[288 + k] = v4
             work[304 + k] = v7
@@ -1175,20 +1134,20 @@ def _in_tiles(T, q, status):
             work[368 + k] = D3_m
             work[384 + k] = v23
             work[400 + k] = v24
-            work[416 + k] = v38
-            work[432 + k] = v39
-            work[448 + k] = v40
-            work[464 + k] = v41
-            work[480 + k] = v42
-            work[496 + k] = v43
-            work[512 + k] = v57
-            work[528 + k] = v58
-            work[544 + k] = v59
-            work[560 + k] = v60
-            work[576 + k] = v80
-            work[592 + k] = v81
-            work[608 + k] = v82
-            work[624 + k] = v83
+            work[416 + k] = v39
+            work[432 + k] = v40
+            work[448 + k] = v41
+            work[464 + k] = v42
+            work[480 + k] = v43
+            work[496 + k] = v44
+            work[512 + k] = v58
+            work[528 + k] = v59
+            work[544 + k] = v60
+            work[560 + k] = v61
+            work[576 + k] = v81
+            work[592 + k] = v82
+            work[608 + k] = v83
+            work[624 + k] = v84
             work[640 + k] = -Z2_234
             work[656 + k] = -Z2_5
             work[672 + k] = w3_p
@@ -1202,8 +1161,8 @@ def _in_tiles(T, q, status):
             work[800 + k] = -Z1_5
             work[816 + k] = N3_p - k1
             work[832 + k] = N3_m - k1
-            work[848 + k] = v30 + w3_p * (m7 * Z1_3_p)
-            work[864 + k] = v30 + w3_p * (m7 * -Z1_3_p)
+            work[848 + k] = v30 + v32
+            work[864 + k] = v30 - v32
             work[880 + k] = w3_m * (m7 * Z1_3_m) - v31
             work[896 + k] = w3_m * (m7 * -Z1_3_m) - v31
             work[912 + k] = v2
@@ -1219,20 +1178,20 @@ def _in_tiles(T, q, status):
             D3_m = work[368 + k]
             v23 = work[384 + k]
             v24 = work[400 + k]
-            v38 = work[416 + k]
-            v39 = work[432 + k]
-            v40 = work[448 + k]
-            v41 = work[464 + k]
-            v42 = work[480 + k]
-            v43 = work[496 + k]
-            v57 = work[512 + k]
-            v58 = work[528 + k]
-            v59 = work[544 + k]
-            v60 = work[560 + k]
-            v80 = work[576 + k]
-            v81 = work[592 + k]
-            v82 = work[608 + k]
-            v83 = work[624 + k]
+            v39 = work[416 + k]
+            v40 = work[432 + k]
+            v41 = work[448 + k]
+            v42 = work[464 + k]
+            v43 = work[480 + k]
+            v44 = work[496 + k]
+            v58 = work[512 + k]
+            v59 = work[528 + k]
+            v60 = work[544 + k]
+            v61 = work[560 + k]
+            v81 = work[576 + k]
+            v82 = work[592 + k]
+            v83 = work[608 + k]
+            v84 = work[624 + k]
             angle1 = work[640 + k]
             angle2 = work[656 + k]
             angle3 = work[672 + k]
@@ -1242,48 +1201,48 @@ def _in_tiles(T, q, status):
             angle7 = work[736 + k]
             angle8 = work[752 + k]
             angle9 = work[768 + k]
-            v61 = angle9 - offset1
-            v62 = angle9 - math.copysign(half_turn, v3) - offset1
-            v63 = angle5 - offset2
-            v64 = angle6 - offset2
-            v65 = angle7 - offset2
-            v66 = angle8 - offset2
-            v67 = angle3 - offset3
-            v68 = offset3 + angle3
-            v69 = angle4 - offset3
-            v70 = offset3 + angle4
-            v71 = angle1 - (angle3 + angle5) - offset4
-            v72 = angle1 - (angle6 - angle3) - offset4
-            v73 = offset4 + (angle1 + (angle4 + angle7))
-            v74 = offset4 + (angle1 + (angle8 - angle4))
-            v75 = v71 + (turn if v71 <= -half_turn else (-turn if half_turn < v71 else 0.0))
+            v62 = angle9 - offset1
+            v63 = angle9 - math.copysign(half_turn, v3) - offset1
+            v64 = angle5 - offset2
+            v65 = angle6 - offset2
+            v66 = angle7 - offset2
+            v67 = angle8 - offset2
+            v68 = angle3 - offset3
+            v69 = offset3 + angle3
+            v70 = angle4 - offset3
+            v71 = offset3 + angle4
+            v72 = angle1 - (angle3 + angle5) - offset4
+            v73 = angle1 - (angle6 - angle3) - offset4
+            v74 = offset4 + (angle1 + (angle4 + angle7))
+            v75 = offset4 + (angle1 + (angle8 - angle4))
             v76 = v72 + (turn if v72 <= -half_turn else (-turn if half_turn < v72 else 0.0))
-            v77 = (turn if -v73 <= -half_turn else (-turn if half_turn < -v73 else 0.0)) - v73
+            v77 = v73 + (turn if v73 <= -half_turn else (-turn if half_turn < v73 else 0.0))
             v78 = (turn if -v74 <= -half_turn else (-turn if half_turn < -v74 else 0.0)) - v74
-            v84 = v23 + (v61 + (turn if v61 <= -half_turn else 0.0))
-            v85 = v24 + (v62 + (turn if v62 <= -half_turn else 0.0))
-            q1_pp = v80 + v84
-            q1_pm = v81 + v84
-            q1_mp = v82 + v85
-            q1_mm = v83 + v85
-            q2_pp = v80 + (v63 + (turn if v63 <= -half_turn else 0.0))
-            q2_pm = v81 + (v64 + (turn if v64 <= -half_turn else 0.0))
-            q2_mp = v82 + (v65 + (turn if v65 <= -half_turn else 0.0))
-            q2_mm = v83 + (v66 + (turn if v66 <= -half_turn else 0.0))
-            q3_pp = v80 + (v67 + (turn if v67 <= -half_turn else 0.0))
-            q3_pm = v81 + ((turn if -v68 <= -half_turn else 0.0) - v68)
-            q3_mp = v82 + (v69 + (turn if v69 <= -half_turn else 0.0))
-            q3_mm = v83 + ((turn if -v70 <= -half_turn else 0.0) - v70)
-            q4_pp = v80 + (v75 + (-turn if half_turn < v75 else 0.0))
-            q4_pm = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
-            q4_mp = v82 + (v77 + (-turn if half_turn < v77 else 0.0))
-            q4_mm = v83 + (v78 + (-turn if half_turn < v78 else 0.0))
-            v86 = angle2 + v23
-            v87 = v24 + (angle2 - math.copysign(half_turn, -Z2_5))
-            q5_pp = v80 + v86
-            q5_pm = v81 + v86
-            q5_mp = v82 + v87
-            q5_mm = v83 + v87
+            v79 = (turn if -v75 <= -half_turn else (-turn if half_turn < -v75 else 0.0)) - v75
+            v85 = v23 + (v62 + (turn if v62 <= -half_turn else 0.0))
+            v86 = v24 + (v63 + (turn if v63 <= -half_turn else 0.0))
+            q1_pp = v81 + v85
+            q1_pm = v82 + v85
+            q1_mp = v83 + v86
+            q1_mm = v84 + v86
+            q2_pp = v81 + (v64 + (turn if v64 <= -half_turn else 0.0))
+            q2_pm = v82 + (v65 + (turn if v65 <= -half_turn else 0.0))
+            q2_mp = v83 + (v66 + (turn if v66 <= -half_turn else 0.0))
+            q2_mm = v84 + (v67 + (turn if v67 <= -half_turn else 0.0))
+            q3_pp = v81 + (v68 + (turn if v68 <= -half_turn else 0.0))
+            q3_pm = v82 + ((turn if -v69 <= -half_turn else 0.0) - v69)
+            q3_mp = v83 + (v70 + (turn if v70 <= -half_turn else 0.0))
+            q3_mm = v84 + ((turn if -v71 <= -half_turn else 0.0) - v71)
+            q4_pp = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
+            q4_pm = v82 + (v77 + (-turn if half_turn < v77 else 0.0))
+            q4_mp = v83 + (v78 + (-turn if half_turn < v78 else 0.0))
+            q4_mm = v84 + (v79 + (-turn if half_turn < v79 else 0.0))
+            v87 = angle2 + v23
+            v88 = v24 + (angle2 - math.copysign(half_turn, -Z2_5))
+            q5_pp = v81 + v87
+            q5_pm = v82 + v87
+            q5_mp = v83 + v88
+            q5_mm = v84 + v88
             _928 = q1_pp
             work[928 + k] = _928
             _944 = q2_pp
@@ -1329,9 +1288,9 @@ def _in_tiles(T, q, status):
             work[1280 + k] = UNREACHABLE if _1088 != _1088 else OK
             work[1296 + k] = UNREACHABLE if _1168 != _1168 else OK
             work[256 + k] = (
-                1.0 if v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v38 * v38 + v39 * v39 + v40 * v40 +
-                v41 * v41 + v42 * v42 + v43 * v43 or (m12 < v60 and v60 <= m13) or (m12 < v59 and
-                v59 <= m13) or (m12 < v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or abs(D3_p)
+                1.0 if v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v39 * v39 + v40 * v40 + v41 * v41 +
+                v42 * v42 + v43 * v43 + v44 * v44 or (m12 < v61 and v61 <= m13) or (m12 < v60 and
+                v60 <= m13) or (m12 < v59 and v59 <= m13) or (m12 < v58 and v58 <= m13) or abs(D3_p)
                 <= m6 or abs(D3_m) <= m6 else work[256 + k]
             )
         for k in range(first, first + count):

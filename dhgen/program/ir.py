@@ -288,7 +288,7 @@ class Program:
         axes: The branch signs, in the order in which rows count: the first changes slowest.
         body: Statements; a name is used only after its `Let`.
         outputs: The results: each joint's value, or the entries of a matrix row by row.
-        free: The truth value of whether a joint was chosen, by joint number; 0 for any of them.
+        free: The truth values of whether a joint was chosen, by joint number; 0 for any of them.
         near: The truth values of whether one was nearly free, where that matters to a guard or,
             after roots of a polynomial, to the digits of a row.
         tightened: Damped least squares for this arm, where rows that are not exact take some steps

@@ -56,7 +56,7 @@ def test_what_has_to_be_of_length_1_is_neither_short_nor_divided_by_its_length()
     """SCARA's angle 1 + 2 + 4 is the direction of (T11, T21), which has to be that direction."""
     whole, solver = story("scara").program, regular(story("scara").program)
     assert solver is not None
-    assert Tolerance("free_square", 0) in {c.role for c in whole.constants}
-    assert Tolerance("doubt_square", 0) not in {c.role for c in solver.program.constants}
+    assert Tolerance("free", 0) in {c.role for c in whole.constants}
+    assert Tolerance("doubt", 0) not in {c.role for c in solver.program.constants}
     count = count_operations(solver.program)
     assert (count.divisions, count.square_roots) == (0, 1)

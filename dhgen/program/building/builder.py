@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import reduce
+from functools import partial, reduce
 from typing import TYPE_CHECKING, Literal
 
 from dhgen.program.building.graph import Graph
@@ -131,6 +131,20 @@ class Builder(Graph):
             else:
                 found.append(node)
         return list(dict.fromkeys(found))
+
+    def either(self, truths: Iterable[Node]) -> Node:
+        """Whether any of these holds, each once and none that follows from another one."""
+        found = self.joined(truths, "or")
+        needed = [node for node in found if not any(self._implies(node, other) for other in found)]
+        return reduce(partial(self.apply, "or"), needed)
+
+    def _implies(self, truth: Node, other: Node) -> bool:
+        """Whether one holds with another one that has a larger limit for what they compare."""
+        one, two = self.entries[truth], self.entries[other]
+        if not one.operator == two.operator == "at_most" or one.operands[0] != two.operands[0]:
+            return False
+        limit, larger = (self.entries[each.operands[1]].value for each in (one, two))
+        return limit is not None and larger is not None and limit < larger
 
     def disjunctions(self, truths: Iterable[Node]) -> list[Node]:
         """Whether any of these holds: one truth value for each type, the narrow ones first."""

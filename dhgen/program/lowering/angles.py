@@ -131,8 +131,8 @@ class Angles:
         return [Option(joint, flag) for joint, flags in self._free.items() for flag in flags]
 
     def free_joints(self) -> list[tuple[int, Node]]:
-        """For every joint that may have been chosen, whether it was."""
-        return [(joint, self._any(flags)) for joint, flags in sorted(self._free.items())]
+        """For every joint that may have been chosen, whether it was, by each of its steps."""
+        return [(joint, flag) for joint, flags in sorted(self._free.items()) for flag in flags]
 
     def joint_value(self, joint: int) -> Node:
         """The value of a joint as the caller counts it."""
@@ -176,12 +176,6 @@ class Angles:
         for angle, sign in path:
             part = self._angles[angle]
             total = builder.add(total, part if sign * facing > 0 else builder.neg(part))
-        return total
-
-    def _any(self, flags: list[Node]) -> Node:
-        total = flags[0]
-        for flag in flags[1:]:
-            total = self._builder.apply("or", total, flag)
         return total
 
 

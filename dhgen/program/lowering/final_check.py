@@ -127,7 +127,7 @@ class _Check:
         flags = list(dict.fromkeys(option.flag for option in chosen))
         if not flags:
             return wide
-        return builder.select(reduce(partial(builder.apply, "or"), flags), slack, wide)
+        return builder.select(builder.either(flags), slack, wide)
 
     def _length(self, found: list[Miss]) -> Node:
         """The root of the sum of their squares, lengths in arm sizes."""

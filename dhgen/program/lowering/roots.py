@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import partial, reduce
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Failure
@@ -61,8 +60,7 @@ def not_below(context: Lowering, discriminant: Node, slack: Node) -> Node:
     for root in follows(context, discriminant):
         share = root.share
         if chosen:
-            any_chosen = reduce(partial(builder.apply, "or"), chosen)
-            share = builder.select(any_chosen, builder.integer(1), share)
+            share = builder.select(builder.either(chosen), builder.integer(1), share)
         discriminant = builder.mul(discriminant, share)
     return builder.apply("at_most", builder.neg(slack), discriminant)
 

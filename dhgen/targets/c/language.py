@@ -137,12 +137,17 @@ class C:
         pieces = [f"q[row][{place}] = {value};" for place, value in values]
         lines = [f"const int row = {row_text(program, len(program.axes))};"]
         lines += packed(pieces, "", width=WIDTH - 4 * (len(program.axes) + 1))
-        flags = " || ".join(name for _, name in program.free)
+        flags = " || ".join(dict.fromkeys(name for _, name in program.free))
         close = " || ".join(close_texts(program))
-        solved = f"({close}) ? DHGEN_CLOSE : DHGEN_OK" if close else "DHGEN_OK"
-        solved = f"({flags}) ? DHGEN_FREE_JOINT : {solved}" if flags else solved
+        solved = f"{_grouped(close)} ? DHGEN_CLOSE : DHGEN_OK" if close else "DHGEN_OK"
+        solved = f"{_grouped(flags)} ? DHGEN_FREE_JOINT : {solved}" if flags else solved
         return [*lines, f"status[row] = {solved};"]
 
     def broken(self, line: str, indent: str) -> list[str]:
         """C may be broken at any space."""
         return wrapped(line, indent)
+
+
+def _grouped(truths: str) -> str:
+    """Several truth values in brackets, one alone without."""
+    return f"({truths})" if " " in truths else truths

@@ -124,7 +124,7 @@ class Python:
         lines += [
             f"q[row, {place}] = {value}" for place, value in enumerate(output_texts(program, self))
         ]
-        flags = " or ".join(name for _, name in program.free)
+        flags = " or ".join(dict.fromkeys(name for _, name in program.free))
         close = " or ".join(close_texts(program))
         solved = f"_CLOSE if {close} else OK" if close else "OK"
         solved = f"FREE_JOINT if {flags} else {solved}" if flags else solved

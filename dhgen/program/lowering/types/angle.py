@@ -172,6 +172,13 @@ def lower_angle_pair(context: Lowering, step: Step) -> None:
     facing = _sign_of(context, determinant, step)
     length = builder.apply("sqrt", builder.add(builder.square(sine), builder.square(cosine)))
     length = builder.name(length, f"w{angle.suffix}")
+    if context.are_constant(*factors):
+        # the pose is checked: one that the arm can take has sides as long as the factors
+        short = is_short(context, length, degree, f"short{angle.suffix}")
+        context.short.append(short)
+        factor = over(context, facing, length, short, angle.suffix)
+        finish(context, angle, builder.mul(cosine, factor), builder.mul(sine, factor))
+        return
     # the product of two vectors of equal length, which vanish together
     free = is_short_square(context, length, degree // 2, angle)
     if context.mends_roots:

@@ -1,0 +1,125 @@
+"""The numbers of the runtime in C are those that the compiler decides by, and those of Python."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import TYPE_CHECKING
+
+import pytest
+
+from dhgen.runtime import c_runtime_files
+from dhgen.runtime.python import pose, turns
+from dhgen.runtime.python.numerical import descent, solutions
+from dhgen.tolerances import DOUBLE, SINGLE
+
+if TYPE_CHECKING:
+    from dhgen.tolerances import Precision, Tolerances
+
+DEFINED = re.compile(r"^#define DHGEN_(\w+) ([-+.\de]+)$", re.MULTILINE)
+
+
+def defined(text: str) -> dict[str, float]:
+    """The numbers that a text defines."""
+    return {name: float(number) for name, number in DEFINED.findall(text)}
+
+
+def table(precision: Precision) -> dict[str, float]:
+    """The part of the table in C that is for an arithmetic."""
+    text = c_runtime_files()["dhgen/tolerances.h"]
+    both, _, parts = text.partition("#ifndef DHGEN_SINGLE_PRECISION")
+    double, _, single = parts.partition("#else")
+    return defined(both) | defined(double if precision is DOUBLE else single)
+
+
+def expected(known: Tolerances) -> dict[str, float]:
+    """What the compiler has in the place of each."""
+    return {
+        "ORTHONORMAL": known.orthonormal,
+        "ROUNDED": known.rotation,
+        "LIMIT": known.limit,
+        "NEAR_LIMIT": known.graze,
+        "EXACT": known.exact,
+        "PROMISED": max(known.promised, known.exact),
+        "FREE": known.free,
+        "MERGE": known.merge,
+        "DOUBTFUL": known.doubtful,
+        "CLAMPED": known.standing,
+        "APART_BY": known.told,
+        "FAR_ANGLE": known.far,
+        "FINE": known.fine,
+        # ten times what rounding may be, where that is more
+        "TOGETHER": max(1e-3, 10.0 * known.told),
+        "FAMILY": max(1e-6, 10.0 * known.exact),
+        # of the runtime alone
+        "LAST_ROW": pose.LAST_ROW if known is DOUBLE.tolerances else 1e-6,
+        "BESIDE_SEED": solutions.BESIDE_SEED,
+    }
+
+
+@pytest.mark.parametrize("precision", [DOUBLE, SINGLE], ids=lambda each: each.name)
+def test_the_table_in_c_is_that_of_the_compiler(precision: Precision) -> None:
+    assert table(precision) == pytest.approx(expected(precision.tolerances), rel=1e-12, abs=0.0)
+
+
+def test_a_clamped_row_does_not_become_another_branch() -> None:
+    for precision in (DOUBLE, SINGLE):
+        assert table(precision)["MERGE"] <= precision.tolerances.told**2
+    assert table(DOUBLE)["CLAMPED"] <= table(DOUBLE)["MERGE"]
+
+
+def test_poses_and_angles_are_read_alike_in_python() -> None:
+    found = table(DOUBLE)
+    assert found["ROUNDED"] == pose.ROTATION
+    assert found["ORTHONORMAL"] == pose.ORTHONORMAL
+    assert found["FAR_ANGLE"] == turns.FAR
+
+
+# Numbers of the numerical solver: in C, and as Python calls them.
+IN_DESCENTS = {
+    "SOLUTION": descent.SOLUTION,
+    "EXACT": descent.EXACT,
+    "SMALL_SINE": descent.ASIDE,
+    "DESCENT_DAMPING": descent.DAMPING,
+    "DAMPING_FLOOR": descent.FLOOR,
+    "SLOW_MISS": descent.NEARLY,
+    "FINE": descent.FINE,
+    "LONGEST_STEP": descent.LONGEST,
+    "DESCENT_STEPS": descent.STEPS,
+    "PULL": descent.PULL,
+    "PULLED_STEPS": descent.PULLED_STEPS,
+    "PULL_SETTLED": descent.SETTLED,
+    "SAME_UNITS": solutions.SAME,
+    "NEIGHBOURS": solutions.NEIGHBOURS,
+    "STEPS_ASIDE": solutions.STEPS_ASIDE,
+    "STAYING_PART": solutions.STAYS,
+    "SINGULAR_LENGTH": solutions.SINGULAR,
+    "FEELER": solutions.FEELER,
+    "FELT": solutions.FELT,
+    "DOUBTFUL": solutions.DOUBTFUL,
+    "PROMISED": solutions.PROMISED,
+    "LIMIT": solutions.LIMIT,
+    "ROW_TIE": solutions.TIE,
+}
+
+
+def test_descents_are_alike_in_python() -> None:
+    files = c_runtime_files()
+    found = table(DOUBLE)
+    for name in ("descent", "pull", "solutions", "keep"):
+        found |= defined(files[f"dhgen/numerical/{name}.h"])
+    assert {name: found[name] for name in IN_DESCENTS} == pytest.approx(IN_DESCENTS, abs=0.0)
+    turns_in_c = [found[f"ANY_TURN_{axis}"] for axis in "XYZ"]
+    assert turns_in_c == pytest.approx(list(descent.ANY_TURN), rel=1e-15)
+
+
+def test_what_follows_from_others_does() -> None:
+    found = table(DOUBLE)
+    for path, text in c_runtime_files().items():
+        if path.endswith(".h") and "tolerances" not in path:
+            found |= defined(text)
+    assert found["LOOSE"] * found["EXACT"] == pytest.approx(found["PROMISED"])
+    assert found["GOLDEN"] == pytest.approx((3.0 - math.sqrt(5.0)) / 2.0, rel=1e-15)
+    assert found["HALF_TURN"] == math.pi
+    assert found["TURN"] == 2.0 * math.pi
+    assert 0.5 ** found["HALVINGS"] < 1e-15 < 0.5 ** (found["HALVINGS"] - 5)
