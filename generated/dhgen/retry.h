@@ -196,7 +196,8 @@ DHGEN_FN double dhgen_working_digits(struct dhgen_search *s)
 {
     double before[2] = { -HUGE_VAL, -HUGE_VAL };
     int past[2] = { 0, 0 };
-    for (double moved = DHGEN_LEAST_MOVE; moved < DHGEN_MOST_MOVE; moved *= 2.0)
+    double moved = DHGEN_LEAST_MOVE;
+    while (moved < DHGEN_MOST_MOVE) {
         for (int way = 0; way < 2; way++) {
             const double there = way ? -moved : moved, here = dhgen_attempt(s, there);
             if (here == 0.0)
@@ -208,6 +209,8 @@ DHGEN_FN double dhgen_working_digits(struct dhgen_search *s)
             }
             before[way] = here;
         }
+        moved *= 2.0;
+    }
     return DHGEN_NAN;
 }
 

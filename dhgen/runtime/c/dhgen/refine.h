@@ -185,14 +185,15 @@ DHGEN_FN int dhgen_refine_inside(
     for (int i = 0; i < dhgen_dof(arm); i++)
         past += dhgen_moves(arm, i) && fabs(dhgen_past_an_end(arm, i, q[i])) > 0.0;
     const double enough = dhgen_miss(arm, T, q, e) + DHGEN_CLAMPED;
-    for (double farther = DHGEN_NEXT_INSIDE; past > 1 && farther <= DHGEN_FARTHEST_INSIDE;
-         farther *= 2.0) {
+    double farther = DHGEN_NEXT_INSIDE;
+    while (past > 1 && farther <= DHGEN_FARTHEST_INSIDE) {
         for (int i = 0; i < dhgen_dof(arm); i++)
             x[i] = q[i] - (dhgen_moves(arm, i) ? farther : 0.0) * dhgen_past_an_end(arm, i, q[i]);
-        if (!dhgen_refine(arm, T, enough, most, x) || dhgen_past_ends(arm, x) > 0.0)
-            continue;
-        dhgen_copy_row(arm, x, q);
-        return 1;
+        if (dhgen_refine(arm, T, enough, most, x) && !(dhgen_past_ends(arm, x) > 0.0)) {
+            dhgen_copy_row(arm, x, q);
+            return 1;
+        }
+        farther *= 2.0;
     }
     return 0;
 }
