@@ -614,14 +614,15 @@ DHGEN_FN int dhgen_refine_inside(
     for (int i = 0; i < dhgen_dof(arm); i++)
         past += dhgen_moves(arm, i) && fabsf(dhgen_past_an_end(arm, i, q[i])) > 0.0f;
     const float enough = dhgen_miss(arm, T, q, e) + DHGEN_CLAMPED;
-    for (float farther = DHGEN_NEXT_INSIDE; past > 1 && farther <= DHGEN_FARTHEST_INSIDE;
-         farther *= 2.0f) {
+    float farther = DHGEN_NEXT_INSIDE;
+    while (past > 1 && farther <= DHGEN_FARTHEST_INSIDE) {
         for (int i = 0; i < dhgen_dof(arm); i++)
             x[i] = q[i] - (dhgen_moves(arm, i) ? farther : 0.0f) * dhgen_past_an_end(arm, i, q[i]);
-        if (!dhgen_refine(arm, T, enough, most, x) || dhgen_past_ends(arm, x) > 0.0f)
-            continue;
-        dhgen_copy_row(arm, x, q);
-        return 1;
+        if (dhgen_refine(arm, T, enough, most, x) && !(dhgen_past_ends(arm, x) > 0.0f)) {
+            dhgen_copy_row(arm, x, q);
+            return 1;
+        }
+        farther *= 2.0f;
     }
     return 0;
 }
@@ -1037,7 +1038,8 @@ DHGEN_FN float dhgen_working_digits(struct dhgen_search *s)
 {
     float before[2] = { -HUGE_VALF, -HUGE_VALF };
     int past[2] = { 0, 0 };
-    for (float moved = DHGEN_LEAST_MOVE; moved < DHGEN_MOST_MOVE; moved *= 2.0f)
+    float moved = DHGEN_LEAST_MOVE;
+    while (moved < DHGEN_MOST_MOVE) {
         for (int way = 0; way < 2; way++) {
             const float there = way ? -moved : moved, here = dhgen_attempt(s, there);
             if (here == 0.0f)
@@ -1049,6 +1051,8 @@ DHGEN_FN float dhgen_working_digits(struct dhgen_search *s)
             }
             before[way] = here;
         }
+        moved *= 2.0f;
+    }
     return DHGEN_NAN;
 }
 
