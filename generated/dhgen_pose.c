@@ -19,6 +19,8 @@ static const double rigid_tolerance = 1e-5;
  * bounds the error of T that the convention for the indeterminate angle may cause. */
 static const double parallel_tolerance = 1e-15;
 
+static const double degree = 3.14159265358979323846 / 180.0;
+
 static int all_finite(const double *numbers, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -351,5 +353,98 @@ int dhgen_pose_to_xyz_euler_zyz(const double T[16], double xyz[3], double euler_
         euler_zyz[2] = 0.0;
     }
     euler_zyz[1] = angle_of(sb, T[10]);
+    return DHGEN_POSE_OK;
+}
+
+int dhgen_pose_from_xyz_rotvec(const double xyz[3], const double rotvec[3], double T[16])
+{
+    const double angle = hypot(hypot(rotvec[0], rotvec[1]), rotvec[2]);
+    return dhgen_pose_from_xyz_axis_angle(xyz, rotvec, angle, T);
+}
+
+int dhgen_pose_to_xyz_rotvec(const double T[16], double xyz[3], double rotvec[3])
+{
+    double axis[3], angle;
+    const int code = dhgen_pose_to_xyz_axis_angle(T, xyz, axis, &angle);
+    for (int i = 0; i < 3; i++) {
+        rotvec[i] = axis[i] * angle;
+    }
+    return code;
+}
+
+int dhgen_pose_from_xyz_abc_deg(const double xyz[3], const double abc_deg[3], double T[16])
+{
+    const double rpy[3] = { abc_deg[2] * degree, abc_deg[1] * degree, abc_deg[0] * degree };
+    return dhgen_pose_from_xyz_rpy(xyz, rpy, T);
+}
+
+int dhgen_pose_to_xyz_abc_deg(const double T[16], double xyz[3], double abc_deg[3])
+{
+    double rpy[3];
+    const int code = dhgen_pose_to_xyz_rpy(T, xyz, rpy);
+    for (int i = 0; i < 3; i++) {
+        abc_deg[i] = rpy[2 - i] / degree;
+    }
+    return code;
+}
+
+int dhgen_pose_from_xyz_wpr_deg(const double xyz[3], const double wpr_deg[3], double T[16])
+{
+    const double rpy[3] = { wpr_deg[0] * degree, wpr_deg[1] * degree, wpr_deg[2] * degree };
+    return dhgen_pose_from_xyz_rpy(xyz, rpy, T);
+}
+
+int dhgen_pose_to_xyz_wpr_deg(const double T[16], double xyz[3], double wpr_deg[3])
+{
+    const int code = dhgen_pose_to_xyz_rpy(T, xyz, wpr_deg);
+    for (int i = 0; i < 3; i++) {
+        wpr_deg[i] /= degree;
+    }
+    return code;
+}
+
+/* Checks a pose; refusing it, fills T with NaN. */
+static int check_pose(const double given[16], double T[16])
+{
+    const int finite = all_finite(given, 16);
+    if (finite && is_rigid(given)) {
+        return DHGEN_POSE_OK;
+    }
+    fill_nan(T, 16);
+    return finite ? DHGEN_POSE_NOT_RIGID : DHGEN_POSE_NOT_FINITE;
+}
+
+int dhgen_pose_multiply(const double left[16], const double right[16], double T[16])
+{
+    const int of_left = check_pose(left, T), of_right = check_pose(right, T);
+    if (of_left != DHGEN_POSE_OK || of_right != DHGEN_POSE_OK) {
+        return of_left != DHGEN_POSE_OK ? of_left : of_right;
+    }
+    for (int i = 0; i < 3; i++) {
+        const double *row = left + 4 * i;
+        for (int j = 0; j < 4; j++) {
+            T[4 * i + j] = row[0] * right[j] + row[1] * right[4 + j] + row[2] * right[8 + j];
+        }
+        T[4 * i + 3] += row[3];
+    }
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+    return DHGEN_POSE_OK;
+}
+
+int dhgen_pose_inverse(const double T[16], double inverse[16])
+{
+    const int code = check_pose(T, inverse);
+    if (code != DHGEN_POSE_OK) {
+        return code;
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            inverse[4 * i + j] = T[4 * j + i];
+        }
+        inverse[4 * i + 3] = -(T[i] * T[3] + T[4 + i] * T[7] + T[8 + i] * T[11]);
+        inverse[12 + i] = 0.0;
+    }
+    inverse[15] = 1.0;
     return DHGEN_POSE_OK;
 }

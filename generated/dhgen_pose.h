@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * dhgen_pose: poses in other notations, a 4x4 pose to and from rpy, quaternions, axis-angle and
- * Euler angles.
+ * dhgen_pose: poses in other notations, a 4x4 pose to and from what people and vendors write.
  * Part of dhgen, which puts a copy of this file beside the robots that it generates.
  *
  * A pose T is 4x4, row-major: rotation R = T[0..2, 4..6, 8..10], position xyz = T[3, 7, 11] in the
- * unit of length of the caller, last row 0 0 0 1. Angles are in radians.
+ * unit of length of the caller, last row 0 0 0 1. Angles are in radians, but in degrees where
+ * the name says deg.
  *
  * Every function returns DHGEN_POSE_OK, or one of the negative codes below and fills its outputs
  * with NaN, which the solvers reject in turn. Inputs and outputs must not overlap. A T that
@@ -78,6 +78,24 @@ int dhgen_pose_to_xyz_euler_zxz(const double T[16], double xyz[3], double euler_
 /* euler_zyz = a, b, c about z, y', z'': R = Rz(a) Ry(b) Rz(c); ranges and sin(b) = 0 as above. */
 int dhgen_pose_from_xyz_euler_zyz(const double xyz[3], const double euler_zyz[3], double T[16]);
 int dhgen_pose_to_xyz_euler_zyz(const double T[16], double xyz[3], double euler_zyz[3]);
+
+/* rotvec = axis times angle [rad]: rx, ry, rz of UR. to: at most pi long, signs as axis_angle. */
+int dhgen_pose_from_xyz_rotvec(const double xyz[3], const double rotvec[3], double T[16]);
+int dhgen_pose_to_xyz_rotvec(const double T[16], double xyz[3], double rotvec[3]);
+
+/* abc_deg = A, B, C of KUKA [degrees]: R = Rz(A) Ry(B) Rx(C); they are yaw, pitch, roll. */
+int dhgen_pose_from_xyz_abc_deg(const double xyz[3], const double abc_deg[3], double T[16]);
+int dhgen_pose_to_xyz_abc_deg(const double T[16], double xyz[3], double abc_deg[3]);
+
+/* wpr_deg = W, P, R of FANUC, Rx, Ry, Rz of Yaskawa: rpy in degrees. */
+int dhgen_pose_from_xyz_wpr_deg(const double xyz[3], const double wpr_deg[3], double T[16]);
+int dhgen_pose_to_xyz_wpr_deg(const double T[16], double xyz[3], double wpr_deg[3]);
+
+/* T is the pose right, given in the frame left, in the frame that left is given in. */
+int dhgen_pose_multiply(const double left[16], const double right[16], double T[16]);
+
+/* inverse is the pose of the frame that T is given in, in the frame T. */
+int dhgen_pose_inverse(const double T[16], double inverse[16]);
 
 #ifdef __cplusplus
 }

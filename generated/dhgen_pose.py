@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""Poses in other notations: a 4x4 pose to and from rpy, quaternions, axis-angle, Euler angles.
+"""Poses in other notations: a 4x4 pose to and from what people and vendors write.
 
 Part of dhgen, which puts a copy of this file beside the robots that it generates.
 
 A pose T is a row-major (4, 4) array: rotation R = T[:3, :3], position xyz = T[:3, 3] in the unit of
-length of the caller, last row 0 0 0 1. Angles are in radians. The functions take arrays, lists and
-tuples, leave them as they are and return new arrays of float64; numba functions may call them with
-arrays.
+length of the caller, last row 0 0 0 1. Angles are in radians, but in degrees where the name says
+deg. `from_...` make a (4, 4) pose of xyz, (3,), and an orientation; `to_...` give these. The
+functions take arrays, lists and tuples, leave them as they are and return new arrays of float64;
+numba functions may call them with arrays.
 
-They raise ValueError for a wrong length, for NaN and infinity, and for a T that is not a rotation
-and a translation: scaled, sheared, mirrored, transposed. A T that is only rounded, to float32 or to
-six decimals, is read to within that rounding.
+They raise ValueError for a wrong length, for NaN and infinity, for a zero quaternion or axis, and
+for a T that is not a rotation and a translation: scaled, sheared, mirrored, transposed. A T that is
+only rounded, to float32 or to six decimals, is read to within that rounding.
 
 Reading a pose and writing it again gives the same T to about 1e-15, at and near the singular
 orientations too. There the angles themselves are not unique: each function says which it returns.
@@ -87,7 +88,7 @@ def _shape(name: str) -> tuple[int, ...]:
     """What an argument of this name holds."""
     if name.startswith("quaternion"):
         return (4,)
-    return {"T": (4, 4), "angle": ()}.get(name, (3,))
+    return {"T": (4, 4), "left": (4, 4), "right": (4, 4), "angle": ()}.get(name, (3,))
 
 
 def _of_numbers(function: Callable[..., Made]) -> Callable[..., Made]:
@@ -118,6 +119,8 @@ RIGID_TOLERANCE = 1e-5
 # the error of T that the convention for the indeterminate angle may cause.
 PARALLEL_TOLERANCE = 1e-15
 
+DEGREE = math.pi / 180.0
+
 
 @_of_numbers
 def from_xyz_rpy(xyz: Array, rpy: Array) -> Array:
@@ -125,12 +128,7 @@ def from_xyz_rpy(xyz: Array, rpy: Array) -> Array:
 
     Document 001, section 2.1.8; the product written out as in Paul, Robot Manipulators (1981).
 
-    Args:
-        xyz: (3,) position.
-        rpy: (3,) roll about x, then pitch about y, then yaw about z, all of the base frame [rad].
-
-    Returns:
-        (4, 4) pose.
+    (3,) roll about x, then pitch about y, then yaw about z, all of the base frame [rad].
     """
     angles = _vector(rpy, 3)
     cr, sr = math.cos(angles[0]), math.sin(angles[0])
@@ -150,9 +148,6 @@ def to_xyz_rpy(T: Array) -> tuple[Array, Array]:
     Gimbal lock, cos(pitch) = 0: only yaw - roll (pitch = pi/2) or yaw + roll (pitch = -pi/2) is
     determined; roll is 0 and yaw takes it all. Close to it roll and yaw feel every rounding of T,
     but roll is computed from the yaw returned, so that together they still give T.
-
-    Args:
-        T: (4, 4) pose.
 
     Returns:
         (3,) position; (3,) roll in [-pi, pi], pitch in [-pi/2, pi/2], yaw in [-pi, pi] [rad].
@@ -176,15 +171,7 @@ def from_xyz_quaternion_xyzw(xyz: Array, quaternion_xyzw: Array) -> Array:
     Document 001, eq. (11h), with its 1 replaced by eq. (11c): R is orthonormal to rounding for a
     quaternion of any length, and no square root is taken.
 
-    Args:
-        xyz: (3,) position.
-        quaternion_xyzw: (4,) x, y, z, w of any length except 0; q and -q are the same rotation.
-
-    Returns:
-        (4, 4) pose.
-
-    Raises:
-        ValueError: Also when the quaternion is zero.
+    (4,) x, y, z, w of any length except 0; q and -q are the same rotation.
     """
     q = _vector(quaternion_xyzw, 4)
     largest = max(abs(q[0]), abs(q[1]), abs(q[2]), abs(q[3]))
@@ -207,9 +194,6 @@ def to_xyz_quaternion_xyzw(T: Array) -> tuple[Array, Array]:
     Of q and -q the one with w >= 0 is returned; for a half turn, w = 0, the one whose first
     component other than zero is positive.
 
-    Args:
-        T: (4, 4) pose.
-
     Returns:
         (3,) position; (4,) unit quaternion x, y, z, w with w in [0, 1].
     """
@@ -219,32 +203,14 @@ def to_xyz_quaternion_xyzw(T: Array) -> tuple[Array, Array]:
 
 @_of_numbers
 def from_xyz_quaternion_wxyz(xyz: Array, quaternion_wxyz: Array) -> Array:
-    """Pose from position and quaternion, scalar first, as document 001, eq. (11a), writes it.
-
-    Args:
-        xyz: (3,) position.
-        quaternion_wxyz: (4,) w, x, y, z of any length except 0; q and -q are the same rotation.
-
-    Returns:
-        (4, 4) pose.
-
-    Raises:
-        ValueError: Also when the quaternion is zero.
-    """
+    """Pose from position and quaternion w, x, y, z, scalar first (document 001, eq. (11a); ABB)."""
     q = _vector(quaternion_wxyz, 4)
     return from_xyz_quaternion_xyzw(xyz, np.array([q[1], q[2], q[3], q[0]]))
 
 
 @_of_numbers
 def to_xyz_quaternion_wxyz(T: Array) -> tuple[Array, Array]:
-    """Position and unit quaternion of a pose, scalar first; signs as `to_xyz_quaternion_xyzw`.
-
-    Args:
-        T: (4, 4) pose.
-
-    Returns:
-        (3,) position; (4,) unit quaternion w, x, y, z with w in [0, 1].
-    """
+    """Position and unit quaternion of a pose, scalar first; signs as `to_xyz_quaternion_xyzw`."""
     xyz, q = to_xyz_quaternion_xyzw(T)
     return xyz, np.array([q[3], q[0], q[1], q[2]])
 
@@ -253,16 +219,8 @@ def to_xyz_quaternion_wxyz(T: Array) -> tuple[Array, Array]:
 def from_xyz_axis_angle(xyz: Array, axis: Array, angle: float) -> Array:
     """Pose from position, axis of rotation and angle about it (document 001, eq. (10)).
 
-    Args:
-        xyz: (3,) position.
-        axis: (3,) direction of any length; zero only together with angle 0, which is no rotation.
-        angle: Angle about the axis, right-handed [rad].
-
-    Returns:
-        (4, 4) pose.
-
-    Raises:
-        ValueError: Also when the axis is zero and the angle is not.
+    The axis may have any length, and be zero only together with angle 0, which is no rotation; the
+    angle about it is right-handed [rad].
     """
     v = _vector(axis, 3)
     theta = np.float64(angle)
@@ -295,9 +253,6 @@ def to_xyz_axis_angle(T: Array) -> tuple[Array, Array, float]:
     and -axis are right: the one whose first component other than zero is positive is returned;
     within rounding of a half turn it may be either.
 
-    Args:
-        T: (4, 4) pose.
-
     Returns:
         (3,) position; (3,) unit axis; angle in [0, pi] [rad].
     """
@@ -318,13 +273,6 @@ def from_xyz_euler_zxz(xyz: Array, euler_zxz: Array) -> Array:
     """Pose from position and Euler angles a, b, c about z, x', z'': R = Rz(a) Rx(b) Rz(c).
 
     Document 001, section 2.1.8, eq. (15).
-
-    Args:
-        xyz: (3,) position.
-        euler_zxz: (3,) a, b, c [rad].
-
-    Returns:
-        (4, 4) pose.
     """
     angles = _vector(euler_zxz, 3)
     ca, sa = math.cos(angles[0]), math.sin(angles[0])
@@ -344,9 +292,6 @@ def to_xyz_euler_zxz(T: Array) -> tuple[Array, Array]:
     sin(b) = 0, first and last axis parallel: only a + c (b = 0) or a - c (b = pi) is determined;
     c is 0 and a takes it all. Close to it a and c feel every rounding of T, but c is computed from
     the a returned, so that together they still give T.
-
-    Args:
-        T: (4, 4) pose.
 
     Returns:
         (3,) position; (3,) a in [-pi, pi], b in [0, pi], c in [-pi, pi] [rad].
@@ -369,13 +314,6 @@ def from_xyz_euler_zyz(xyz: Array, euler_zyz: Array) -> Array:
 
     Document 001, section 2.1.8, eq. (15) with y in place of x, as in Paul, Robot Manipulators
     (1981).
-
-    Args:
-        xyz: (3,) position.
-        euler_zyz: (3,) a, b, c [rad].
-
-    Returns:
-        (4, 4) pose.
     """
     angles = _vector(euler_zyz, 3)
     ca, sa = math.cos(angles[0]), math.sin(angles[0])
@@ -392,12 +330,7 @@ def from_xyz_euler_zyz(xyz: Array, euler_zyz: Array) -> Array:
 def to_xyz_euler_zyz(T: Array) -> tuple[Array, Array]:
     """Position and Euler angles a, b, c of a pose: R = Rz(a) Ry(b) Rz(c).
 
-    sin(b) = 0, first and last axis parallel: only a + c (b = 0) or a - c (b = pi) is determined;
-    c is 0 and a takes it all. Close to it a and c feel every rounding of T, but c is computed from
-    the a returned, so that together they still give T.
-
-    Args:
-        T: (4, 4) pose.
+    sin(b) = 0 as in `to_xyz_euler_zxz`.
 
     Returns:
         (3,) position; (3,) a in [-pi, pi], b in [0, pi], c in [-pi, pi] [rad].
@@ -412,6 +345,70 @@ def to_xyz_euler_zyz(T: Array) -> tuple[Array, Array]:
     else:
         a, c, sb = _angle(-P[0, 1], P[1, 1]), 0.0, 0.0
     return P[:3, 3].copy(), np.array([a, _angle(sb, P[2, 2]), c])
+
+
+@_of_numbers
+def from_xyz_rotvec(xyz: Array, rotvec: Array) -> Array:
+    """Pose from position and rotation vector, axis times angle [rad]: rx, ry, rz of UR."""
+    v = _vector(rotvec, 3)
+    return from_xyz_axis_angle(xyz, v, math.hypot(math.hypot(v[0], v[1]), v[2]))
+
+
+@_of_numbers
+def to_xyz_rotvec(T: Array) -> tuple[Array, Array]:
+    """Position and rotation vector of a pose, at most pi long; signs as `to_xyz_axis_angle`."""
+    xyz, axis, angle = to_xyz_axis_angle(T)
+    return xyz, axis * angle
+
+
+@_of_numbers
+def from_xyz_abc_deg(xyz: Array, abc_deg: Array) -> Array:
+    """Pose from position and KUKA's A, B, C [degrees]: R = Rz(A) Ry(B) Rx(C)."""
+    abc = _vector(abc_deg, 3) * DEGREE
+    return from_xyz_rpy(xyz, np.array([abc[2], abc[1], abc[0]]))
+
+
+@_of_numbers
+def to_xyz_abc_deg(T: Array) -> tuple[Array, Array]:
+    """Position and KUKA's A, B, C of a pose [degrees]; A, B, C are yaw, pitch, roll."""
+    xyz, rpy = to_xyz_rpy(T)
+    return xyz, np.array([rpy[2], rpy[1], rpy[0]]) / DEGREE
+
+
+@_of_numbers
+def from_xyz_wpr_deg(xyz: Array, wpr_deg: Array) -> Array:
+    """Pose from position and W, P, R of FANUC, Rx, Ry, Rz of Yaskawa: rpy in degrees."""
+    return from_xyz_rpy(xyz, _vector(wpr_deg, 3) * DEGREE)
+
+
+@_of_numbers
+def to_xyz_wpr_deg(T: Array) -> tuple[Array, Array]:
+    """Position and W, P, R of FANUC, Rx, Ry, Rz of Yaskawa, of a pose: rpy in degrees."""
+    xyz, rpy = to_xyz_rpy(T)
+    return xyz, rpy / DEGREE
+
+
+@_of_numbers
+def multiply(left: Array, right: Array) -> Array:
+    """Pose `right`, given in the frame `left`, in the frame that `left` is given in."""
+    P, Q = _rigid(left), _rigid(right)
+    T = np.eye(4)
+    for i in range(3):
+        for j in range(4):
+            T[i, j] = P[i, 0] * Q[0, j] + P[i, 1] * Q[1, j] + P[i, 2] * Q[2, j]
+        T[i, 3] += P[i, 3]
+    return T
+
+
+@_of_numbers
+def inverse(T: Array) -> Array:
+    """Pose of the frame that T is given in, in the frame T."""
+    P, Q = _rigid(T), np.eye(4)
+    for i in range(3):
+        for j in range(3):
+            Q[i, j] = P[j, i]
+        Q[i, 3] = -(P[0, i] * P[0, 3] + P[1, i] * P[1, 3] + P[2, i] * P[2, 3])
+    return Q
 
 
 @_jit

@@ -34,6 +34,9 @@ NOTATIONS: dict[str, tuple[int, ...]] = {
     "axis_angle": (3, 0),
     "euler_zxz": (3,),
     "euler_zyz": (3,),
+    "rotvec": (3,),
+    "abc_deg": (3,),
+    "wpr_deg": (3,),
 }
 
 FILES = ("dhgen_pose.py", "dhgen_pose.h", "dhgen_pose.c")
@@ -105,6 +108,8 @@ class CLibrary:
 
     def __getattr__(self, name: str) -> Any:
         function = getattr(self.shared, f"dhgen_pose_{name}")
+        if name in {"multiply", "inverse"}:
+            return lambda *poses: _make_pose(function, *poses)
         direction, notation = name.split("_xyz_")
         sizes = NOTATIONS[notation]
         if direction == "from":
@@ -137,8 +142,12 @@ def _refuse(code: int, *outputs: Any) -> None:
 
 
 def _write(function: Any, xyz: Any, orientation: tuple[Any, ...]) -> Any:
+    return _make_pose(function, xyz, *orientation)
+
+
+def _make_pose(function: Any, *given: Any) -> Any:
     T = np.full((4, 4), 7.0)
-    code = call_c(function, _doubles(xyz), *(_doubles(numbers) for numbers in orientation), T)
+    code = call_c(function, *(_doubles(numbers) for numbers in given), T)
     _refuse(code, T)
     return T
 

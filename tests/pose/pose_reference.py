@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 LONG = np.longdouble
+DEGREE = np.arctan2(LONG(0), LONG(-1)) / 180
 
 
 def elementary(axis: str, angle: Any) -> Any:
@@ -35,6 +36,25 @@ def euler_zyz(angles: Any) -> Any:
     """R = Rz(a) Ry(b) Rz(c)."""
     a, b, c = angles
     return elementary("z", a) @ elementary("y", b) @ elementary("z", c)
+
+
+def abc_deg(angles: Any) -> Any:
+    """R = Rz(A) Ry(B) Rx(C): turns about the axes of the frame itself, z, y, x (KUKA's manuals)."""
+    a, b, c = np.asarray(angles, dtype=LONG) * DEGREE
+    return elementary("z", a) @ elementary("y", b) @ elementary("x", c)
+
+
+def wpr_deg(angles: Any) -> Any:
+    """W, P, R: turns about the fixed axes x, y, z, one after the other (FANUC's manuals)."""
+    w, p, r = np.asarray(angles, dtype=LONG) * DEGREE
+    return elementary("z", r) @ elementary("y", p) @ elementary("x", w)
+
+
+def rotvec(vector: Any) -> Any:
+    """R = exp([vector]x)."""
+    v = np.asarray(vector, dtype=LONG)
+    angle = np.sqrt((v * v).sum())
+    return axis_angle(v, angle) if angle else np.eye(3, dtype=LONG)
 
 
 def axis_angle(axis: Any, angle: Any) -> Any:

@@ -46,6 +46,19 @@ static int reads_and_writes(const double T[16])
     EXPECT(dhgen_pose_to_xyz_euler_zyz(T, xyz, v) == DHGEN_POSE_OK);
     EXPECT(dhgen_pose_from_xyz_euler_zyz(xyz, v, again) == DHGEN_POSE_OK);
     EXPECT(distance(T, again) <= 4e-15);
+    EXPECT(dhgen_pose_to_xyz_rotvec(T, xyz, v) == DHGEN_POSE_OK);
+    EXPECT(dhgen_pose_from_xyz_rotvec(xyz, v, again) == DHGEN_POSE_OK);
+    EXPECT(distance(T, again) <= 4e-15);
+    EXPECT(dhgen_pose_to_xyz_abc_deg(T, xyz, v) == DHGEN_POSE_OK);
+    EXPECT(dhgen_pose_from_xyz_abc_deg(xyz, v, again) == DHGEN_POSE_OK);
+    EXPECT(distance(T, again) <= 4e-15);
+    EXPECT(dhgen_pose_to_xyz_wpr_deg(T, xyz, v) == DHGEN_POSE_OK);
+    EXPECT(dhgen_pose_from_xyz_wpr_deg(xyz, v, again) == DHGEN_POSE_OK);
+    EXPECT(distance(T, again) <= 4e-15);
+    double inverse[16];
+    EXPECT(dhgen_pose_inverse(T, inverse) == DHGEN_POSE_OK);
+    EXPECT(dhgen_pose_multiply(T, inverse, again) == DHGEN_POSE_OK);
+    EXPECT(fabs(again[0] - 1.0) + fabs(again[5] - 1.0) + fabs(again[10] - 1.0) <= 4e-15);
     return 0;
 }
 

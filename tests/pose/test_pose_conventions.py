@@ -128,3 +128,45 @@ def test_ranges(name: str) -> None:
         _, axis, angle = of.to_xyz_axis_angle(T)
         assert axis @ axis == pytest.approx(1, abs=5e-16)
         assert 0 <= angle <= np.pi
+
+
+@each_library
+def test_products_and_inverses_are_those_of_matrices(name: str) -> None:
+    of = library(name)
+    first, second = (
+        reference.pose(R, [0.3, -250.0, 1e-3]) for R in reference.random_rotations(2, seed=4)
+    )
+    np.testing.assert_allclose(of.multiply(first, second), first @ second, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(of.inverse(first), np.linalg.inv(first), rtol=0, atol=1e-13)
+    np.testing.assert_allclose(of.multiply(of.inverse(first), first), np.eye(4), rtol=0, atol=1e-13)
+    mirrored = first * np.array([-1.0, 1.0, 1.0, 1.0])
+    for refused in (first * 1.01, mirrored, np.full((4, 4), np.nan)):
+        for call in (
+            lambda T: of.multiply(T, first),
+            lambda T: of.multiply(first, T),
+            of.inverse,
+        ):
+            with pytest.raises(ValueError, match=r"."):
+                call(refused)
+
+
+@each_library
+@pytest.mark.parametrize(
+    ("notation", "numbers", "x", "z"),
+    [  # where the tool's x and z axes point to, drawn by hand
+        ("abc_deg", (90, 0, 0), (0, 1, 0), (0, 0, 1)),
+        ("abc_deg", (90, 90, 0), (0, 0, -1), (0, 1, 0)),  # B about the y axis that A has turned
+        ("abc_deg", (0, 0, 90), (1, 0, 0), (0, -1, 0)),
+        ("wpr_deg", (90, 0, 0), (1, 0, 0), (0, -1, 0)),
+        ("wpr_deg", (180, 0, 90), (0, 1, 0), (0, 0, -1)),  # a tool that points down
+        ("rotvec", (0, np.pi, 0), (-1, 0, 0), (0, 0, -1)),
+        ("rotvec", (0, 0, np.pi / 2), (0, 1, 0), (0, 0, 1)),
+    ],
+)
+def test_what_vendors_write(
+    name: str, notation: str, numbers: tuple[float, ...], x: Any, z: Any
+) -> None:
+    T = write(library(name), notation, ORIGIN, angles(*numbers))
+    np.testing.assert_allclose(T[:3, 0], x, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(T[:3, 2], z, rtol=0, atol=1e-15)
+    assert read(library(name), notation, T)[1] == pytest.approx(numbers, abs=1e-13)
