@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import sys
 from dataclasses import replace
+from shlex import quote
 from typing import TYPE_CHECKING
 
 from dhgen.arguments import OUT
@@ -89,7 +90,7 @@ def write(options: argparse.Namespace) -> int:
 def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     from dhgen.atomic_write import replace_files  # noqa: PLC0415
     from dhgen.compiler import verified  # noqa: PLC0415
-    from dhgen.derivation import derivation_summary  # noqa: PLC0415
+    from dhgen.derivation import derivation_summary, tool_at_zero  # noqa: PLC0415
     from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
     _refuse_taken(file, options.out)
@@ -113,6 +114,8 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     )
     if report.single is not None:
         print(f"in single precision: largest residual {report.single:.1e} arm sizes")
+    print(tool_at_zero(module.chain, module.length_unit))
+    print(f"all solutions counted by an independent search: dhgen survey {quote(str(file.path))}")
     print(f"wrote {', '.join(str(options.out / name) for name in _own(compilation))}\n")
 
 

@@ -29,7 +29,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.document import document_blocks, singular_places
 from dhgen.derivation.story import Story
-from dhgen.derivation.summary import alternatives_text, summary_text
+from dhgen.derivation.summary import alternatives_text, summary_text, tool_at_zero
 from dhgen.derivation.text.markdown import markdown
 from dhgen.derivation.text.plain import plain
 from dhgen.printing.comments import plain_path
@@ -70,4 +70,5 @@ __all__ = [
     "derivation_document",
     "derivation_summary",
     "derivation_terminal",
+    "tool_at_zero",
 ]

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from dhgen.derivation.notation.matrices import element_of
 from dhgen.derivation.notation.names import unknown_symbol
@@ -14,10 +17,13 @@ from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import PLAIN
 from dhgen.derivation.text.words import counted
 from dhgen.general.kernel import GeneralKernel
+from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.mobility import determining_tasks
 from dhgen.paul.refusal.unsolved import missed_structure
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
     from dhgen.kinematics.chain import Chain
@@ -27,6 +33,7 @@ if TYPE_CHECKING:
 
 
 CHECKED = "every pose is checked: the task asks for more than the arm can choose"
+PARALLEL = 1e-9  # of the arm's size, or rad: what is less counts as zero
 LONGEST = 62  # characters of an equation; the rest is in the derivation
 
 
@@ -46,6 +53,25 @@ def summary_text(story: Story, singular: list[Singularity]) -> str:
     if story.derivation.problem.overdetermined:
         lines += [CHECKED, *_just_enough(story.algebra.chain)]
     return "\n".join(lines) + "\n"
+
+
+def tool_at_zero(chain: Chain, length_unit: str) -> str:
+    """A line with the tool's pose at q = 0, which a new table can be checked by at a glance."""
+    T = numeric_arm(chain).pose(np.zeros(chain.dof))
+    level = math.hypot(T[0, 0], T[1, 0])
+    upright = level < PARALLEL  # then roll and yaw turn about one axis: roll is 0
+    roll = 0.0 if upright else math.atan2(T[2, 1], T[2, 2])
+    yaw = math.atan2(-T[0, 1], T[1, 1]) if upright else math.atan2(T[1, 0], T[0, 0])
+    turns = (math.degrees(angle) for angle in (roll, math.atan2(-T[2, 0], level), yaw))
+    angles = (180.0 if turn < -180.0 + 1e-7 else turn for turn in turns)
+    x, y, z = (f"{value:.6g}" for value in _rounded(T[:3, 3], PARALLEL * chain.size))
+    r, p, w = (f"{value:.6g}" for value in _rounded(angles, 1e-7))
+    return f"tool at q = 0: x {x}, y {y}, z {z} {length_unit}; rpy {r}, {p}, {w} deg"
+
+
+def _rounded(values: Iterable[float], step: float) -> list[float]:
+    """Numbers in whole steps, without -0: what rounding leaves of zero is gone."""
+    return [round(value / step) * step + 0.0 for value in values]
 
 
 def _whole(kernel: GeneralKernel | NumericalKernel, story: Story) -> list[str]:

@@ -13,11 +13,13 @@ from dhgen.derivation import (
     derivation_document,
     derivation_summary,
     derivation_terminal,
+    tool_at_zero,
 )
 from dhgen.derivation.sections.closing import tree_text
 from dhgen.derivation.sections.transforms import PAGE
 from dhgen.derivation.summary import CHECKED
 from dhgen.derivation.types import PRINTERS
+from dhgen.kinematics.build import build_chain
 from dhgen.paul.kind import Kind
 from tests.derivation.golden import FOLDER, made, without_cost
 from tests.derivation.golden import NAMES as GOLDEN
@@ -205,6 +207,27 @@ def test_a_task_that_asks_for_as_much_as_the_arm_can_choose_is_named(
     lines = derivation_summary(of.robot, of.derivation, of.program).splitlines()
     told = [f"`task: {task}` would ask for as much as it can" for task in enough]
     assert lines[lines.index(CHECKED) + 1 :] == told
+
+
+@pytest.mark.parametrize(
+    ("rows", "sections", "told"),
+    [  # worked out by hand: links along x, twists about it, the tool along its own z
+        (("theta: q, a: 0.4", "theta: q, a: 0.3"), {}, "x 0.7, y 0, z 0 m; rpy 0, 0, 0 deg"),
+        (("theta: q + pi/2, d: 1, a: 2",), {}, "x 0, y 2, z 1 m; rpy 0, 0, 90 deg"),
+        (
+            ("theta: q, a: 2, alpha: -pi/2",),
+            {"tool": "{xyz: [0, 0, 5]}"},
+            "x 2, y 5, z 0 m; rpy ",
+        ),
+        (("theta: q",), {"tool": "{rpy: [0, pi/2, pi/6]}"}, "x 0, y 0, z 0 m; rpy 0, 90, 30 deg"),
+        (("theta: q - pi",), {}, "x 0, y 0, z 0 m; rpy 0, 0, 180 deg"),
+        (("d: q, a: 120",), {"units": "{length: mm}"}, "x 120, y 0, z 0 mm; rpy 0, 0, 0 deg"),
+    ],
+)
+def test_the_tool_at_zero(rows: tuple[str, ...], sections: dict[str, str], told: str) -> None:
+    robot = table(*rows, **sections)
+    line = tool_at_zero(build_chain(robot), robot.length_unit)
+    assert line.startswith(f"tool at q = 0: {told}")
 
 
 def test_alternatives_name_the_way_of_document_003() -> None:
