@@ -29,12 +29,6 @@ LONGEST = 2.0  # of a step's components [rad, arm sizes]
 STEPS = 40  # from a start; 7 to 16 are usual
 SAME = 1e-6  # solutions closer than this are one [rad, arm sizes]
 TOGETHER = 1e-3  # of rows that are refined: singular ones closer than this are one
-# Singular ones closer than this are one if what lies between them solves, too: from these parts
-# of the way a few steps lead to solutions that are nearer to where they began than this part of it.
-NEIGHBOURS = 0.1
-BETWEEN = (0.25, 0.5, 0.75)
-STEPS_ASIDE = 4
-STAYS = 1 / 16
 STARTS = 48  # in a round; the search ends with the first round that finds nothing new
 ROUNDS = 8
 FEW_STARTS = 12  # beside what another algorithm found, where that is not certainly everything
@@ -57,16 +51,7 @@ AWAY = 2.0
 # Where the other of two solutions is looked for, as parts of the way from their double root to one;
 # at none of it where the one came from the seed, and the root itself may lead to the other.
 ACROSS = (0.0, -1.0, -2.0, -0.5, -4.0)
-# Along a continuum of solutions: a part of the way to the seed with every step, then Newton alone.
-PULL = 0.5
-PULLED = 60
-SETTLED = 1e-9  # a step shorter than this ends the pull
 SINGULAR = 1e-4  # what is left of a generic direction when all that moves the tool is taken away
-FEELER = 0.05  # how far a continuum is looked for in that direction [rad, arm sizes]
-FELT = 0.01  # and how far from where it began, and from the other side, a solution must then be
-# Where a solution beyond a limit is one of two that nearly meet the other lies across a singular
-# place, and from the limit steps may lead back: how far to go on, as parts of the way there.
-FARTHER_ON = (0.0, 1.0, 3.0, 7.0, 15.0)
 # Just beyond an end of its range a joint is taken for one on that end, not for one that turned to
 # the other, if the seed is nearer than this [rad].
 BESIDE_SEED = 0.15

@@ -16,19 +16,11 @@ if TYPE_CHECKING:
     from dhgen.targets.numerical.texts import TurnComponent
 
 
-@dataclass(frozen=True, slots=True)
-class Listed:
-    """Numbers as both languages write them one after another, and how many they are."""
-
-    many: int
-    text: str
+def _listed(numbers: Sequence[float]) -> str:
+    return ", ".join(map(repr, numbers))
 
 
-def _listed(numbers: Sequence[float]) -> Listed:
-    return Listed(len(numbers), ", ".join(map(repr, numbers)))
-
-
-BESIDE, ACROSS = map(_listed, (kernel.BESIDE, kernel.ACROSS))
+BESIDE, ACROSS = _listed(kernel.BESIDE), _listed(kernel.ACROSS)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,8 +52,8 @@ class Descent:
     spare: float = kernel.SPARE
     sure: float = kernel.SURE
     loose: float = kernel.LOOSE
-    beside: Listed = BESIDE
-    across: Listed = ACROSS
+    beside: str = BESIDE
+    across: str = ACROSS
     few_starts: int = kernel.FEW_STARTS
     singular: float = kernel.SINGULAR
     together: float = kernel.TOGETHER
