@@ -273,26 +273,21 @@ SHARED = {
     tables: ("SAMPLES CELLS HALF_CELLS WIDTH", {}),
     loop: ("TINY", {}),
     descent: (
-        "SOLUTION PULLED_STEPS PULL",
+        "SOLUTION PULLED_STEPS PULL FINE EXACT",
         {
             "SMALL_SINE": "ASIDE",
             "DESCENT_DAMPING": "DAMPING",
             "DAMPING_FLOOR": "FLOOR",
             "SLOW_MISS": "NEARLY",
-            "FINE_DAMPING": "FINE",
             "DESCENT_STEPS": "STEPS",
-            "EXACT_SOLUTION": "EXACT",
             "PULL_SETTLED": "SETTLED",
         },
     ),
     solutions: (
-        "NEIGHBOURS STEPS_ASIDE FEELER FELT BESIDE_SEED",
+        "NEIGHBOURS STEPS_ASIDE FEELER FELT BESIDE_SEED PROMISED LIMIT DOUBTFUL",
         {
             "STAYING_PART": "STAYS",
             "SINGULAR_LENGTH": "SINGULAR",
-            "PROMISED_MISS": "PROMISED",
-            "LIMIT_SLACK": "LIMIT",
-            "JUST_BEYOND": "DOUBTFUL",
             "ROW_TIE": "TIE",
         },
     ),
@@ -301,7 +296,12 @@ SHARED = {
 
 
 def macros() -> dict[str, float]:
-    text = "\n".join(c_runtime_files().values())
+    """Every number of the C, of the two arithmetics double precision."""
+    files = c_runtime_files()
+    double = [
+        text.split("\n#else\n")[0] if "TOLERANCES_H" in text else text for text in files.values()
+    ]
+    text = "\n".join(double)
     found = re.findall(r"#define DHGEN_(\w+) \(?(-?[\d.]+(?:e[+-]?\d+)?)\)?\n", text)
     return {name: float(value) for name, value in found}
 

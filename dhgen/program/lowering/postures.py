@@ -60,6 +60,8 @@ def with_postures(program: Program, derivation: Derivation) -> Program:
     if all(axis.meaning == _WORDS["wrist"] for axis in axes if axis.count == 2):
         return replace(program, axes=tuple(_told_apart(axes, steps)))
     found = _solutions(program, derivation)
+    if np.isnan(found.q).all():
+        return replace(program, axes=tuple(_told_apart(axes, steps)))
     for place, step in enumerate(steps):
         if axes[place].count == 2 and (look := _look(found, step, place, program)) is not None:
             axes[place] = _named(replace(program, axes=tuple(axes)), place, look)
