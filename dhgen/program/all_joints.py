@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from dhgen.general.runtime_loop import runtime_loop
@@ -15,15 +14,12 @@ if TYPE_CHECKING:
     from dhgen.program.ir import AllJoints
 
 
-def whole_solver(statement: AllJoints) -> tuple[Any, FloatArray]:
-    """The runtime's function, from arm, pose, given values and seed to rows, and the arm."""
-    return _solver(general=statement.general is not None), _numbers(statement)
+def whole_solver(statement: AllJoints) -> Any:  # noqa: ANN401  numba's or Python's
+    """The runtime's function for such arms: from arm, pose, given values and seed to rows.
 
-
-@cache
-def _solver(*, general: bool) -> Any:  # noqa: ANN401  numba's or Python's
-    """What solves arms of a kind: compiled, as verification compiles it anyway."""
-    if general:
+    It is compiled, as verification compiles it anyway.
+    """
+    if statement.general is not None:
         from dhgen.runtime.python.general.rows import solve_whole  # noqa: PLC0415  takes time
 
         return solve_whole
@@ -32,7 +28,8 @@ def _solver(*, general: bool) -> Any:  # noqa: ANN401  numba's or Python's
     return descend
 
 
-def _numbers(statement: AllJoints) -> FloatArray:
+def whole_numbers(statement: AllJoints) -> FloatArray:
+    """The arm as the runtime takes it."""
     arm = runtime_arm(statement.descent)
     if statement.general is None:
         return arm_numbers(arm)

@@ -14,7 +14,7 @@ import numpy as np
 from dhgen.numerical.both_sides import both_sides
 from dhgen.numerical.kernel import AWAY
 from dhgen.numerical.tighten import tighten
-from dhgen.program.all_joints import whole_solver
+from dhgen.program.all_joints import whole_numbers, whole_solver
 from dhgen.program.circle import circle_roots, is_close
 from dhgen.program.ir import (
     AllJoints,
@@ -195,7 +195,7 @@ class _Run:
 
     def _all_joints(self, statement: AllJoints) -> dict[str, Array]:
         """All joints of all solutions along the only axis, by the runtime."""
-        solve, arm = whole_solver(statement)
+        solve, arm = whole_solver(statement), whole_numbers(statement)
         values = np.full((*self._shape, len(statement.names)), np.nan)
         found, chosen = np.zeros(self._shape, dtype=bool), np.zeros(self._shape, dtype=bool)
         for k, pose in enumerate(self._poses):

@@ -17,8 +17,8 @@ from dhgen.method import Method
 from dhgen.paul.refusal.redundancy import near_redundancy
 from dhgen.program.all_joints import whole_solver
 from dhgen.program.interpret import interpret
-from dhgen.program.ir import AllJoints
 from dhgen.robot.task import TaskKind
+from dhgen.targets.walk import whole_arm
 from dhgen.tolerances import TOLERANCES
 from dhgen.verify.compiled import compiled_code, import_temporary, runtime_code, together
 from dhgen.verify.demands import FIXED, FOUND, FOUND_SINGULAR, Demands
@@ -87,7 +87,8 @@ def _verify(module: SolverModule, folder: Path) -> Report:
     checker.impossible()
     seen = checker.poses, checker.solutions, demands.residual, bool(builds)
     code = compiled_code(python)
-    return Report(*seen, code=together(runtime_code(), code) if _whole(module) else code)
+    whole = whole_arm(module.solver)
+    return Report(*seen, code=code if whole is None else together(runtime_code(), code))
 
 
 def imported(module: SolverModule, folder: Path) -> ModuleType:
@@ -96,15 +97,9 @@ def imported(module: SolverModule, folder: Path) -> ModuleType:
     What solves for all joints is the compiler's own, imported before the robot's copy of the text:
     its compiled code stays.
     """
-    whole = _whole(module)
-    if whole is not None:
+    if (whole := whole_arm(module.solver)) is not None:
         whole_solver(whole)
     return import_temporary(folder / f"{module.name}.py")
-
-
-def _whole(module: SolverModule) -> AllJoints | None:
-    """The statement that solves for all joints, if there is one."""
-    return next((each for each in module.solver.body if isinstance(each, AllJoints)), None)
 
 
 class _Checker:

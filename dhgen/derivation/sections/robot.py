@@ -125,15 +125,16 @@ def _solutions(story: Story) -> str:
 
 
 _SEEN = {
-    "left-right of the arm": "seen from above towards the wrist, the plane of the arm passes axis "
-    "1 on the left or on the right",
-    "front-back of the arm": "the arm faces the wrist (front) or reaches over itself (back)",
-    "up-down of the elbow": "the elbow is above or below the line from the shoulder to the end of "
-    "the forearm, unless the wrist is nearer to axis 1 than the shoulder",
-    "left-right of the elbow": "seen from above, the elbow is on the left or on the right of the "
-    "line from the shoulder to the end of the forearm",
-    "backward-forward of the slide": "the slide is farther out (forward) or less far",
+    (Part.END, "left"): "seen from above towards the wrist, the plane of the arm passes axis 1 on "
+    "the left or on the right",
+    (Part.END, "front"): "the arm faces the wrist (front) or reaches over itself (back)",
+    (Part.ELBOW, "up"): "the elbow is above or below the line from the shoulder to the end of the "
+    "forearm, unless the wrist is nearer to axis 1 than the shoulder",
+    (Part.ELBOW, "left"): "seen from above, the elbow is on the left or on the right of the line "
+    "from the shoulder to the end of the forearm",
+    (Part.SLIDE, "forward"): "the slide is farther out (forward) or less far",
 }
+"""By what is placed and one of its two words."""
 
 
 def branch_legend(story: Story) -> list[Block]:
@@ -151,10 +152,8 @@ def branch_legend(story: Story) -> list[Block]:
 def _seen(story: Story, axis: Axis) -> str:
     """What a person sees of the arm in rows of these names."""
     part = story.steps[axis.step - 1].kind.value.part
-    whose = {Part.ELBOW: "the elbow", Part.SLIDE: "the slide"}.get(part, "the arm")
-    words = "-".join(sorted(word.rstrip("0123456789") for word in axis.meaning))
-    words = {"down-up": "up-down", "back-front": "front-back"}.get(words, words)
-    return _SEEN.get(f"{words} of {whose}", "")
+    words = [word.rstrip("0123456789") for word in axis.meaning]  # the joint's where two are alike
+    return next((_SEEN[part, word] for word in words if (part, word) in _SEEN), "")
 
 
 def _choice(story: Story, place: int, axis: Axis) -> Prose:
@@ -165,12 +164,13 @@ def _choice(story: Story, place: int, axis: Axis) -> Prose:
         return say(f"{first} to {last} are the roots of step {axis.step} for {{}}", unknown)
     plus, opposite = axis.meaning
     sign = times(*(branch_sign(each) for each in sorted((*axis.factors, place))))
-    brings = f", where {{}} is the sign of step {axis.step}" if axis.factors else ""
-    where = "" if axis.factors else f" in step {axis.step}"
+    brought = say(f" in step {axis.step}")
+    if axis.factors:
+        brought = say(f", where {{}} is the sign of step {axis.step}", branch_sign(place))
     return say(
-        f"{plus} is {{}} and {opposite} is {{}}{where}{brings}, which gives {{}}",
+        f"{plus} is {{}} and {opposite} is {{}}{{}}, which gives {{}}",
         equal(sign, ONE),
         equal(sign, minus(ONE)),
-        *([branch_sign(place)] if axis.factors else []),
+        brought,
         unknown,
     )

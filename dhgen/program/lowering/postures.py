@@ -57,14 +57,16 @@ def with_postures(program: Program, derivation: Derivation) -> Program:
         replace(axis, meaning=_WORDS[_part(chain, step)]) if axis.count == 2 else axis
         for axis, step in zip(program.axes, steps, strict=True)
     ]
-    if all(axis.meaning == _WORDS["wrist"] for axis in axes if axis.count == 2):
-        return replace(program, axes=tuple(_told_apart(axes, steps)))
-    found = _solutions(program, derivation)
-    if np.isnan(found.q).all():
-        return replace(program, axes=tuple(_told_apart(axes, steps)))
-    for place, step in enumerate(steps):
-        if axes[place].count == 2 and (look := _look(found, step, place, program)) is not None:
-            axes[place] = _named(replace(program, axes=tuple(axes)), place, look)
+    watched = [
+        place
+        for place, axis in enumerate(axes)
+        if axis.count == 2 and axis.meaning != _WORDS["wrist"]
+    ]
+    found = _solutions(program, derivation) if watched else None
+    if found is not None and not np.isnan(found.q).all():
+        for place in watched:
+            if (look := _look(found, steps[place], place, program)) is not None:
+                axes[place] = _named(axes, place, look)
     return replace(program, axes=tuple(_told_apart(axes, steps)))
 
 
@@ -354,10 +356,10 @@ def _seen(value: FloatArray, unit: float) -> FloatArray:
 # ------------------------------------------------------------------------------- which signs
 
 
-def _named(program: Program, place: int, look: Look) -> Axis:
+def _named(axes: list[Axis], place: int, look: Look) -> Axis:
     """An axis with the words of a look, if the look goes by a product of signs."""
-    axis = program.axes[place]
-    counts = [each.count for each in program.axes]
+    axis = axes[place]
+    counts = [each.count for each in axes]
     others = [p for p, count in enumerate(counts) if count == 2 and p != place]
     grids = np.meshgrid(*(np.arange(count) for count in counts), indexing="ij")
     signs = [1.0 - 2.0 * grid.reshape(-1) for grid in grids]
