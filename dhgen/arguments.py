@@ -19,7 +19,7 @@ verbs:
   dhgen --check FILE ...   compare generated/ with what the compiler makes; exit 1 when it is stale
   dhgen --numerical FILE   fall back to the numerical solver where nothing else works
   dhgen --single-file FILE write C that includes no file but its header
-  dhgen explain FILE       print the whole derivation (--alternatives: other valid steps)
+  dhgen explain FILE       print the whole derivation (--alternatives: all valid steps, by number)
   dhgen survey PATH ...    test many arms: are all solutions found? (--poses, --recall)
   dhgen --version          print the version
 
@@ -74,7 +74,10 @@ def explain_parser() -> argparse.ArgumentParser:
     )
     made.add_argument("file", type=_path, metavar="FILE", help="a robot file (YAML)")
     made.add_argument(
-        "--alternatives", action="store_true", help="print the other valid equations of each step"
+        "--alternatives",
+        action="store_true",
+        help="print the valid equations of each step, by the numbers that `steps:` in a robot file "
+        "takes",
     )
     made.add_argument("--program", action="store_true", help="print the emitted program")
     _add_numerical(made)

@@ -88,7 +88,7 @@ def compile_loaded(
     tell("deriving")
     chain = build_chain(robot)
     try:
-        derivation = derive(chain, numerical=robot.numerical)
+        derivation = derive(chain, numerical=robot.numerical, steps=robot.steps)
     except UnsolvedError as error:
         raise UnsolvedError("\n".join((str(error), *other_convention(robot)))) from error
     tell("writing programs")

@@ -72,15 +72,14 @@ a4 = 4.0  # link length 5 [m]
 d6 = 2.0  # joint offset 6 [m]
 free_limit = 1e-12  # a length that fixes no angle
 near_limit = 0.001  # a length whose direction is good to few digits
-free_limit_squared2 = 4.9e-23  # square of a length that fixes no angle [m^2]
 reach_slack1 = 7e-13  # rounding at the boundary of the workspace [m]
 merge_slack1 = 7e-14  # nearer to that boundary two branches are one [m]
 # the same where they follow an angle that is good to few digits [m]
 blur_slack1 = 6.999999999999999e-11
-doubt_limit_squared2 = 4.9e-07  # square of a length that fixes no angle [m^2]
+k1 = 16.0  # a4^2 [m^2]
+k2 = 0.0625  # 1 / k1 [m^-2]
 m1 = 9.999999999999999e-09  # doubt_limit^2
-m3 = 4.0  # a coefficient of Y5
-m4 = 6.999999999999999e-10  # 10 * blur_slack1 [m]
+m3 = 6.999999999999999e-10  # 10 * blur_slack1 [m]
 
 turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 0.5 * turn
@@ -92,11 +91,6 @@ _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([0.02040816326530612, 0.02040816326530612, 1.0, 1.0, 1.0, 1.0])
 _JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
-# Of the values of a free joint that are tried, from one to the next.
-_FAN_STEP = np.array([
-    0.6872233929727672, 0.6872233929727672, 0.09817477042468103, 0.09817477042468103,
-    0.09817477042468103, 0.09817477042468103,
-])
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -191,17 +185,10 @@ def jacobian(q):
     return J
 
 
-_LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
-_NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
-
-
 @_inner
 def _solve(pose, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-
-    The first value of a row that is _LOST says how far it is from a solution (negative).
-    """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, _, _, T33, T34 = pose
 
     # theta3, type 2: U3[2, 3]
     w3 = math.sqrt(T23 * T23 + T13 * T13)
@@ -209,16 +196,16 @@ def _solve(pose, seed, q, status):
     divisor3 = 1.0 if free3 else w3
     near3 = w3 <= near_limit
 
-    # theta5, type 2: U0 (A5 A6)^-1 [3, 4]
-    X5 = T33 * a4
-    v3 = X5 * X5
-    v4 = T33 * d6 + (d3 - T34)
-    v5 = v4 * v4
-    v6 = abs(v4)
-    v7 = 2.0 * v6
-    v8 = merge_slack1 * (v7 + merge_slack1)
-    v9 = blur_slack1 * (v7 + blur_slack1)
-    v10 = X5 * v4
+    # theta4, type 2: U0 A6^-1 [3, 4]
+    wz = T34 - T33 * d6
+    Z4 = wz - d3
+    D4 = k1 - Z4 * Z4
+    v3 = 2.0 * abs(Z4)
+    apart4 = merge_slack1 * (v3 + merge_slack1) < D4
+    if not (-(reach_slack1 * (v3 + reach_slack1)) <= D4):
+        return  # out of reach
+    w4 = math.sqrt(D4 if apart4 else 0.0)
+    s4 = k2 * (a4 * Z4)
 
     # r2, type 1: U0 A6^-1 [1, 4]
     wx = T14 - T13 * d6
@@ -241,60 +228,35 @@ def _solve(pose, seed, q, status):
         c3 = math.cos(seed[2]) if held3 else v1
         s3 = math.sin(seed[2]) if held3 else -v2
         q3 = _atan2(s3, c3)
-        root3 = w3 * e1
-
-        # theta45, type 3: U3[3, 3] and U3[1, 3]
-        theta45 = _atan2(-root3, -T33)
-
-        # theta6, type 3: U3[2, 2] and U3[2, 1]
-        Z1_6 = T12 * c3 + T22 * s3
-        Z2_6 = T11 * c3 + T21 * s3
-        q6 = _atan2(-Z2_6, -Z1_6)
-
-        # theta5
-        Y5 = a4 * (T32 * Z2_6 - T31 * Z1_6)
-        N5 = v3 + Y5 * Y5
-        free5 = N5 <= free_limit_squared2
-        D5 = N5 - v5
-        apart5 = v8 < D5
-        if not (-(reach_slack1 * (v7 + reach_slack1)) <= D5):
-            if near3:
-                status[2 * i1] = _NEARLY + 3
-                q[2 * i1, 0] = D5
-                q[2 * i1, 1] = _atan2(-v2, v1)
-            if free3:
-                status[2 * i1] = _LOST + 3
-                q[2 * i1, 0] = D5
-            continue  # out of reach
-        w5 = math.sqrt(D5 if apart5 else 0.0)
-        inverse5 = 1.0 / (1.0 if free5 else (N5 if apart5 else v6 * math.sqrt(N5)))
-        v11 = Y5 * v4
 
         # r2
-        v13 = s3 * a4
+        v5 = s3 * a4
 
         # r1
-        v14 = c3 * a4
+        v6 = c3 * a4
+
+        # theta45, type 3: U3[3, 3] and U3[1, 3]
+        theta45 = _atan2(-(w3 * e1), -T33)
+
+        # theta6, type 3: U3[2, 2] and U3[2, 1]
+        q6 = _atan2(-(T11 * c3 + T21 * s3), -(T12 * c3 + T22 * s3))
 
         for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
-            # theta5
-            if e2 < 0.0 and (free5 or not apart5 or (near3 and not (v9 < D5))):
+            # theta4
+            if e2 < 0.0 and (not apart4 or (near3 and not (blur_slack1 * (v3 + blur_slack1) < D4))):
                 continue  # both signs give the same
-            root5 = w5 * e2
-            c5 = math.cos(seed[4]) if free5 else -(inverse5 * (v11 + X5 * root5))
-            s5 = math.sin(seed[4]) if free5 else inverse5 * (Y5 * root5 - v10)
-            q5 = _atan2(s5, c5)
+            v4 = k2 * (a4 * (w4 * e2))
+            q4 = _atan2(s4, -v4)
 
             # r2
-            v12 = T33 * c5 + root3 * s5
-            r2 = wx + v12 * v13
+            r2 = wx + v4 * v5
 
             # r1
-            r1 = wy - v12 * v14
+            r1 = wy - v4 * v6
 
             # joint values
-            q4 = _wrap(theta45 - q5)
+            q5 = _wrap(theta45 - q4)
             row = 2 * i1 + i2
             q[row, 0] = r1
             q[row, 1] = r2
@@ -302,7 +264,7 @@ def _solve(pose, seed, q, status):
             q[row, 3] = q4
             q[row, 4] = q5
             q[row, 5] = q6
-            status[row] = FREE_JOINT if free3 or free5 else OK
+            status[row] = FREE_JOINT if free3 else OK
 
 
 @_njit(forceinline=True)
@@ -311,189 +273,6 @@ def _read(T):
     valid, pose = _read_rows(T)
     px, py, pz = pose[3], pose[7], pose[11]
     return valid and math.isfinite(px * px * px) and math.isfinite(py * py * py) and math.isfinite(pz * pz * pz), pose
-
-
-@_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % turn, angle)
-
-
-_CHOOSABLE = (4, 2,)  # joints, from 0, that may be free
-
-
-@_inner
-def _serves(search, q, status):
-    """Whether a row was solved, as exactly as poses may be rounded."""
-    return status[search[0]] != UNREACHABLE and status[search[0]] < _LOST
-
-
-@_inner
-def _shortfall(pose, row, q, status):
-    """How far a row is from a solution: 0 if it is solved.
-    """
-    if status[row] >= _LOST:
-        return q[row, 0]
-    return -math.inf if status[row] == UNREACHABLE else 0.0
-
-
-@_inner
-def _attempt(pose, seed, search, moved, q, status):
-    """Solves with a joint moved: 0 if it serves, else less.
-
-    A search is a row, the joint that had been chosen, whether limits count.
-    """
-    row, joint = search[0], search[1]
-    for i in range(4):
-        status[i] = UNREACHABLE
-    kept = seed[joint]
-    seed[joint] = kept + moved
-    _solve(pose, seed, q, status)
-    seed[joint] = kept
-    return _shortfall(pose, row, q, status)
-
-
-@_inner
-def _peak(pose, seed, search, low, high, q, status):
-    """Golden section for the move between low and high that comes nearest, or one that serves."""
-    for _ in range(52):
-        third = 0.3819660112501051 * (high - low)
-        left = _attempt(pose, seed, search, low + third, q, status)
-        right = _attempt(pose, seed, search, high - third, q, status)
-        if left == 0.0 or right == 0.0:
-            return low + third if left == 0.0 else high - third
-        if left >= right:
-            high -= third
-        else:
-            low += third
-    return low
-
-
-@_inner
-def _summit(pose, seed, search, low, high, q, status):
-    """A move between low and high that serves; NaN if there is none."""
-    top = _peak(pose, seed, search, low, high, q, status)
-    if _attempt(pose, seed, search, top, q, status) == 0.0:
-        return top
-    # beside a place where the branches meet, this one has no solution of its own
-    for moved in (top - 1e-09, top + 1e-09):
-        if math.isinf(_attempt(pose, seed, search, moved, q, status)):
-            return math.nan
-    _attempt(pose, seed, search, top, q, status)
-    return top if _serves(search, q, status) else math.nan
-
-
-@_inner
-def _serving(pose, seed, search, q, status):
-    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
-
-    A fan of values shows where it serves or nearly so, golden section finds what lies between two
-    of them, bisection the end that is nearest to the seed; of two that are equally near the lower
-    one.
-    """
-    if _attempt(pose, seed, search, 0.0, q, status) == 0.0:
-        return 0.0
-    step, nearest, here = _FAN_STEP[search[1]], math.nan, -math.inf
-    after = _attempt(pose, seed, search, -32.0 * step, q, status)
-    for k in range(-32, 32 + 1):
-        before, here = here, after
-        after = _attempt(pose, seed, search, (k + 1) * step, q, status)
-        outer = k * step
-        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
-        if here < 0.0 and here >= before and here > after:
-            low, high = outer - step, outer + step
-            outer = _summit(pose, seed, search, low, high, q, status)
-            if math.isnan(outer):
-                continue
-        elif here < 0.0 or (before if k > 0 else after) == 0.0:
-            continue
-        for _ in range(52):
-            middle = 0.5 * (inner + outer)
-            if _attempt(pose, seed, search, middle, q, status) == 0.0:
-                outer = middle
-            else:
-                inner = middle
-        if not abs(outer) >= abs(nearest) - 1e-09:
-            nearest = outer
-    return nearest
-
-
-@_inner
-def _serving_digits(pose, seed, search, q, status):
-    """The same for a joint that is nearly free: its angle is known to few digits.
-
-    Also where the arm just reaches (an elbow that is stretched). As long as the angle is right up
-    to rounding of what it was taken from, `_solve` takes it as it would take its own.
-    """
-    before, past = np.full(2, -math.inf), np.zeros(2)
-    moved = 1e-15
-    while moved < 0.1:
-        for way in range(2):
-            there = -moved if way else moved
-            here = _attempt(pose, seed, search, there, q, status)
-            if here == 0.0:
-                return there
-            if here < 2.0 * before[way] and past[way] == 0.0:
-                past[way] = 1.0
-                low = 0.25 * there
-                top = _summit(pose, seed, search, low, there, q, status)
-                if not math.isnan(top):
-                    return top
-            before[way] = here
-        moved *= 2.0
-    return math.nan
-
-
-@_inner
-def _choose_again(pose, given, row, q, status):
-    """A free joint took the seed's value, and then the arm could not reach.
-
-    The joint takes the nearest value that serves.
-    """
-    nearly = status[row] > _NEARLY
-    search = row, status[row] - (_NEARLY if nearly else _LOST) - 1, False
-    seed, trial, result = given.copy(), q.copy(), status.copy()
-    if nearly:
-        seed[search[1]] = q[row, 1]
-        moved = _serving_digits(pose, seed, search, trial, result)
-    else:
-        if _REVOLUTE[search[1]]:
-            seed[search[1]] = _without_turns(seed[search[1]])
-        moved = _serving(pose, seed, search, trial, result)
-    _attempt(pose, seed, search, moved, trial, result)
-    served = not math.isnan(moved) and _serves(search, trial, result)
-    status[row] = result[row] if served else UNREACHABLE
-    for i in range(6):
-        q[row, i] = trial[row, i] if served else math.nan
-
-
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
-def _other_choices(pose, seed, q, status):
-    """Other values for free joints, in rows that the seed's do not serve."""
-    for row in range(4):
-        if status[row] >= _LOST:
-            _choose_again(pose, seed, row, q, status)
-
-
-@_inner
-def _choose(pose, seed, q, status):
-    """The same where there is a row that needs it."""
-    served = True
-    for row in range(4):
-        served = served and status[row] < _LOST
-    if served:
-        return
-    # arrays of the caller may have any layout
-    values, rows, kinds = np.empty(6), np.empty((4, 6)), np.empty(4, np.uint8)
-    for row in range(4):
-        kinds[row] = status[row]
-        for i in range(6):
-            values[i], rows[row, i] = seed[i], q[row, i]
-    _other_choices(pose, values, rows, kinds)
-    for row in range(4):
-        status[row] = kinds[row]
-        for i in range(6):
-            q[row, i] = rows[row, i]
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
@@ -646,7 +425,6 @@ def _whole(pose, seed, q, status):
         for i in range(6):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    _choose(pose, seed, q, status)
     _stay(pose, seed, q, status)
     count = 0
     for row in range(4):
@@ -667,70 +445,54 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, T12, T13, T14, T21, T22, T23, T24, _, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
     # theta3, type 2: U3[2, 3]
     v1 = T23 * T23 + T13 * T13
     w3 = math.sqrt(v1)
-    v2 = 1.0 / v1
-    factor3 = w3 * v2
+    factor3 = w3 * (1.0 / v1)
+    c3 = T23 * factor3
+    v2 = T13 * factor3
 
-    # theta6, type 3: U3[2, 2] and U3[2, 1]
-    v3 = v2 * (T23 * T12 - T13 * T22)
-    v4 = v2 * (T23 * T11 - T13 * T21)
-
-    # theta5, type 2: U0 (A5 A6)^-1 [3, 4]
-    X5 = a4 * T33
-    Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32))))
-    N5 = X5 * X5 + Y5 * Y5
-    v5 = d6 * T33 + (d3 - T34)
-    D5 = N5 - v5 * v5
-    w5 = math.sqrt(D5)
-    v6 = w5 - w5
-    inverse5 = 1.0 / N5
-    v7 = X5 * v5
-    v8 = Y5 * v5
-    v9 = X5 * w5
-    v10 = Y5 * w5
-    v11 = v10 - v7
-    v12 = v8 + v9
-    v13 = v8 - v9
+    # theta4, type 2: U0 A6^-1 [3, 4]
+    Z4 = T34 - d6 * T33 - d3
+    D4 = k1 - Z4 * Z4
+    w4 = math.sqrt(D4)
+    v3 = w4 - w4
+    v4 = a4 * w4
+    v5 = k2 * v4
+    v6 = a4 * Z4
 
     # r2, type 1: U0 A6^-1 [1, 4]
-    v14 = a4 * (T13 * factor3)
-    v15 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31))
-    v16 = w3 * v7 + T33 * v8
-    v17 = T14 - d6 * T13 + inverse5 * (v14 * v16)
-    q2_pp = v17 + w5 * (inverse5 * (v14 * v15))
-    q2_pm = v17 + w5 * (inverse5 * (v14 * -v15))
+    wx = T14 - d6 * T13
+    v7 = v5 * (a4 * v2)
+    q2_pp = wx - v7
+    q2_pm = wx + v7
 
     # r1, type 1: U0 A6^-1 [2, 4]
-    v18 = a4 * (T23 * factor3)
-    v19 = T24 - d6 * T23 + inverse5 * (v16 * v18)
-    q1_pp = v19 + w5 * (inverse5 * (v15 * v18))
-    q1_pm = v19 + w5 * (inverse5 * (-v15 * v18))
+    wy = T24 - d6 * T23
+    v8 = v5 * (a4 * c3)
+    q1_pp = wy - v8
+    q1_pm = wy + v8
+
+    # theta6, type 3: U3[2, 2] and U3[2, 1]
+    v9 = v2 * T21 - c3 * T11
 
     # a joint is free, or branches meet
-    if N5 <= doubt_limit_squared2 or abs(D5) <= m4 * (blur_slack1 + 2.0 * abs(v5)) or v1 <= m1:
+    if v1 <= m1 or abs(D4) <= m3 * (blur_slack1 + 2.0 * abs(Z4)):
         return False
 
     # angles, side by side
     room[0] = -T13
-    room[1] = -w3
-    room[2] = -v4
-    room[3] = v11
-    room[4] = -(v7 + v10)
-    room[5] = -(v7 + v10)
-    room[6] = v11
+    room[1] = v6
+    room[2] = -w3
+    room[3] = v9
     room[8] = T23
-    room[9] = -T33
-    room[10] = -v3
-    room[11] = -v12
-    room[12] = -v13
-    room[13] = v13
-    room[14] = v12
-    for k in range(7, 8):
+    room[9] = -v4
+    room[10] = -T33
+    room[11] = v2 * T22 - c3 * T12
+    for k in range(4, 8):
         room[k] = room[k + 8] = 1.0
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
@@ -738,50 +500,50 @@ def _regular(pose, q, status):
     angle2 = room[1]
     angle3 = room[2]
     angle4 = room[3]
-    angle5 = room[4]
-    angle6 = room[5]
-    angle7 = room[6]
+
+    # theta4, type 2: U0 A6^-1 [3, 4]
+    q4_pm = math.copysign(half_turn, v6) - angle2
 
     # joint values
-    v20 = angle2 - angle4
-    v21 = angle2 - angle5
-    v22 = angle2 + angle6
-    v23 = angle2 + angle7
-    q4_pp = v20 + (turn if v20 <= -half_turn else (-turn if half_turn < v20 else 0.0))
-    q4_pm = v21 + (turn if v21 <= -half_turn else (-turn if half_turn < v21 else 0.0))
-    q4_mp = (turn if -v22 <= -half_turn else (-turn if half_turn < -v22 else 0.0)) - v22
-    q4_mm = (turn if -v23 <= -half_turn else (-turn if half_turn < -v23 else 0.0)) - v23
-    q3_pp = angle1 + v6
-    q3_mp = v6 + (angle1 - math.copysign(half_turn, -T13))
-    q6_pp = angle3 + v6
-    q6_mp = v6 + (angle3 - math.copysign(half_turn, -v4))
+    v10 = angle3 - angle2
+    v11 = angle3 - q4_pm
+    v12 = angle2 + angle3
+    v13 = q4_pm + angle3
+    q5_pp = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
+    q5_pm = v11 + (turn if v11 <= -half_turn else (-turn if half_turn < v11 else 0.0))
+    q5_mp = (turn if -v12 <= -half_turn else (-turn if half_turn < -v12 else 0.0)) - v12
+    q5_mm = (turn if -v13 <= -half_turn else (-turn if half_turn < -v13 else 0.0)) - v13
+    q3_pp = angle1 + v3
+    q3_mp = v3 + (angle1 - math.copysign(half_turn, -T13))
+    q6_pp = v3 + angle4
+    q6_mp = v3 + (angle4 - math.copysign(half_turn, v9))
 
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
     q[0, 2] = q3_pp
-    q[0, 3] = q4_pp
-    q[0, 4] = angle4
+    q[0, 3] = angle2
+    q[0, 4] = q5_pp
     q[0, 5] = q6_pp
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_pm
     q[1, 1] = q2_pm
     q[1, 2] = q3_pp
     q[1, 3] = q4_pm
-    q[1, 4] = angle5
+    q[1, 4] = q5_pm
     q[1, 5] = q6_pp
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_pm
     q[2, 1] = q2_pm
     q[2, 2] = q3_mp
-    q[2, 3] = q4_mp
-    q[2, 4] = angle6
+    q[2, 3] = angle2
+    q[2, 4] = q5_mp
     q[2, 5] = q6_mp
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_pp
     q[3, 1] = q2_pp
     q[3, 2] = q3_mp
-    q[3, 3] = q4_mm
-    q[3, 4] = angle7
+    q[3, 3] = q4_pm
+    q[3, 4] = q5_mm
     q[3, 5] = q6_mp
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
     return True
@@ -807,12 +569,12 @@ def _into(T, seed, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [656, 672, 688, 704, 720, 736],
-    [752, 768, 688, 784, 800, 736],
-    [752, 768, 816, 832, 848, 864],
-    [656, 672, 816, 880, 896, 864],
+    [560, 576, 592, 608, 624, 640],
+    [656, 672, 592, 688, 704, 640],
+    [656, 672, 720, 608, 736, 752],
+    [560, 576, 720, 688, 768, 752],
 ])
-_KINDS = np.array([912, 928, 944, 960])
+_KINDS = np.array([784, 800, 816, 832])
 
 
 @_njit(nogil=True)
@@ -822,7 +584,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_wide_room(976), 976)
+    work = carray(_wide_room(848), 848)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -855,137 +617,112 @@ def _in_tiles(T, q, status):
             T22 = work[80 + k]
             T23 = work[96 + k]
             T24 = work[112 + k]
-            T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             v1 = T23 * T23 + T13 * T13
             w3 = math.sqrt(v1)
-            v2 = 1.0 / v1
-            factor3 = w3 * v2
-            v3 = v2 * (T23 * T12 - T13 * T22)
-            v4 = v2 * (T23 * T11 - T13 * T21)
-            X5 = a4 * T33
-            Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32))))
-            N5 = X5 * X5 + Y5 * Y5
-            v5 = d6 * T33 + (d3 - T34)
-            D5 = N5 - v5 * v5
-            w5 = math.sqrt(D5)
-            v6 = w5 - w5
-            inverse5 = 1.0 / N5
-            v7 = X5 * v5
-            v8 = Y5 * v5
-            v9 = X5 * w5
-            v10 = Y5 * w5
-            v11 = v10 - v7
-            v12 = v8 + v9
-            v13 = v8 - v9
-            v14 = a4 * (T13 * factor3)
-            v15 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31))
-            v16 = w3 * v7 + T33 * v8
-            v17 = T14 - d6 * T13 + inverse5 * (v14 * v16)
-            q2_pp = v17 + w5 * (inverse5 * (v14 * v15))
-            q2_pm = v17 + w5 * (inverse5 * (v14 * -v15))
-            v18 = a4 * (T23 * factor3)
-            v19 = T24 - d6 * T23 + inverse5 * (v16 * v18)
-            q1_pp = v19 + w5 * (inverse5 * (v15 * v18))
-            q1_pm = v19 + w5 * (inverse5 * (-v15 * v18))
+            factor3 = w3 * (1.0 / v1)
+            c3 = T23 * factor3
+            v2 = T13 * factor3
+            Z4 = T34 - d6 * T33 - d3
+            D4 = k1 - Z4 * Z4
+            w4 = math.sqrt(D4)
+            v3 = w4 - w4
+            v4 = a4 * w4
+            v5 = k2 * v4
+            v6 = a4 * Z4
+            wx = T14 - d6 * T13
+            v7 = v5 * (a4 * v2)
+            q2_pp = wx - v7
+            q2_pm = wx + v7
+            wy = T24 - d6 * T23
+            v8 = v5 * (a4 * c3)
+            q1_pp = wy - v8
+            q1_pm = wy + v8
+            v9 = v2 * T21 - c3 * T11
             work[272 + k] = v1
-            work[288 + k] = v4
-            work[304 + k] = N5
-            work[320 + k] = v5
-            work[336 + k] = D5
-            work[352 + k] = v6
-            work[368 + k] = q2_pp
-            work[384 + k] = q2_pm
-            work[400 + k] = q1_pp
-            work[416 + k] = q1_pm
+            work[288 + k] = Z4
+            work[304 + k] = D4
+            work[320 + k] = v3
+            work[336 + k] = v6
+            work[352 + k] = q2_pp
+            work[368 + k] = q2_pm
+            work[384 + k] = q1_pp
+            work[400 + k] = q1_pm
+            work[416 + k] = v9
             work[432 + k] = -T13
-            work[448 + k] = -w3
-            work[464 + k] = -v4
-            work[480 + k] = v11
-            work[496 + k] = -(v7 + v10)
-            work[512 + k] = -(v7 + v10)
-            work[528 + k] = v11
-            work[544 + k] = T23
-            work[560 + k] = -T33
-            work[576 + k] = -v3
-            work[592 + k] = -v12
-            work[608 + k] = -v13
-            work[624 + k] = v13
-            work[640 + k] = v12
-        for k in range(432, 544):
-            work[k] = _atan2(work[k], work[k + 112])
+            work[448 + k] = v6
+            work[464 + k] = -w3
+            work[480 + k] = v9
+            work[496 + k] = T23
+            work[512 + k] = -v4
+            work[528 + k] = -T33
+            work[544 + k] = v2 * T22 - c3 * T12
+        for k in range(432, 496):
+            work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
             T13 = work[32 + k]
             v1 = work[272 + k]
-            v4 = work[288 + k]
-            N5 = work[304 + k]
-            v5 = work[320 + k]
-            D5 = work[336 + k]
-            v6 = work[352 + k]
-            q2_pp = work[368 + k]
-            q2_pm = work[384 + k]
-            q1_pp = work[400 + k]
-            q1_pm = work[416 + k]
+            Z4 = work[288 + k]
+            D4 = work[304 + k]
+            v3 = work[320 + k]
+            v6 = work[336 + k]
+            q2_pp = work[352 + k]
+            q2_pm = work[368 + k]
+            q1_pp = work[384 + k]
+            q1_pm = work[400 + k]
+            v9 = work[416 + k]
             angle1 = work[432 + k]
             angle2 = work[448 + k]
             angle3 = work[464 + k]
             angle4 = work[480 + k]
-            angle5 = work[496 + k]
-            angle6 = work[512 + k]
-            angle7 = work[528 + k]
-            v20 = angle2 - angle4
-            v21 = angle2 - angle5
-            v22 = angle2 + angle6
-            v23 = angle2 + angle7
-            q4_pp = v20 + (turn if v20 <= -half_turn else (-turn if half_turn < v20 else 0.0))
-            q4_pm = v21 + (turn if v21 <= -half_turn else (-turn if half_turn < v21 else 0.0))
-            q4_mp = (turn if -v22 <= -half_turn else (-turn if half_turn < -v22 else 0.0)) - v22
-            q4_mm = (turn if -v23 <= -half_turn else (-turn if half_turn < -v23 else 0.0)) - v23
-            q3_pp = angle1 + v6
-            q3_mp = v6 + (angle1 - math.copysign(half_turn, -T13))
-            q6_pp = angle3 + v6
-            q6_mp = v6 + (angle3 - math.copysign(half_turn, -v4))
-            _656 = q1_pp
+            q4_pm = math.copysign(half_turn, v6) - angle2
+            v10 = angle3 - angle2
+            v11 = angle3 - q4_pm
+            v12 = angle2 + angle3
+            v13 = q4_pm + angle3
+            q5_pp = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
+            q5_pm = v11 + (turn if v11 <= -half_turn else (-turn if half_turn < v11 else 0.0))
+            q5_mp = (turn if -v12 <= -half_turn else (-turn if half_turn < -v12 else 0.0)) - v12
+            q5_mm = (turn if -v13 <= -half_turn else (-turn if half_turn < -v13 else 0.0)) - v13
+            q3_pp = angle1 + v3
+            q3_mp = v3 + (angle1 - math.copysign(half_turn, -T13))
+            q6_pp = v3 + angle4
+            q6_mp = v3 + (angle4 - math.copysign(half_turn, v9))
+            _560 = q1_pp
+            work[560 + k] = _560
+            _576 = q2_pp
+            work[576 + k] = _576
+            _592 = q3_pp
+            work[592 + k] = _592
+            _608 = angle2
+            work[608 + k] = _608
+            _624 = q5_pp
+            work[624 + k] = _624
+            _640 = q6_pp
+            work[640 + k] = _640
+            _656 = q1_pm
             work[656 + k] = _656
-            _672 = q2_pp
+            _672 = q2_pm
             work[672 + k] = _672
-            _688 = q3_pp
+            _688 = q4_pm
             work[688 + k] = _688
-            _704 = q4_pp
+            _704 = q5_pm
             work[704 + k] = _704
-            _720 = angle4
+            _720 = q3_mp
             work[720 + k] = _720
-            _736 = q6_pp
+            _736 = q5_mp
             work[736 + k] = _736
-            _752 = q1_pm
+            _752 = q6_mp
             work[752 + k] = _752
-            _768 = q2_pm
+            _768 = q5_mm
             work[768 + k] = _768
-            _784 = q4_pm
-            work[784 + k] = _784
-            _800 = angle5
-            work[800 + k] = _800
-            _816 = q3_mp
-            work[816 + k] = _816
-            _832 = q4_mp
-            work[832 + k] = _832
-            _848 = angle6
-            work[848 + k] = _848
-            _864 = q6_mp
-            work[864 + k] = _864
-            _880 = q4_mm
-            work[880 + k] = _880
-            _896 = angle7
-            work[896 + k] = _896
-            work[912 + k] = UNREACHABLE if _656 != _656 else OK
-            work[928 + k] = UNREACHABLE if _752 != _752 else OK
-            work[944 + k] = UNREACHABLE if _752 != _752 else OK
-            work[960 + k] = UNREACHABLE if _656 != _656 else OK
+            work[784 + k] = UNREACHABLE if _560 != _560 else OK
+            work[800 + k] = UNREACHABLE if _656 != _656 else OK
+            work[816 + k] = UNREACHABLE if _656 != _656 else OK
+            work[832 + k] = UNREACHABLE if _560 != _560 else OK
             work[256 + k] = (
-                1.0 if N5 <= doubt_limit_squared2 or abs(D5) <= m4 * (blur_slack1 + 2.0 * abs(v5))
-                or v1 <= m1 else work[256 + k]
+                1.0 if v1 <= m1 or abs(D4) <= m3 * (blur_slack1 + 2.0 * abs(Z4)) else work[256 + k]
             )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 CHECKED = "every pose is checked: the task asks for more than the arm can choose"
 PARALLEL = 1e-9  # of the arm's size, or rad: what is less counts as zero
+CHOOSING = "others are taken by their numbers, from step 1 on, in the robot file: steps: [2, 1]"
 LONGEST = 62  # characters of an equation; the rest is in the derivation
 
 
@@ -121,13 +122,26 @@ def _singular(each: Singularity) -> str:
 
 
 def alternatives_text(derivation: Derivation) -> str:
-    """For each step, what was taken, and what else would have been valid, cheapest first."""
+    """For each step, what is valid there, cheapest first, by the numbers that `steps` takes."""
     lines: list[str] = []
-    for number, step in enumerate(derivation.steps, start=1):
-        lines.append(f"{number}. {_line(step)}   (taken)")
-        others = [_line(other) for other in derivation.alternatives[number - 1]]
-        lines += [f"     {line}" for line in dict.fromkeys(others) if line != _line(step)]
+    for place, (step, offers) in enumerate(zip(derivation.steps, derivation.offers, strict=True)):
+        numbers: dict[str, int] = {}
+        for number, offer in enumerate(offers, start=1):
+            if _is(offer, step):
+                numbers[_line(offer)] = number
+            numbers.setdefault(_line(offer), number)
+        lines.append(f"step {place + 1}")
+        for line, number in sorted(numbers.items(), key=lambda each: each[1]):
+            taken = "   (taken)" if _is(offers[number - 1], step) else ""
+            lines.append(f"{number:4}  {line}{taken}")
+    if lines:
+        lines.append(CHOOSING)
     return "\n".join(lines) + "\n"
+
+
+def _is(offer: Step, step: Step) -> bool:
+    """Whether a step is this offer; what is found out about steps afterwards is left aside."""
+    return (offer.kind, offer.unknowns, offer.forms) == (step.kind, step.unknowns, step.forms)
 
 
 def _line(step: Step) -> str:

@@ -50,15 +50,20 @@ FREE = 1e-3  # a part of an angle in a null vector
 OFTEN = 1  # condition on the joints, which home poses and right angles meet
 
 
-def best_route(search: Search, pool: Pool) -> Route | None:
+def best_route(search: Search, pool: Pool, numbers: Sequence[int] = ()) -> Route | None:
     """The cheapest order of steps, of those that are degenerate least.
 
     Only what the search takes is looked into: most steps are never taken.
+
+    Args:
+        search: Of the arm.
+        pool: Its equations.
+        numbers: Which of their offers the first steps are, from 1.
     """
     best: Route | None = None
     known: Known = {}
     for _ in range(ROUTES):
-        route = search.best()
+        route = search.best(numbers)
         if route is None:
             break
         steps = with_degeneracies(pool, with_fallback_equations(pool, route.steps), known)

@@ -23,13 +23,13 @@ class Derivation:
     Attributes:
         pool: The equations, with the points that have names.
         steps: In the order of solving.
-        alternatives: At each step, the other steps that would have been valid.
+        offers: At each step, all that are valid there, cheapest first.
         whole: For arms that no order of steps solves: the algorithm that takes them whole.
     """
 
     pool: Pool
     steps: tuple[Step, ...]
-    alternatives: tuple[tuple[Step, ...], ...]
+    offers: tuple[tuple[Step, ...], ...]
     whole: GeneralKernel | NumericalKernel | None = None
 
     @property

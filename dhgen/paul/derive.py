@@ -28,21 +28,25 @@ from dhgen.paul.search import Search
 from dhgen.paul.types import CLOSED, QUARTIC
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.kinematics.chain import Chain
+    from dhgen.paul.step import EquationType
 
 ROWS, ROWS_OF_CHECKED = 8, 2
 
 
-def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
+def derive(chain: Chain, *, numerical: bool = False, steps: Sequence[int] = ()) -> Derivation:
     """Solves an arm by Paul's method, or leaves it to the general algorithms for six joints.
 
     Args:
         chain: The arm.
         numerical: Whether the numerical solver may take what nothing else solves.
+        steps: Which of their offers the first steps are, from 1; the others are the best.
 
     Raises:
         UnsolvedError: The arm has infinitely many solutions everywhere, or no order of steps makes
-            every joint known.
+            every joint known, or none that begins as asked for.
     """
     _demand_a_question(chain)
     numerical = numerical and not chain.arm_angle  # it could hold joints, but not an arm angle
@@ -61,16 +65,17 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
         pool = with_arm_plane(pool)
     closed = Search(pool, CLOSED)
     found = _by_steps(closed, pool)
+    types = QUARTIC if found is None else CLOSED
     if found is None:
         found = _from_both_ends(with_inverse_forms(pool), chain)
     elif found.branches > _usual_rows(chain):
         both = with_inverse_forms(pool)
         other = _by_steps(Search(both, CLOSED), both)
         found = other if other is not None and _is_better(other, found) else found
+    if found is None and numerical:
+        found = Derivation(pool, (), (), numerical_kernel(chain, redundant=False))
     if found is not None:
-        return found
-    if numerical:
-        return Derivation(pool, (), (), numerical_kernel(chain, redundant=False))
+        return _as_chosen(found, types, steps) if steps else found
     raise UnsolvedError(refusal(closed, chain))
 
 
@@ -86,7 +91,27 @@ def _demand_a_question(chain: Chain) -> None:
 def _by_steps(search: Search, pool: Pool) -> Derivation | None:
     """By the best order of steps, if there is one."""
     route = best_route(search, pool)
-    return None if route is None else Derivation(pool, route.steps, route.alternatives)
+    return None if route is None else Derivation(pool, route.steps, route.offers)
+
+
+def _as_chosen(
+    found: Derivation, types: tuple[EquationType, ...], numbers: Sequence[int]
+) -> Derivation:
+    """By the best order that begins with offers of these numbers.
+
+    Pairs that were solved together at one state are looked at in others: for the numbers to mean
+    what was listed, the search goes the way again on which the lists were made.
+    """
+    if found.whole is not None:
+        raise UnsolvedError(
+            f"steps: there are none to choose, the arm is solved as a whole ({found.method})"
+        )
+    search = Search(found.pool, types)
+    for count in range(len(numbers) + 1):
+        route = best_route(search, found.pool, numbers[:count])
+    if route is None:
+        raise UnsolvedError("steps: no order of equations that begins with these solves the arm")
+    return Derivation(found.pool, route.steps, route.offers)
 
 
 def _from_both_ends(pool: Pool, chain: Chain) -> Derivation | None:

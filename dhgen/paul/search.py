@@ -14,11 +14,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.errors import UnsolvedError
 from dhgen.paul.form_reader import FormReader
 from dhgen.paul.kind import Kind
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.step import View, learn, steps_of
-from dhgen.paul.witness import OWN_LENGTHS, VANISHING, build_witnesses
+from dhgen.paul.witness import VANISHING, build_witnesses
 
 if TYPE_CHECKING:
     from collections.abc import Container, Iterator, Sequence
@@ -43,11 +44,11 @@ class Route:
 
     Attributes:
         steps: In order.
-        alternatives: At each step, the other steps that were possible, cheapest first.
+        offers: At each step, all that were possible, cheapest first.
     """
 
     steps: tuple[Step, ...]
-    alternatives: tuple[tuple[Step, ...], ...]
+    offers: tuple[tuple[Step, ...], ...]
 
 
 class Search:
@@ -67,11 +68,14 @@ class Search:
         self._lines = _lines(pool.equations)
         self.deepest: Knowledge = self._start
 
-    def best(self) -> Route | None:
-        """The cheapest order to a complete state; None where there is none."""
+    def best(self, numbers: Sequence[int] = ()) -> Route | None:
+        """The cheapest order to a complete state; None where there is none.
+
+        Args:
+            numbers: Which of their offers the first steps are, from 1.
+        """
         tie = count()
-        start: tuple[int, int, Knowledge, tuple[Step, ...]] = (0, next(tie), self._start, ())
-        queue = [start]
+        queue = [(0, next(tie), *self._chosen(numbers))]
         closed: set[State] = set()
         while queue:
             cost, _, knowledge, steps = heapq.heappop(queue)
@@ -86,6 +90,21 @@ class Search:
                 state = learn(knowledge, step)
                 heapq.heappush(queue, (cost + price, next(tie), state, (*steps, step)))
         return None
+
+    def _chosen(self, numbers: Sequence[int]) -> tuple[Knowledge, tuple[Step, ...]]:
+        """What is known after the steps that were chosen by their numbers, and these steps."""
+        knowledge = self._start
+        steps: list[Step] = []
+        for place, number in enumerate(numbers, start=1):
+            offers = self.offers(knowledge)
+            if number > len(offers):
+                raise UnsolvedError(
+                    f"steps: step {place} has {len(offers)} equations to choose from, not {number}"
+                    "; `dhgen explain --alternatives` lists those of the steps that are taken"
+                )
+            steps.append(offers[number - 1])
+            knowledge = learn(knowledge, steps[-1])
+        return knowledge, tuple(steps)
 
     def _cheapest(self, knowledge: Knowledge) -> list[tuple[int, Step]]:
         """Of the steps to each next state the first of those that cost least, with its price."""
@@ -179,11 +198,11 @@ class Search:
 
     def _route(self, steps: tuple[Step, ...]) -> Route:
         knowledge = self._start
-        others = []
+        offers = []
         for step in steps:
-            others.append(tuple(o for o in self.offers(knowledge) if o != step))
+            offers.append(self.offers(knowledge))
             knowledge = learn(knowledge, step)
-        return Route(steps, tuple(others))
+        return Route(steps, tuple(offers))
 
 
 def _lines(equations: tuple[Equation, ...]) -> dict[int, int]:
@@ -196,10 +215,10 @@ def _lines(equations: tuple[Equation, ...]) -> dict[int, int]:
 
 
 def without_needless_degeneracy(steps: list[Step], view: View) -> list[Step]:
-    """The steps without X s + Y c = Z whose X and Y may vanish where constant factors do as well.
+    """The steps without X s + Y c = Z whose X and Y may vanish where those of others are constant.
 
     That is so where X or Y is zero in both, and where the equation is a multiple of the constant
-    one, be it for another angle, by a factor that varies.
+    one, be it for another angle.
     """
     angles = [step for step in steps if step.kind is Kind.ANGLE]
     sure = [step for step in angles if all(map(view.is_constant, _factors(step)))]
@@ -207,13 +226,11 @@ def without_needless_degeneracy(steps: list[Step], view: View) -> list[Step]:
     doubtful = [step for step in angles if id(step) not in safe]
     if not sure or not doubtful:
         return steps
-    known = [_place(step, view) for step in sure]
-    places, squares = (np.stack(each) for each in zip(*known, strict=True))
+    places = np.stack([_place(step, view) for step in sure])
     degenerate = {
         id(step)
         for step in doubtful
-        if any(_are_single(step, other) for other in sure)
-        or _is_multiple(*_place(step, view), places, squares)
+        if any(_are_single(step, other) for other in sure) or _is_among(_place(step, view), places)
     }
     return [step for step in steps if id(step) not in degenerate]
 
@@ -228,25 +245,18 @@ def _are_single(step: Step, other: Step) -> bool:
     return alone and step.unknowns == other.unknowns
 
 
-def _is_multiple(
-    place: FloatArray, square: FloatArray, places: FloatArray, squares: FloatArray
-) -> bool:
-    """Whether an equation of type 2 differs from one of others by a factor that varies.
+def _is_among(place: FloatArray, places: FloatArray) -> bool:
+    """Whether an equation of type 2 is a multiple of one of others, which are in rows.
 
     Then the solution is as far from the direction of (X, Y) in both, whatever their angles are.
-    The others are in rows.
     """
-    factors = (square / squares)[:, OWN_LENGTHS]
-    varies = np.ptp(factors, axis=1) > VANISHING * np.max(factors, axis=1)
-    same = np.max(np.abs(places - place), axis=1) <= VANISHING
-    return bool(np.any(varies & same))
+    return bool(np.any(np.max(np.abs(places - place), axis=1) <= VANISHING))
 
 
-def _place(step: Step, view: View) -> tuple[FloatArray, FloatArray]:
-    """(X c - Y s)^2 / (X^2 + Y^2), and its divisor, on the witnesses."""
+def _place(step: Step, view: View) -> FloatArray:
+    """(X c - Y s)^2 / (X^2 + Y^2) on the witnesses."""
     angle = step.angle
     algebra, on = view.knowledge.runs.algebra, view.witnesses.evaluate
     x, y = map(on, _factors(step))
     c, s = (on(algebra.generator(name)) for name in (angle.cosine, angle.sine))
-    square = x * x + y * y
-    return (x * c - y * s) ** 2 / square, square
+    return (x * c - y * s) ** 2 / (x * x + y * y)

@@ -65,6 +65,7 @@ class _Assembly:
             task=_task(file.task),
             free=free,
             arm_angle=self._plain_free() == ARM_ANGLE,
+            steps=tuple(file.steps),
             numerical=file.numerical,
             length_unit=units.length,
             float32=file.float32,

@@ -135,6 +135,7 @@ class Robot:
         task: What of the pose the caller means.
         free: Joints (from 1) whose value the caller gives.
         arm_angle: Whether the caller gives the arm angle, in place of the value of a joint.
+        steps: Which equations to take, by their numbers, for the first steps of the derivation.
         numerical: Whether the numerical solver may take an arm that nothing else solves.
         length_unit: How lengths are called, e.g. "m".
         float32: Whether C in single precision is wanted besides.
@@ -154,6 +155,7 @@ class Robot:
     task: Task
     free: tuple[int, ...] = ()
     arm_angle: bool = False
+    steps: tuple[int, ...] = ()
     numerical: bool = False
     length_unit: str = "m"
     float32: bool = False

@@ -73,6 +73,12 @@ def _joint_number(value: object) -> object:
     return value
 
 
+def _step_number(value: object) -> object:
+    if not re.fullmatch(r"[1-9][0-9]{0,3}", str(value)):
+        raise ExpectedError("the number of an equation in `dhgen explain --alternatives`")
+    return value
+
+
 def _switch(value: object) -> object:
     # pydantic also takes 1, yes and on, which YAML and the schema for editors do not
     if str(value) not in SWITCHES:
@@ -96,6 +102,9 @@ def _end(value: object) -> object:
 _CELL = {"type": ["number", "string"]}
 Cell = Annotated[str, WithJsonSchema(_CELL)]
 JointNumber = Annotated[int, BeforeValidator(_joint_number)]
+StepNumber = Annotated[
+    int, BeforeValidator(_step_number), WithJsonSchema({"type": "integer", "minimum": 1})
+]
 Switch = Annotated[bool, BeforeValidator(_switch)]
 Free = Annotated[
     list[JointNumber],
@@ -269,6 +278,11 @@ class RobotFile(_Strict):
         default=[],
         description="Joints, from 1, whose value the caller gives, in ascending order; or arm_angle"
         ", for an arm of seven joints whose axes 1, 2, 3 meet and 5, 6, 7 meet.",
+    )
+    steps: list[StepNumber] = Field(
+        default=[],
+        description="For the first steps of the derivation, the numbers of the equations to take, "
+        "as `dhgen explain --alternatives` lists them; the compiler chooses the others.",
     )
     numerical: Switch = Field(
         default=False,

@@ -56,6 +56,7 @@ _FORMS = {
     "home": FRAME_FORM,
     "base": FRAME_FORM,
     "tool": FRAME_FORM,
+    "steps": "a list of numbers, e.g. [2, 1]",
     "units": "keys with values, e.g. {length: mm}",
     "limits": "a list [lowest, highest]",
     "direction": _VECTOR,

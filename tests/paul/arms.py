@@ -121,4 +121,4 @@ class Bench:
 def all_steps(name: str) -> list[Step]:
     """Chosen and alternative."""
     found = derivation(name)
-    return [*found.steps, *joined.from_iterable(found.alternatives)]
+    return [*found.steps, *joined.from_iterable(found.offers)]

@@ -91,7 +91,7 @@ def cheapest(name: str) -> Derivation:
         route = Search(made.pool, types).best()
         if route is not None:
             return Derivation(
-                made.pool, with_degeneracies(made.pool, route.steps, {}), route.alternatives
+                made.pool, with_degeneracies(made.pool, route.steps, {}), route.offers
             )
     raise AssertionError(name)
 

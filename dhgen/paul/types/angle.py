@@ -42,12 +42,12 @@ class Angle:
             return "X and Y vanish on every solution: the equation determines nothing"
         joints = len(view.knowledge.representative(angle).terms)
         if not z:
-            penalty = HOMOGENEOUS
+            penalty = HOMOGENEOUS + placing(form)
         elif view.is_constant(x) and view.is_constant(y):
-            penalty = CONSTANT_FACTORS
+            penalty = CONSTANT_FACTORS  # of a point that the pose gives Z is its coordinate
         else:
-            penalty = GENERAL
-        penalty += len(x) + len(y) + len(z) + placing(form) + SUM * (joints - 1)
+            penalty = GENERAL + placing(form)
+        penalty += len(x) + len(y) + len(z) + SUM * (joints - 1)
         penalty += SQUARED if form.equation.origin.row == 0 else 0
         penalty += CANCELLING if x and y and z else 0
         penalty += NEARLY_NOTHING if view.is_nearly_nothing(x, y) else 0
