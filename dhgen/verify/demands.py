@@ -62,11 +62,40 @@ class Demands:
             return
         missed = self.reproduce(rows, T, f"{where}, Python")
         missed = max(missed, self.reproduce(others, T, f"{where}, {what}"))
+        misses, enough = self._compared(rows, others, T, missed)
+        self.at_most(float(misses.max()), enough, f"{where}: Python and {what} differ")
+
+    def _compared(
+        self, rows: FloatArray, others: FloatArray, T: FloatArray, missed: float
+    ) -> tuple[FloatArray, float]:
+        """By how much joint values differ, 0 where they stand for one; what is enough."""
         misses, enough = self.measures.joint_miss(rows, others).max(axis=1), AGREEMENT
         if not misses.max() <= enough:
             enough = max(enough, missed) / min(max(self.measures.fixed(rows), 1e-9), 1.0)
             misses[[self._stand_for_one(*pair, T) for pair in zip(rows, others, strict=True)]] = 0.0
-        self.at_most(float(misses.max()), enough, f"{where}: Python and {what} differ")
+        return misses, enough
+
+    def hold_the_same(
+        self, rows: FloatArray, others: FloatArray, T: FloatArray, where: str
+    ) -> bool:
+        """Whether two languages' rows (branches, n) are the same solutions, in whatever rows.
+
+        Where the arm is singular rounding decides in which row a solution stands, and which of
+        those that differ by a free joint. Rows elsewhere are compared one by one.
+        """
+        held, its = (np.isfinite(each).all(axis=1) for each in (rows, others))
+        missed = max(self.reproduce(each, T, where) for each in (rows[held], others[its]))
+        apart = held != its
+        if (both := held & its).any():
+            misses, enough = self._compared(rows[both], others[both], T, missed)
+            apart[both] = ~(misses <= enough)
+        return self._are_among(rows[held & apart], others[its], T) and self._are_among(
+            others[its & apart], rows[held], T
+        )
+
+    def _are_among(self, rows: FloatArray, others: FloatArray, T: FloatArray) -> bool:
+        """Whether each of some rows at an edge stands for one of others."""
+        return all(any(self._stand_for_one(row, other, T) for other in others) for row in rows)
 
     def reproduce(self, rows: FloatArray, T: FloatArray, where: str) -> float:
         """Every row reproduces its pose; by how much they miss it at most."""
@@ -101,7 +130,8 @@ class Demands:
 
     def _lead(self, row: FloatArray, q: FloatArray, T: FloatArray, enough: float) -> bool:
         """Whether all joint values on a way from a row to others nearly reach the pose."""
-        return any(self.measures.residual(w, T) <= enough for w in self.measures.ways(row, q))
+        ways = (*self.measures.ways(row, q), *self.measures.curves(row, q, T))
+        return any(self.measures.residual(way, T) <= enough for way in ways)
 
     def are_at_an_edge(self, rows: FloatArray) -> bool:
         """Whether the arm is so singular at each of these that rounding may decide on them."""

@@ -71,6 +71,15 @@ class Languages:
                 self._demands.reproduce(other[np.isfinite(other).all(axis=1)], T, where)
                 continue
             told, other_told = np.isfinite(rows).all(axis=1), np.isfinite(other).all(axis=1)
+            differ = status != other_status
+            doubted = np.concatenate([rows[differ & told], other[differ & other_told]])
+            if (
+                singular
+                and np.array_equal(status[~told & ~other_told], other_status[~told & ~other_told])
+                and self._demands.are_at_an_edge(doubted)
+                and self._demands.hold_the_same(rows, other, T, where)
+            ):
+                continue
             both, alone = told & other_told, told != other_told
             lone = np.concatenate([rows[alone & told], other[alone & other_told]])
             known = np.array_equal(status[~alone], other_status[~alone])

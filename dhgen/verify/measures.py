@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 
 STEP = 1e-5  # [rad or length] of the differences
 WAY = 17  # joint values on the way from one solution to another
+ONTO = 3  # steps from a straight way onto a curve of solutions beside it
+NULL = 1e-6  # of the largest singular value: directions that these steps leave alone
+LEAP = 3.0  # times as far as on the straight way: neighbours that are farther apart are no way
 LITTLE = 1e-3  # [rad or arm sizes] a double solution moves by less with rounding
 
 
@@ -56,6 +59,38 @@ class Measures:
         part = np.linspace(0.0, 1.0, WAY)[:, None]
         bent = np.where(little, np.minimum(2.0 * part, 1.0), np.maximum(2.0 * part - 1.0, 0.0))
         return np.asarray(row + np.stack([part * moved, bent * moved]))
+
+    def curves(self, row: FloatArray, q: FloatArray, T: FloatArray) -> list[FloatArray]:
+        """The ways from a row to others, bent onto solutions of the pose beside them.
+
+        Solutions of which a joint is free, or nearly, are seldom on a straight way. Those that leap
+        are left out.
+        """
+        found = []
+        for way in self.ways(row, q):
+            curve = way.copy()
+            for _ in range(ONTO):
+                curve[1:-1] += self._step_onto(curve[1:-1], T)
+            steps = np.abs(np.diff(curve, axis=0)).max(axis=1)
+            if steps.max() <= LEAP * np.abs(np.diff(way, axis=0)).max():
+                found.append(curve)
+        return found
+
+    def _step_onto(self, q: FloatArray, T: FloatArray) -> FloatArray:
+        """Least-squares steps from joint values (N, n) to a pose, across what is nearly free."""
+        reached, J = self.arm.moved(q)
+        columns = np.swapaxes(reached[:, :3, :3], 1, 2)
+        turned = np.cross(J[:, None, 3:].swapaxes(2, 3), columns[:, :, None])  # (N, column, n, 3)
+        rates = np.concatenate([turned, J[:, None, :3].swapaxes(2, 3) / self._chain.size], axis=1)
+        missed = (T - reached)[:, :3] / [1.0, 1.0, 1.0, self._chain.size]
+        names = sorted(task_entries(self._chain.task))
+        rows, entries = zip(*(POSE_PLACES[name] for name in names), strict=True)
+        solved = [joint.number - 1 for joint in self._chain.solved]
+        slopes = rates[:, entries, :, rows].swapaxes(0, 1)[..., solved]
+        step = np.zeros_like(q)
+        inverse = np.linalg.pinv(slopes, rcond=NULL)
+        step[:, solved] = (inverse @ missed[:, rows, entries][..., None])[..., 0]
+        return step
 
     def _short_way(self, moved: FloatArray) -> FloatArray:
         """Differences of joint values without whole turns."""
