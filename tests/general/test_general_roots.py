@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.runtime.python.general.tables import SAMPLE_C, SAMPLE_S
+from dhgen.runtime.python.general.tables import SAMPLE_C, SAMPLE_S, WIDTH
 from tests.general.circles import Roots, real_roots, roots
 
 if TYPE_CHECKING:
@@ -17,7 +17,9 @@ CROWDS = ([(1.0, 2e-3)] * 3, [(1.0, 1e-3), (1.002, 2e-3), (1.01, 1e-3)])
 ELSEWHERE = (3.0, 3.5, 4.6, 5.1)
 
 
-def product(*factors: tuple[float, float]) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
+def product(
+    *factors: tuple[float, float], real: Sequence[float] = ELSEWHERE
+) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
     """cosh(depth) - cos(φ - angle) for every complex pair, to full precision, times real roots."""
 
     def at(cosine: np.ndarray, sine: np.ndarray) -> np.ndarray:
@@ -25,7 +27,7 @@ def product(*factors: tuple[float, float]) -> Callable[[np.ndarray, np.ndarray],
         pairs = [
             2 * (np.sin((x - angle) / 2) ** 2 + np.sinh(depth / 2) ** 2) for angle, depth in factors
         ]
-        value: np.ndarray = np.prod([np.sin((x - a) / 2) for a in ELSEWHERE], axis=0)
+        value: np.ndarray = np.prod([np.sin((x - a) / 2) for a in real], axis=0)
         return np.asarray(value * np.prod(pairs, axis=0))
 
     return at
@@ -46,6 +48,29 @@ def test_what_only_comes_near_to_zero_is_no_root(crowd: Sequence[tuple[float, fl
     assert found.complete
     assert not found.double
     np.testing.assert_allclose(np.sort(np.mod(found.simple, 2 * np.pi)), ELSEWHERE, atol=1e-9)
+
+
+@pytest.mark.parametrize("part", range(12))
+@pytest.mark.parametrize("off", [0.0285, 0.0295, 0.0305])
+def test_a_stretch_that_is_flat_is_looked_at_to_both_its_ends(part: int, off: float) -> None:
+    """Four real roots and two complex pairs, wherever in its cells the fit is flat around them."""
+    middle = 4.2 + part * WIDTH / 12
+    beside = [middle + side * off + gap for side in (-1, 1) for gap in (-1.2e-3, 1.2e-3)]
+    others = [middle + side * far for side in (-1, 1) for far in (2.0, 2.1)]
+    pairs = [(middle + side * 0.015, 0.014) for side in (-1, 1)]
+    pairs += [(middle + side * 2.0, 0.5) for side in (-1, 1)]
+    rest = product(*pairs, real=(*beside, *others))
+
+    def at(cosine: np.ndarray, sine: np.ndarray) -> np.ndarray:
+        rounding = 1e-14 * np.sin(1e4 * np.arctan2(sine, cosine))
+        return np.asarray(rest(cosine, sine) * (1.0 + rounding))
+
+    found = real_roots(at)
+    assert found is not None
+    assert found.complete
+    assert not found.double
+    expected = np.sort(np.mod([*beside, *others], 2 * np.pi))
+    np.testing.assert_allclose(np.sort(np.mod(found.simple, 2 * np.pi)), expected, atol=1e-6)
 
 
 def test_a_double_root_stays_one() -> None:

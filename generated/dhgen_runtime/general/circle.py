@@ -230,7 +230,8 @@ def find_roots(
     """Returns the roots in so many cells on both sides of the middle one, and their counts.
 
     roots[kind, : counts[kind]] are those of a kind. f turns back beside zero where the value of a
-    parabola over its bend is below `near`.
+    parabola over its bend is below `near`. A part that is given up stands among the double roots
+    with both its ends: a closer look that shows one of them need not reach to the other.
     """
     roots = np.empty((3, ROOTS))
     counts = np.array([0, 0, 0, 1, 0])
@@ -261,7 +262,8 @@ def find_roots(
                 kind == UNKNOWN and (depth[top] == DEEPEST or budget == 0)
             ):
                 counts[COMPLETE] = 0
-                add_root(roots, counts, DOUBLE, low + 0.5 * h)
+                add_root(roots, counts, DOUBLE, low)
+                add_root(roots, counts, DOUBLE, edge[top])
             elif kind == UNKNOWN:
                 budget -= 1
                 edge[waiting] = low + 0.5 * h

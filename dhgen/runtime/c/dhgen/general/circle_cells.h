@@ -84,7 +84,9 @@ DHGEN_FN int dhgen_classify(
     return kind[0];
 }
 
-/* The roots of a cell where f may turn more than once: halve it until it does not. */
+/* The roots of a cell where f may turn more than once: halve it until it does not. A part that is
+ * given up stands among the double roots with both its ends: a closer look that shows one of them
+ * need not reach to the other. */
 DHGEN_FN void dhgen_halve_cell(const dhgen_trigonometric *f, double low, double c, double s,
     const double first[3], const double last[3], int *budget, dhgen_waiting *waiting,
     dhgen_roots *roots)
@@ -108,13 +110,14 @@ DHGEN_FN void dhgen_halve_cell(const dhgen_trigonometric *f, double low, double 
         if (kind == DHGEN_TAME) {
             dhgen_enqueue_part(f, c, s, h, at_low, at[top], waiting, roots);
         } else if (kind != DHGEN_ROOTLESS) {
-            const double middle = low + 0.5 * h, cosine = cos(middle), sine = sin(middle);
             if (kind == DHGEN_FLAT || depth[top] == DHGEN_DEEPEST || *budget == 0) {
                 dhgen_solve_parts(
                     f, waiting, roots); /* of neighbouring double roots the first is kept */
                 roots->complete = 0;
-                dhgen_add_double(roots, cosine, sine);
+                dhgen_add_double(roots, c, s);
+                dhgen_add_double(roots, cos(edge[top]), sin(edge[top]));
             } else {
+                const double middle = low + 0.5 * h, cosine = cos(middle), sine = sin(middle);
                 *budget -= 1;
                 edge[open] = middle;
                 edge_c[open] = cosine;
