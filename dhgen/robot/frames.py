@@ -200,21 +200,26 @@ def _from_quaternion(
 
 def _from_matrix(cells: Cells, path: Path, entry: list[list[str]]) -> Frame:
     x, y, z = (cells.length((*path, i, 3), entry[i][3]) for i in range(3))
-    written = [[cells.ratio((*path, i, j), entry[i][j]) for j in range(3)] for i in range(3)]
+    places = [(i, j) for i in range(3) for j in range(3)]
+    given = tuple(cells.parse((*path, i, j), entry[i][j]) for i, j in places)
+    snapped = len(cells.snapped), len(cells.taken)
+    exact = tuple(cells.ratio((*path, i, j), entry[i][j]) for i, j in places)
     bottom = [cells.value(cells.parse((*path, 3, j), entry[3][j])) for j in range(4)]
     if any(abs(p - q) > SNAP for p, q in zip(bottom, (0, 0, 0, 1), strict=True)):
         cells.report.error((*path, 3), "the last row of a frame's matrix must be 0 0 0 1")
-    a, b, c = ((cells.value(p), cells.value(q), cells.value(r)) for p, q, r in written)
-    rows: Rows = (a, b, c)
+    rows = _rows([cells.value(cell) for cell in exact])
     deviation = _check_rotation(cells, path, rows)
+    off = _deviation(_rows([cells.value(cell) for cell in given]))
+    if deviation > max(off, 4 * ROUNDING) and off <= _EXACT:
+        # the cosine of a small angle is nearer to 1 than its sine to 0: a rotation stays as given
+        del cells.snapped[snapped[0] :], cells.taken[snapped[1] :]
+        return Frame((x, y, z), given)
     if deviation > _EXACT:
         message = f"the rotation is off by {deviation:.1e}; the nearest exact one is used"
         cells.report.notice(path, message)
         quaternion = (Fraction(repr(value)) for value in to_quaternion(nearest_rotation(rows)))
         return Frame((x, y, z), _exact_rotation(cells, numbers(from_quaternion(*quaternion))))
-    given = tuple(cells.parse((*path, i, j), entry[i][j]) for i in range(3) for j in range(3))
-    exact = tuple(entry for row in written for entry in row)
-    return Frame((x, y, z), exact if _is_as_orthonormal(cells, exact, given) else given)
+    return Frame((x, y, z), exact)
 
 
 def _exact_rotation(cells: Cells, given: tuple[Expression, ...]) -> tuple[Expression, ...]:

@@ -156,6 +156,20 @@ def test_a_small_rotation_stays_orthonormal(entry: str) -> None:
     assert math.atan2(R[1, 0], R[0, 0]) == pytest.approx(1.2e-5, abs=1e-15)
 
 
+def test_a_matrix_that_is_a_rotation_stays_as_it_is_given() -> None:
+    """Its cosines next to 1 are not taken as 1, nor is it moved to a rotation beside it."""
+    loaded = robot(
+        f"{MINIMAL}tool: [[0.999999999928, -1.1999999999712e-05, 0, 0], "
+        "[1.1999999999712e-05, 0.999999999928, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\n"
+    )
+    R = rotation(loaded.tool)
+    assert R[:2, :2].tolist() == [
+        [0.999999999928, -1.1999999999712e-05],
+        [1.1999999999712e-05, 0.999999999928],
+    ]
+    assert loaded.notices == ()
+
+
 def test_a_right_angle_to_ten_digits_is_exact() -> None:
     """All its entries are nearly exact, and together a rotation."""
     frame = tool("{quaternion_xyzw: [0.7071067812, 0, 0, 0.7071067811]}")
