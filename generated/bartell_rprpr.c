@@ -91,26 +91,27 @@ static void solve(
     (void)moved;
     ENTRIES(double);
 
-    /* theta1, type 2: U1[2, 3] and U1[3] x U1[4], element 2 */
+    /* theta1, type 2: U1[2, 3] and, where that is degenerate, U1[3] x U1[4], element 2 */
     const double v1 = T34 - d1;
     const double X2_1 = T23 * v1 - T24 * T33;
     const double Y2_1 = T13 * v1 - T33 * T14;
-    const double v2 = copysign(second_weight, T13 * X2_1 - T23 * Y2_1), v3 = T13 + X2_1 * v2,
-        v4 = Y2_1 * v2 - T23;
-    const double w1 = sqrt(v3 * v3 + v4 * v4);
+    const double sigma1 = copysign(second_weight, T13 * X2_1 - T23 * Y2_1);
+    const double Xhat1 = T13 + X2_1 * sigma1;
+    const double Yhat1 = Y2_1 * sigma1 - T23;
+    const double w1 = sqrt(Xhat1 * Xhat1 + Yhat1 * Yhat1);
     const int free1 = w1 <= free_limit;
     const double divisor1 = free1 ? 1.0 : w1;
 
     /* theta3, type 3: U1[3, 3] and U1[1, 3] */
-    const double v5 = T33 * T33;
+    const double v2 = T33 * T33;
 
     for (int i1 = 0; i1 < 2; i1++) { /* shoulder+, shoulder- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(v3 * factor1),
-            s1 = free1 ? sin(seed[0]) : v4 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : -(Xhat1 * factor1),
+            s1 = free1 ? sin(seed[0]) : Yhat1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* r2, type 1: U1[2, 4] */
@@ -118,31 +119,31 @@ static void solve(
 
         /* theta3 */
         const double Z2_3 = T13 * c1 + T23 * s1;
-        const double w3 = sqrt(Z2_3 * Z2_3 + v5);
+        const double w3 = sqrt(Z2_3 * Z2_3 + v2);
         const int short3 = w3 <= free_limit;
         const double factor3 = 1.0 / (short3 ? 1.0 : w3);
-        const double v6 = T33 * factor3;
+        const double v3 = T33 * factor3;
         const double s3 = Z2_3 * factor3;
-        const double q3 = atan2(s3, -v6);
+        const double q3 = atan2(s3, -v3);
 
         /* r4, type 1: U3[2, 4] */
-        const double r4 = s3 * (T14 * c1 + T24 * s1) - v6 * -v1;
+        const double r4 = s3 * (T14 * c1 + T24 * s1) - v3 * -v1;
 
         /* theta5, type 3: U1[2, 2] and U1[2, 1] */
         const double Z1_5 = T22 * c1 - T12 * s1;
         const double Z2_5 = T21 * c1 - T11 * s1;
         const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
         const int short5 = w5 <= free_limit;
-        const double v7 = 1.0 / (short5 ? 1.0 : w5), v8 = Z1_5 * v7, v9 = Z2_5 * v7;
-        const double q5 = atan2(-v9, -v8);
+        const double v4 = 1.0 / (short5 ? 1.0 : w5), v5 = Z1_5 * v4, v6 = Z2_5 * v4;
+        const double q5 = atan2(-v6, -v5);
 
         /* is the pose one that the arm can take? */
-        const double v10 = c1 * s3, v11 = s1 * s3;
-        if (!(fabs(T34 - (d1 + v6 * r4)) <= pose_slack1 && fabs(T33 - v6) <= pose_slack && fabs(T31
-            + s3 * v8) <= pose_slack && fabs(T24 - (r4 * v11 - c1 * r2)) <= pose_slack1 && fabs(T23
-            - v11) <= pose_slack && fabs(T21 - (v8 * (s1 * v6) + c1 * v9)) <= pose_slack && fabs(T14
-            - (r4 * v10 + s1 * r2)) <= pose_slack1 && fabs(T11 - (v8 * (c1 * v6) - s1 * v9)) <=
-            pose_slack && fabs(T13 - v10) <= pose_slack))
+        const double v7 = c1 * s3, v8 = s1 * s3;
+        if (!(fabs(T34 - (d1 + v3 * r4)) <= pose_slack1 && fabs(T33 - v3) <= pose_slack && fabs(T31
+            + s3 * v5) <= pose_slack && fabs(T24 - (r4 * v8 - c1 * r2)) <= pose_slack1 && fabs(T23 -
+            v8) <= pose_slack && fabs(T21 - (v5 * (s1 * v3) + c1 * v6)) <= pose_slack && fabs(T14 -
+            (r4 * v7 + s1 * r2)) <= pose_slack1 && fabs(T11 - (v5 * (c1 * v3) - s1 * v6)) <=
+            pose_slack && fabs(T13 - v7) <= pose_slack))
             continue; /* the arm can't take this pose */
         const int row = i1;
         q[row][0] = q1; q[row][1] = r2; q[row][2] = q3; q[row][3] = r4; q[row][4] = q5;
@@ -167,42 +168,44 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide v1 = T34 - d1, X2_1 = v1 * T23 - T24 * T33, Y2_1 = v1 * T13 - T33 * T14,
-        v2 = dhgen_signed_wide(second_weight, X2_1 * T13 - T23 * Y2_1), v3 = T13 + X2_1 * v2,
-        v4 = Y2_1 * v2 - T23, v5 = v3 * v3 + v4 * v4, w1 = dhgen_sqrt_wide(v5), v6 = 1.0 / v5,
-        factor1 = w1 * v6, v7 = v3 * factor1, s1 = v4 * factor1, angle1 = dhgen_atan2_wide(v4, -v3);
+        sigma1 = dhgen_signed_wide(second_weight, X2_1 * T13 - T23 * Y2_1),
+        Xhat1 = T13 + X2_1 * sigma1, Yhat1 = Y2_1 * sigma1 - T23,
+        v2 = Xhat1 * Xhat1 + Yhat1 * Yhat1, w1 = dhgen_sqrt_wide(v2), v3 = 1.0 / v2,
+        factor1 = w1 * v3, v4 = Xhat1 * factor1, s1 = Yhat1 * factor1,
+        angle1 = dhgen_atan2_wide(Yhat1, -Xhat1);
 
     /* r2 */
-    const dhgen_wide q2_p = w1 * (v6 * (T24 * v3 + T14 * v4));
+    const dhgen_wide q2_p = w1 * (v3 * (T24 * Xhat1 + T14 * Yhat1));
 
     /* theta3 */
-    const dhgen_wide Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3)), v8 = T33 * T33 + Z2_3 * Z2_3,
-        w3 = dhgen_sqrt_wide(v8), v9 = 1.0 / v8, factor3 = w3 * v9, v10 = T33 * factor3,
+    const dhgen_wide Z2_3 = w1 * (v3 * (T23 * Yhat1 - T13 * Xhat1)), v5 = T33 * T33 + Z2_3 * Z2_3,
+        w3 = dhgen_sqrt_wide(v5), v6 = 1.0 / v5, factor3 = w3 * v6, v7 = T33 * factor3,
         s3 = Z2_3 * factor3, angle2 = dhgen_atan2_wide(Z2_3, -T33);
 
     /* r4 */
-    const dhgen_wide q4_p = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
+    const dhgen_wide q4_p = w3 * (v6 * ((T23 * s1 - T13 * v4) * (T24 * s1 - T14 * v4) - T33 * -v1));
 
     /* theta5 */
-    const dhgen_wide v11 = w1 * (v6 * (v3 * T22 + v4 * T12)),
-        v12 = w1 * (v6 * (v3 * T21 + v4 * T11)), v13 = v12 * v12 + v11 * v11,
-        v14 = dhgen_sqrt_wide(v13) * (1.0 / v13), v15 = v11 * v14, v16 = v12 * v14,
-        angle3 = dhgen_atan2_wide(v12, v11);
+    const dhgen_wide v8 = w1 * (v3 * (Xhat1 * T22 + Yhat1 * T12)),
+        v9 = w1 * (v3 * (Xhat1 * T21 + Yhat1 * T11)), v10 = v9 * v9 + v8 * v8,
+        v11 = dhgen_sqrt_wide(v10) * (1.0 / v10), v12 = v8 * v11, v13 = v9 * v11,
+        angle3 = dhgen_atan2_wide(v9, v8);
 
     /* is the pose one that the arm can take? */
-    const dhgen_wide v17 = v7 * s3, v18 = s1 * s3, v19 = T34 - (d1 + v10 * q4_p), v20 = T33 - v10,
-        v21 = T31 - s3 * v15, v22 = T24 - (q4_p * v18 + v7 * q2_p), v23 = T23 - v18,
-        v24 = T21 - (v7 * v16 - v15 * (s1 * v10)), v25 = T14 - (s1 * q2_p - q4_p * v17),
-        v26 = T11 - (v15 * (v7 * v10) + s1 * v16), v27 = T13 + v17;
+    const dhgen_wide v14 = v4 * s3, v15 = s1 * s3, v16 = T34 - (d1 + v7 * q4_p), v17 = T33 - v7,
+        v18 = T31 - s3 * v12, v19 = T24 - (q4_p * v15 + v4 * q2_p), v20 = T23 - v15,
+        v21 = T21 - (v4 * v13 - v12 * (s1 * v7)), v22 = T14 - (s1 * q2_p - q4_p * v14),
+        v23 = T11 - (v12 * (v4 * v7) + s1 * v13), v24 = T13 + v14;
 
     q[0] = angle1; q[1] = q2_p; q[2] = angle2; q[3] = q4_p; q[4] = angle3;
     kind[0] = dhgen_kind_wide(q[0]);
-    q[5] = angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, v4); q[6] = -q2_p; q[7] = -angle2;
-    q[8] = q4_p; q[9] = angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, v12);
+    q[5] = angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, Yhat1); q[6] = -q2_p; q[7] = -angle2;
+    q[8] = q4_p; q[9] = angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, v9);
     kind[1] = dhgen_kind_wide(q[5]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] * T[3] * T[3] + T[7] *
         T[7] * T[7] + T[11] * T[11] * T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v8 <= m1) | (v5 <= m1) | (v13 <= m1) | (m4 < v20 * v20 + v21 * v21 + v23
-        * v23 + v24 * v24 + v26 * v26 + v27 * v27) | (m3 < v19 * v19 + v22 * v22 + v25 * v25));
+    return (exact == 0) | ((v5 <= m1) | (v2 <= m1) | (v10 <= m1) | (m4 < v17 * v17 + v18 * v18 + v20
+        * v20 + v21 * v21 + v23 * v23 + v24 * v24) | (m3 < v16 * v16 + v19 * v19 + v22 * v22));
 }
 
 #if DHGEN_LANES > 1
@@ -220,48 +223,49 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double v1 = T34 - d1, X2_1 = v1 * T23 - T24 * T33, Y2_1 = v1 * T13 - T33 * T14,
-        v2 = copysign(second_weight, X2_1 * T13 - T23 * Y2_1), v3 = T13 + X2_1 * v2,
-        v4 = Y2_1 * v2 - T23, v5 = v3 * v3 + v4 * v4, w1 = sqrt(v5), v6 = 1.0 / v5,
-        factor1 = w1 * v6, v7 = v3 * factor1, s1 = v4 * factor1, v8 = copysign(DHGEN_HALF_TURN, v4);
-    const dhgen_four v9 = m2 * (e1 - 1.0);
+        sigma1 = copysign(second_weight, X2_1 * T13 - T23 * Y2_1), Xhat1 = T13 + X2_1 * sigma1,
+        Yhat1 = Y2_1 * sigma1 - T23, v2 = Xhat1 * Xhat1 + Yhat1 * Yhat1, w1 = sqrt(v2),
+        v3 = 1.0 / v2, factor1 = w1 * v3, v4 = Xhat1 * factor1, s1 = Yhat1 * factor1,
+        v5 = copysign(DHGEN_HALF_TURN, Yhat1);
+    const dhgen_four v6 = m2 * (e1 - 1.0);
 
     /* r2 */
-    const double r2 = w1 * (v6 * (T24 * v3 + T14 * v4));
+    const double r2 = w1 * (v3 * (T24 * Xhat1 + T14 * Yhat1));
 
     /* theta3 */
-    const double Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3)), v10 = T33 * T33 + Z2_3 * Z2_3,
-        w3 = sqrt(v10), v11 = 1.0 / v10, factor3 = w3 * v11, v12 = T33 * factor3,
-        s3 = Z2_3 * factor3;
+    const double Z2_3 = w1 * (v3 * (T23 * Yhat1 - T13 * Xhat1)), v7 = T33 * T33 + Z2_3 * Z2_3,
+        w3 = sqrt(v7), v8 = 1.0 / v7, factor3 = w3 * v8, v9 = T33 * factor3, s3 = Z2_3 * factor3;
 
     /* r4 */
-    const double q4 = w3 * (v11 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
+    const double q4 = w3 * (v8 * ((T23 * s1 - T13 * v4) * (T24 * s1 - T14 * v4) - T33 * -v1));
 
     /* theta5 */
-    const double v13 = w1 * (v6 * (v3 * T22 + v4 * T12)), v14 = w1 * (v6 * (v3 * T21 + v4 * T11)),
-        v15 = v14 * v14 + v13 * v13, v16 = sqrt(v15) * (1.0 / v15), v17 = v13 * v16,
-        v18 = v14 * v16, v19 = copysign(DHGEN_HALF_TURN, v14);
+    const double v10 = w1 * (v3 * (Xhat1 * T22 + Yhat1 * T12)),
+        v11 = w1 * (v3 * (Xhat1 * T21 + Yhat1 * T11)), v12 = v11 * v11 + v10 * v10,
+        v13 = sqrt(v12) * (1.0 / v12), v14 = v10 * v13, v15 = v11 * v13,
+        v16 = copysign(DHGEN_HALF_TURN, v11);
 
     /* is the pose one that the arm can take? */
-    const double v20 = v7 * s3, v21 = s1 * s3, v22 = T34 - (d1 + v12 * q4), v23 = T33 - v12,
-        v24 = T31 - s3 * v17, v25 = T24 - (q4 * v21 + v7 * r2), v26 = T23 - v21,
-        v27 = T21 - (v7 * v18 - v17 * (s1 * v12)), v28 = T14 - (s1 * r2 - q4 * v20),
-        v29 = T11 - (v17 * (v7 * v12) + s1 * v18), v30 = T13 + v20;
+    const double v17 = v4 * s3, v18 = s1 * s3, v19 = T34 - (d1 + v9 * q4), v20 = T33 - v9,
+        v21 = T31 - s3 * v14, v22 = T24 - (q4 * v18 + v4 * r2), v23 = T23 - v18,
+        v24 = T21 - (v4 * v15 - v14 * (s1 * v9)), v25 = T14 - (s1 * r2 - q4 * v17),
+        v26 = T11 - (v14 * (v4 * v9) + s1 * v15), v27 = T13 + v17;
 
     /* joint values */
     const dhgen_four q2 = e1 * r2;
 
-    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0)) | (unsigned)((v10
-        <= m1) | (v5 <= m1) | (v15 <= m1) | (m4 < v23 * v23 + v24 * v24 + v26 * v26 + v27 * v27 +
-        v29 * v29 + v30 * v30) | (m3 < v22 * v22 + v25 * v25 + v28 * v28)))
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0)) | (unsigned)((v7 <=
+        m1) | (v2 <= m1) | (v12 <= m1) | (m4 < v20 * v20 + v21 * v21 + v23 * v23 + v24 * v24 + v26 *
+        v26 + v27 * v27) | (m3 < v19 * v19 + v22 * v22 + v25 * v25)))
         return -1;
 
-    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(v4, Z2_3, v14, v4),
-        dhgen_four_of(-v3, -T33, v13, -v3));
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(Yhat1, Z2_3, v11, Yhat1),
+        dhgen_four_of(-Xhat1, -T33, v10, -Xhat1));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0),
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1),
         angle3 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2);
-    const dhgen_four q1 = angle1 + v8 * v9, q5 = angle3 + v9 * v19, q3 = e1 * angle2;
+    const dhgen_four q1 = angle1 + v5 * v6, q5 = angle3 + v6 * v16, q3 = e1 * angle2;
 
     dhgen_store_4(q, q + 5, q, q + 5, q1, q2, q3, dhgen_all_four(q4));
     dhgen_store_1(q + 4, q + 9, q + 4, q + 9, q5);

@@ -161,19 +161,19 @@ def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
 
-    # theta1, type 2: U1[2, 3] and U1[3] x U1[4], element 2
+    # theta1, type 2: U1[2, 3] and, where that is degenerate, U1[3] x U1[4], element 2
     v1 = T34 - d1
     X2_1 = T23 * v1 - T24 * T33
     Y2_1 = T13 * v1 - T33 * T14
-    v2 = math.copysign(second_weight, T13 * X2_1 - T23 * Y2_1)
-    v3 = T13 + X2_1 * v2
-    v4 = Y2_1 * v2 - T23
-    w1 = math.sqrt(v3 * v3 + v4 * v4)
+    sigma1 = math.copysign(second_weight, T13 * X2_1 - T23 * Y2_1)
+    Xhat1 = T13 + X2_1 * sigma1
+    Yhat1 = Y2_1 * sigma1 - T23
+    w1 = math.sqrt(Xhat1 * Xhat1 + Yhat1 * Yhat1)
     free1 = w1 <= free_limit
     divisor1 = 1.0 if free1 else w1
 
     # theta3, type 3: U1[3, 3] and U1[1, 3]
-    v5 = T33 * T33
+    v2 = T33 * T33
 
     for i1 in range(2):  # shoulder+, shoulder-
         e1 = 1.0 - 2.0 * i1
@@ -181,8 +181,8 @@ def _solve(pose, seed, q, status):
         if e1 < 0.0 and free1:
             continue  # both signs give the same
         factor1 = e1 / divisor1
-        c1 = math.cos(seed[0]) if free1 else -(v3 * factor1)
-        s1 = math.sin(seed[0]) if free1 else v4 * factor1
+        c1 = math.cos(seed[0]) if free1 else -(Xhat1 * factor1)
+        s1 = math.sin(seed[0]) if free1 else Yhat1 * factor1
         q1 = _atan2(s1, c1)
 
         # r2, type 1: U1[2, 4]
@@ -190,35 +190,35 @@ def _solve(pose, seed, q, status):
 
         # theta3
         Z2_3 = T13 * c1 + T23 * s1
-        w3 = math.sqrt(Z2_3 * Z2_3 + v5)
+        w3 = math.sqrt(Z2_3 * Z2_3 + v2)
         short3 = w3 <= free_limit
         factor3 = 1.0 / (1.0 if short3 else w3)
-        v6 = T33 * factor3
+        v3 = T33 * factor3
         s3 = Z2_3 * factor3
-        q3 = _atan2(s3, -v6)
+        q3 = _atan2(s3, -v3)
 
         # r4, type 1: U3[2, 4]
-        r4 = s3 * (T14 * c1 + T24 * s1) - v6 * -v1
+        r4 = s3 * (T14 * c1 + T24 * s1) - v3 * -v1
 
         # theta5, type 3: U1[2, 2] and U1[2, 1]
         Z1_5 = T22 * c1 - T12 * s1
         Z2_5 = T21 * c1 - T11 * s1
         w5 = math.sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5)
         short5 = w5 <= free_limit
-        v7 = 1.0 / (1.0 if short5 else w5)
-        v8 = Z1_5 * v7
-        v9 = Z2_5 * v7
-        q5 = _atan2(-v9, -v8)
+        v4 = 1.0 / (1.0 if short5 else w5)
+        v5 = Z1_5 * v4
+        v6 = Z2_5 * v4
+        q5 = _atan2(-v6, -v5)
 
         # is the pose one that the arm can take?
-        v10 = c1 * s3
-        v11 = s1 * s3
+        v7 = c1 * s3
+        v8 = s1 * s3
         if (
-            not (abs(T34 - (d1 + v6 * r4)) <= pose_slack1 and abs(T33 - v6) <= pose_slack and
-            abs(T31 + s3 * v8) <= pose_slack and abs(T24 - (r4 * v11 - c1 * r2)) <= pose_slack1 and
-            abs(T23 - v11) <= pose_slack and abs(T21 - (v8 * (s1 * v6) + c1 * v9)) <= pose_slack and
-            abs(T14 - (r4 * v10 + s1 * r2)) <= pose_slack1 and abs(T11 - (v8 * (c1 * v6) - s1 * v9))
-            <= pose_slack and abs(T13 - v10) <= pose_slack)
+            not (abs(T34 - (d1 + v3 * r4)) <= pose_slack1 and abs(T33 - v3) <= pose_slack and
+            abs(T31 + s3 * v5) <= pose_slack and abs(T24 - (r4 * v8 - c1 * r2)) <= pose_slack1 and
+            abs(T23 - v8) <= pose_slack and abs(T21 - (v5 * (s1 * v3) + c1 * v6)) <= pose_slack and
+            abs(T14 - (r4 * v7 + s1 * r2)) <= pose_slack1 and abs(T11 - (v5 * (c1 * v3) - s1 * v6))
+            <= pose_slack and abs(T13 - v7) <= pose_slack)
         ):
             continue  # the arm can't take this pose
         row = i1
@@ -411,70 +411,70 @@ def _regular(pose, q, status):
     T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
-    # theta1, type 2: U1[2, 3] and U1[3] x U1[4], element 2
+    # theta1, type 2: U1[2, 3] and, where that is degenerate, U1[3] x U1[4], element 2
     v1 = T34 - d1
     X2_1 = v1 * T23 - T24 * T33
     Y2_1 = v1 * T13 - T33 * T14
-    v2 = math.copysign(second_weight, X2_1 * T13 - T23 * Y2_1)
-    v3 = T13 + X2_1 * v2
-    v4 = Y2_1 * v2 - T23
-    v5 = v3 * v3 + v4 * v4
-    w1 = math.sqrt(v5)
-    v6 = 1.0 / v5
-    factor1 = w1 * v6
-    v7 = v3 * factor1
-    s1 = v4 * factor1
+    sigma1 = math.copysign(second_weight, X2_1 * T13 - T23 * Y2_1)
+    Xhat1 = T13 + X2_1 * sigma1
+    Yhat1 = Y2_1 * sigma1 - T23
+    v2 = Xhat1 * Xhat1 + Yhat1 * Yhat1
+    w1 = math.sqrt(v2)
+    v3 = 1.0 / v2
+    factor1 = w1 * v3
+    v4 = Xhat1 * factor1
+    s1 = Yhat1 * factor1
 
     # r2, type 1: U1[2, 4]
-    q2_p = w1 * (v6 * (T24 * v3 + T14 * v4))
+    q2_p = w1 * (v3 * (T24 * Xhat1 + T14 * Yhat1))
 
     # theta3, type 3: U1[3, 3] and U1[1, 3]
-    Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3))
-    v8 = T33 * T33 + Z2_3 * Z2_3
-    w3 = math.sqrt(v8)
-    v9 = 1.0 / v8
-    factor3 = w3 * v9
-    v10 = T33 * factor3
+    Z2_3 = w1 * (v3 * (T23 * Yhat1 - T13 * Xhat1))
+    v5 = T33 * T33 + Z2_3 * Z2_3
+    w3 = math.sqrt(v5)
+    v6 = 1.0 / v5
+    factor3 = w3 * v6
+    v7 = T33 * factor3
     s3 = Z2_3 * factor3
 
     # r4, type 1: U3[2, 4]
-    q4_p = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1))
+    q4_p = w3 * (v6 * ((T23 * s1 - T13 * v4) * (T24 * s1 - T14 * v4) - T33 * -v1))
 
     # theta5, type 3: U1[2, 2] and U1[2, 1]
-    v11 = w1 * (v6 * (v3 * T22 + v4 * T12))
-    v12 = w1 * (v6 * (v3 * T21 + v4 * T11))
-    v13 = v12 * v12 + v11 * v11
-    v14 = math.sqrt(v13) * (1.0 / v13)
-    v15 = v11 * v14
-    v16 = v12 * v14
+    v8 = w1 * (v3 * (Xhat1 * T22 + Yhat1 * T12))
+    v9 = w1 * (v3 * (Xhat1 * T21 + Yhat1 * T11))
+    v10 = v9 * v9 + v8 * v8
+    v11 = math.sqrt(v10) * (1.0 / v10)
+    v12 = v8 * v11
+    v13 = v9 * v11
 
     # is the pose one that the arm can take?
-    v17 = v7 * s3
-    v18 = s1 * s3
-    v19 = T34 - (d1 + v10 * q4_p)
-    v20 = T33 - v10
-    v21 = T31 - s3 * v15
-    v22 = T24 - (q4_p * v18 + v7 * q2_p)
-    v23 = T23 - v18
-    v24 = T21 - (v7 * v16 - v15 * (s1 * v10))
-    v25 = T14 - (s1 * q2_p - q4_p * v17)
-    v26 = T11 - (v15 * (v7 * v10) + s1 * v16)
-    v27 = T13 + v17
+    v14 = v4 * s3
+    v15 = s1 * s3
+    v16 = T34 - (d1 + v7 * q4_p)
+    v17 = T33 - v7
+    v18 = T31 - s3 * v12
+    v19 = T24 - (q4_p * v15 + v4 * q2_p)
+    v20 = T23 - v15
+    v21 = T21 - (v4 * v13 - v12 * (s1 * v7))
+    v22 = T14 - (s1 * q2_p - q4_p * v14)
+    v23 = T11 - (v12 * (v4 * v7) + s1 * v13)
+    v24 = T13 + v14
 
     # a joint is free, or branches meet
     if (
-        v8 <= m1 or v5 <= m1 or v13 <= m1 or m4 < v20 * v20 + v21 * v21 + v23 * v23 + v24 * v24 +
-        v26 * v26 + v27 * v27 or m3 < v19 * v19 + v22 * v22 + v25 * v25
+        v5 <= m1 or v2 <= m1 or v10 <= m1 or m4 < v17 * v17 + v18 * v18 + v20 * v20 + v21 * v21 +
+        v23 * v23 + v24 * v24 or m3 < v16 * v16 + v19 * v19 + v22 * v22
     ):
         return False
 
     # angles, side by side
-    room[0] = v4
+    room[0] = Yhat1
     room[1] = Z2_3
-    room[2] = v12
-    room[8] = -v3
+    room[2] = v9
+    room[8] = -Xhat1
     room[9] = -T33
-    room[10] = v11
+    room[10] = v8
     for k in range(3, 8):
         room[k] = room[k + 8] = 1.0
     for k in range(8):
@@ -483,11 +483,11 @@ def _regular(pose, q, status):
     angle2 = room[1]
     angle3 = room[2]
 
-    # theta1, type 2: U1[2, 3] and U1[3] x U1[4], element 2
-    q1_m = angle1 - math.copysign(half_turn, v4)
+    # theta1, type 2: U1[2, 3] and, where that is degenerate, U1[3] x U1[4], element 2
+    q1_m = angle1 - math.copysign(half_turn, Yhat1)
 
     # theta5, type 3: U1[2, 2] and U1[2, 1]
-    q5_m = angle3 - math.copysign(half_turn, v12)
+    q5_m = angle3 - math.copysign(half_turn, v9)
 
     q[0, 0] = angle1
     q[0, 1] = q2_p
@@ -576,87 +576,87 @@ def _in_tiles(T, q, status):
             v1 = T34 - d1
             X2_1 = v1 * T23 - T24 * T33
             Y2_1 = v1 * T13 - T33 * T14
-            v2 = math.copysign(second_weight, X2_1 * T13 - T23 * Y2_1)
-            v3 = T13 + X2_1 * v2
-            v4 = Y2_1 * v2 - T23
-            v5 = v3 * v3 + v4 * v4
-            w1 = math.sqrt(v5)
+            sigma1 = math.copysign(second_weight, X2_1 * T13 - T23 * Y2_1)
+            Xhat1 = T13 + X2_1 * sigma1
+            Yhat1 = Y2_1 * sigma1 - T23
+            v2 = Xhat1 * Xhat1 + Yhat1 * Yhat1
+            w1 = math.sqrt(v2)
+            v3 = 1.0 / v2
+            factor1 = w1 * v3
+            v4 = Xhat1 * factor1
+            s1 = Yhat1 * factor1
+            q2_p = w1 * (v3 * (T24 * Xhat1 + T14 * Yhat1))
+            Z2_3 = w1 * (v3 * (T23 * Yhat1 - T13 * Xhat1))
+            v5 = T33 * T33 + Z2_3 * Z2_3
+            w3 = math.sqrt(v5)
             v6 = 1.0 / v5
-            factor1 = w1 * v6
-            v7 = v3 * factor1
-            s1 = v4 * factor1
-            q2_p = w1 * (v6 * (T24 * v3 + T14 * v4))
-            Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3))
-            v8 = T33 * T33 + Z2_3 * Z2_3
-            w3 = math.sqrt(v8)
-            v9 = 1.0 / v8
-            factor3 = w3 * v9
-            v10 = T33 * factor3
+            factor3 = w3 * v6
+            v7 = T33 * factor3
             s3 = Z2_3 * factor3
-            q4_p = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1))
-            v11 = w1 * (v6 * (v3 * T22 + v4 * T12))
-            v12 = w1 * (v6 * (v3 * T21 + v4 * T11))
-            v13 = v12 * v12 + v11 * v11
-            v14 = math.sqrt(v13) * (1.0 / v13)
-            v15 = v11 * v14
-            v16 = v12 * v14
-            v17 = v7 * s3
-            v18 = s1 * s3
-            v19 = T34 - (d1 + v10 * q4_p)
-            v20 = T33 - v10
-            v21 = T31 - s3 * v15
-            v22 = T24 - (q4_p * v18 + v7 * q2_p)
-            v23 = T23 - v18
-            v24 = T21 - (v7 * v16 - v15 * (s1 * v10))
-            v25 = T14 - (s1 * q2_p - q4_p * v17)
-            v26 = T11 - (v15 * (v7 * v10) + s1 * v16)
-            v27 = T13 + v17
-            work[272 + k] = v4
-            work[288 + k] = v5
+            q4_p = w3 * (v6 * ((T23 * s1 - T13 * v4) * (T24 * s1 - T14 * v4) - T33 * -v1))
+            v8 = w1 * (v3 * (Xhat1 * T22 + Yhat1 * T12))
+            v9 = w1 * (v3 * (Xhat1 * T21 + Yhat1 * T11))
+            v10 = v9 * v9 + v8 * v8
+            v11 = math.sqrt(v10) * (1.0 / v10)
+            v12 = v8 * v11
+            v13 = v9 * v11
+            v14 = v4 * s3
+            v15 = s1 * s3
+            v16 = T34 - (d1 + v7 * q4_p)
+            v17 = T33 - v7
+            v18 = T31 - s3 * v12
+            v19 = T24 - (q4_p * v15 + v4 * q2_p)
+            v20 = T23 - v15
+            v21 = T21 - (v4 * v13 - v12 * (s1 * v7))
+            v22 = T14 - (s1 * q2_p - q4_p * v14)
+            v23 = T11 - (v12 * (v4 * v7) + s1 * v13)
+            v24 = T13 + v14
+            work[272 + k] = Yhat1
+            work[288 + k] = v2
             work[304 + k] = q2_p
-            work[320 + k] = v8
+            work[320 + k] = v5
             work[336 + k] = q4_p
-            work[352 + k] = v12
-            work[368 + k] = v13
-            work[384 + k] = v19
-            work[400 + k] = v20
-            work[416 + k] = v21
-            work[432 + k] = v22
-            work[448 + k] = v23
-            work[464 + k] = v24
-            work[480 + k] = v25
-            work[496 + k] = v26
-            work[512 + k] = v27
-            work[528 + k] = v4
+            work[352 + k] = v9
+            work[368 + k] = v10
+            work[384 + k] = v16
+            work[400 + k] = v17
+            work[416 + k] = v18
+            work[432 + k] = v19
+            work[448 + k] = v20
+            work[464 + k] = v21
+            work[480 + k] = v22
+            work[496 + k] = v23
+            work[512 + k] = v24
+            work[528 + k] = Yhat1
             work[544 + k] = Z2_3
-            work[560 + k] = v12
-            work[576 + k] = -v3
+            work[560 + k] = v9
+            work[576 + k] = -Xhat1
             work[592 + k] = -T33
-            work[608 + k] = v11
+            work[608 + k] = v8
         for k in range(528, 576):
             work[k] = _atan2(work[k], work[k + 48])
         for k in range(0, 16):
-            v4 = work[272 + k]
-            v5 = work[288 + k]
+            Yhat1 = work[272 + k]
+            v2 = work[288 + k]
             q2_p = work[304 + k]
-            v8 = work[320 + k]
+            v5 = work[320 + k]
             q4_p = work[336 + k]
-            v12 = work[352 + k]
-            v13 = work[368 + k]
-            v19 = work[384 + k]
-            v20 = work[400 + k]
-            v21 = work[416 + k]
-            v22 = work[432 + k]
-            v23 = work[448 + k]
-            v24 = work[464 + k]
-            v25 = work[480 + k]
-            v26 = work[496 + k]
-            v27 = work[512 + k]
+            v9 = work[352 + k]
+            v10 = work[368 + k]
+            v16 = work[384 + k]
+            v17 = work[400 + k]
+            v18 = work[416 + k]
+            v19 = work[432 + k]
+            v20 = work[448 + k]
+            v21 = work[464 + k]
+            v22 = work[480 + k]
+            v23 = work[496 + k]
+            v24 = work[512 + k]
             angle1 = work[528 + k]
             angle2 = work[544 + k]
             angle3 = work[560 + k]
-            q1_m = angle1 - math.copysign(half_turn, v4)
-            q5_m = angle3 - math.copysign(half_turn, v12)
+            q1_m = angle1 - math.copysign(half_turn, Yhat1)
+            q5_m = angle3 - math.copysign(half_turn, v9)
             _624 = angle1
             work[624 + k] = _624
             _640 = q2_p
@@ -678,8 +678,8 @@ def _in_tiles(T, q, status):
             work[768 + k] = UNREACHABLE if _624 != _624 else OK
             work[784 + k] = UNREACHABLE if _704 != _704 else OK
             work[256 + k] = (
-                1.0 if v8 <= m1 or v5 <= m1 or v13 <= m1 or m4 < v20 * v20 + v21 * v21 + v23 * v23 +
-                v24 * v24 + v26 * v26 + v27 * v27 or m3 < v19 * v19 + v22 * v22 + v25 * v25 else
+                1.0 if v5 <= m1 or v2 <= m1 or v10 <= m1 or m4 < v17 * v17 + v18 * v18 + v20 * v20 +
+                v21 * v21 + v23 * v23 + v24 * v24 or m3 < v16 * v16 + v19 * v19 + v22 * v22 else
                 work[256 + k]
             )
         for k in range(first, first + count):

@@ -121,49 +121,50 @@ static void solve(
     (void)moved;
     ENTRIES(double);
 
-    /* theta1, type 2: U1[3, 4] and U1[3, 3] */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
-        v3 = T24 + T23 * v1;
-    const double w1 = sqrt(v2 * v2 + v3 * v3);
+    /* theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3] */
+    const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23);
+    const double Xhat1 = T14 + T13 * sigma1;
+    const double Yhat1 = T24 + T23 * sigma1;
+    const double w1 = sqrt(Xhat1 * Xhat1 + Yhat1 * Yhat1);
     const int free1 = w1 <= free_limit1;
     const double divisor1 = free1 ? 1.0 : w1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v4 = T33 * T33;
+    const double v1 = T33 * T33;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v10 = T34 - d1;
+    const double v7 = T34 - d1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* front, back */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : v2 * factor1,
-            s1 = free1 ? sin(seed[0]) : v3 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : Xhat1 * factor1,
+            s1 = free1 ? sin(seed[0]) : Yhat1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta234 */
         const double Z2_234 = T13 * c1 + T23 * s1;
-        const double w234 = sqrt(Z2_234 * Z2_234 + v4);
+        const double w234 = sqrt(Z2_234 * Z2_234 + v1);
         const int short234 = w234 <= free_limit;
         const double factor234 = 1.0 / (short234 ? 1.0 : w234);
-        const double c234 = T33 * factor234, v5 = Z2_234 * factor234;
-        const double theta234 = atan2(-v5, c234);
+        const double c234 = T33 * factor234, v2 = Z2_234 * factor234;
+        const double theta234 = atan2(-v2, c234);
 
         /* theta5, type 3: U1[3, 2] and U1[3, 1] */
         const double Z1_5 = T12 * s1 - T22 * c1;
         const double Z2_5 = T11 * s1 - T21 * c1;
         const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
         const int short5 = w5 <= free_limit;
-        const double v6 = 1.0 / (short5 ? 1.0 : w5), v7 = Z1_5 * v6, v8 = Z2_5 * v6;
-        const double q5 = atan2(-v8, -v7);
+        const double v3 = 1.0 / (short5 ? 1.0 : w5), v4 = Z1_5 * v3, v5 = Z2_5 * v3;
+        const double q5 = atan2(-v5, -v4);
 
         /* theta3 */
-        const double v9 = c234 * d5;
-        const double Z1_3 = v10 - v9;
-        const double v11 = v5 * d5;
-        const double Z2_3 = T14 * c1 + T24 * s1 - v11;
+        const double v6 = c234 * d5;
+        const double Z1_3 = v7 - v6;
+        const double v8 = v2 * d5;
+        const double Z2_3 = T14 * c1 + T24 * s1 - v8;
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
@@ -177,13 +178,13 @@ static void solve(
 
         /* theta2, type 3: U1[2, 4] and U1[1, 4] */
         const double X1_2 = a2 + a3 * c3;
-        const double v12 = Z1_3 * X1_2, v13 = Z2_3 * X1_2;
+        const double v9 = Z1_3 * X1_2, v10 = Z2_3 * X1_2;
 
         /* is the pose one that the arm can take? */
-        const double v15 = d1 + v9;
-        if (!(fabs(T33 - c234) <= pose_slack && fabs(T31 - v5 * v7) <= pose_slack && fabs(T23 - s1 *
-            v5) <= pose_slack && fabs(T21 + (v7 * (s1 * c234) + c1 * v8)) <= pose_slack && fabs(T11
-            - (s1 * v8 - v7 * (c1 * c234))) <= pose_slack && fabs(T13 - c1 * v5) <= pose_slack))
+        const double v12 = d1 + v6;
+        if (!(fabs(T33 - c234) <= pose_slack && fabs(T31 - v2 * v4) <= pose_slack && fabs(T23 - s1 *
+            v2) <= pose_slack && fabs(T21 + (v4 * (s1 * c234) + c1 * v5)) <= pose_slack && fabs(T11
+            - (s1 * v5 - v4 * (c1 * c234))) <= pose_slack && fabs(T13 - c1 * v2) <= pose_slack))
             continue; /* the arm can't take this pose */
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
@@ -195,8 +196,8 @@ static void solve(
 
             /* theta2 */
             const double Y1_2 = a3 * s3;
-            const double S2 = v12 - Z2_3 * Y1_2;
-            const double C2 = v13 + Z1_3 * Y1_2;
+            const double S2 = v9 - Z2_3 * Y1_2;
+            const double C2 = v10 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
@@ -206,9 +207,9 @@ static void solve(
 
             /* is the pose one that the arm can take? */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
-                v14 = a3 * c23 + (v11 + a2 * c2);
-            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 && fabs(T14 - c1 * v14) <=
-                pose_slack1 && fabs(T24 - s1 * v14) <= pose_slack1))
+                v11 = a3 * c23 + (v8 + a2 * c2);
+            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v12))) <= pose_slack1 && fabs(T14 - c1 * v11) <=
+                pose_slack1 && fabs(T24 - s1 * v11) <= pose_slack1))
                 continue; /* the arm can't take this pose */
 
             /* joint values */
@@ -243,99 +244,99 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide v1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
-        v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = dhgen_sqrt_wide(v4),
-        v5 = 1.0 / v4, factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1,
-        angle1 = dhgen_atan2_wide(v3, v2);
+    const dhgen_wide sigma1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
+        Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
+        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, factor1 = w1 * v2, c1 = Xhat1 * factor1,
+        s1 = Yhat1 * factor1, angle1 = dhgen_atan2_wide(Yhat1, Xhat1);
 
     /* theta234 */
-    const dhgen_wide Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3)), v6 = T33 * T33 + Z2_234 * Z2_234,
-        factor234 = dhgen_sqrt_wide(v6) * (1.0 / v6), angle2 = dhgen_atan2_wide(-Z2_234, T33);
+    const dhgen_wide Z2_234 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1)),
+        v3 = T33 * T33 + Z2_234 * Z2_234, factor234 = dhgen_sqrt_wide(v3) * (1.0 / v3),
+        angle2 = dhgen_atan2_wide(-Z2_234, T33);
 
     /* theta5 */
-    const dhgen_wide Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22)),
-        Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21)), v7 = Z2_5 * Z2_5 + Z1_5 * Z1_5,
-        v8 = dhgen_sqrt_wide(v7) * (1.0 / v7), v9 = Z1_5 * v8, v10 = Z2_5 * v8,
+    const dhgen_wide Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22)),
+        Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21)), v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5,
+        v5 = dhgen_sqrt_wide(v4) * (1.0 / v4), v6 = Z1_5 * v5, v7 = Z2_5 * v5,
         angle3 = dhgen_atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
-    const dhgen_wide v11 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v11,
-        v12 = factor234 * (d5 * Z2_234), Z2_3 = T14 * c1 + T24 * s1 - v12,
+    const dhgen_wide v8 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v8,
+        v9 = factor234 * (d5 * Z2_234), Z2_3 = T14 * c1 + T24 * s1 - v9,
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, K3 = N3 - k1, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_wide(D3), v13 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3,
+        w3 = dhgen_sqrt_wide(D3), v10 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3,
         angle4 = dhgen_atan2_wide(w3, K3);
 
     /* theta2 */
-    const dhgen_wide X1_2 = a2 + a3 * c3, Y1_2 = a3 * s3, v14 = Z1_3 * X1_2, v15 = Z2_3 * Y1_2,
-        v16 = v14 - v15, v17 = v14 + v15, v18 = m6 + m5 * N3, v19 = Z1_3 * v18,
-        S2_pp = v19 - w3 * (m5 * Z2_3), S2_pm = v19 - w3 * (m5 * -Z2_3), v20 = Z2_3 * X1_2,
-        v21 = Z1_3 * Y1_2, v22 = v20 + v21, v23 = v20 - v21, v24 = w3 * (m5 * Z1_3),
-        v25 = w3 * (m5 * -Z1_3), v26 = Z2_3 * v18, C2_pp = v24 + v26, C2_pm = v25 + v26,
-        C2_mp = v24 - v26, C2_mm = v25 - v26, v27 = S2_pp * S2_pp, v28 = v27 + C2_pp * C2_pp,
-        v29 = S2_pm * S2_pm, v30 = v29 + C2_pm * C2_pm, v31 = v29 + C2_mp * C2_mp,
-        v32 = v27 + C2_mm * C2_mm, w2_pp = dhgen_sqrt_wide(v28), w2_pm = dhgen_sqrt_wide(v30),
-        w2_mp = dhgen_sqrt_wide(v31), w2_mm = dhgen_sqrt_wide(v32), v33 = 1.0 / v28,
-        v34 = 1.0 / v30, v35 = 1.0 / v31, v36 = 1.0 / v32, angle5 = dhgen_atan2_wide(S2_pp, C2_pp),
+    const dhgen_wide X1_2 = a2 + a3 * c3, Y1_2 = a3 * s3, v11 = Z1_3 * X1_2, v12 = Z2_3 * Y1_2,
+        v13 = v11 - v12, v14 = v11 + v12, v15 = m6 + m5 * N3, v16 = Z1_3 * v15,
+        S2_pp = v16 - w3 * (m5 * Z2_3), S2_pm = v16 - w3 * (m5 * -Z2_3), v17 = Z2_3 * X1_2,
+        v18 = Z1_3 * Y1_2, v19 = v17 + v18, v20 = v17 - v18, v21 = w3 * (m5 * Z1_3),
+        v22 = w3 * (m5 * -Z1_3), v23 = Z2_3 * v15, C2_pp = v21 + v23, C2_pm = v22 + v23,
+        C2_mp = v21 - v23, C2_mm = v22 - v23, v24 = S2_pp * S2_pp, v25 = v24 + C2_pp * C2_pp,
+        v26 = S2_pm * S2_pm, v27 = v26 + C2_pm * C2_pm, v28 = v26 + C2_mp * C2_mp,
+        v29 = v24 + C2_mm * C2_mm, w2_pp = dhgen_sqrt_wide(v25), w2_pm = dhgen_sqrt_wide(v27),
+        w2_mp = dhgen_sqrt_wide(v28), w2_mm = dhgen_sqrt_wide(v29), v30 = 1.0 / v25,
+        v31 = 1.0 / v27, v32 = 1.0 / v28, v33 = 1.0 / v29, angle5 = dhgen_atan2_wide(S2_pp, C2_pp),
         angle6 = dhgen_atan2_wide(S2_pm, C2_pm), angle7 = dhgen_atan2_wide(S2_pm, C2_mp),
         angle8 = dhgen_atan2_wide(S2_pp, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const dhgen_wide v37 = m8 + m9 * c3, v38 = v22 * v37 - m9 * (s3 * v16),
-        v39 = v12 + w2_pp * (v33 * v38), v40 = m9 * (s3 * v17),
-        v41 = v12 + w2_pm * (v34 * (v23 * v37 + v40)),
-        v42 = w2_mp * (v35 * (-v23 * v37 - v40)) - v12, v43 = w2_mm * (v36 * -v38) - v12,
-        v44 = d1 + v11, v45 = T33 - T33 * factor234, v46 = T31 - factor234 * (Z2_234 * v9),
-        v47 = T23 - factor234 * (s1 * Z2_234),
-        v48 = T21 + (c1 * v10 + factor234 * (v9 * (s1 * T33))),
-        v49 = T11 - (s1 * v10 - factor234 * (v9 * (c1 * T33))),
-        v50 = T13 - factor234 * (c1 * Z2_234), v51 = s3 * v22 + c3 * v16,
-        v52 = T34 - (a3 * (w2_pp * (v33 * v51)) + (v44 + a2 * (S2_pp * (w2_pp * v33)))),
-        v53 = c3 * v17,
-        v54 = T34 - (a3 * (w2_pm * (v34 * (v53 - s3 * v23))) + (v44 + a2 * (S2_pm * (w2_pm *
-            v34)))),
-        v55 = T34 - (a3 * (w2_mp * (v35 * (v53 + s3 * -v23))) + (v44 + a2 * (S2_pm * (w2_mp *
-            v35)))),
-        v56 = T34 - (a3 * (w2_mm * (v36 * v51)) + (v44 + a2 * (S2_pp * (w2_mm * v36)))),
-        v57 = T14 - c1 * v39, v58 = T14 - c1 * v41, v59 = T14 + c1 * v42, v60 = T14 + c1 * v43,
-        v61 = T24 - s1 * v39, v62 = T24 - s1 * v41, v63 = T24 + s1 * v42, v64 = T24 + s1 * v43,
-        v65 = v52 * v52 + v57 * v57 + v61 * v61, v66 = v54 * v54 + v58 * v58 + v62 * v62,
-        v67 = v55 * v55 + v59 * v59 + v63 * v63, v68 = v56 * v56 + v60 * v60 + v64 * v64;
+    const dhgen_wide v34 = m8 + m9 * c3, v35 = v19 * v34 - m9 * (s3 * v13),
+        v36 = v9 + w2_pp * (v30 * v35), v37 = m9 * (s3 * v14),
+        v38 = v9 + w2_pm * (v31 * (v20 * v34 + v37)), v39 = w2_mp * (v32 * (-v20 * v34 - v37)) - v9,
+        v40 = w2_mm * (v33 * -v35) - v9, v41 = d1 + v8, v42 = T33 - T33 * factor234,
+        v43 = T31 - factor234 * (Z2_234 * v6), v44 = T23 - factor234 * (s1 * Z2_234),
+        v45 = T21 + (c1 * v7 + factor234 * (v6 * (s1 * T33))),
+        v46 = T11 - (s1 * v7 - factor234 * (v6 * (c1 * T33))),
+        v47 = T13 - factor234 * (c1 * Z2_234), v48 = s3 * v19 + c3 * v13,
+        v49 = T34 - (a3 * (w2_pp * (v30 * v48)) + (v41 + a2 * (S2_pp * (w2_pp * v30)))),
+        v50 = c3 * v14,
+        v51 = T34 - (a3 * (w2_pm * (v31 * (v50 - s3 * v20))) + (v41 + a2 * (S2_pm * (w2_pm *
+            v31)))),
+        v52 = T34 - (a3 * (w2_mp * (v32 * (v50 + s3 * -v20))) + (v41 + a2 * (S2_pm * (w2_mp *
+            v32)))),
+        v53 = T34 - (a3 * (w2_mm * (v33 * v48)) + (v41 + a2 * (S2_pp * (w2_mm * v33)))),
+        v54 = T14 - c1 * v36, v55 = T14 - c1 * v38, v56 = T14 + c1 * v39, v57 = T14 + c1 * v40,
+        v58 = T24 - s1 * v36, v59 = T24 - s1 * v38, v60 = T24 + s1 * v39, v61 = T24 + s1 * v40,
+        v62 = v49 * v49 + v54 * v54 + v58 * v58, v63 = v51 * v51 + v55 * v55 + v59 * v59,
+        v64 = v52 * v52 + v56 * v56 + v60 * v60, v65 = v53 * v53 + v57 * v57 + v61 * v61;
 
     /* joint values */
-    const dhgen_wide v69 = angle2 - (angle4 + angle5) - offset4,
-        v70 = angle2 - (angle6 - angle4) - offset4, v71 = offset4 + (angle2 + (angle4 + angle7)),
-        v72 = offset4 + (angle2 + (angle8 - angle4)), v73 = dhgen_centred_wide(v69),
-        v74 = dhgen_centred_wide(v70),
-        v75 = dhgen_pick_wide(-v71 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
-            dhgen_only_wide(DHGEN_HALF_TURN < -v71, -DHGEN_TURN)) - v71,
-        v76 = dhgen_pick_wide(-v72 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
-            dhgen_only_wide(DHGEN_HALF_TURN < -v72, -DHGEN_TURN)) - v72;
-    const double v77 = DHGEN_NAN;
-    const dhgen_wide v78 = dhgen_only_wide((v65 <= m11) == 0, v77),
-        v79 = dhgen_only_wide((v66 <= m11) == 0, v77),
-        v80 = dhgen_only_wide((v67 <= m11) == 0, v77),
-        v81 = dhgen_only_wide((v68 <= m11) == 0, v77), v82 = angle1 + v13,
-        v83 = v13 + (angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, v3)), v84 = angle3 + v13,
-        v85 = v13 + (angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, -Z2_5));
+    const dhgen_wide v66 = angle2 - (angle4 + angle5) - offset4,
+        v67 = angle2 - (angle6 - angle4) - offset4, v68 = offset4 + (angle2 + (angle4 + angle7)),
+        v69 = offset4 + (angle2 + (angle8 - angle4)), v70 = dhgen_centred_wide(v66),
+        v71 = dhgen_centred_wide(v67),
+        v72 = dhgen_pick_wide(-v68 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
+            dhgen_only_wide(DHGEN_HALF_TURN < -v68, -DHGEN_TURN)) - v68,
+        v73 = dhgen_pick_wide(-v69 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
+            dhgen_only_wide(DHGEN_HALF_TURN < -v69, -DHGEN_TURN)) - v69;
+    const double v74 = DHGEN_NAN;
+    const dhgen_wide v75 = dhgen_only_wide((v62 <= m11) == 0, v74),
+        v76 = dhgen_only_wide((v63 <= m11) == 0, v74),
+        v77 = dhgen_only_wide((v64 <= m11) == 0, v74),
+        v78 = dhgen_only_wide((v65 <= m11) == 0, v74), v79 = angle1 + v10,
+        v80 = v10 + (angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, Yhat1)), v81 = angle3 + v10,
+        v82 = v10 + (angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, -Z2_5));
 
-    q[0] = v78 + v82; q[1] = angle5 + v78; q[2] = angle4 + v78;
-    q[3] = v78 + dhgen_lowered_wide(v73); q[4] = v78 + v84;
+    q[0] = v75 + v79; q[1] = angle5 + v75; q[2] = angle4 + v75;
+    q[3] = v75 + dhgen_lowered_wide(v70); q[4] = v75 + v81;
     kind[0] = dhgen_kind_wide(q[0]);
-    q[5] = v79 + v82; q[6] = angle6 + v79; q[7] = v79 - angle4;
-    q[8] = v79 + dhgen_lowered_wide(v74); q[9] = v79 + v84;
+    q[5] = v76 + v79; q[6] = angle6 + v76; q[7] = v76 - angle4;
+    q[8] = v76 + dhgen_lowered_wide(v71); q[9] = v76 + v81;
     kind[1] = dhgen_kind_wide(q[5]);
-    q[10] = v80 + v83; q[11] = angle7 + v80; q[12] = angle4 + v80;
-    q[13] = v80 + dhgen_lowered_wide(v75); q[14] = v80 + v85;
+    q[10] = v77 + v80; q[11] = angle7 + v77; q[12] = angle4 + v77;
+    q[13] = v77 + dhgen_lowered_wide(v72); q[14] = v77 + v82;
     kind[2] = dhgen_kind_wide(q[10]);
-    q[15] = v81 + v83; q[16] = angle8 + v81; q[17] = v81 - angle4;
-    q[18] = v81 + dhgen_lowered_wide(v76); q[19] = v81 + v85;
+    q[15] = v78 + v80; q[16] = angle8 + v78; q[17] = v78 - angle4;
+    q[18] = v78 + dhgen_lowered_wide(v73); q[19] = v78 + v82;
     kind[3] = dhgen_kind_wide(q[15]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v6 <= m3) | (v4 <= m1) | (v7 <= m3) | (dhgen_abs_wide(D3) <= m4) | ((m11
-        < v68) & (v68 <= m12)) | (v32 <= m7) | ((m11 < v67) & (v67 <= m12)) | (v31 <= m7) | ((m11 <
-        v66) & (v66 <= m12)) | (v30 <= m7) | ((m11 < v65) & (v65 <= m12)) | (m10 < v45 * v45 + v46 *
-        v46 + v47 * v47 + v48 * v48 + v49 * v49 + v50 * v50) | (v28 <= m7));
+    return (exact == 0) | ((v3 <= m3) | (v1 <= m1) | (v4 <= m3) | (dhgen_abs_wide(D3) <= m4) | ((m11
+        < v65) & (v65 <= m12)) | (v29 <= m7) | ((m11 < v64) & (v64 <= m12)) | (v28 <= m7) | ((m11 <
+        v63) & (v63 <= m12)) | (v27 <= m7) | ((m11 < v62) & (v62 <= m12)) | (m10 < v42 * v42 + v43 *
+        v43 + v44 * v44 + v45 * v45 + v46 * v46 + v47 * v47) | (v25 <= m7));
 }
 
 #if DHGEN_LANES > 1
@@ -353,69 +354,71 @@ DHGEN_INLINE int solve_regular(
     ENTRIES(double);
 
     /* theta1 */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
-        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt(v4), v5 = 1.0 / v4,
-        factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1, v6 = copysign(DHGEN_HALF_TURN, v3);
-    const dhgen_four v7 = m2 * (e1 - 1.0);
+    const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23),
+        Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
+        w1 = sqrt(v1), v2 = 1.0 / v1, factor1 = w1 * v2, c1 = Xhat1 * factor1, s1 = Yhat1 * factor1,
+        v3 = copysign(DHGEN_HALF_TURN, Yhat1);
+    const dhgen_four v4 = m2 * (e1 - 1.0);
 
     /* theta234 */
-    const double Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3)), v8 = T33 * T33 + Z2_234 * Z2_234,
-        factor234 = sqrt(v8) * (1.0 / v8);
+    const double Z2_234 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1)), v5 = T33 * T33 + Z2_234 * Z2_234,
+        factor234 = sqrt(v5) * (1.0 / v5);
 
     /* theta5 */
-    const double Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22)), Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21)),
-        v9 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v10 = sqrt(v9) * (1.0 / v9), v11 = Z1_5 * v10,
-        v12 = Z2_5 * v10, v13 = copysign(DHGEN_HALF_TURN, -Z2_5);
+    const double Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22)),
+        Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21)), v6 = Z2_5 * Z2_5 + Z1_5 * Z1_5,
+        v7 = sqrt(v6) * (1.0 / v6), v8 = Z1_5 * v7, v9 = Z2_5 * v7,
+        v10 = copysign(DHGEN_HALF_TURN, -Z2_5);
 
     /* theta3 */
-    const double v14 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v14,
-        v15 = factor234 * (d5 * Z2_234), Z2_3 = T14 * c1 + T24 * s1 - v15,
+    const double v11 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v11,
+        v12 = factor234 * (d5 * Z2_234), Z2_3 = T14 * c1 + T24 * s1 - v12,
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, K3 = N3 - k1, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = sqrt(D3), v16 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3;
+        w3 = sqrt(D3), v13 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3;
 
     /* theta2 */
-    const double X1_2 = a2 + a3 * c3, Y1_2 = a3 * s3, v17 = Z1_3 * X1_2, v18 = Z2_3 * Y1_2;
-    const dhgen_four v19 = e1 * e2, v20 = v17 - v18 * v19;
-    const double v21 = m6 + m5 * N3, v22 = Z1_3 * v21;
-    const dhgen_four S2 = v22 - w3 * (m5 * (Z2_3 * v19));
-    const double v23 = Z2_3 * X1_2, v24 = Z1_3 * Y1_2;
-    const dhgen_four v25 = e1 * v23, v26 = e2 * v24, v27 = v25 + v26, v28 = w3 * (m5 * (e2 * Z1_3)),
-        v29 = Z2_3 * (e1 * v21), C2 = v28 + v29, v30 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v30),
-        v31 = 1.0 / v30;
+    const double X1_2 = a2 + a3 * c3, Y1_2 = a3 * s3, v14 = Z1_3 * X1_2, v15 = Z2_3 * Y1_2;
+    const dhgen_four v16 = e1 * e2, v17 = v14 - v15 * v16;
+    const double v18 = m6 + m5 * N3, v19 = Z1_3 * v18;
+    const dhgen_four S2 = v19 - w3 * (m5 * (Z2_3 * v16));
+    const double v20 = Z2_3 * X1_2, v21 = Z1_3 * Y1_2;
+    const dhgen_four v22 = e1 * v20, v23 = e2 * v21, v24 = v22 + v23, v25 = w3 * (m5 * (e2 * Z1_3)),
+        v26 = Z2_3 * (e1 * v18), C2 = v25 + v26, v27 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v27),
+        v28 = 1.0 / v27;
 
     /* is the pose one that the arm can take? */
-    const dhgen_four v32 = e2 * s3, v33 = e1 * v15;
-    const double v34 = m8 + m9 * c3;
-    const dhgen_four v35 = v33 + w2 * (v31 * (v27 * v34 - m9 * (v20 * v32)));
-    const double v36 = d1 + v14, v37 = T33 - T33 * factor234,
-        v38 = T31 - factor234 * (Z2_234 * v11), v39 = T23 - factor234 * (s1 * Z2_234),
-        v40 = T21 + (c1 * v12 + factor234 * (v11 * (s1 * T33))),
-        v41 = T11 - (s1 * v12 - factor234 * (v11 * (c1 * T33))),
-        v42 = T13 - factor234 * (c1 * Z2_234);
-    const dhgen_four v43 = T34 - (a3 * (w2 * (v31 * (v27 * v32 + c3 * v20))) + (v36 + a2 * (S2 * (w2
-        * v31)))), v44 = T14 - e1 * (c1 * v35), v45 = T24 - e1 * (s1 * v35),
-        v46 = v43 * v43 + v44 * v44 + v45 * v45;
+    const dhgen_four v29 = e2 * s3, v30 = e1 * v12;
+    const double v31 = m8 + m9 * c3;
+    const dhgen_four v32 = v30 + w2 * (v28 * (v24 * v31 - m9 * (v17 * v29)));
+    const double v33 = d1 + v11, v34 = T33 - T33 * factor234, v35 = T31 - factor234 * (Z2_234 * v8),
+        v36 = T23 - factor234 * (s1 * Z2_234),
+        v37 = T21 + (c1 * v9 + factor234 * (v8 * (s1 * T33))),
+        v38 = T11 - (s1 * v9 - factor234 * (v8 * (c1 * T33))),
+        v39 = T13 - factor234 * (c1 * Z2_234);
+    const dhgen_four v40 = T34 - (a3 * (w2 * (v28 * (v24 * v29 + c3 * v17))) + (v33 + a2 * (S2 * (w2
+        * v28)))), v41 = T14 - e1 * (c1 * v32), v42 = T24 - e1 * (s1 * v32),
+        v43 = v40 * v40 + v41 * v41 + v42 * v42;
 
     /* joint values */
-    const double v51 = DHGEN_NAN;
-    const dhgen_four v52 = dhgen_only_four((v46 <= m11) == 0, v51);
+    const double v48 = DHGEN_NAN;
+    const dhgen_four v49 = dhgen_only_four((v43 <= m11) == 0, v48);
 
-    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v30 <= m7) |
-        ((m11 < v46) & (v46 <= m12)))) | (unsigned)((v8 <= m3) | (v4 <= m1) | (v9 <= m3) | (m10 <
-        v37 * v37 + v38 * v38 + v39 * v39 + v40 * v40 + v41 * v41 + v42 * v42) | (fabs(D3) <= m4)))
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v27 <= m7) |
+        ((m11 < v43) & (v43 <= m12)))) | (unsigned)((v5 <= m3) | (v1 <= m1) | (v6 <= m3) | (m10 <
+        v34 * v34 + v35 * v35 + v36 * v36 + v37 * v37 + v38 * v38 + v39 * v39) | (fabs(D3) <= m4)))
         return -1;
 
-    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(v3, -Z2_234, -Z2_5, w3),
-        dhgen_four_of(v2, T33, -Z1_5, K3)), ratio2 = dhgen_ratio_four(S2, C2);
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(Yhat1, -Z2_234, -Z2_5, w3),
+        dhgen_four_of(Xhat1, T33, -Z1_5, K3)), ratio2 = dhgen_ratio_four(S2, C2);
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0),
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1),
         angle3 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2),
         angle4 = dhgen_shuffle(packed1, packed1, 3, 3, 3, 3), angle5 = dhgen_angle_four(ratio2);
-    const dhgen_four v47 = e2 * angle4, v48 = e1 * angle2, v49 = v48 - (angle5 + v47) - offset4,
-        v50 = dhgen_centred_four(v49), v53 = v16 + (angle1 + v6 * v7), q1 = v52 + v53,
-        q2 = angle5 + v52, q3 = v47 + v52, q4 = v52 + dhgen_lowered_four(v50),
-        v54 = v16 + (angle3 + v7 * v13), q5 = v52 + v54;
+    const dhgen_four v44 = e2 * angle4, v45 = e1 * angle2, v46 = v45 - (angle5 + v44) - offset4,
+        v47 = dhgen_centred_four(v46), v50 = v13 + (angle1 + v3 * v4), q1 = v49 + v50,
+        q2 = angle5 + v49, q3 = v44 + v49, q4 = v49 + dhgen_lowered_four(v47),
+        v51 = v13 + (angle3 + v4 * v10), q5 = v49 + v51;
 
     dhgen_store_4(q, q + 5, q + 10, q + 15, q1, q2, q3, q4);
     dhgen_store_1(q + 4, q + 9, q + 14, q + 19, q5);

@@ -91,8 +91,8 @@ m4 = 4.706018907896038e-13
 m5 = 2.631578947368421  # a coefficient of S2
 m6 = 0.04415526315789473  # a coefficient of S2
 m7 = 2.1106015755686554e-17  # doubt_limit_squared2^2 [m^4]
-m8 = 0.19  # a coefficient of v14
-m9 = 0.139  # a coefficient of v14
+m8 = 0.19  # a coefficient of v11
+m9 = 0.139  # a coefficient of v11
 m10 = 1.0000000000000002e-10  # pose_slack^2
 m11 = 4.5941284e-11  # pose_slack1^2 [m^2]
 m12 = 1.37823852e-10  # 3 * pose_slack1^2 [m^2]
@@ -239,19 +239,19 @@ def _solve(pose, seed, q, status):
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
 
-    # theta1, type 2: U1[3, 4] and U1[3, 3]
-    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-    v2 = T14 + T13 * v1
-    v3 = T24 + T23 * v1
-    w1 = math.sqrt(v2 * v2 + v3 * v3)
+    # theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3]
+    sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    Xhat1 = T14 + T13 * sigma1
+    Yhat1 = T24 + T23 * sigma1
+    w1 = math.sqrt(Xhat1 * Xhat1 + Yhat1 * Yhat1)
     free1 = w1 <= free_limit1
     divisor1 = 1.0 if free1 else w1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v4 = T33 * T33
+    v1 = T33 * T33
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v10 = T34 - d1
+    v7 = T34 - d1
 
     for i1 in range(2):  # front, back
         e1 = 1.0 - 2.0 * i1
@@ -259,34 +259,34 @@ def _solve(pose, seed, q, status):
         if e1 < 0.0 and free1:
             continue  # both signs give the same
         factor1 = e1 / divisor1
-        c1 = math.cos(seed[0]) if free1 else v2 * factor1
-        s1 = math.sin(seed[0]) if free1 else v3 * factor1
+        c1 = math.cos(seed[0]) if free1 else Xhat1 * factor1
+        s1 = math.sin(seed[0]) if free1 else Yhat1 * factor1
         q1 = _atan2(s1, c1)
 
         # theta234
         Z2_234 = T13 * c1 + T23 * s1
-        w234 = math.sqrt(Z2_234 * Z2_234 + v4)
+        w234 = math.sqrt(Z2_234 * Z2_234 + v1)
         short234 = w234 <= free_limit
         factor234 = 1.0 / (1.0 if short234 else w234)
         c234 = T33 * factor234
-        v5 = Z2_234 * factor234
-        theta234 = _atan2(-v5, c234)
+        v2 = Z2_234 * factor234
+        theta234 = _atan2(-v2, c234)
 
         # theta5, type 3: U1[3, 2] and U1[3, 1]
         Z1_5 = T12 * s1 - T22 * c1
         Z2_5 = T11 * s1 - T21 * c1
         w5 = math.sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5)
         short5 = w5 <= free_limit
-        v6 = 1.0 / (1.0 if short5 else w5)
-        v7 = Z1_5 * v6
-        v8 = Z2_5 * v6
-        q5 = _atan2(-v8, -v7)
+        v3 = 1.0 / (1.0 if short5 else w5)
+        v4 = Z1_5 * v3
+        v5 = Z2_5 * v3
+        q5 = _atan2(-v5, -v4)
 
         # theta3
-        v9 = c234 * d5
-        Z1_3 = v10 - v9
-        v11 = v5 * d5
-        Z2_3 = T14 * c1 + T24 * s1 - v11
+        v6 = c234 * d5
+        Z1_3 = v7 - v6
+        v8 = v2 * d5
+        Z2_3 = T14 * c1 + T24 * s1 - v8
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
         D3 = (longest3 - N3) * (N3 - shortest3)
@@ -301,15 +301,15 @@ def _solve(pose, seed, q, status):
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
         X1_2 = a2 + a3 * c3
-        v12 = Z1_3 * X1_2
-        v13 = Z2_3 * X1_2
+        v9 = Z1_3 * X1_2
+        v10 = Z2_3 * X1_2
 
         # is the pose one that the arm can take?
-        v15 = d1 + v9
+        v12 = d1 + v6
         if (
-            not (abs(T33 - c234) <= pose_slack and abs(T31 - v5 * v7) <= pose_slack and abs(T23 - s1
-            * v5) <= pose_slack and abs(T21 + (v7 * (s1 * c234) + c1 * v8)) <= pose_slack and
-            abs(T11 - (s1 * v8 - v7 * (c1 * c234))) <= pose_slack and abs(T13 - c1 * v5) <=
+            not (abs(T33 - c234) <= pose_slack and abs(T31 - v2 * v4) <= pose_slack and abs(T23 - s1
+            * v2) <= pose_slack and abs(T21 + (v4 * (s1 * c234) + c1 * v5)) <= pose_slack and
+            abs(T11 - (s1 * v5 - v4 * (c1 * c234))) <= pose_slack and abs(T13 - c1 * v2) <=
             pose_slack)
         ):
             continue  # the arm can't take this pose
@@ -324,8 +324,8 @@ def _solve(pose, seed, q, status):
 
             # theta2
             Y1_2 = a3 * s3
-            S2 = v12 - Z2_3 * Y1_2
-            C2 = v13 + Z1_3 * Y1_2
+            S2 = v9 - Z2_3 * Y1_2
+            C2 = v10 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
@@ -336,10 +336,10 @@ def _solve(pose, seed, q, status):
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v14 = a3 * c23 + (v11 + a2 * c2)
+            v11 = a3 * c23 + (v8 + a2 * c2)
             if (
-                not (abs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 and abs(T14 - c1 * v14)
-                <= pose_slack1 and abs(T24 - s1 * v14) <= pose_slack1)
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v12))) <= pose_slack1 and abs(T14 - c1 * v11)
+                <= pose_slack1 and abs(T24 - s1 * v11) <= pose_slack1)
             ):
                 continue  # the arm can't take this pose
 
@@ -717,132 +717,132 @@ def _regular(pose, q, status):
     T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
-    # theta1, type 2: U1[3, 4] and U1[3, 3]
-    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-    v2 = T14 + T13 * v1
-    v3 = T24 + T23 * v1
-    v4 = v2 * v2 + v3 * v3
-    w1 = math.sqrt(v4)
-    v5 = 1.0 / v4
-    factor1 = w1 * v5
-    c1 = v2 * factor1
-    s1 = v3 * factor1
+    # theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3]
+    sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    Xhat1 = T14 + T13 * sigma1
+    Yhat1 = T24 + T23 * sigma1
+    v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
+    w1 = math.sqrt(v1)
+    v2 = 1.0 / v1
+    factor1 = w1 * v2
+    c1 = Xhat1 * factor1
+    s1 = Yhat1 * factor1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3))
-    v6 = T33 * T33 + Z2_234 * Z2_234
-    factor234 = math.sqrt(v6) * (1.0 / v6)
+    Z2_234 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1))
+    v3 = T33 * T33 + Z2_234 * Z2_234
+    factor234 = math.sqrt(v3) * (1.0 / v3)
 
     # theta5, type 3: U1[3, 2] and U1[3, 1]
-    Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22))
-    Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21))
-    v7 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-    v8 = math.sqrt(v7) * (1.0 / v7)
-    v9 = Z1_5 * v8
-    v10 = Z2_5 * v8
+    Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22))
+    Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21))
+    v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5
+    v5 = math.sqrt(v4) * (1.0 / v4)
+    v6 = Z1_5 * v5
+    v7 = Z2_5 * v5
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v11 = factor234 * (d5 * T33)
-    Z1_3 = T34 - d1 - v11
-    v12 = factor234 * (d5 * Z2_234)
-    Z2_3 = T14 * c1 + T24 * s1 - v12
+    v8 = factor234 * (d5 * T33)
+    Z1_3 = T34 - d1 - v8
+    v9 = factor234 * (d5 * Z2_234)
+    Z2_3 = T14 * c1 + T24 * s1 - v9
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
     K3 = N3 - k1
     D3 = (longest3 - N3) * (N3 - shortest3)
     w3 = math.sqrt(D3)
-    v13 = w3 - w3
+    v10 = w3 - w3
     s3 = k2 * w3
     c3 = k2 * K3
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
     X1_2 = a2 + a3 * c3
     Y1_2 = a3 * s3
-    v14 = Z1_3 * X1_2
-    v15 = Z2_3 * Y1_2
-    v16 = v14 - v15
-    v17 = v14 + v15
-    v18 = m6 + m5 * N3
-    v19 = Z1_3 * v18
-    S2_pp = v19 - w3 * (m5 * Z2_3)
-    S2_pm = v19 - w3 * (m5 * -Z2_3)
-    v20 = Z2_3 * X1_2
-    v21 = Z1_3 * Y1_2
-    v22 = v20 + v21
-    v23 = v20 - v21
-    v24 = w3 * (m5 * Z1_3)
-    v25 = w3 * (m5 * -Z1_3)
-    v26 = Z2_3 * v18
-    C2_pp = v24 + v26
-    C2_pm = v25 + v26
-    C2_mp = v24 - v26
-    C2_mm = v25 - v26
-    v27 = S2_pp * S2_pp
-    v28 = v27 + C2_pp * C2_pp
-    v29 = S2_pm * S2_pm
-    v30 = v29 + C2_pm * C2_pm
-    v31 = v29 + C2_mp * C2_mp
-    v32 = v27 + C2_mm * C2_mm
-    w2_pp = math.sqrt(v28)
-    w2_pm = math.sqrt(v30)
-    w2_mp = math.sqrt(v31)
-    w2_mm = math.sqrt(v32)
-    v33 = 1.0 / v28
-    v34 = 1.0 / v30
-    v35 = 1.0 / v31
-    v36 = 1.0 / v32
+    v11 = Z1_3 * X1_2
+    v12 = Z2_3 * Y1_2
+    v13 = v11 - v12
+    v14 = v11 + v12
+    v15 = m6 + m5 * N3
+    v16 = Z1_3 * v15
+    S2_pp = v16 - w3 * (m5 * Z2_3)
+    S2_pm = v16 - w3 * (m5 * -Z2_3)
+    v17 = Z2_3 * X1_2
+    v18 = Z1_3 * Y1_2
+    v19 = v17 + v18
+    v20 = v17 - v18
+    v21 = w3 * (m5 * Z1_3)
+    v22 = w3 * (m5 * -Z1_3)
+    v23 = Z2_3 * v15
+    C2_pp = v21 + v23
+    C2_pm = v22 + v23
+    C2_mp = v21 - v23
+    C2_mm = v22 - v23
+    v24 = S2_pp * S2_pp
+    v25 = v24 + C2_pp * C2_pp
+    v26 = S2_pm * S2_pm
+    v27 = v26 + C2_pm * C2_pm
+    v28 = v26 + C2_mp * C2_mp
+    v29 = v24 + C2_mm * C2_mm
+    w2_pp = math.sqrt(v25)
+    w2_pm = math.sqrt(v27)
+    w2_mp = math.sqrt(v28)
+    w2_mm = math.sqrt(v29)
+    v30 = 1.0 / v25
+    v31 = 1.0 / v27
+    v32 = 1.0 / v28
+    v33 = 1.0 / v29
 
     # is the pose one that the arm can take?
-    v37 = m8 + m9 * c3
-    v38 = v22 * v37 - m9 * (s3 * v16)
-    v39 = v12 + w2_pp * (v33 * v38)
-    v40 = m9 * (s3 * v17)
-    v41 = v12 + w2_pm * (v34 * (v23 * v37 + v40))
-    v42 = w2_mp * (v35 * (-v23 * v37 - v40)) - v12
-    v43 = w2_mm * (v36 * -v38) - v12
-    v44 = d1 + v11
-    v45 = T33 - T33 * factor234
-    v46 = T31 - factor234 * (Z2_234 * v9)
-    v47 = T23 - factor234 * (s1 * Z2_234)
-    v48 = T21 + (c1 * v10 + factor234 * (v9 * (s1 * T33)))
-    v49 = T11 - (s1 * v10 - factor234 * (v9 * (c1 * T33)))
-    v50 = T13 - factor234 * (c1 * Z2_234)
-    v51 = s3 * v22 + c3 * v16
-    v52 = T34 - (a3 * (w2_pp * (v33 * v51)) + (v44 + a2 * (S2_pp * (w2_pp * v33))))
-    v53 = c3 * v17
-    v54 = T34 - (a3 * (w2_pm * (v34 * (v53 - s3 * v23))) + (v44 + a2 * (S2_pm * (w2_pm * v34))))
-    v55 = T34 - (a3 * (w2_mp * (v35 * (v53 + s3 * -v23))) + (v44 + a2 * (S2_pm * (w2_mp * v35))))
-    v56 = T34 - (a3 * (w2_mm * (v36 * v51)) + (v44 + a2 * (S2_pp * (w2_mm * v36))))
-    v57 = T14 - c1 * v39
-    v58 = T14 - c1 * v41
-    v59 = T14 + c1 * v42
-    v60 = T14 + c1 * v43
-    v61 = T24 - s1 * v39
-    v62 = T24 - s1 * v41
-    v63 = T24 + s1 * v42
-    v64 = T24 + s1 * v43
-    v65 = v52 * v52 + v57 * v57 + v61 * v61
-    v66 = v54 * v54 + v58 * v58 + v62 * v62
-    v67 = v55 * v55 + v59 * v59 + v63 * v63
-    v68 = v56 * v56 + v60 * v60 + v64 * v64
+    v34 = m8 + m9 * c3
+    v35 = v19 * v34 - m9 * (s3 * v13)
+    v36 = v9 + w2_pp * (v30 * v35)
+    v37 = m9 * (s3 * v14)
+    v38 = v9 + w2_pm * (v31 * (v20 * v34 + v37))
+    v39 = w2_mp * (v32 * (-v20 * v34 - v37)) - v9
+    v40 = w2_mm * (v33 * -v35) - v9
+    v41 = d1 + v8
+    v42 = T33 - T33 * factor234
+    v43 = T31 - factor234 * (Z2_234 * v6)
+    v44 = T23 - factor234 * (s1 * Z2_234)
+    v45 = T21 + (c1 * v7 + factor234 * (v6 * (s1 * T33)))
+    v46 = T11 - (s1 * v7 - factor234 * (v6 * (c1 * T33)))
+    v47 = T13 - factor234 * (c1 * Z2_234)
+    v48 = s3 * v19 + c3 * v13
+    v49 = T34 - (a3 * (w2_pp * (v30 * v48)) + (v41 + a2 * (S2_pp * (w2_pp * v30))))
+    v50 = c3 * v14
+    v51 = T34 - (a3 * (w2_pm * (v31 * (v50 - s3 * v20))) + (v41 + a2 * (S2_pm * (w2_pm * v31))))
+    v52 = T34 - (a3 * (w2_mp * (v32 * (v50 + s3 * -v20))) + (v41 + a2 * (S2_pm * (w2_mp * v32))))
+    v53 = T34 - (a3 * (w2_mm * (v33 * v48)) + (v41 + a2 * (S2_pp * (w2_mm * v33))))
+    v54 = T14 - c1 * v36
+    v55 = T14 - c1 * v38
+    v56 = T14 + c1 * v39
+    v57 = T14 + c1 * v40
+    v58 = T24 - s1 * v36
+    v59 = T24 - s1 * v38
+    v60 = T24 + s1 * v39
+    v61 = T24 + s1 * v40
+    v62 = v49 * v49 + v54 * v54 + v58 * v58
+    v63 = v51 * v51 + v55 * v55 + v59 * v59
+    v64 = v52 * v52 + v56 * v56 + v60 * v60
+    v65 = v53 * v53 + v57 * v57 + v61 * v61
 
     # joint values
-    v77 = math.sqrt(-1.0)
-    v78 = 0.0 if v65 <= m11 else v77
-    v79 = 0.0 if v66 <= m11 else v77
-    v80 = 0.0 if v67 <= m11 else v77
-    v81 = 0.0 if v68 <= m11 else v77
+    v74 = math.sqrt(-1.0)
+    v75 = 0.0 if v62 <= m11 else v74
+    v76 = 0.0 if v63 <= m11 else v74
+    v77 = 0.0 if v64 <= m11 else v74
+    v78 = 0.0 if v65 <= m11 else v74
 
     # a joint is free, or branches meet
     if (
-        v6 <= m3 or v4 <= m1 or v7 <= m3 or abs(D3) <= m4 or (m11 < v68 and v68 <= m12) or v32 <= m7
-        or (m11 < v67 and v67 <= m12) or v31 <= m7 or (m11 < v66 and v66 <= m12) or v30 <= m7 or
-        (m11 < v65 and v65 <= m12) or m10 < v45 * v45 + v46 * v46 + v47 * v47 + v48 * v48 + v49 *
-        v49 + v50 * v50 or v28 <= m7
+        v3 <= m3 or v1 <= m1 or v4 <= m3 or abs(D3) <= m4 or (m11 < v65 and v65 <= m12) or v29 <= m7
+        or (m11 < v64 and v64 <= m12) or v28 <= m7 or (m11 < v63 and v63 <= m12) or v27 <= m7 or
+        (m11 < v62 and v62 <= m12) or m10 < v42 * v42 + v43 * v43 + v44 * v44 + v45 * v45 + v46 *
+        v46 + v47 * v47 or v25 <= m7
     ):
         return False
 
     # angles, side by side
-    room[0] = v3
+    room[0] = Yhat1
     room[1] = -Z2_234
     room[2] = -Z2_5
     room[3] = w3
@@ -850,7 +850,7 @@ def _regular(pose, q, status):
     room[5] = S2_pm
     room[6] = S2_pm
     room[7] = S2_pp
-    room[8] = v2
+    room[8] = Xhat1
     room[9] = T33
     room[10] = -Z1_5
     room[11] = K3
@@ -870,38 +870,38 @@ def _regular(pose, q, status):
     angle8 = room[7]
 
     # joint values
-    v69 = angle2 - (angle4 + angle5) - offset4
-    v70 = angle2 - (angle6 - angle4) - offset4
-    v71 = offset4 + (angle2 + (angle4 + angle7))
-    v72 = offset4 + (angle2 + (angle8 - angle4))
-    v73 = v69 + (turn if v69 <= -half_turn else (-turn if half_turn < v69 else 0.0))
-    v74 = v70 + (turn if v70 <= -half_turn else (-turn if half_turn < v70 else 0.0))
-    v75 = (turn if -v71 <= -half_turn else (-turn if half_turn < -v71 else 0.0)) - v71
-    v76 = (turn if -v72 <= -half_turn else (-turn if half_turn < -v72 else 0.0)) - v72
-    v82 = angle1 + v13
-    v83 = v13 + (angle1 - math.copysign(half_turn, v3))
-    q1_pp = v78 + v82
-    q1_pm = v79 + v82
-    q1_mp = v80 + v83
-    q1_mm = v81 + v83
-    q2_pp = angle5 + v78
-    q2_pm = angle6 + v79
-    q2_mp = angle7 + v80
-    q2_mm = angle8 + v81
-    q3_pp = angle4 + v78
-    q3_pm = v79 - angle4
-    q3_mp = angle4 + v80
-    q3_mm = v81 - angle4
-    q4_pp = v78 + (v73 + (-turn if half_turn < v73 else 0.0))
-    q4_pm = v79 + (v74 + (-turn if half_turn < v74 else 0.0))
-    q4_mp = v80 + (v75 + (-turn if half_turn < v75 else 0.0))
-    q4_mm = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
-    v84 = angle3 + v13
-    v85 = v13 + (angle3 - math.copysign(half_turn, -Z2_5))
-    q5_pp = v78 + v84
-    q5_pm = v79 + v84
-    q5_mp = v80 + v85
-    q5_mm = v81 + v85
+    v66 = angle2 - (angle4 + angle5) - offset4
+    v67 = angle2 - (angle6 - angle4) - offset4
+    v68 = offset4 + (angle2 + (angle4 + angle7))
+    v69 = offset4 + (angle2 + (angle8 - angle4))
+    v70 = v66 + (turn if v66 <= -half_turn else (-turn if half_turn < v66 else 0.0))
+    v71 = v67 + (turn if v67 <= -half_turn else (-turn if half_turn < v67 else 0.0))
+    v72 = (turn if -v68 <= -half_turn else (-turn if half_turn < -v68 else 0.0)) - v68
+    v73 = (turn if -v69 <= -half_turn else (-turn if half_turn < -v69 else 0.0)) - v69
+    v79 = angle1 + v10
+    v80 = v10 + (angle1 - math.copysign(half_turn, Yhat1))
+    q1_pp = v75 + v79
+    q1_pm = v76 + v79
+    q1_mp = v77 + v80
+    q1_mm = v78 + v80
+    q2_pp = angle5 + v75
+    q2_pm = angle6 + v76
+    q2_mp = angle7 + v77
+    q2_mm = angle8 + v78
+    q3_pp = angle4 + v75
+    q3_pm = v76 - angle4
+    q3_mp = angle4 + v77
+    q3_mm = v78 - angle4
+    q4_pp = v75 + (v70 + (-turn if half_turn < v70 else 0.0))
+    q4_pm = v76 + (v71 + (-turn if half_turn < v71 else 0.0))
+    q4_mp = v77 + (v72 + (-turn if half_turn < v72 else 0.0))
+    q4_mm = v78 + (v73 + (-turn if half_turn < v73 else 0.0))
+    v81 = angle3 + v10
+    v82 = v10 + (angle3 - math.copysign(half_turn, -Z2_5))
+    q5_pp = v75 + v81
+    q5_pm = v76 + v81
+    q5_mp = v77 + v82
+    q5_mm = v78 + v82
 
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
@@ -1000,139 +1000,139 @@ def _in_tiles(T, q, status):
             T31 = work[128 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
-            v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-            v2 = T14 + T13 * v1
-            v3 = T24 + T23 * v1
-            v4 = v2 * v2 + v3 * v3
-            w1 = math.sqrt(v4)
-            v5 = 1.0 / v4
-            factor1 = w1 * v5
-            c1 = v2 * factor1
-            s1 = v3 * factor1
-            Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3))
-            v6 = T33 * T33 + Z2_234 * Z2_234
-            factor234 = math.sqrt(v6) * (1.0 / v6)
-            Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22))
-            Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21))
-            v7 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-            v8 = math.sqrt(v7) * (1.0 / v7)
-            v9 = Z1_5 * v8
-            v10 = Z2_5 * v8
-            v11 = factor234 * (d5 * T33)
-            Z1_3 = T34 - d1 - v11
-            v12 = factor234 * (d5 * Z2_234)
-            Z2_3 = T14 * c1 + T24 * s1 - v12
+            sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+            Xhat1 = T14 + T13 * sigma1
+            Yhat1 = T24 + T23 * sigma1
+            v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
+            w1 = math.sqrt(v1)
+            v2 = 1.0 / v1
+            factor1 = w1 * v2
+            c1 = Xhat1 * factor1
+            s1 = Yhat1 * factor1
+            Z2_234 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1))
+            v3 = T33 * T33 + Z2_234 * Z2_234
+            factor234 = math.sqrt(v3) * (1.0 / v3)
+            Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22))
+            Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21))
+            v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5
+            v5 = math.sqrt(v4) * (1.0 / v4)
+            v6 = Z1_5 * v5
+            v7 = Z2_5 * v5
+            v8 = factor234 * (d5 * T33)
+            Z1_3 = T34 - d1 - v8
+            v9 = factor234 * (d5 * Z2_234)
+            Z2_3 = T14 * c1 + T24 * s1 - v9
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
             K3 = N3 - k1
             D3 = (longest3 - N3) * (N3 - shortest3)
             w3 = math.sqrt(D3)
-            v13 = w3 - w3
+            v10 = w3 - w3
             s3 = k2 * w3
             c3 = k2 * K3
             X1_2 = a2 + a3 * c3
             Y1_2 = a3 * s3
-            v14 = Z1_3 * X1_2
-            v15 = Z2_3 * Y1_2
-            v16 = v14 - v15
-            v17 = v14 + v15
-            v18 = m6 + m5 * N3
-            v19 = Z1_3 * v18
-            S2_pp = v19 - w3 * (m5 * Z2_3)
-            S2_pm = v19 - w3 * (m5 * -Z2_3)
-            v20 = Z2_3 * X1_2
-            v21 = Z1_3 * Y1_2
-            v22 = v20 + v21
-            v23 = v20 - v21
-            v24 = w3 * (m5 * Z1_3)
-            v25 = w3 * (m5 * -Z1_3)
-            v26 = Z2_3 * v18
-            C2_pp = v24 + v26
-            C2_pm = v25 + v26
-            C2_mp = v24 - v26
-            C2_mm = v25 - v26
-            v27 = S2_pp * S2_pp
-            v28 = v27 + C2_pp * C2_pp
-            v29 = S2_pm * S2_pm
-            v30 = v29 + C2_pm * C2_pm
-            v31 = v29 + C2_mp * C2_mp
-            v32 = v27 + C2_mm * C2_mm
-            w2_pp = math.sqrt(v28)
-            w2_pm = math.sqrt(v30)
-            w2_mp = math.sqrt(v31)
-            w2_mm = math.sqrt(v32)
-            v33 = 1.0 / v28
-            v34 = 1.0 / v30
-            v35 = 1.0 / v31
-            v36 = 1.0 / v32
-            v37 = m8 + m9 * c3
-            v38 = v22 * v37 - m9 * (s3 * v16)
-            v39 = v12 + w2_pp * (v33 * v38)
-            v40 = m9 * (s3 * v17)
-            v41 = v12 + w2_pm * (v34 * (v23 * v37 + v40))
-            v42 = w2_mp * (v35 * (-v23 * v37 - v40)) - v12
-            v43 = w2_mm * (v36 * -v38) - v12
-            v44 = d1 + v11
-            v45 = T33 - T33 * factor234
-            v46 = T31 - factor234 * (Z2_234 * v9)
-            v47 = T23 - factor234 * (s1 * Z2_234)
-            v48 = T21 + (c1 * v10 + factor234 * (v9 * (s1 * T33)))
-            v49 = T11 - (s1 * v10 - factor234 * (v9 * (c1 * T33)))
-            v50 = T13 - factor234 * (c1 * Z2_234)
-            v51 = s3 * v22 + c3 * v16
-            v52 = T34 - (a3 * (w2_pp * (v33 * v51)) + (v44 + a2 * (S2_pp * (w2_pp * v33))))
-            v53 = c3 * v17
-            v54 = (
-                T34 - (a3 * (w2_pm * (v34 * (v53 - s3 * v23))) + (v44 + a2 * (S2_pm * (w2_pm *
-                v34))))
+            v11 = Z1_3 * X1_2
+            v12 = Z2_3 * Y1_2
+            v13 = v11 - v12
+            v14 = v11 + v12
+            v15 = m6 + m5 * N3
+            v16 = Z1_3 * v15
+            S2_pp = v16 - w3 * (m5 * Z2_3)
+            S2_pm = v16 - w3 * (m5 * -Z2_3)
+            v17 = Z2_3 * X1_2
+            v18 = Z1_3 * Y1_2
+            v19 = v17 + v18
+            v20 = v17 - v18
+            v21 = w3 * (m5 * Z1_3)
+            v22 = w3 * (m5 * -Z1_3)
+            v23 = Z2_3 * v15
+            C2_pp = v21 + v23
+            C2_pm = v22 + v23
+            C2_mp = v21 - v23
+            C2_mm = v22 - v23
+            v24 = S2_pp * S2_pp
+            v25 = v24 + C2_pp * C2_pp
+            v26 = S2_pm * S2_pm
+            v27 = v26 + C2_pm * C2_pm
+            v28 = v26 + C2_mp * C2_mp
+            v29 = v24 + C2_mm * C2_mm
+            w2_pp = math.sqrt(v25)
+            w2_pm = math.sqrt(v27)
+            w2_mp = math.sqrt(v28)
+            w2_mm = math.sqrt(v29)
+            v30 = 1.0 / v25
+            v31 = 1.0 / v27
+            v32 = 1.0 / v28
+            v33 = 1.0 / v29
+            v34 = m8 + m9 * c3
+            v35 = v19 * v34 - m9 * (s3 * v13)
+            v36 = v9 + w2_pp * (v30 * v35)
+            v37 = m9 * (s3 * v14)
+            v38 = v9 + w2_pm * (v31 * (v20 * v34 + v37))
+            v39 = w2_mp * (v32 * (-v20 * v34 - v37)) - v9
+            v40 = w2_mm * (v33 * -v35) - v9
+            v41 = d1 + v8
+            v42 = T33 - T33 * factor234
+            v43 = T31 - factor234 * (Z2_234 * v6)
+            v44 = T23 - factor234 * (s1 * Z2_234)
+            v45 = T21 + (c1 * v7 + factor234 * (v6 * (s1 * T33)))
+            v46 = T11 - (s1 * v7 - factor234 * (v6 * (c1 * T33)))
+            v47 = T13 - factor234 * (c1 * Z2_234)
+            v48 = s3 * v19 + c3 * v13
+            v49 = T34 - (a3 * (w2_pp * (v30 * v48)) + (v41 + a2 * (S2_pp * (w2_pp * v30))))
+            v50 = c3 * v14
+            v51 = (
+                T34 - (a3 * (w2_pm * (v31 * (v50 - s3 * v20))) + (v41 + a2 * (S2_pm * (w2_pm *
+                v31))))
             )
-            v55 = (
-                T34 - (a3 * (w2_mp * (v35 * (v53 + s3 * -v23))) + (v44 + a2 * (S2_pm * (w2_mp *
-                v35))))
+            v52 = (
+                T34 - (a3 * (w2_mp * (v32 * (v50 + s3 * -v20))) + (v41 + a2 * (S2_pm * (w2_mp *
+                v32))))
             )
-            v56 = T34 - (a3 * (w2_mm * (v36 * v51)) + (v44 + a2 * (S2_pp * (w2_mm * v36))))
-            v57 = T14 - c1 * v39
-            v58 = T14 - c1 * v41
-            v59 = T14 + c1 * v42
-            v60 = T14 + c1 * v43
-            v61 = T24 - s1 * v39
-            v62 = T24 - s1 * v41
-            v63 = T24 + s1 * v42
-            v64 = T24 + s1 * v43
-            v65 = v52 * v52 + v57 * v57 + v61 * v61
-            v66 = v54 * v54 + v58 * v58 + v62 * v62
-            v67 = v55 * v55 + v59 * v59 + v63 * v63
-            v68 = v56 * v56 + v60 * v60 + v64 * v64
-            v77 = math.sqrt(-1.0)
-            v78 = 0.0 if v65 <= m11 else v77
-            v79 = 0.0 if v66 <= m11 else v77
-            v80 = 0.0 if v67 <= m11 else v77
-            v81 = 0.0 if v68 <= m11 else v77
-            work[272 + k] = v3
-            work[288 + k] = v4
-            work[304 + k] = v6
+            v53 = T34 - (a3 * (w2_mm * (v33 * v48)) + (v41 + a2 * (S2_pp * (w2_mm * v33))))
+            v54 = T14 - c1 * v36
+            v55 = T14 - c1 * v38
+            v56 = T14 + c1 * v39
+            v57 = T14 + c1 * v40
+            v58 = T24 - s1 * v36
+            v59 = T24 - s1 * v38
+            v60 = T24 + s1 * v39
+            v61 = T24 + s1 * v40
+            v62 = v49 * v49 + v54 * v54 + v58 * v58
+            v63 = v51 * v51 + v55 * v55 + v59 * v59
+            v64 = v52 * v52 + v56 * v56 + v60 * v60
+            v65 = v53 * v53 + v57 * v57 + v61 * v61
+            v74 = math.sqrt(-1.0)
+            v75 = 0.0 if v62 <= m11 else v74
+            v76 = 0.0 if v63 <= m11 else v74
+            v77 = 0.0 if v64 <= m11 else v74
+            v78 = 0.0 if v65 <= m11 else v74
+            work[272 + k] = Yhat1
+            work[288 + k] = v1
+            work[304 + k] = v3
             work[320 + k] = Z2_5
-            work[336 + k] = v7
+            work[336 + k] = v4
             work[352 + k] = D3
-            work[368 + k] = v13
-            work[384 + k] = v28
-            work[400 + k] = v30
-            work[416 + k] = v31
-            work[432 + k] = v32
-            work[448 + k] = v45
-            work[464 + k] = v46
-            work[480 + k] = v47
-            work[496 + k] = v48
-            work[512 + k] = v49
-            work[528 + k] = v50
-            work[544 + k] = v65
-            work[560 + k] = v66
-            work[576 + k] = v67
-            work[592 + k] = v68
-            work[608 + k] = v78
-            work[624 + k] = v79
-            work[640 + k] = v80
-            work[656 + k] = v81
-            work[672 + k] = v3
+            work[368 + k] = v10
+            work[384 + k] = v25
+            work[400 + k] = v27
+            work[416 + k] = v28
+            work[432 + k] = v29
+            work[448 + k] = v42
+            work[464 + k] = v43
+            work[480 + k] = v44
+            work[496 + k] = v45
+            work[512 + k] = v46
+            work[528 + k] = v47
+            work[544 + k] = v62
+            work[560 + k] = v63
+            work[576 + k] = v64
+            work[592 + k] = v65
+            work[608 + k] = v75
+            work[624 + k] = v76
+            work[640 + k] = v77
+            work[656 + k] = v78
+            work[672 + k] = Yhat1
             work[688 + k] = -Z2_234
             work[704 + k] = -Z2_5
             work[720 + k] = w3
@@ -1140,7 +1140,7 @@ def _in_tiles(T, q, status):
             work[752 + k] = S2_pm
             work[768 + k] = S2_pm
             work[784 + k] = S2_pp
-            work[800 + k] = v2
+            work[800 + k] = Xhat1
             work[816 + k] = T33
             work[832 + k] = -Z1_5
             work[848 + k] = K3
@@ -1151,31 +1151,31 @@ def _in_tiles(T, q, status):
         for k in range(672, 800):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 16):
-            v3 = work[272 + k]
-            v4 = work[288 + k]
-            v6 = work[304 + k]
+            Yhat1 = work[272 + k]
+            v1 = work[288 + k]
+            v3 = work[304 + k]
             Z2_5 = work[320 + k]
-            v7 = work[336 + k]
+            v4 = work[336 + k]
             D3 = work[352 + k]
-            v13 = work[368 + k]
-            v28 = work[384 + k]
-            v30 = work[400 + k]
-            v31 = work[416 + k]
-            v32 = work[432 + k]
-            v45 = work[448 + k]
-            v46 = work[464 + k]
-            v47 = work[480 + k]
-            v48 = work[496 + k]
-            v49 = work[512 + k]
-            v50 = work[528 + k]
-            v65 = work[544 + k]
-            v66 = work[560 + k]
-            v67 = work[576 + k]
-            v68 = work[592 + k]
-            v78 = work[608 + k]
-            v79 = work[624 + k]
-            v80 = work[640 + k]
-            v81 = work[656 + k]
+            v10 = work[368 + k]
+            v25 = work[384 + k]
+            v27 = work[400 + k]
+            v28 = work[416 + k]
+            v29 = work[432 + k]
+            v42 = work[448 + k]
+            v43 = work[464 + k]
+            v44 = work[480 + k]
+            v45 = work[496 + k]
+            v46 = work[512 + k]
+            v47 = work[528 + k]
+            v62 = work[544 + k]
+            v63 = work[560 + k]
+            v64 = work[576 + k]
+            v65 = work[592 + k]
+            v75 = work[608 + k]
+            v76 = work[624 + k]
+            v77 = work[640 + k]
+            v78 = work[656 + k]
             angle1 = work[672 + k]
             angle2 = work[688 + k]
             angle3 = work[704 + k]
@@ -1184,38 +1184,38 @@ def _in_tiles(T, q, status):
             angle6 = work[752 + k]
             angle7 = work[768 + k]
             angle8 = work[784 + k]
-            v69 = angle2 - (angle4 + angle5) - offset4
-            v70 = angle2 - (angle6 - angle4) - offset4
-            v71 = offset4 + (angle2 + (angle4 + angle7))
-            v72 = offset4 + (angle2 + (angle8 - angle4))
-            v73 = v69 + (turn if v69 <= -half_turn else (-turn if half_turn < v69 else 0.0))
-            v74 = v70 + (turn if v70 <= -half_turn else (-turn if half_turn < v70 else 0.0))
-            v75 = (turn if -v71 <= -half_turn else (-turn if half_turn < -v71 else 0.0)) - v71
-            v76 = (turn if -v72 <= -half_turn else (-turn if half_turn < -v72 else 0.0)) - v72
-            v82 = angle1 + v13
-            v83 = v13 + (angle1 - math.copysign(half_turn, v3))
-            q1_pp = v78 + v82
-            q1_pm = v79 + v82
-            q1_mp = v80 + v83
-            q1_mm = v81 + v83
-            q2_pp = angle5 + v78
-            q2_pm = angle6 + v79
-            q2_mp = angle7 + v80
-            q2_mm = angle8 + v81
-            q3_pp = angle4 + v78
-            q3_pm = v79 - angle4
-            q3_mp = angle4 + v80
-            q3_mm = v81 - angle4
-            q4_pp = v78 + (v73 + (-turn if half_turn < v73 else 0.0))
-            q4_pm = v79 + (v74 + (-turn if half_turn < v74 else 0.0))
-            q4_mp = v80 + (v75 + (-turn if half_turn < v75 else 0.0))
-            q4_mm = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
-            v84 = angle3 + v13
-            v85 = v13 + (angle3 - math.copysign(half_turn, -Z2_5))
-            q5_pp = v78 + v84
-            q5_pm = v79 + v84
-            q5_mp = v80 + v85
-            q5_mm = v81 + v85
+            v66 = angle2 - (angle4 + angle5) - offset4
+            v67 = angle2 - (angle6 - angle4) - offset4
+            v68 = offset4 + (angle2 + (angle4 + angle7))
+            v69 = offset4 + (angle2 + (angle8 - angle4))
+            v70 = v66 + (turn if v66 <= -half_turn else (-turn if half_turn < v66 else 0.0))
+            v71 = v67 + (turn if v67 <= -half_turn else (-turn if half_turn < v67 else 0.0))
+            v72 = (turn if -v68 <= -half_turn else (-turn if half_turn < -v68 else 0.0)) - v68
+            v73 = (turn if -v69 <= -half_turn else (-turn if half_turn < -v69 else 0.0)) - v69
+            v79 = angle1 + v10
+            v80 = v10 + (angle1 - math.copysign(half_turn, Yhat1))
+            q1_pp = v75 + v79
+            q1_pm = v76 + v79
+            q1_mp = v77 + v80
+            q1_mm = v78 + v80
+            q2_pp = angle5 + v75
+            q2_pm = angle6 + v76
+            q2_mp = angle7 + v77
+            q2_mm = angle8 + v78
+            q3_pp = angle4 + v75
+            q3_pm = v76 - angle4
+            q3_mp = angle4 + v77
+            q3_mm = v78 - angle4
+            q4_pp = v75 + (v70 + (-turn if half_turn < v70 else 0.0))
+            q4_pm = v76 + (v71 + (-turn if half_turn < v71 else 0.0))
+            q4_mp = v77 + (v72 + (-turn if half_turn < v72 else 0.0))
+            q4_mm = v78 + (v73 + (-turn if half_turn < v73 else 0.0))
+            v81 = angle3 + v10
+            v82 = v10 + (angle3 - math.copysign(half_turn, -Z2_5))
+            q5_pp = v75 + v81
+            q5_pm = v76 + v81
+            q5_mp = v77 + v82
+            q5_mm = v78 + v82
             _928 = q1_pp
             work[928 + k] = _928
             _944 = q2_pp
@@ -1261,10 +1261,10 @@ def _in_tiles(T, q, status):
             work[1280 + k] = UNREACHABLE if _1088 != _1088 else OK
             work[1296 + k] = UNREACHABLE if _1168 != _1168 else OK
             work[256 + k] = (
-                1.0 if v6 <= m3 or v4 <= m1 or v7 <= m3 or abs(D3) <= m4 or (m11 < v68 and v68 <=
-                m12) or v32 <= m7 or (m11 < v67 and v67 <= m12) or v31 <= m7 or (m11 < v66 and v66
-                <= m12) or v30 <= m7 or (m11 < v65 and v65 <= m12) or m10 < v45 * v45 + v46 * v46 +
-                v47 * v47 + v48 * v48 + v49 * v49 + v50 * v50 or v28 <= m7 else work[256 + k]
+                1.0 if v3 <= m3 or v1 <= m1 or v4 <= m3 or abs(D3) <= m4 or (m11 < v65 and v65 <=
+                m12) or v29 <= m7 or (m11 < v64 and v64 <= m12) or v28 <= m7 or (m11 < v63 and v63
+                <= m12) or v27 <= m7 or (m11 < v62 and v62 <= m12) or m10 < v42 * v42 + v43 * v43 +
+                v44 * v44 + v45 * v45 + v46 * v46 + v47 * v47 or v25 <= m7 else work[256 + k]
             )
         for k in range(first, first + count):
             if work[256 + k - first] != 0.0:

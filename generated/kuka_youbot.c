@@ -125,53 +125,54 @@ static void solve(
     (void)moved;
     ENTRIES(double);
 
-    /* theta1, type 2: U1[3, 4] and U1[3, 3] */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
-        v3 = T24 + T23 * v1;
-    const double w1 = sqrt(v2 * v2 + v3 * v3);
+    /* theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3] */
+    const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23);
+    const double Xhat1 = T14 + T13 * sigma1;
+    const double Yhat1 = T24 + T23 * sigma1;
+    const double w1 = sqrt(Xhat1 * Xhat1 + Yhat1 * Yhat1);
     const int free1 = w1 <= free_limit1;
     const double divisor1 = free1 ? 1.0 : w1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v4 = T33 * T33;
+    const double v1 = T33 * T33;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v10 = T34 - d1;
+    const double v7 = T34 - d1;
 
     /* theta2, type 3: U1[2, 4] and U1[1, 4] */
-    const double v14 = seed[1] + offset2;
+    const double v11 = seed[1] + offset2;
 
     for (int i1 = 0; i1 < 2; i1++) { /* front, back */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : v2 * factor1,
-            s1 = free1 ? sin(seed[0]) : v3 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : Xhat1 * factor1,
+            s1 = free1 ? sin(seed[0]) : Yhat1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta234 */
         const double Z2_234 = T13 * c1 + T23 * s1;
-        const double w234 = sqrt(Z2_234 * Z2_234 + v4);
+        const double w234 = sqrt(Z2_234 * Z2_234 + v1);
         const int short234 = w234 <= free_limit;
         const double factor234 = 1.0 / (short234 ? 1.0 : w234);
-        const double v5 = T33 * factor234;
+        const double v2 = T33 * factor234;
         const double s234 = Z2_234 * factor234;
-        const double theta234 = atan2(s234, -v5);
+        const double theta234 = atan2(s234, -v2);
 
         /* theta5, type 3: U1[3, 2] and U1[3, 1] */
         const double S5 = T21 * c1 - T11 * s1;
         const double C5 = T22 * c1 - T12 * s1;
         const double w5 = sqrt(S5 * S5 + C5 * C5);
         const int short5 = w5 <= free_limit;
-        const double v6 = 1.0 / (short5 ? 1.0 : w5), v7 = C5 * v6, v8 = S5 * v6;
-        const double q5 = atan2(-v8, -v7);
+        const double v3 = 1.0 / (short5 ? 1.0 : w5), v4 = C5 * v3, v5 = S5 * v3;
+        const double q5 = atan2(-v5, -v4);
 
         /* theta3 */
-        const double v9 = v5 * d5;
-        const double Z1_3 = v10 - v9;
-        const double v11 = s234 * d5;
-        const double Z2_3 = T14 * c1 + T24 * s1 - a1 - v11;
+        const double v6 = v2 * d5;
+        const double Z1_3 = v7 - v6;
+        const double v8 = s234 * d5;
+        const double Z2_3 = T14 * c1 + T24 * s1 - a1 - v8;
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
@@ -185,13 +186,13 @@ static void solve(
 
         /* theta2 */
         const double X1_2 = a2 + a3 * c3;
-        const double v12 = Z1_3 * X1_2, v13 = Z2_3 * X1_2;
+        const double v9 = Z1_3 * X1_2, v10 = Z2_3 * X1_2;
 
         /* is the pose one that the arm can take? */
-        const double v15 = a1 + v11, v17 = d1 + v9;
-        if (!(fabs(T33 - v5) <= pose_slack && fabs(T31 + s234 * v7) <= pose_slack && fabs(T23 - s1 *
-            s234) <= pose_slack && fabs(T21 - (v7 * (s1 * v5) + c1 * v8)) <= pose_slack && fabs(T11
-            - (v7 * (c1 * v5) - s1 * v8)) <= pose_slack && fabs(T13 - c1 * s234) <= pose_slack))
+        const double v12 = a1 + v8, v14 = d1 + v6;
+        if (!(fabs(T33 - v2) <= pose_slack && fabs(T31 + s234 * v4) <= pose_slack && fabs(T23 - s1 *
+            s234) <= pose_slack && fabs(T21 - (v4 * (s1 * v2) + c1 * v5)) <= pose_slack && fabs(T11
+            - (v4 * (c1 * v2) - s1 * v5)) <= pose_slack && fabs(T13 - c1 * s234) <= pose_slack))
             continue; /* the arm can't take this pose */
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
@@ -203,19 +204,19 @@ static void solve(
 
             /* theta2 */
             const double Y1_2 = a3 * s3;
-            const double S2 = v12 - Z2_3 * Y1_2;
-            const double C2 = v13 + Z1_3 * Y1_2;
+            const double S2 = v9 - Z2_3 * Y1_2;
+            const double C2 = v10 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v14) : C2 * factor2, s2 = free2 ? sin(v14) : S2 * factor2;
+            const double c2 = free2 ? cos(v11) : C2 * factor2, s2 = free2 ? sin(v11) : S2 * factor2;
             const double theta2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
-                v16 = a3 * c23 + (a2 * c2 + v15);
-            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 && fabs(T14 - c1 * v16) <=
-                pose_slack1 && fabs(T24 - s1 * v16) <= pose_slack1))
+                v13 = a3 * c23 + (a2 * c2 + v12);
+            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 && fabs(T14 - c1 * v13) <=
+                pose_slack1 && fabs(T24 - s1 * v13) <= pose_slack1))
                 continue; /* the arm can't take this pose */
 
             /* joint values */
@@ -252,107 +253,108 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide v1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
-        v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = dhgen_sqrt_wide(v4),
-        v5 = 1.0 / v4, factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1,
-        angle1 = dhgen_atan2_wide(v3, v2);
+    const dhgen_wide sigma1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
+        Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
+        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, factor1 = w1 * v2, c1 = Xhat1 * factor1,
+        s1 = Yhat1 * factor1, angle1 = dhgen_atan2_wide(Yhat1, Xhat1);
 
     /* theta234 */
-    const dhgen_wide Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3)), v6 = T33 * T33 + Z2_234 * Z2_234,
-        w234 = dhgen_sqrt_wide(v6), v7 = 1.0 / v6, factor234 = w234 * v7,
-        angle2 = dhgen_atan2_wide(Z2_234, -T33);
+    const dhgen_wide Z2_234 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1)),
+        v3 = T33 * T33 + Z2_234 * Z2_234, w234 = dhgen_sqrt_wide(v3), v4 = 1.0 / v3,
+        factor234 = w234 * v4, angle2 = dhgen_atan2_wide(Z2_234, -T33);
 
     /* theta5 */
-    const dhgen_wide S5 = w1 * (v5 * (v2 * T21 - v3 * T11)), C5 = w1 * (v5 * (v2 * T22 - v3 * T12)),
-        v8 = S5 * S5 + C5 * C5, v9 = dhgen_sqrt_wide(v8) * (1.0 / v8), v10 = C5 * v9, v11 = S5 * v9,
+    const dhgen_wide S5 = w1 * (v2 * (Xhat1 * T21 - Yhat1 * T11)),
+        C5 = w1 * (v2 * (Xhat1 * T22 - Yhat1 * T12)), v5 = S5 * S5 + C5 * C5,
+        v6 = dhgen_sqrt_wide(v5) * (1.0 / v5), v7 = C5 * v6, v8 = S5 * v6,
         angle3 = dhgen_atan2_wide(-S5, -C5);
 
     /* theta3 */
-    const dhgen_wide v12 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v12, v13 = d5 * Z2_234,
-        v14 = T14 * c1 + T24 * s1, v15 = v14 - a1, v16 = a1 + v14, v17 = factor234 * v13,
-        v18 = v15 - v17, v19 = v17 - v16, v20 = w234 * (v7 * v13), Z2_3_p = v15 - v20,
-        Z2_3_m = v20 - v16, v21 = Z1_3 * Z1_3, N3_p = v21 + Z2_3_p * Z2_3_p,
-        N3_m = v21 + Z2_3_m * Z2_3_m, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+    const dhgen_wide v9 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v9, v10 = d5 * Z2_234,
+        v11 = T14 * c1 + T24 * s1, v12 = v11 - a1, v13 = a1 + v11, v14 = factor234 * v10,
+        v15 = v12 - v14, v16 = v14 - v13, v17 = w234 * (v4 * v10), Z2_3_p = v12 - v17,
+        Z2_3_m = v17 - v13, v18 = Z1_3 * Z1_3, N3_p = v18 + Z2_3_p * Z2_3_p,
+        N3_m = v18 + Z2_3_m * Z2_3_m, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
         D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m), v22 = w3_p - w3_p, v23 = w3_m - w3_m,
+        w3_m = dhgen_sqrt_wide(D3_m), v19 = w3_p - w3_p, v20 = w3_m - w3_m,
         angle4 = dhgen_atan2_wide(w3_p, N3_p - k1), angle5 = dhgen_atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
-    const dhgen_wide v24 = m6 + m5 * N3_p, v25 = m6 + m5 * N3_m, v26 = Z1_3 * v24, v27 = Z1_3 * v25,
-        S2_pp = v26 - w3_p * (m5 * v18), S2_pm = v26 - w3_p * (m5 * -v18),
-        S2_mp = v27 - w3_m * (m5 * v19), S2_mm = v27 - w3_m * (m5 * -v19), v28 = m5 * Z1_3,
-        v29 = m5 * -Z1_3, v30 = v18 * v24, v31 = v19 * v25, C2_pp = v30 + w3_p * v28,
-        C2_pm = v30 + w3_p * v29, C2_mp = v31 + w3_m * v28, C2_mm = v31 + w3_m * v29,
-        v32 = S2_pp * S2_pp + C2_pp * C2_pp, v33 = S2_pm * S2_pm + C2_pm * C2_pm,
-        v34 = S2_mp * S2_mp + C2_mp * C2_mp, v35 = S2_mm * S2_mm + C2_mm * C2_mm,
-        w2_pp = dhgen_sqrt_wide(v32), w2_pm = dhgen_sqrt_wide(v33), w2_mp = dhgen_sqrt_wide(v34),
-        w2_mm = dhgen_sqrt_wide(v35), v36 = 1.0 / v32, v37 = 1.0 / v33, v38 = 1.0 / v34,
-        v39 = 1.0 / v35, factor2_pp = w2_pp * v36, factor2_pm = w2_pm * v37,
-        factor2_mp = w2_mp * v38, factor2_mm = w2_mm * v39, angle6 = dhgen_atan2_wide(S2_pp, C2_pp),
+    const dhgen_wide v21 = m6 + m5 * N3_p, v22 = m6 + m5 * N3_m, v23 = Z1_3 * v21, v24 = Z1_3 * v22,
+        S2_pp = v23 - w3_p * (m5 * v15), S2_pm = v23 - w3_p * (m5 * -v15),
+        S2_mp = v24 - w3_m * (m5 * v16), S2_mm = v24 - w3_m * (m5 * -v16), v25 = m5 * Z1_3,
+        v26 = m5 * -Z1_3, v27 = v15 * v21, v28 = v16 * v22, C2_pp = v27 + w3_p * v25,
+        C2_pm = v27 + w3_p * v26, C2_mp = v28 + w3_m * v25, C2_mm = v28 + w3_m * v26,
+        v29 = S2_pp * S2_pp + C2_pp * C2_pp, v30 = S2_pm * S2_pm + C2_pm * C2_pm,
+        v31 = S2_mp * S2_mp + C2_mp * C2_mp, v32 = S2_mm * S2_mm + C2_mm * C2_mm,
+        w2_pp = dhgen_sqrt_wide(v29), w2_pm = dhgen_sqrt_wide(v30), w2_mp = dhgen_sqrt_wide(v31),
+        w2_mm = dhgen_sqrt_wide(v32), v33 = 1.0 / v29, v34 = 1.0 / v30, v35 = 1.0 / v31,
+        v36 = 1.0 / v32, factor2_pp = w2_pp * v33, factor2_pm = w2_pm * v34,
+        factor2_mp = w2_mp * v35, factor2_mm = w2_mm * v36, angle6 = dhgen_atan2_wide(S2_pp, C2_pp),
         angle7 = dhgen_atan2_wide(S2_pm, C2_pm), angle8 = dhgen_atan2_wide(S2_mp, C2_mp),
         angle9 = dhgen_atan2_wide(S2_mm, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const dhgen_wide v40 = m8 * Z1_3, v41 = m8 * -Z1_3, v42 = m8 * N3_p - m9, v43 = m8 * N3_m - m9,
-        v44 = v18 * v42, v45 = v19 * v43, v46 = Z1_3 * v42, v47 = Z1_3 * v43, v48 = a1 + v17,
-        v49 = a1 - v17, v50 = v48 + w2_pp * (v36 * (a3 * (v44 - w3_p * v40) + a2 * C2_pp)),
-        v51 = v48 + w2_pm * (v37 * (a3 * (v44 - w3_p * v41) + a2 * C2_pm)),
-        v52 = v49 + w2_mp * (v38 * (a3 * (v45 - w3_m * v40) + a2 * C2_mp)),
-        v53 = v49 + w2_mm * (v39 * (a3 * (v45 - w3_m * v41) + a2 * C2_mm)), v54 = d1 + v12,
-        v55 = T33 - T33 * factor234, v56 = T31 + factor234 * (Z2_234 * v10),
-        v57 = T23 - factor234 * (s1 * Z2_234),
-        v58 = T21 - (c1 * v11 + factor234 * (v10 * (s1 * T33))),
-        v59 = T11 - (factor234 * (v10 * (c1 * T33)) - s1 * v11),
-        v60 = T13 - factor234 * (c1 * Z2_234),
-        v61 = T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v46 + w3_p * (m8 *
-            v18)))),
-        v62 = T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v46 + w3_p * (m8 *
-            -v18)))),
-        v63 = T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v47 + w3_m * (m8 *
-            v19)))),
-        v64 = T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v47 + w3_m * (m8 *
-            -v19)))), v65 = T14 - c1 * v50, v66 = T14 - c1 * v51, v67 = T14 + c1 * v52,
-        v68 = T14 + c1 * v53, v69 = T24 - s1 * v50, v70 = T24 - s1 * v51, v71 = T24 + s1 * v52,
-        v72 = T24 + s1 * v53, v73 = v61 * v61 + v65 * v65 + v69 * v69,
-        v74 = v62 * v62 + v66 * v66 + v70 * v70, v75 = v63 * v63 + v67 * v67 + v71 * v71,
-        v76 = v64 * v64 + v68 * v68 + v72 * v72;
+    const dhgen_wide v37 = m8 * Z1_3, v38 = m8 * -Z1_3, v39 = m8 * N3_p - m9, v40 = m8 * N3_m - m9,
+        v41 = v15 * v39, v42 = v16 * v40, v43 = Z1_3 * v39, v44 = Z1_3 * v40, v45 = a1 + v14,
+        v46 = a1 - v14, v47 = v45 + w2_pp * (v33 * (a3 * (v41 - w3_p * v37) + a2 * C2_pp)),
+        v48 = v45 + w2_pm * (v34 * (a3 * (v41 - w3_p * v38) + a2 * C2_pm)),
+        v49 = v46 + w2_mp * (v35 * (a3 * (v42 - w3_m * v37) + a2 * C2_mp)),
+        v50 = v46 + w2_mm * (v36 * (a3 * (v42 - w3_m * v38) + a2 * C2_mm)), v51 = d1 + v9,
+        v52 = T33 - T33 * factor234, v53 = T31 + factor234 * (Z2_234 * v7),
+        v54 = T23 - factor234 * (s1 * Z2_234),
+        v55 = T21 - (c1 * v8 + factor234 * (v7 * (s1 * T33))),
+        v56 = T11 - (factor234 * (v7 * (c1 * T33)) - s1 * v8),
+        v57 = T13 - factor234 * (c1 * Z2_234),
+        v58 = T34 - (v51 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v43 + w3_p * (m8 *
+            v15)))),
+        v59 = T34 - (v51 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v43 + w3_p * (m8 *
+            -v15)))),
+        v60 = T34 - (v51 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v44 + w3_m * (m8 *
+            v16)))),
+        v61 = T34 - (v51 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v44 + w3_m * (m8 *
+            -v16)))), v62 = T14 - c1 * v47, v63 = T14 - c1 * v48, v64 = T14 + c1 * v49,
+        v65 = T14 + c1 * v50, v66 = T24 - s1 * v47, v67 = T24 - s1 * v48, v68 = T24 + s1 * v49,
+        v69 = T24 + s1 * v50, v70 = v58 * v58 + v62 * v62 + v66 * v66,
+        v71 = v59 * v59 + v63 * v63 + v67 * v67, v72 = v60 * v60 + v64 * v64 + v68 * v68,
+        v73 = v61 * v61 + v65 * v65 + v69 * v69;
 
     /* joint values */
-    const dhgen_wide v77 = angle6 - offset2, v78 = angle7 - offset2, v79 = angle8 - offset2,
-        v80 = angle9 - offset2, v81 = angle2 - (angle4 + angle6) - offset4,
-        v82 = angle2 - (angle7 - angle4) - offset4, v83 = offset4 + (angle2 + (angle5 + angle8)),
-        v84 = offset4 + (angle2 + (angle9 - angle5)), v85 = dhgen_centred_wide(v81),
-        v86 = dhgen_centred_wide(v82),
-        v87 = dhgen_pick_wide(-v83 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
-            dhgen_only_wide(DHGEN_HALF_TURN < -v83, -DHGEN_TURN)) - v83,
-        v88 = dhgen_pick_wide(-v84 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
-            dhgen_only_wide(DHGEN_HALF_TURN < -v84, -DHGEN_TURN)) - v84;
-    const double v89 = DHGEN_NAN;
-    const dhgen_wide v90 = dhgen_only_wide((v73 <= m11) == 0, v89),
-        v91 = dhgen_only_wide((v74 <= m11) == 0, v89),
-        v92 = dhgen_only_wide((v75 <= m11) == 0, v89),
-        v93 = dhgen_only_wide((v76 <= m11) == 0, v89), v94 = angle1 + v22,
-        v95 = v23 + (angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, v3)), v96 = angle3 + v22,
-        v97 = v23 + (angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, -S5));
+    const dhgen_wide v74 = angle6 - offset2, v75 = angle7 - offset2, v76 = angle8 - offset2,
+        v77 = angle9 - offset2, v78 = angle2 - (angle4 + angle6) - offset4,
+        v79 = angle2 - (angle7 - angle4) - offset4, v80 = offset4 + (angle2 + (angle5 + angle8)),
+        v81 = offset4 + (angle2 + (angle9 - angle5)), v82 = dhgen_centred_wide(v78),
+        v83 = dhgen_centred_wide(v79),
+        v84 = dhgen_pick_wide(-v80 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
+            dhgen_only_wide(DHGEN_HALF_TURN < -v80, -DHGEN_TURN)) - v80,
+        v85 = dhgen_pick_wide(-v81 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
+            dhgen_only_wide(DHGEN_HALF_TURN < -v81, -DHGEN_TURN)) - v81;
+    const double v86 = DHGEN_NAN;
+    const dhgen_wide v87 = dhgen_only_wide((v70 <= m11) == 0, v86),
+        v88 = dhgen_only_wide((v71 <= m11) == 0, v86),
+        v89 = dhgen_only_wide((v72 <= m11) == 0, v86),
+        v90 = dhgen_only_wide((v73 <= m11) == 0, v86), v91 = angle1 + v19,
+        v92 = v20 + (angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, Yhat1)), v93 = angle3 + v19,
+        v94 = v20 + (angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, -S5));
 
-    q[0] = v90 + v94; q[1] = v90 + dhgen_raised_wide(v77); q[2] = angle4 + v90;
-    q[3] = v90 + dhgen_raised_wide(v85); q[4] = v90 + v96;
+    q[0] = v87 + v91; q[1] = v87 + dhgen_raised_wide(v74); q[2] = angle4 + v87;
+    q[3] = v87 + dhgen_raised_wide(v82); q[4] = v87 + v93;
     kind[0] = dhgen_kind_wide(q[0]);
-    q[5] = v91 + v94; q[6] = v91 + dhgen_raised_wide(v78); q[7] = v91 - angle4;
-    q[8] = v91 + dhgen_raised_wide(v86); q[9] = v91 + v96;
+    q[5] = v88 + v91; q[6] = v88 + dhgen_raised_wide(v75); q[7] = v88 - angle4;
+    q[8] = v88 + dhgen_raised_wide(v83); q[9] = v88 + v93;
     kind[1] = dhgen_kind_wide(q[5]);
-    q[10] = v92 + v95; q[11] = v92 + dhgen_raised_wide(v79); q[12] = angle5 + v92;
-    q[13] = v92 + dhgen_raised_wide(v87); q[14] = v92 + v97;
+    q[10] = v89 + v92; q[11] = v89 + dhgen_raised_wide(v76); q[12] = angle5 + v89;
+    q[13] = v89 + dhgen_raised_wide(v84); q[14] = v89 + v94;
     kind[2] = dhgen_kind_wide(q[10]);
-    q[15] = v93 + v95; q[16] = v93 + dhgen_raised_wide(v80); q[17] = v93 - angle5;
-    q[18] = v93 + dhgen_raised_wide(v88); q[19] = v93 + v97;
+    q[15] = v90 + v92; q[16] = v90 + dhgen_raised_wide(v77); q[17] = v90 - angle5;
+    q[18] = v90 + dhgen_raised_wide(v85); q[19] = v90 + v94;
     kind[3] = dhgen_kind_wide(q[15]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v6 <= m3) | (v4 <= m1) | (v8 <= m3) | ((m11 < v76) & (v76 <= m12)) |
-        (v35 <= m7) | ((m11 < v75) & (v75 <= m12)) | (v34 <= m7) | ((m11 < v74) & (v74 <= m12)) |
-        (v33 <= m7) | ((m11 < v73) & (v73 <= m12)) | (v32 <= m7) | (m10 < v55 * v55 + v56 * v56 +
-        v57 * v57 + v58 * v58 + v59 * v59 + v60 * v60) | (dhgen_abs_wide(D3_p) <= m4) |
+    return (exact == 0) | ((v3 <= m3) | (v1 <= m1) | (v5 <= m3) | ((m11 < v73) & (v73 <= m12)) |
+        (v32 <= m7) | ((m11 < v72) & (v72 <= m12)) | (v31 <= m7) | ((m11 < v71) & (v71 <= m12)) |
+        (v30 <= m7) | ((m11 < v70) & (v70 <= m12)) | (v29 <= m7) | (m10 < v52 * v52 + v53 * v53 +
+        v54 * v54 + v55 * v55 + v56 * v56 + v57 * v57) | (dhgen_abs_wide(D3_p) <= m4) |
         (dhgen_abs_wide(D3_m) <= m4));
 }
 
@@ -371,74 +373,76 @@ DHGEN_INLINE int solve_regular(
     ENTRIES(double);
 
     /* theta1 */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
-        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt(v4), v5 = 1.0 / v4,
-        factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1, v6 = copysign(DHGEN_HALF_TURN, v3);
-    const dhgen_four v7 = m2 * (e1 - 1.0);
+    const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23),
+        Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
+        w1 = sqrt(v1), v2 = 1.0 / v1, factor1 = w1 * v2, c1 = Xhat1 * factor1, s1 = Yhat1 * factor1,
+        v3 = copysign(DHGEN_HALF_TURN, Yhat1);
+    const dhgen_four v4 = m2 * (e1 - 1.0);
 
     /* theta234 */
-    const double Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3)), v8 = T33 * T33 + Z2_234 * Z2_234,
-        w234 = sqrt(v8), v9 = 1.0 / v8, factor234 = w234 * v9;
+    const double Z2_234 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1)), v5 = T33 * T33 + Z2_234 * Z2_234,
+        w234 = sqrt(v5), v6 = 1.0 / v5, factor234 = w234 * v6;
 
     /* theta5 */
-    const double S5 = w1 * (v5 * (v2 * T21 - v3 * T11)), C5 = w1 * (v5 * (v2 * T22 - v3 * T12)),
-        v10 = S5 * S5 + C5 * C5, v11 = sqrt(v10) * (1.0 / v10), v12 = C5 * v11, v13 = S5 * v11,
-        v14 = copysign(DHGEN_HALF_TURN, -S5);
+    const double S5 = w1 * (v2 * (Xhat1 * T21 - Yhat1 * T11)),
+        C5 = w1 * (v2 * (Xhat1 * T22 - Yhat1 * T12)), v7 = S5 * S5 + C5 * C5,
+        v8 = sqrt(v7) * (1.0 / v7), v9 = C5 * v8, v10 = S5 * v8,
+        v11 = copysign(DHGEN_HALF_TURN, -S5);
 
     /* theta3 */
-    const double v15 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v15, v16 = d5 * Z2_234,
-        v17 = T14 * c1 + T24 * s1;
-    const dhgen_four v18 = e1 * v17 - a1;
-    const double v19 = factor234 * v16;
-    const dhgen_four v20 = e1 * v19, v21 = v18 - v20, Z2_3 = v18 - w234 * (v9 * (e1 * v16));
-    const double v22 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v22 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3), v23 = w3 - w3;
+    const double v12 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v12, v13 = d5 * Z2_234,
+        v14 = T14 * c1 + T24 * s1;
+    const dhgen_four v15 = e1 * v14 - a1;
+    const double v16 = factor234 * v13;
+    const dhgen_four v17 = e1 * v16, v18 = v15 - v17, Z2_3 = v15 - w234 * (v6 * (e1 * v13));
+    const double v19 = Z1_3 * Z1_3;
+    const dhgen_four N3 = v19 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3), v20 = w3 - w3;
 
     /* theta2 */
-    const dhgen_four v24 = e2 * v21, v25 = m6 + m5 * N3, v26 = Z1_3 * v25,
-        S2 = v26 - w3 * (m5 * v24), v27 = e2 * Z1_3, v28 = m5 * v27, v29 = v21 * v25,
-        C2 = v29 + w3 * v28, v30 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v30), v31 = 1.0 / v30,
-        factor2 = w2 * v31;
+    const dhgen_four v21 = e2 * v18, v22 = m6 + m5 * N3, v23 = Z1_3 * v22,
+        S2 = v23 - w3 * (m5 * v21), v24 = e2 * Z1_3, v25 = m5 * v24, v26 = v18 * v22,
+        C2 = v26 + w3 * v25, v27 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v27), v28 = 1.0 / v27,
+        factor2 = w2 * v28;
 
     /* is the pose one that the arm can take? */
-    const dhgen_four v32 = m8 * v27, v33 = m8 * N3 - m9, v34 = v21 * v33, v35 = Z1_3 * v33,
-        v36 = a1 + v20, v37 = v36 + w2 * (v31 * (a3 * (v34 - w3 * v32) + a2 * C2));
-    const double v38 = d1 + v15, v39 = T33 - T33 * factor234,
-        v40 = T31 + factor234 * (Z2_234 * v12), v41 = T23 - factor234 * (s1 * Z2_234),
-        v42 = T21 - (c1 * v13 + factor234 * (v12 * (s1 * T33))),
-        v43 = T11 - (factor234 * (v12 * (c1 * T33)) - s1 * v13),
-        v44 = T13 - factor234 * (c1 * Z2_234);
-    const dhgen_four v45 = T34 - (v38 + factor2 * (a2 * S2) + factor2 * (a3 * (v35 + w3 * (m8 *
-        v24)))), v46 = T14 - e1 * (c1 * v37), v47 = T24 - e1 * (s1 * v37),
-        v48 = v45 * v45 + v46 * v46 + v47 * v47;
+    const dhgen_four v29 = m8 * v24, v30 = m8 * N3 - m9, v31 = v18 * v30, v32 = Z1_3 * v30,
+        v33 = a1 + v17, v34 = v33 + w2 * (v28 * (a3 * (v31 - w3 * v29) + a2 * C2));
+    const double v35 = d1 + v12, v36 = T33 - T33 * factor234, v37 = T31 + factor234 * (Z2_234 * v9),
+        v38 = T23 - factor234 * (s1 * Z2_234),
+        v39 = T21 - (c1 * v10 + factor234 * (v9 * (s1 * T33))),
+        v40 = T11 - (factor234 * (v9 * (c1 * T33)) - s1 * v10),
+        v41 = T13 - factor234 * (c1 * Z2_234);
+    const dhgen_four v42 = T34 - (v35 + factor2 * (a2 * S2) + factor2 * (a3 * (v32 + w3 * (m8 *
+        v21)))), v43 = T14 - e1 * (c1 * v34), v44 = T24 - e1 * (s1 * v34),
+        v45 = v42 * v42 + v43 * v43 + v44 * v44;
 
     /* joint values */
-    const double v54 = DHGEN_NAN;
-    const dhgen_four v55 = dhgen_only_four((v48 <= m11) == 0, v54);
+    const double v51 = DHGEN_NAN;
+    const dhgen_four v52 = dhgen_only_four((v45 <= m11) == 0, v51);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
-        (dhgen_abs_four(D3) <= m4) | ((v30 <= m7) | ((m11 < v48) & (v48 <= m12)))) | (unsigned)((v8
-        <= m3) | (v4 <= m1) | (m10 < v39 * v39 + v40 * v40 + v41 * v41 + v42 * v42 + v43 * v43 + v44
-        * v44) | (v10 <= m3)))
+        (dhgen_abs_four(D3) <= m4) | ((v27 <= m7) | ((m11 < v45) & (v45 <= m12)))) | (unsigned)((v5
+        <= m3) | (v1 <= m1) | (m10 < v36 * v36 + v37 * v37 + v38 * v38 + v39 * v39 + v40 * v40 + v41
+        * v41) | (v7 <= m3)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-S5, -S5, -S5, -S5),
         dhgen_four_of(-C5, -C5, -C5, -C5)),
-        ratio2 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(w3, dhgen_all_four(v3), 0, 5, 2, 3),
-            dhgen_all_four(Z2_234), 0, 1, 2, 7), dhgen_shuffle(dhgen_shuffle(N3 - k1,
-            dhgen_all_four(v2), 0, 5, 2, 3), dhgen_all_four(-T33), 0, 1, 2, 7)),
+        ratio2 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(w3, dhgen_all_four(Yhat1), 0, 5, 2,
+            3), dhgen_all_four(Z2_234), 0, 1, 2, 7), dhgen_shuffle(dhgen_shuffle(N3 - k1,
+            dhgen_all_four(Xhat1), 0, 5, 2, 3), dhgen_all_four(-T33), 0, 1, 2, 7)),
         ratio3 = dhgen_ratio_four(S2, C2);
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle3 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0), packed2 = dhgen_angle_four(ratio2),
         angle4 = dhgen_shuffle(packed2, packed2, 0, 0, 2, 2),
         angle1 = dhgen_shuffle(packed2, packed2, 1, 1, 1, 1),
         angle2 = dhgen_shuffle(packed2, packed2, 3, 3, 3, 3), angle5 = dhgen_angle_four(ratio3);
-    const dhgen_four v49 = angle5 - offset2, v50 = e2 * angle4, v51 = e1 * angle2,
-        v52 = v51 - (angle5 + v50) - offset4, v53 = dhgen_centred_four(v52),
-        v56 = v23 + (angle1 + v6 * v7), q1 = v55 + v56, q2 = v55 + dhgen_raised_four(v49),
-        q3 = v50 + v55, q4 = v55 + dhgen_raised_four(v53), v57 = v23 + (angle3 + v7 * v14),
-        q5 = v55 + v57;
+    const dhgen_four v46 = angle5 - offset2, v47 = e2 * angle4, v48 = e1 * angle2,
+        v49 = v48 - (angle5 + v47) - offset4, v50 = dhgen_centred_four(v49),
+        v53 = v20 + (angle1 + v3 * v4), q1 = v52 + v53, q2 = v52 + dhgen_raised_four(v46),
+        q3 = v47 + v52, q4 = v52 + dhgen_raised_four(v50), v54 = v20 + (angle3 + v4 * v11),
+        q5 = v52 + v54;
 
     dhgen_store_4(q, q + 5, q + 10, q + 15, q1, q2, q3, q4);
     dhgen_store_1(q + 4, q + 9, q + 14, q + 19, q5);

@@ -246,22 +246,22 @@ def _solve(pose, seed, q, status):
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
 
-    # theta1, type 2: U1[3, 4] and U1[3, 3]
-    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-    v2 = T14 + T13 * v1
-    v3 = T24 + T23 * v1
-    w1 = math.sqrt(v2 * v2 + v3 * v3)
+    # theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3]
+    sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    Xhat1 = T14 + T13 * sigma1
+    Yhat1 = T24 + T23 * sigma1
+    w1 = math.sqrt(Xhat1 * Xhat1 + Yhat1 * Yhat1)
     free1 = w1 <= free_limit1
     divisor1 = 1.0 if free1 else w1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v4 = T33 * T33
+    v1 = T33 * T33
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v10 = T34 - d1
+    v7 = T34 - d1
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v14 = seed[1] + offset2
+    v11 = seed[1] + offset2
 
     for i1 in range(2):  # front, back
         e1 = 1.0 - 2.0 * i1
@@ -269,34 +269,34 @@ def _solve(pose, seed, q, status):
         if e1 < 0.0 and free1:
             continue  # both signs give the same
         factor1 = e1 / divisor1
-        c1 = math.cos(seed[0]) if free1 else v2 * factor1
-        s1 = math.sin(seed[0]) if free1 else v3 * factor1
+        c1 = math.cos(seed[0]) if free1 else Xhat1 * factor1
+        s1 = math.sin(seed[0]) if free1 else Yhat1 * factor1
         q1 = _atan2(s1, c1)
 
         # theta234
         Z2_234 = T13 * c1 + T23 * s1
-        w234 = math.sqrt(Z2_234 * Z2_234 + v4)
+        w234 = math.sqrt(Z2_234 * Z2_234 + v1)
         short234 = w234 <= free_limit
         factor234 = 1.0 / (1.0 if short234 else w234)
-        v5 = T33 * factor234
+        v2 = T33 * factor234
         s234 = Z2_234 * factor234
-        theta234 = _atan2(s234, -v5)
+        theta234 = _atan2(s234, -v2)
 
         # theta5, type 3: U1[3, 2] and U1[3, 1]
         S5 = T21 * c1 - T11 * s1
         C5 = T22 * c1 - T12 * s1
         w5 = math.sqrt(S5 * S5 + C5 * C5)
         short5 = w5 <= free_limit
-        v6 = 1.0 / (1.0 if short5 else w5)
-        v7 = C5 * v6
-        v8 = S5 * v6
-        q5 = _atan2(-v8, -v7)
+        v3 = 1.0 / (1.0 if short5 else w5)
+        v4 = C5 * v3
+        v5 = S5 * v3
+        q5 = _atan2(-v5, -v4)
 
         # theta3
-        v9 = v5 * d5
-        Z1_3 = v10 - v9
-        v11 = s234 * d5
-        Z2_3 = T14 * c1 + T24 * s1 - a1 - v11
+        v6 = v2 * d5
+        Z1_3 = v7 - v6
+        v8 = s234 * d5
+        Z2_3 = T14 * c1 + T24 * s1 - a1 - v8
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
         D3 = (longest3 - N3) * (N3 - shortest3)
@@ -311,16 +311,16 @@ def _solve(pose, seed, q, status):
 
         # theta2
         X1_2 = a2 + a3 * c3
-        v12 = Z1_3 * X1_2
-        v13 = Z2_3 * X1_2
+        v9 = Z1_3 * X1_2
+        v10 = Z2_3 * X1_2
 
         # is the pose one that the arm can take?
-        v15 = a1 + v11
-        v17 = d1 + v9
+        v12 = a1 + v8
+        v14 = d1 + v6
         if (
-            not (abs(T33 - v5) <= pose_slack and abs(T31 + s234 * v7) <= pose_slack and abs(T23 - s1
-            * s234) <= pose_slack and abs(T21 - (v7 * (s1 * v5) + c1 * v8)) <= pose_slack and
-            abs(T11 - (v7 * (c1 * v5) - s1 * v8)) <= pose_slack and abs(T13 - c1 * s234) <=
+            not (abs(T33 - v2) <= pose_slack and abs(T31 + s234 * v4) <= pose_slack and abs(T23 - s1
+            * s234) <= pose_slack and abs(T21 - (v4 * (s1 * v2) + c1 * v5)) <= pose_slack and
+            abs(T11 - (v4 * (c1 * v2) - s1 * v5)) <= pose_slack and abs(T13 - c1 * s234) <=
             pose_slack)
         ):
             continue  # the arm can't take this pose
@@ -335,22 +335,22 @@ def _solve(pose, seed, q, status):
 
             # theta2
             Y1_2 = a3 * s3
-            S2 = v12 - Z2_3 * Y1_2
-            C2 = v13 + Z1_3 * Y1_2
+            S2 = v9 - Z2_3 * Y1_2
+            C2 = v10 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v14) if free2 else C2 * factor2
-            s2 = math.sin(v14) if free2 else S2 * factor2
+            c2 = math.cos(v11) if free2 else C2 * factor2
+            s2 = math.sin(v11) if free2 else S2 * factor2
             theta2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v16 = a3 * c23 + (a2 * c2 + v15)
+            v13 = a3 * c23 + (a2 * c2 + v12)
             if (
-                not (abs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 and abs(T14 - c1 * v16)
-                <= pose_slack1 and abs(T24 - s1 * v16) <= pose_slack1)
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 and abs(T14 - c1 * v13)
+                <= pose_slack1 and abs(T24 - s1 * v13) <= pose_slack1)
             ):
                 continue  # the arm can't take this pose
 
@@ -729,146 +729,146 @@ def _regular(pose, q, status):
     T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(32), 32)
 
-    # theta1, type 2: U1[3, 4] and U1[3, 3]
-    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-    v2 = T14 + T13 * v1
-    v3 = T24 + T23 * v1
-    v4 = v2 * v2 + v3 * v3
-    w1 = math.sqrt(v4)
-    v5 = 1.0 / v4
-    factor1 = w1 * v5
-    c1 = v2 * factor1
-    s1 = v3 * factor1
+    # theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3]
+    sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    Xhat1 = T14 + T13 * sigma1
+    Yhat1 = T24 + T23 * sigma1
+    v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
+    w1 = math.sqrt(v1)
+    v2 = 1.0 / v1
+    factor1 = w1 * v2
+    c1 = Xhat1 * factor1
+    s1 = Yhat1 * factor1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3))
-    v6 = T33 * T33 + Z2_234 * Z2_234
-    w234 = math.sqrt(v6)
-    v7 = 1.0 / v6
-    factor234 = w234 * v7
+    Z2_234 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1))
+    v3 = T33 * T33 + Z2_234 * Z2_234
+    w234 = math.sqrt(v3)
+    v4 = 1.0 / v3
+    factor234 = w234 * v4
 
     # theta5, type 3: U1[3, 2] and U1[3, 1]
-    S5 = w1 * (v5 * (v2 * T21 - v3 * T11))
-    C5 = w1 * (v5 * (v2 * T22 - v3 * T12))
-    v8 = S5 * S5 + C5 * C5
-    v9 = math.sqrt(v8) * (1.0 / v8)
-    v10 = C5 * v9
-    v11 = S5 * v9
+    S5 = w1 * (v2 * (Xhat1 * T21 - Yhat1 * T11))
+    C5 = w1 * (v2 * (Xhat1 * T22 - Yhat1 * T12))
+    v5 = S5 * S5 + C5 * C5
+    v6 = math.sqrt(v5) * (1.0 / v5)
+    v7 = C5 * v6
+    v8 = S5 * v6
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v12 = factor234 * (d5 * T33)
-    Z1_3 = T34 - d1 - v12
-    v13 = d5 * Z2_234
-    v14 = T14 * c1 + T24 * s1
-    v15 = v14 - a1
-    v16 = a1 + v14
-    v17 = factor234 * v13
-    v18 = v15 - v17
-    v19 = v17 - v16
-    v20 = w234 * (v7 * v13)
-    Z2_3_p = v15 - v20
-    Z2_3_m = v20 - v16
-    v21 = Z1_3 * Z1_3
-    N3_p = v21 + Z2_3_p * Z2_3_p
-    N3_m = v21 + Z2_3_m * Z2_3_m
+    v9 = factor234 * (d5 * T33)
+    Z1_3 = T34 - d1 - v9
+    v10 = d5 * Z2_234
+    v11 = T14 * c1 + T24 * s1
+    v12 = v11 - a1
+    v13 = a1 + v11
+    v14 = factor234 * v10
+    v15 = v12 - v14
+    v16 = v14 - v13
+    v17 = w234 * (v4 * v10)
+    Z2_3_p = v12 - v17
+    Z2_3_m = v17 - v13
+    v18 = Z1_3 * Z1_3
+    N3_p = v18 + Z2_3_p * Z2_3_p
+    N3_m = v18 + Z2_3_m * Z2_3_m
     D3_p = (longest3 - N3_p) * (N3_p - shortest3)
     D3_m = (longest3 - N3_m) * (N3_m - shortest3)
     w3_p = math.sqrt(D3_p)
     w3_m = math.sqrt(D3_m)
-    v22 = w3_p - w3_p
-    v23 = w3_m - w3_m
+    v19 = w3_p - w3_p
+    v20 = w3_m - w3_m
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v24 = m6 + m5 * N3_p
-    v25 = m6 + m5 * N3_m
-    v26 = Z1_3 * v24
-    v27 = Z1_3 * v25
-    S2_pp = v26 - w3_p * (m5 * v18)
-    S2_pm = v26 - w3_p * (m5 * -v18)
-    S2_mp = v27 - w3_m * (m5 * v19)
-    S2_mm = v27 - w3_m * (m5 * -v19)
-    v28 = m5 * Z1_3
-    v29 = m5 * -Z1_3
-    v30 = v18 * v24
-    v31 = v19 * v25
-    C2_pp = v30 + w3_p * v28
-    C2_pm = v30 + w3_p * v29
-    C2_mp = v31 + w3_m * v28
-    C2_mm = v31 + w3_m * v29
-    v32 = S2_pp * S2_pp + C2_pp * C2_pp
-    v33 = S2_pm * S2_pm + C2_pm * C2_pm
-    v34 = S2_mp * S2_mp + C2_mp * C2_mp
-    v35 = S2_mm * S2_mm + C2_mm * C2_mm
-    w2_pp = math.sqrt(v32)
-    w2_pm = math.sqrt(v33)
-    w2_mp = math.sqrt(v34)
-    w2_mm = math.sqrt(v35)
+    v21 = m6 + m5 * N3_p
+    v22 = m6 + m5 * N3_m
+    v23 = Z1_3 * v21
+    v24 = Z1_3 * v22
+    S2_pp = v23 - w3_p * (m5 * v15)
+    S2_pm = v23 - w3_p * (m5 * -v15)
+    S2_mp = v24 - w3_m * (m5 * v16)
+    S2_mm = v24 - w3_m * (m5 * -v16)
+    v25 = m5 * Z1_3
+    v26 = m5 * -Z1_3
+    v27 = v15 * v21
+    v28 = v16 * v22
+    C2_pp = v27 + w3_p * v25
+    C2_pm = v27 + w3_p * v26
+    C2_mp = v28 + w3_m * v25
+    C2_mm = v28 + w3_m * v26
+    v29 = S2_pp * S2_pp + C2_pp * C2_pp
+    v30 = S2_pm * S2_pm + C2_pm * C2_pm
+    v31 = S2_mp * S2_mp + C2_mp * C2_mp
+    v32 = S2_mm * S2_mm + C2_mm * C2_mm
+    w2_pp = math.sqrt(v29)
+    w2_pm = math.sqrt(v30)
+    w2_mp = math.sqrt(v31)
+    w2_mm = math.sqrt(v32)
+    v33 = 1.0 / v29
+    v34 = 1.0 / v30
+    v35 = 1.0 / v31
     v36 = 1.0 / v32
-    v37 = 1.0 / v33
-    v38 = 1.0 / v34
-    v39 = 1.0 / v35
-    factor2_pp = w2_pp * v36
-    factor2_pm = w2_pm * v37
-    factor2_mp = w2_mp * v38
-    factor2_mm = w2_mm * v39
+    factor2_pp = w2_pp * v33
+    factor2_pm = w2_pm * v34
+    factor2_mp = w2_mp * v35
+    factor2_mm = w2_mm * v36
 
     # is the pose one that the arm can take?
-    v40 = m8 * Z1_3
-    v41 = m8 * -Z1_3
-    v42 = m8 * N3_p - m9
-    v43 = m8 * N3_m - m9
-    v44 = v18 * v42
-    v45 = v19 * v43
-    v46 = Z1_3 * v42
-    v47 = Z1_3 * v43
-    v48 = a1 + v17
-    v49 = a1 - v17
-    v50 = v48 + w2_pp * (v36 * (a3 * (v44 - w3_p * v40) + a2 * C2_pp))
-    v51 = v48 + w2_pm * (v37 * (a3 * (v44 - w3_p * v41) + a2 * C2_pm))
-    v52 = v49 + w2_mp * (v38 * (a3 * (v45 - w3_m * v40) + a2 * C2_mp))
-    v53 = v49 + w2_mm * (v39 * (a3 * (v45 - w3_m * v41) + a2 * C2_mm))
-    v54 = d1 + v12
-    v55 = T33 - T33 * factor234
-    v56 = T31 + factor234 * (Z2_234 * v10)
-    v57 = T23 - factor234 * (s1 * Z2_234)
-    v58 = T21 - (c1 * v11 + factor234 * (v10 * (s1 * T33)))
-    v59 = T11 - (factor234 * (v10 * (c1 * T33)) - s1 * v11)
-    v60 = T13 - factor234 * (c1 * Z2_234)
-    v61 = T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v46 + w3_p * (m8 * v18))))
-    v62 = T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v46 + w3_p * (m8 * -v18))))
-    v63 = T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v47 + w3_m * (m8 * v19))))
-    v64 = T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v47 + w3_m * (m8 * -v19))))
-    v65 = T14 - c1 * v50
-    v66 = T14 - c1 * v51
-    v67 = T14 + c1 * v52
-    v68 = T14 + c1 * v53
-    v69 = T24 - s1 * v50
-    v70 = T24 - s1 * v51
-    v71 = T24 + s1 * v52
-    v72 = T24 + s1 * v53
+    v37 = m8 * Z1_3
+    v38 = m8 * -Z1_3
+    v39 = m8 * N3_p - m9
+    v40 = m8 * N3_m - m9
+    v41 = v15 * v39
+    v42 = v16 * v40
+    v43 = Z1_3 * v39
+    v44 = Z1_3 * v40
+    v45 = a1 + v14
+    v46 = a1 - v14
+    v47 = v45 + w2_pp * (v33 * (a3 * (v41 - w3_p * v37) + a2 * C2_pp))
+    v48 = v45 + w2_pm * (v34 * (a3 * (v41 - w3_p * v38) + a2 * C2_pm))
+    v49 = v46 + w2_mp * (v35 * (a3 * (v42 - w3_m * v37) + a2 * C2_mp))
+    v50 = v46 + w2_mm * (v36 * (a3 * (v42 - w3_m * v38) + a2 * C2_mm))
+    v51 = d1 + v9
+    v52 = T33 - T33 * factor234
+    v53 = T31 + factor234 * (Z2_234 * v7)
+    v54 = T23 - factor234 * (s1 * Z2_234)
+    v55 = T21 - (c1 * v8 + factor234 * (v7 * (s1 * T33)))
+    v56 = T11 - (factor234 * (v7 * (c1 * T33)) - s1 * v8)
+    v57 = T13 - factor234 * (c1 * Z2_234)
+    v58 = T34 - (v51 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v43 + w3_p * (m8 * v15))))
+    v59 = T34 - (v51 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v43 + w3_p * (m8 * -v15))))
+    v60 = T34 - (v51 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v44 + w3_m * (m8 * v16))))
+    v61 = T34 - (v51 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v44 + w3_m * (m8 * -v16))))
+    v62 = T14 - c1 * v47
+    v63 = T14 - c1 * v48
+    v64 = T14 + c1 * v49
+    v65 = T14 + c1 * v50
+    v66 = T24 - s1 * v47
+    v67 = T24 - s1 * v48
+    v68 = T24 + s1 * v49
+    v69 = T24 + s1 * v50
+    v70 = v58 * v58 + v62 * v62 + v66 * v66
+    v71 = v59 * v59 + v63 * v63 + v67 * v67
+    v72 = v60 * v60 + v64 * v64 + v68 * v68
     v73 = v61 * v61 + v65 * v65 + v69 * v69
-    v74 = v62 * v62 + v66 * v66 + v70 * v70
-    v75 = v63 * v63 + v67 * v67 + v71 * v71
-    v76 = v64 * v64 + v68 * v68 + v72 * v72
 
     # joint values
-    v89 = math.sqrt(-1.0)
-    v90 = 0.0 if v73 <= m11 else v89
-    v91 = 0.0 if v74 <= m11 else v89
-    v92 = 0.0 if v75 <= m11 else v89
-    v93 = 0.0 if v76 <= m11 else v89
+    v86 = math.sqrt(-1.0)
+    v87 = 0.0 if v70 <= m11 else v86
+    v88 = 0.0 if v71 <= m11 else v86
+    v89 = 0.0 if v72 <= m11 else v86
+    v90 = 0.0 if v73 <= m11 else v86
 
     # a joint is free, or branches meet
     if (
-        v6 <= m3 or v4 <= m1 or v8 <= m3 or (m11 < v76 and v76 <= m12) or v35 <= m7 or (m11 < v75
-        and v75 <= m12) or v34 <= m7 or (m11 < v74 and v74 <= m12) or v33 <= m7 or (m11 < v73 and
-        v73 <= m12) or v32 <= m7 or m10 < v55 * v55 + v56 * v56 + v57 * v57 + v58 * v58 + v59 * v59
-        + v60 * v60 or abs(D3_p) <= m4 or abs(D3_m) <= m4
+        v3 <= m3 or v1 <= m1 or v5 <= m3 or (m11 < v73 and v73 <= m12) or v32 <= m7 or (m11 < v72
+        and v72 <= m12) or v31 <= m7 or (m11 < v71 and v71 <= m12) or v30 <= m7 or (m11 < v70 and
+        v70 <= m12) or v29 <= m7 or m10 < v52 * v52 + v53 * v53 + v54 * v54 + v55 * v55 + v56 * v56
+        + v57 * v57 or abs(D3_p) <= m4 or abs(D3_m) <= m4
     ):
         return False
 
     # angles, side by side
-    room[0] = v3
+    room[0] = Yhat1
     room[1] = Z2_234
     room[2] = -S5
     room[3] = w3_p
@@ -877,7 +877,7 @@ def _regular(pose, q, status):
     room[6] = S2_pm
     room[7] = S2_mp
     room[8] = S2_mm
-    room[16] = v2
+    room[16] = Xhat1
     room[17] = -T33
     room[18] = -C5
     room[19] = N3_p - k1
@@ -901,42 +901,42 @@ def _regular(pose, q, status):
     angle9 = room[8]
 
     # joint values
-    v77 = angle6 - offset2
-    v78 = angle7 - offset2
-    v79 = angle8 - offset2
-    v80 = angle9 - offset2
-    v81 = angle2 - (angle4 + angle6) - offset4
-    v82 = angle2 - (angle7 - angle4) - offset4
-    v83 = offset4 + (angle2 + (angle5 + angle8))
-    v84 = offset4 + (angle2 + (angle9 - angle5))
-    v85 = v81 + (turn if v81 <= -half_turn else (-turn if half_turn < v81 else 0.0))
-    v86 = v82 + (turn if v82 <= -half_turn else (-turn if half_turn < v82 else 0.0))
-    v87 = (turn if -v83 <= -half_turn else (-turn if half_turn < -v83 else 0.0)) - v83
-    v88 = (turn if -v84 <= -half_turn else (-turn if half_turn < -v84 else 0.0)) - v84
-    v94 = angle1 + v22
-    v95 = v23 + (angle1 - math.copysign(half_turn, v3))
-    q1_pp = v90 + v94
-    q1_pm = v91 + v94
-    q1_mp = v92 + v95
-    q1_mm = v93 + v95
-    q2_pp = v90 + (v77 + (turn if v77 <= -half_turn else 0.0))
-    q2_pm = v91 + (v78 + (turn if v78 <= -half_turn else 0.0))
-    q2_mp = v92 + (v79 + (turn if v79 <= -half_turn else 0.0))
-    q2_mm = v93 + (v80 + (turn if v80 <= -half_turn else 0.0))
-    q3_pp = angle4 + v90
-    q3_pm = v91 - angle4
-    q3_mp = angle5 + v92
-    q3_mm = v93 - angle5
-    q4_pp = v90 + (v85 + (turn if v85 <= -half_turn else 0.0))
-    q4_pm = v91 + (v86 + (turn if v86 <= -half_turn else 0.0))
-    q4_mp = v92 + (v87 + (turn if v87 <= -half_turn else 0.0))
-    q4_mm = v93 + (v88 + (turn if v88 <= -half_turn else 0.0))
-    v96 = angle3 + v22
-    v97 = v23 + (angle3 - math.copysign(half_turn, -S5))
-    q5_pp = v90 + v96
-    q5_pm = v91 + v96
-    q5_mp = v92 + v97
-    q5_mm = v93 + v97
+    v74 = angle6 - offset2
+    v75 = angle7 - offset2
+    v76 = angle8 - offset2
+    v77 = angle9 - offset2
+    v78 = angle2 - (angle4 + angle6) - offset4
+    v79 = angle2 - (angle7 - angle4) - offset4
+    v80 = offset4 + (angle2 + (angle5 + angle8))
+    v81 = offset4 + (angle2 + (angle9 - angle5))
+    v82 = v78 + (turn if v78 <= -half_turn else (-turn if half_turn < v78 else 0.0))
+    v83 = v79 + (turn if v79 <= -half_turn else (-turn if half_turn < v79 else 0.0))
+    v84 = (turn if -v80 <= -half_turn else (-turn if half_turn < -v80 else 0.0)) - v80
+    v85 = (turn if -v81 <= -half_turn else (-turn if half_turn < -v81 else 0.0)) - v81
+    v91 = angle1 + v19
+    v92 = v20 + (angle1 - math.copysign(half_turn, Yhat1))
+    q1_pp = v87 + v91
+    q1_pm = v88 + v91
+    q1_mp = v89 + v92
+    q1_mm = v90 + v92
+    q2_pp = v87 + (v74 + (turn if v74 <= -half_turn else 0.0))
+    q2_pm = v88 + (v75 + (turn if v75 <= -half_turn else 0.0))
+    q2_mp = v89 + (v76 + (turn if v76 <= -half_turn else 0.0))
+    q2_mm = v90 + (v77 + (turn if v77 <= -half_turn else 0.0))
+    q3_pp = angle4 + v87
+    q3_pm = v88 - angle4
+    q3_mp = angle5 + v89
+    q3_mm = v90 - angle5
+    q4_pp = v87 + (v82 + (turn if v82 <= -half_turn else 0.0))
+    q4_pm = v88 + (v83 + (turn if v83 <= -half_turn else 0.0))
+    q4_mp = v89 + (v84 + (turn if v84 <= -half_turn else 0.0))
+    q4_mm = v90 + (v85 + (turn if v85 <= -half_turn else 0.0))
+    v93 = angle3 + v19
+    v94 = v20 + (angle3 - math.copysign(half_turn, -S5))
+    q5_pp = v87 + v93
+    q5_pm = v88 + v93
+    q5_mp = v89 + v94
+    q5_mm = v90 + v94
 
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
@@ -1035,161 +1035,161 @@ def _in_tiles(T, q, status):
             T31 = work[128 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
-            v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-            v2 = T14 + T13 * v1
-            v3 = T24 + T23 * v1
-            v4 = v2 * v2 + v3 * v3
-            w1 = math.sqrt(v4)
-            v5 = 1.0 / v4
-            factor1 = w1 * v5
-            c1 = v2 * factor1
-            s1 = v3 * factor1
-            Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3))
-            v6 = T33 * T33 + Z2_234 * Z2_234
-            w234 = math.sqrt(v6)
-            v7 = 1.0 / v6
-            factor234 = w234 * v7
-            S5 = w1 * (v5 * (v2 * T21 - v3 * T11))
-            C5 = w1 * (v5 * (v2 * T22 - v3 * T12))
-            v8 = S5 * S5 + C5 * C5
-            v9 = math.sqrt(v8) * (1.0 / v8)
-            v10 = C5 * v9
-            v11 = S5 * v9
-            v12 = factor234 * (d5 * T33)
-            Z1_3 = T34 - d1 - v12
-            v13 = d5 * Z2_234
-            v14 = T14 * c1 + T24 * s1
-            v15 = v14 - a1
-            v16 = a1 + v14
-            v17 = factor234 * v13
-            v18 = v15 - v17
-            v19 = v17 - v16
-            v20 = w234 * (v7 * v13)
-            Z2_3_p = v15 - v20
-            Z2_3_m = v20 - v16
-            v21 = Z1_3 * Z1_3
-            N3_p = v21 + Z2_3_p * Z2_3_p
-            N3_m = v21 + Z2_3_m * Z2_3_m
+            sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+            Xhat1 = T14 + T13 * sigma1
+            Yhat1 = T24 + T23 * sigma1
+            v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
+            w1 = math.sqrt(v1)
+            v2 = 1.0 / v1
+            factor1 = w1 * v2
+            c1 = Xhat1 * factor1
+            s1 = Yhat1 * factor1
+            Z2_234 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1))
+            v3 = T33 * T33 + Z2_234 * Z2_234
+            w234 = math.sqrt(v3)
+            v4 = 1.0 / v3
+            factor234 = w234 * v4
+            S5 = w1 * (v2 * (Xhat1 * T21 - Yhat1 * T11))
+            C5 = w1 * (v2 * (Xhat1 * T22 - Yhat1 * T12))
+            v5 = S5 * S5 + C5 * C5
+            v6 = math.sqrt(v5) * (1.0 / v5)
+            v7 = C5 * v6
+            v8 = S5 * v6
+            v9 = factor234 * (d5 * T33)
+            Z1_3 = T34 - d1 - v9
+            v10 = d5 * Z2_234
+            v11 = T14 * c1 + T24 * s1
+            v12 = v11 - a1
+            v13 = a1 + v11
+            v14 = factor234 * v10
+            v15 = v12 - v14
+            v16 = v14 - v13
+            v17 = w234 * (v4 * v10)
+            Z2_3_p = v12 - v17
+            Z2_3_m = v17 - v13
+            v18 = Z1_3 * Z1_3
+            N3_p = v18 + Z2_3_p * Z2_3_p
+            N3_m = v18 + Z2_3_m * Z2_3_m
             D3_p = (longest3 - N3_p) * (N3_p - shortest3)
             D3_m = (longest3 - N3_m) * (N3_m - shortest3)
             w3_p = math.sqrt(D3_p)
             w3_m = math.sqrt(D3_m)
-            v22 = w3_p - w3_p
-            v23 = w3_m - w3_m
-            v24 = m6 + m5 * N3_p
-            v25 = m6 + m5 * N3_m
-            v26 = Z1_3 * v24
-            v27 = Z1_3 * v25
-            S2_pp = v26 - w3_p * (m5 * v18)
-            S2_pm = v26 - w3_p * (m5 * -v18)
-            S2_mp = v27 - w3_m * (m5 * v19)
-            S2_mm = v27 - w3_m * (m5 * -v19)
-            v28 = m5 * Z1_3
-            v29 = m5 * -Z1_3
-            v30 = v18 * v24
-            v31 = v19 * v25
-            C2_pp = v30 + w3_p * v28
-            C2_pm = v30 + w3_p * v29
-            C2_mp = v31 + w3_m * v28
-            C2_mm = v31 + w3_m * v29
-            v32 = S2_pp * S2_pp + C2_pp * C2_pp
-            v33 = S2_pm * S2_pm + C2_pm * C2_pm
-            v34 = S2_mp * S2_mp + C2_mp * C2_mp
-            v35 = S2_mm * S2_mm + C2_mm * C2_mm
-            w2_pp = math.sqrt(v32)
-            w2_pm = math.sqrt(v33)
-            w2_mp = math.sqrt(v34)
-            w2_mm = math.sqrt(v35)
+            v19 = w3_p - w3_p
+            v20 = w3_m - w3_m
+            v21 = m6 + m5 * N3_p
+            v22 = m6 + m5 * N3_m
+            v23 = Z1_3 * v21
+            v24 = Z1_3 * v22
+            S2_pp = v23 - w3_p * (m5 * v15)
+            S2_pm = v23 - w3_p * (m5 * -v15)
+            S2_mp = v24 - w3_m * (m5 * v16)
+            S2_mm = v24 - w3_m * (m5 * -v16)
+            v25 = m5 * Z1_3
+            v26 = m5 * -Z1_3
+            v27 = v15 * v21
+            v28 = v16 * v22
+            C2_pp = v27 + w3_p * v25
+            C2_pm = v27 + w3_p * v26
+            C2_mp = v28 + w3_m * v25
+            C2_mm = v28 + w3_m * v26
+            v29 = S2_pp * S2_pp + C2_pp * C2_pp
+            v30 = S2_pm * S2_pm + C2_pm * C2_pm
+            v31 = S2_mp * S2_mp + C2_mp * C2_mp
+            v32 = S2_mm * S2_mm + C2_mm * C2_mm
+            w2_pp = math.sqrt(v29)
+            w2_pm = math.sqrt(v30)
+            w2_mp = math.sqrt(v31)
+            w2_mm = math.sqrt(v32)
+            v33 = 1.0 / v29
+            v34 = 1.0 / v30
+            v35 = 1.0 / v31
             v36 = 1.0 / v32
-            v37 = 1.0 / v33
-            v38 = 1.0 / v34
-            v39 = 1.0 / v35
-            factor2_pp = w2_pp * v36
-            factor2_pm = w2_pm * v37
-            factor2_mp = w2_mp * v38
-            factor2_mm = w2_mm * v39
-            v40 = m8 * Z1_3
-            v41 = m8 * -Z1_3
-            v42 = m8 * N3_p - m9
-            v43 = m8 * N3_m - m9
-            v44 = v18 * v42
-            v45 = v19 * v43
-            v46 = Z1_3 * v42
-            v47 = Z1_3 * v43
-            v48 = a1 + v17
-            v49 = a1 - v17
-            v50 = v48 + w2_pp * (v36 * (a3 * (v44 - w3_p * v40) + a2 * C2_pp))
-            v51 = v48 + w2_pm * (v37 * (a3 * (v44 - w3_p * v41) + a2 * C2_pm))
-            v52 = v49 + w2_mp * (v38 * (a3 * (v45 - w3_m * v40) + a2 * C2_mp))
-            v53 = v49 + w2_mm * (v39 * (a3 * (v45 - w3_m * v41) + a2 * C2_mm))
-            v54 = d1 + v12
-            v55 = T33 - T33 * factor234
-            v56 = T31 + factor234 * (Z2_234 * v10)
-            v57 = T23 - factor234 * (s1 * Z2_234)
-            v58 = T21 - (c1 * v11 + factor234 * (v10 * (s1 * T33)))
-            v59 = T11 - (factor234 * (v10 * (c1 * T33)) - s1 * v11)
-            v60 = T13 - factor234 * (c1 * Z2_234)
+            factor2_pp = w2_pp * v33
+            factor2_pm = w2_pm * v34
+            factor2_mp = w2_mp * v35
+            factor2_mm = w2_mm * v36
+            v37 = m8 * Z1_3
+            v38 = m8 * -Z1_3
+            v39 = m8 * N3_p - m9
+            v40 = m8 * N3_m - m9
+            v41 = v15 * v39
+            v42 = v16 * v40
+            v43 = Z1_3 * v39
+            v44 = Z1_3 * v40
+            v45 = a1 + v14
+            v46 = a1 - v14
+            v47 = v45 + w2_pp * (v33 * (a3 * (v41 - w3_p * v37) + a2 * C2_pp))
+            v48 = v45 + w2_pm * (v34 * (a3 * (v41 - w3_p * v38) + a2 * C2_pm))
+            v49 = v46 + w2_mp * (v35 * (a3 * (v42 - w3_m * v37) + a2 * C2_mp))
+            v50 = v46 + w2_mm * (v36 * (a3 * (v42 - w3_m * v38) + a2 * C2_mm))
+            v51 = d1 + v9
+            v52 = T33 - T33 * factor234
+            v53 = T31 + factor234 * (Z2_234 * v7)
+            v54 = T23 - factor234 * (s1 * Z2_234)
+            v55 = T21 - (c1 * v8 + factor234 * (v7 * (s1 * T33)))
+            v56 = T11 - (factor234 * (v7 * (c1 * T33)) - s1 * v8)
+            v57 = T13 - factor234 * (c1 * Z2_234)
+            v58 = (
+                T34 - (v51 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v43 + w3_p * (m8 *
+                v15))))
+            )
+            v59 = (
+                T34 - (v51 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v43 + w3_p * (m8 *
+                -v15))))
+            )
+            v60 = (
+                T34 - (v51 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v44 + w3_m * (m8 *
+                v16))))
+            )
             v61 = (
-                T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v46 + w3_p * (m8 *
-                v18))))
+                T34 - (v51 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v44 + w3_m * (m8 *
+                -v16))))
             )
-            v62 = (
-                T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v46 + w3_p * (m8 *
-                -v18))))
-            )
-            v63 = (
-                T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v47 + w3_m * (m8 *
-                v19))))
-            )
-            v64 = (
-                T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v47 + w3_m * (m8 *
-                -v19))))
-            )
-            v65 = T14 - c1 * v50
-            v66 = T14 - c1 * v51
-            v67 = T14 + c1 * v52
-            v68 = T14 + c1 * v53
-            v69 = T24 - s1 * v50
-            v70 = T24 - s1 * v51
-            v71 = T24 + s1 * v52
-            v72 = T24 + s1 * v53
+            v62 = T14 - c1 * v47
+            v63 = T14 - c1 * v48
+            v64 = T14 + c1 * v49
+            v65 = T14 + c1 * v50
+            v66 = T24 - s1 * v47
+            v67 = T24 - s1 * v48
+            v68 = T24 + s1 * v49
+            v69 = T24 + s1 * v50
+            v70 = v58 * v58 + v62 * v62 + v66 * v66
+            v71 = v59 * v59 + v63 * v63 + v67 * v67
+            v72 = v60 * v60 + v64 * v64 + v68 * v68
             v73 = v61 * v61 + v65 * v65 + v69 * v69
-            v74 = v62 * v62 + v66 * v66 + v70 * v70
-            v75 = v63 * v63 + v67 * v67 + v71 * v71
-            v76 = v64 * v64 + v68 * v68 + v72 * v72
-            v89 = math.sqrt(-1.0)
-            v90 = 0.0 if v73 <= m11 else v89
-            v91 = 0.0 if v74 <= m11 else v89
-            v92 = 0.0 if v75 <= m11 else v89
-            v93 = 0.0 if v76 <= m11 else v89
-            work[272 + k] = v3
-            work[288 + k] = v4
-            work[304 + k] = v6
+            v86 = math.sqrt(-1.0)
+            v87 = 0.0 if v70 <= m11 else v86
+            v88 = 0.0 if v71 <= m11 else v86
+            v89 = 0.0 if v72 <= m11 else v86
+            v90 = 0.0 if v73 <= m11 else v86
+            work[272 + k] = Yhat1
+            work[288 + k] = v1
+            work[304 + k] = v3
             work[320 + k] = S5
-            work[336 + k] = v8
+            work[336 + k] = v5
             work[352 + k] = D3_p
             work[368 + k] = D3_m
-            work[384 + k] = v22
-            work[400 + k] = v23
-            work[416 + k] = v32
-            work[432 + k] = v33
-            work[448 + k] = v34
-            work[464 + k] = v35
-            work[480 + k] = v55
-            work[496 + k] = v56
-            work[512 + k] = v57
-            work[528 + k] = v58
-            work[544 + k] = v59
-            work[560 + k] = v60
-            work[576 + k] = v73
-            work[592 + k] = v74
-            work[608 + k] = v75
-            work[624 + k] = v76
-            work[640 + k] = v90
-            work[656 + k] = v91
-            work[672 + k] = v92
-            work[688 + k] = v93
-            work[704 + k] = v3
+            work[384 + k] = v19
+            work[400 + k] = v20
+            work[416 + k] = v29
+            work[432 + k] = v30
+            work[448 + k] = v31
+            work[464 + k] = v32
+            work[480 + k] = v52
+            work[496 + k] = v53
+            work[512 + k] = v54
+            work[528 + k] = v55
+            work[544 + k] = v56
+            work[560 + k] = v57
+            work[576 + k] = v70
+            work[592 + k] = v71
+            work[608 + k] = v72
+            work[624 + k] = v73
+            work[640 + k] = v87
+            work[656 + k] = v88
+            work[672 + k] = v89
+            work[688 + k] = v90
+            work[704 + k] = Yhat1
             work[720 + k] = Z2_234
             work[736 + k] = -S5
             work[752 + k] = w3_p
@@ -1198,7 +1198,7 @@ def _in_tiles(T, q, status):
             work[800 + k] = S2_pm
             work[816 + k] = S2_mp
             work[832 + k] = S2_mm
-            work[848 + k] = v2
+            work[848 + k] = Xhat1
             work[864 + k] = -T33
             work[880 + k] = -C5
             work[896 + k] = N3_p - k1
@@ -1210,33 +1210,33 @@ def _in_tiles(T, q, status):
         for k in range(704, 848):
             work[k] = _atan2(work[k], work[k + 144])
         for k in range(0, 16):
-            v3 = work[272 + k]
-            v4 = work[288 + k]
-            v6 = work[304 + k]
+            Yhat1 = work[272 + k]
+            v1 = work[288 + k]
+            v3 = work[304 + k]
             S5 = work[320 + k]
-            v8 = work[336 + k]
+            v5 = work[336 + k]
             D3_p = work[352 + k]
             D3_m = work[368 + k]
-            v22 = work[384 + k]
-            v23 = work[400 + k]
-            v32 = work[416 + k]
-            v33 = work[432 + k]
-            v34 = work[448 + k]
-            v35 = work[464 + k]
-            v55 = work[480 + k]
-            v56 = work[496 + k]
-            v57 = work[512 + k]
-            v58 = work[528 + k]
-            v59 = work[544 + k]
-            v60 = work[560 + k]
-            v73 = work[576 + k]
-            v74 = work[592 + k]
-            v75 = work[608 + k]
-            v76 = work[624 + k]
-            v90 = work[640 + k]
-            v91 = work[656 + k]
-            v92 = work[672 + k]
-            v93 = work[688 + k]
+            v19 = work[384 + k]
+            v20 = work[400 + k]
+            v29 = work[416 + k]
+            v30 = work[432 + k]
+            v31 = work[448 + k]
+            v32 = work[464 + k]
+            v52 = work[480 + k]
+            v53 = work[496 + k]
+            v54 = work[512 + k]
+            v55 = work[528 + k]
+            v56 = work[544 + k]
+            v57 = work[560 + k]
+            v70 = work[576 + k]
+            v71 = work[592 + k]
+            v72 = work[608 + k]
+            v73 = work[624 + k]
+            v87 = work[640 + k]
+            v88 = work[656 + k]
+            v89 = work[672 + k]
+            v90 = work[688 + k]
             angle1 = work[704 + k]
             angle2 = work[720 + k]
             angle3 = work[736 + k]
@@ -1246,42 +1246,42 @@ def _in_tiles(T, q, status):
             angle7 = work[800 + k]
             angle8 = work[816 + k]
             angle9 = work[832 + k]
-            v77 = angle6 - offset2
-            v78 = angle7 - offset2
-            v79 = angle8 - offset2
-            v80 = angle9 - offset2
-            v81 = angle2 - (angle4 + angle6) - offset4
-            v82 = angle2 - (angle7 - angle4) - offset4
-            v83 = offset4 + (angle2 + (angle5 + angle8))
-            v84 = offset4 + (angle2 + (angle9 - angle5))
-            v85 = v81 + (turn if v81 <= -half_turn else (-turn if half_turn < v81 else 0.0))
-            v86 = v82 + (turn if v82 <= -half_turn else (-turn if half_turn < v82 else 0.0))
-            v87 = (turn if -v83 <= -half_turn else (-turn if half_turn < -v83 else 0.0)) - v83
-            v88 = (turn if -v84 <= -half_turn else (-turn if half_turn < -v84 else 0.0)) - v84
-            v94 = angle1 + v22
-            v95 = v23 + (angle1 - math.copysign(half_turn, v3))
-            q1_pp = v90 + v94
-            q1_pm = v91 + v94
-            q1_mp = v92 + v95
-            q1_mm = v93 + v95
-            q2_pp = v90 + (v77 + (turn if v77 <= -half_turn else 0.0))
-            q2_pm = v91 + (v78 + (turn if v78 <= -half_turn else 0.0))
-            q2_mp = v92 + (v79 + (turn if v79 <= -half_turn else 0.0))
-            q2_mm = v93 + (v80 + (turn if v80 <= -half_turn else 0.0))
-            q3_pp = angle4 + v90
-            q3_pm = v91 - angle4
-            q3_mp = angle5 + v92
-            q3_mm = v93 - angle5
-            q4_pp = v90 + (v85 + (turn if v85 <= -half_turn else 0.0))
-            q4_pm = v91 + (v86 + (turn if v86 <= -half_turn else 0.0))
-            q4_mp = v92 + (v87 + (turn if v87 <= -half_turn else 0.0))
-            q4_mm = v93 + (v88 + (turn if v88 <= -half_turn else 0.0))
-            v96 = angle3 + v22
-            v97 = v23 + (angle3 - math.copysign(half_turn, -S5))
-            q5_pp = v90 + v96
-            q5_pm = v91 + v96
-            q5_mp = v92 + v97
-            q5_mm = v93 + v97
+            v74 = angle6 - offset2
+            v75 = angle7 - offset2
+            v76 = angle8 - offset2
+            v77 = angle9 - offset2
+            v78 = angle2 - (angle4 + angle6) - offset4
+            v79 = angle2 - (angle7 - angle4) - offset4
+            v80 = offset4 + (angle2 + (angle5 + angle8))
+            v81 = offset4 + (angle2 + (angle9 - angle5))
+            v82 = v78 + (turn if v78 <= -half_turn else (-turn if half_turn < v78 else 0.0))
+            v83 = v79 + (turn if v79 <= -half_turn else (-turn if half_turn < v79 else 0.0))
+            v84 = (turn if -v80 <= -half_turn else (-turn if half_turn < -v80 else 0.0)) - v80
+            v85 = (turn if -v81 <= -half_turn else (-turn if half_turn < -v81 else 0.0)) - v81
+            v91 = angle1 + v19
+            v92 = v20 + (angle1 - math.copysign(half_turn, Yhat1))
+            q1_pp = v87 + v91
+            q1_pm = v88 + v91
+            q1_mp = v89 + v92
+            q1_mm = v90 + v92
+            q2_pp = v87 + (v74 + (turn if v74 <= -half_turn else 0.0))
+            q2_pm = v88 + (v75 + (turn if v75 <= -half_turn else 0.0))
+            q2_mp = v89 + (v76 + (turn if v76 <= -half_turn else 0.0))
+            q2_mm = v90 + (v77 + (turn if v77 <= -half_turn else 0.0))
+            q3_pp = angle4 + v87
+            q3_pm = v88 - angle4
+            q3_mp = angle5 + v89
+            q3_mm = v90 - angle5
+            q4_pp = v87 + (v82 + (turn if v82 <= -half_turn else 0.0))
+            q4_pm = v88 + (v83 + (turn if v83 <= -half_turn else 0.0))
+            q4_mp = v89 + (v84 + (turn if v84 <= -half_turn else 0.0))
+            q4_mm = v90 + (v85 + (turn if v85 <= -half_turn else 0.0))
+            v93 = angle3 + v19
+            v94 = v20 + (angle3 - math.copysign(half_turn, -S5))
+            q5_pp = v87 + v93
+            q5_pm = v88 + v93
+            q5_mp = v89 + v94
+            q5_mm = v90 + v94
             _992 = q1_pp
             work[992 + k] = _992
             _1008 = q2_pp
@@ -1327,10 +1327,10 @@ def _in_tiles(T, q, status):
             work[1344 + k] = UNREACHABLE if _1152 != _1152 else OK
             work[1360 + k] = UNREACHABLE if _1232 != _1232 else OK
             work[256 + k] = (
-                1.0 if v6 <= m3 or v4 <= m1 or v8 <= m3 or (m11 < v76 and v76 <= m12) or v35 <= m7
-                or (m11 < v75 and v75 <= m12) or v34 <= m7 or (m11 < v74 and v74 <= m12) or v33 <=
-                m7 or (m11 < v73 and v73 <= m12) or v32 <= m7 or m10 < v55 * v55 + v56 * v56 + v57 *
-                v57 + v58 * v58 + v59 * v59 + v60 * v60 or abs(D3_p) <= m4 or abs(D3_m) <= m4 else
+                1.0 if v3 <= m3 or v1 <= m1 or v5 <= m3 or (m11 < v73 and v73 <= m12) or v32 <= m7
+                or (m11 < v72 and v72 <= m12) or v31 <= m7 or (m11 < v71 and v71 <= m12) or v30 <=
+                m7 or (m11 < v70 and v70 <= m12) or v29 <= m7 or m10 < v52 * v52 + v53 * v53 + v54 *
+                v54 + v55 * v55 + v56 * v56 + v57 * v57 or abs(D3_p) <= m4 or abs(D3_m) <= m4 else
                 work[256 + k]
             )
         for k in range(first, first + count):

@@ -159,41 +159,42 @@ static void solve(
     (void)moved;
     ENTRIES(double);
 
-    /* theta1, type 2: U1[3, 4] and U1[3, 3] */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
-        v3 = T24 + T23 * v1;
-    const double w1 = sqrt(v2 * v2 + v3 * v3);
+    /* theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3] */
+    const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23);
+    const double Xhat1 = T14 + T13 * sigma1;
+    const double Yhat1 = T24 + T23 * sigma1;
+    const double w1 = sqrt(Xhat1 * Xhat1 + Yhat1 * Yhat1);
     const int free1 = w1 <= free_limit1;
     const double divisor1 = free1 ? 1.0 : w1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v4 = T33 * T33;
+    const double v1 = T33 * T33;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v7 = T34 - d1;
+    const double v4 = T34 - d1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(v2 * factor1),
-            s1 = free1 ? sin(seed[0]) : -(v3 * factor1);
+        const double c1 = free1 ? cos(seed[0]) : -(Xhat1 * factor1),
+            s1 = free1 ? sin(seed[0]) : -(Yhat1 * factor1);
         const double q1 = atan2(s1, c1);
 
         /* theta234 */
         const double Z2_234 = T13 * c1 + T23 * s1;
-        const double w234 = sqrt(Z2_234 * Z2_234 + v4);
+        const double w234 = sqrt(Z2_234 * Z2_234 + v1);
         const int short234 = w234 <= free_limit;
-        const double v5 = 1.0 / (short234 ? 1.0 : w234);
-        const double c234 = T33 * v5, s234 = Z2_234 * v5;
+        const double v2 = 1.0 / (short234 ? 1.0 : w234);
+        const double c234 = T33 * v2, s234 = Z2_234 * v2;
         const double theta234 = atan2(s234, c234);
 
         /* theta3 */
-        const double v6 = c234 * d5;
-        const double Z1_3 = v7 - v6;
-        const double v8 = s234 * d5;
-        const double Z2_3 = T14 * c1 + T24 * s1 - a1 - v8;
+        const double v3 = c234 * d5;
+        const double Z1_3 = v4 - v3;
+        const double v5 = s234 * d5;
+        const double Z2_3 = T14 * c1 + T24 * s1 - a1 - v5;
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
@@ -207,10 +208,10 @@ static void solve(
 
         /* theta2, type 3: U1[1, 4] and U1[2, 4] */
         const double Y1_2 = a2 + a3 * c3;
-        const double v10 = Z1_3 * Y1_2, v12 = Z2_3 * Y1_2;
+        const double v7 = Z1_3 * Y1_2, v9 = Z2_3 * Y1_2;
 
         /* is the pose one that the arm can take? */
-        const double v13 = a1 + v8, v15 = d1 + v6;
+        const double v10 = a1 + v5, v12 = d1 + v3;
         if (!(fabs(T33 - c234) <= doubtful_slack && fabs(T13 - c1 * s234) <= doubtful_slack &&
             fabs(T23 - s1 * s234) <= doubtful_slack))
             continue; /* the arm can't take this pose */
@@ -223,20 +224,20 @@ static void solve(
             const double q3 = atan2(s3, c3);
 
             /* theta2 */
-            const double v9 = a3 * s3, v11 = Z2_3 * v9 + v10;
-            const double C2 = v12 - Z1_3 * v9;
-            const double w2 = sqrt(v11 * v11 + C2 * C2);
+            const double v6 = a3 * s3, v8 = Z2_3 * v6 + v7;
+            const double C2 = v9 - Z1_3 * v6;
+            const double w2 = sqrt(v8 * v8 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
             const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
-                s2 = free2 ? sin(seed[1]) : -(v11 * factor2);
+                s2 = free2 ? sin(seed[1]) : -(v8 * factor2);
             const double q2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
-                v14 = a3 * c23 + (a2 * c2 + v13);
-            if (!(fabs(T34 + (a3 * s23 + (a2 * s2 - v15))) <= doubtful_slack1 && fabs(T14 - c1 *
-                v14) <= doubtful_slack1 && fabs(T24 - s1 * v14) <= doubtful_slack1))
+                v11 = a3 * c23 + (a2 * c2 + v10);
+            if (!(fabs(T34 + (a3 * s23 + (a2 * s2 - v12))) <= doubtful_slack1 && fabs(T14 - c1 *
+                v11) <= doubtful_slack1 && fabs(T24 - s1 * v11) <= doubtful_slack1))
                 continue; /* the arm can't take this pose */
 
             /* joint values */
@@ -273,98 +274,98 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide v1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
-        v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = dhgen_sqrt_wide(v4),
-        v5 = 1.0 / v4, factor1 = w1 * v5, v6 = v2 * factor1, v7 = v3 * factor1,
-        angle1 = dhgen_atan2_wide(-v3, -v2);
+    const dhgen_wide sigma1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
+        Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
+        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, factor1 = w1 * v2, v3 = Xhat1 * factor1,
+        v4 = Yhat1 * factor1, angle1 = dhgen_atan2_wide(-Yhat1, -Xhat1);
 
     /* theta234 */
-    const dhgen_wide v8 = w1 * (v5 * (T13 * v2 + T23 * v3)), v9 = T33 * T33 + v8 * v8,
-        w234 = dhgen_sqrt_wide(v9), v10 = 1.0 / v9, v11 = w234 * v10,
-        angle2 = dhgen_atan2_wide(-v8, T33);
+    const dhgen_wide v5 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1)), v6 = T33 * T33 + v5 * v5,
+        w234 = dhgen_sqrt_wide(v6), v7 = 1.0 / v6, v8 = w234 * v7,
+        angle2 = dhgen_atan2_wide(-v5, T33);
 
     /* theta3 */
-    const dhgen_wide v12 = d5 * T33, v13 = T34 - d1, v14 = v11 * v12, Z1_3 = v13 - v14,
-        v15 = d5 * v8, v16 = T14 * v6 + T24 * v7, v17 = a1 + v16, v18 = a1 - v16, v19 = v11 * v15,
-        v20 = v19 - v17, v21 = w234 * (v10 * v15), Z2_3_p = v21 - v17, v22 = v18 + v21,
-        v23 = Z1_3 * Z1_3, N3_p = v23 + Z2_3_p * Z2_3_p, N3_m = v23 + v22 * v22, K3_p = N3_p - k1,
-        K3_m = N3_m - k1, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+    const dhgen_wide v9 = d5 * T33, v10 = T34 - d1, v11 = v8 * v9, Z1_3 = v10 - v11, v12 = d5 * v5,
+        v13 = T14 * v3 + T24 * v4, v14 = a1 + v13, v15 = a1 - v13, v16 = v8 * v12, v17 = v16 - v14,
+        v18 = w234 * (v7 * v12), Z2_3_p = v18 - v14, v19 = v15 + v18, v20 = Z1_3 * Z1_3,
+        N3_p = v20 + Z2_3_p * Z2_3_p, N3_m = v20 + v19 * v19, K3_p = N3_p - k1, K3_m = N3_m - k1,
+        D3_p = (longest3 - N3_p) * (N3_p - shortest3),
         D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m), v24 = w3_p - w3_p, v25 = w3_m - w3_m, s3_p = k2 * w3_p,
+        w3_m = dhgen_sqrt_wide(D3_m), v21 = w3_p - w3_p, v22 = w3_m - w3_m, s3_p = k2 * w3_p,
         s3_m = k2 * w3_m, c3_p = k2 * K3_p, c3_m = k2 * K3_m, angle3 = dhgen_atan2_wide(w3_p, K3_p),
         angle4 = dhgen_atan2_wide(w3_m, K3_m);
 
     /* theta2 */
-    const dhgen_wide v26 = v12 * v13, v27 = v10 * (v12 * v12 + v15 * v15), v28 = v13 * v13,
-        Y1_2_p = m7 * (v27 + (v28 + v17 * v17)) - w234 * (m6 * (v10 * (v26 + v15 * v17))),
-        Y1_2_m = m7 * (v27 + (v28 + v18 * v18)) - w234 * (m6 * (v10 * (v26 - v15 * v18))),
-        v29 = Z1_3 * Y1_2_p, v30 = Z1_3 * Y1_2_m, v31 = v29 + w3_p * (m7 * v20),
-        v32 = v29 + w3_p * (m7 * -v20), v33 = w3_m * (m7 * (v18 + v19)), v34 = v30 - v33,
-        v35 = v30 + v33, v36 = Z2_3_p * Y1_2_p, v37 = v22 * Y1_2_m, v38 = m7 * Z1_3,
-        v39 = m7 * -Z1_3, C2_pp = v36 - w3_p * v38, C2_pm = v36 - w3_p * v39,
-        v40 = v37 + w3_m * v38, v41 = v37 + w3_m * v39, v42 = v31 * v31 + C2_pp * C2_pp,
-        v43 = v32 * v32 + C2_pm * C2_pm, v44 = v34 * v34 + v40 * v40, v45 = v35 * v35 + v41 * v41,
-        w2_pp = dhgen_sqrt_wide(v42), w2_pm = dhgen_sqrt_wide(v43), w2_mp = dhgen_sqrt_wide(v44),
-        w2_mm = dhgen_sqrt_wide(v45), v46 = 1.0 / v42, v47 = 1.0 / v43, v48 = 1.0 / v44,
-        v49 = 1.0 / v45, factor2_pp = w2_pp * v46, factor2_pm = w2_pm * v47,
-        factor2_mp = w2_mp * v48, factor2_mm = w2_mm * v49, angle5 = dhgen_atan2_wide(-v31, C2_pp),
-        angle6 = dhgen_atan2_wide(-v32, C2_pm), angle7 = dhgen_atan2_wide(-v34, -v40),
-        angle8 = dhgen_atan2_wide(-v35, -v41);
+    const dhgen_wide v23 = v9 * v10, v24 = v7 * (v9 * v9 + v12 * v12), v25 = v10 * v10,
+        Y1_2_p = m7 * (v24 + (v25 + v14 * v14)) - w234 * (m6 * (v7 * (v23 + v12 * v14))),
+        Y1_2_m = m7 * (v24 + (v25 + v15 * v15)) - w234 * (m6 * (v7 * (v23 - v12 * v15))),
+        v26 = Z1_3 * Y1_2_p, v27 = Z1_3 * Y1_2_m, v28 = v26 + w3_p * (m7 * v17),
+        v29 = v26 + w3_p * (m7 * -v17), v30 = w3_m * (m7 * (v15 + v16)), v31 = v27 - v30,
+        v32 = v27 + v30, v33 = Z2_3_p * Y1_2_p, v34 = v19 * Y1_2_m, v35 = m7 * Z1_3,
+        v36 = m7 * -Z1_3, C2_pp = v33 - w3_p * v35, C2_pm = v33 - w3_p * v36,
+        v37 = v34 + w3_m * v35, v38 = v34 + w3_m * v36, v39 = v28 * v28 + C2_pp * C2_pp,
+        v40 = v29 * v29 + C2_pm * C2_pm, v41 = v31 * v31 + v37 * v37, v42 = v32 * v32 + v38 * v38,
+        w2_pp = dhgen_sqrt_wide(v39), w2_pm = dhgen_sqrt_wide(v40), w2_mp = dhgen_sqrt_wide(v41),
+        w2_mm = dhgen_sqrt_wide(v42), v43 = 1.0 / v39, v44 = 1.0 / v40, v45 = 1.0 / v41,
+        v46 = 1.0 / v42, factor2_pp = w2_pp * v43, factor2_pm = w2_pm * v44,
+        factor2_mp = w2_mp * v45, factor2_mm = w2_mm * v46, angle5 = dhgen_atan2_wide(-v28, C2_pp),
+        angle6 = dhgen_atan2_wide(-v29, C2_pm), angle7 = dhgen_atan2_wide(-v31, -v37),
+        angle8 = dhgen_atan2_wide(-v32, -v38);
 
     /* is the pose one that the arm can take? */
-    const dhgen_wide v50 = a1 - v19, v51 = a1 + v19,
-        v52 = v50 + w2_pp * (v46 * (a3 * (c3_p * C2_pp + s3_p * v31) + a2 * C2_pp)),
-        v53 = v50 + w2_pm * (v47 * (a3 * (c3_p * C2_pm - s3_p * v32) + a2 * C2_pm)),
-        v54 = v51 + w2_mp * (v48 * (a3 * (s3_m * v34 - c3_m * v40) - a2 * v40)),
-        v55 = v51 - w2_mm * (v49 * (a3 * (c3_m * v41 + s3_m * v35) + a2 * v41)), v56 = d1 + v14,
-        v57 = T33 - T33 * v11, v58 = T13 - v11 * (v6 * v8), v59 = T23 - v11 * (v7 * v8),
-        v60 = T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v31)) - (v56 + factor2_pp * (a2 *
+    const dhgen_wide v47 = a1 - v16, v48 = a1 + v16,
+        v49 = v47 + w2_pp * (v43 * (a3 * (c3_p * C2_pp + s3_p * v28) + a2 * C2_pp)),
+        v50 = v47 + w2_pm * (v44 * (a3 * (c3_p * C2_pm - s3_p * v29) + a2 * C2_pm)),
+        v51 = v48 + w2_mp * (v45 * (a3 * (s3_m * v31 - c3_m * v37) - a2 * v37)),
+        v52 = v48 - w2_mm * (v46 * (a3 * (c3_m * v38 + s3_m * v32) + a2 * v38)), v53 = d1 + v11,
+        v54 = T33 - T33 * v8, v55 = T13 - v8 * (v3 * v5), v56 = T23 - v8 * (v4 * v5),
+        v57 = T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v28)) - (v53 + factor2_pp * (a2 *
+            v28))),
+        v58 = T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v29)) + (v53 + factor2_pm * (a2 *
+            v29))),
+        v59 = T34 - (factor2_mp * (a3 * (s3_m * v37 + c3_m * v31)) + (v53 + factor2_mp * (a2 *
             v31))),
-        v61 = T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v32)) + (v56 + factor2_pm * (a2 *
-            v32))),
-        v62 = T34 - (factor2_mp * (a3 * (s3_m * v40 + c3_m * v34)) + (v56 + factor2_mp * (a2 *
-            v34))),
-        v63 = T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35)) - (v56 + factor2_mm * (a2 *
-            v35))), v64 = T14 + v6 * v52, v65 = T14 + v6 * v53, v66 = T14 - v6 * v54,
-        v67 = T14 - v6 * v55, v68 = T24 + v7 * v52, v69 = T24 + v7 * v53, v70 = T24 - v7 * v54,
-        v71 = T24 - v7 * v55, v72 = v60 * v60 + v64 * v64 + v68 * v68,
-        v73 = v61 * v61 + v65 * v65 + v69 * v69, v74 = v62 * v62 + v66 * v66 + v70 * v70,
-        v75 = v63 * v63 + v67 * v67 + v71 * v71;
+        v60 = T34 + (factor2_mm * (a3 * (s3_m * v38 - c3_m * v32)) - (v53 + factor2_mm * (a2 *
+            v32))), v61 = T14 + v3 * v49, v62 = T14 + v3 * v50, v63 = T14 - v3 * v51,
+        v64 = T14 - v3 * v52, v65 = T24 + v4 * v49, v66 = T24 + v4 * v50, v67 = T24 - v4 * v51,
+        v68 = T24 - v4 * v52, v69 = v57 * v57 + v61 * v61 + v65 * v65,
+        v70 = v58 * v58 + v62 * v62 + v66 * v66, v71 = v59 * v59 + v63 * v63 + v67 * v67,
+        v72 = v60 * v60 + v64 * v64 + v68 * v68;
 
     /* joint values */
-    const dhgen_wide v76 = angle2 - (angle3 + angle5) - offset4,
-        v77 = angle2 - (angle6 - angle3) - offset4, v78 = offset4 + (angle2 + (angle4 + angle7)),
-        v79 = offset4 + (angle2 + (angle8 - angle4)), v80 = dhgen_centred_wide(v76),
-        v81 = dhgen_centred_wide(v77),
-        v82 = dhgen_pick_wide(-v78 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
-            dhgen_only_wide(DHGEN_HALF_TURN < -v78, -DHGEN_TURN)) - v78,
-        v83 = dhgen_pick_wide(-v79 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
-            dhgen_only_wide(DHGEN_HALF_TURN < -v79, -DHGEN_TURN)) - v79;
-    const double v84 = DHGEN_NAN;
-    const dhgen_wide v85 = dhgen_only_wide((v72 <= m10) == 0, v84),
-        v86 = dhgen_only_wide((v73 <= m10) == 0, v84),
-        v87 = dhgen_only_wide((v74 <= m10) == 0, v84),
-        v88 = dhgen_only_wide((v75 <= m10) == 0, v84), v89 = angle1 + v24,
-        v90 = v25 + (angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, -v3)), v91 = v24 + free_joints[0],
-        v92 = v25 + free_joints[0];
+    const dhgen_wide v73 = angle2 - (angle3 + angle5) - offset4,
+        v74 = angle2 - (angle6 - angle3) - offset4, v75 = offset4 + (angle2 + (angle4 + angle7)),
+        v76 = offset4 + (angle2 + (angle8 - angle4)), v77 = dhgen_centred_wide(v73),
+        v78 = dhgen_centred_wide(v74),
+        v79 = dhgen_pick_wide(-v75 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
+            dhgen_only_wide(DHGEN_HALF_TURN < -v75, -DHGEN_TURN)) - v75,
+        v80 = dhgen_pick_wide(-v76 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
+            dhgen_only_wide(DHGEN_HALF_TURN < -v76, -DHGEN_TURN)) - v76;
+    const double v81 = DHGEN_NAN;
+    const dhgen_wide v82 = dhgen_only_wide((v69 <= m10) == 0, v81),
+        v83 = dhgen_only_wide((v70 <= m10) == 0, v81),
+        v84 = dhgen_only_wide((v71 <= m10) == 0, v81),
+        v85 = dhgen_only_wide((v72 <= m10) == 0, v81), v86 = angle1 + v21,
+        v87 = v22 + (angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, -Yhat1)),
+        v88 = v21 + free_joints[0], v89 = v22 + free_joints[0];
 
-    q[0] = v85 + v89; q[1] = angle5 + v85; q[2] = angle3 + v85; q[3] = v85 + dhgen_raised_wide(v80);
-    q[4] = v85 + v91;
+    q[0] = v82 + v86; q[1] = angle5 + v82; q[2] = angle3 + v82; q[3] = v82 + dhgen_raised_wide(v77);
+    q[4] = v82 + v88;
     kind[0] = dhgen_kind_wide(q[0]);
-    q[5] = v86 + v89; q[6] = angle6 + v86; q[7] = v86 - angle3; q[8] = v86 + dhgen_raised_wide(v81);
-    q[9] = v86 + v91;
+    q[5] = v83 + v86; q[6] = angle6 + v83; q[7] = v83 - angle3; q[8] = v83 + dhgen_raised_wide(v78);
+    q[9] = v83 + v88;
     kind[1] = dhgen_kind_wide(q[5]);
-    q[10] = v87 + v90; q[11] = angle7 + v87; q[12] = angle4 + v87;
-    q[13] = v87 + dhgen_raised_wide(v82); q[14] = v87 + v92;
+    q[10] = v84 + v87; q[11] = angle7 + v84; q[12] = angle4 + v84;
+    q[13] = v84 + dhgen_raised_wide(v79); q[14] = v84 + v89;
     kind[2] = dhgen_kind_wide(q[10]);
-    q[15] = v88 + v90; q[16] = angle8 + v88; q[17] = v88 - angle4;
-    q[18] = v88 + dhgen_raised_wide(v83); q[19] = v88 + v92;
+    q[15] = v85 + v87; q[16] = angle8 + v85; q[17] = v85 - angle4;
+    q[18] = v85 + dhgen_raised_wide(v80); q[19] = v85 + v89;
     kind[3] = dhgen_kind_wide(q[15]);
     const dhgen_wide_mask exact = dhgen_approach_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11] +
         free_joints[0]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v9 <= m3) | (v4 <= m1) | ((m10 < v75) & (v75 <= m11)) | (v45 <= m8) |
-        ((m10 < v74) & (v74 <= m11)) | (v44 <= m8) | ((m10 < v73) & (v73 <= m11)) | (v43 <= m8) |
-        ((m10 < v72) & (v72 <= m11)) | (v42 <= m8) | (m9 < v57 * v57 + v58 * v58 + v59 * v59) |
+    return (exact == 0) | ((v6 <= m3) | (v1 <= m1) | ((m10 < v72) & (v72 <= m11)) | (v42 <= m8) |
+        ((m10 < v71) & (v71 <= m11)) | (v41 <= m8) | ((m10 < v70) & (v70 <= m11)) | (v40 <= m8) |
+        ((m10 < v69) & (v69 <= m11)) | (v39 <= m8) | (m9 < v54 * v54 + v55 * v55 + v56 * v56) |
         ((-m4 <= D3_p) & (D3_p <= m5)) | ((-m4 <= D3_m) & (D3_m <= m5)));
 }
 
@@ -382,64 +383,64 @@ DHGEN_INLINE int solve_regular(
     ENTRIES(double);
 
     /* theta1 */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
-        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt(v4), v5 = 1.0 / v4,
-        factor1 = w1 * v5, v6 = v2 * factor1, v7 = v3 * factor1,
-        v8 = copysign(DHGEN_HALF_TURN, -v3);
+    const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23),
+        Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
+        w1 = sqrt(v1), v2 = 1.0 / v1, factor1 = w1 * v2, v3 = Xhat1 * factor1, v4 = Yhat1 * factor1,
+        v5 = copysign(DHGEN_HALF_TURN, -Yhat1);
 
     /* theta234 */
-    const double v9 = w1 * (v5 * (T13 * v2 + T23 * v3)), v10 = T33 * T33 + v9 * v9,
-        w234 = sqrt(v10), v11 = 1.0 / v10, v12 = w234 * v11;
+    const double v6 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1)), v7 = T33 * T33 + v6 * v6,
+        w234 = sqrt(v7), v8 = 1.0 / v7, v9 = w234 * v8;
 
     /* theta3 */
-    const double v13 = d5 * T33, v14 = T34 - d1, v15 = v12 * v13, Z1_3 = v14 - v15, v16 = d5 * v9,
-        v17 = T14 * v6 + T24 * v7;
-    const dhgen_four v18 = a1 + e1 * v17;
-    const double v19 = v12 * v16;
-    const dhgen_four v20 = e1 * v19, v21 = v20 - v18, v22 = e1 * v16,
-        Z2_3 = w234 * (v11 * v22) - v18;
-    const double v23 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v23 + Z2_3 * Z2_3, K3 = N3 - k1, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3), v24 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3;
+    const double v10 = d5 * T33, v11 = T34 - d1, v12 = v9 * v10, Z1_3 = v11 - v12, v13 = d5 * v6,
+        v14 = T14 * v3 + T24 * v4;
+    const dhgen_four v15 = a1 + e1 * v14;
+    const double v16 = v9 * v13;
+    const dhgen_four v17 = e1 * v16, v18 = v17 - v15, v19 = e1 * v13,
+        Z2_3 = w234 * (v8 * v19) - v15;
+    const double v20 = Z1_3 * Z1_3;
+    const dhgen_four N3 = v20 + Z2_3 * Z2_3, K3 = N3 - k1, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3), v21 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3;
 
     /* theta2 */
-    const double v25 = v13 * v14, v26 = v11 * (v13 * v13 + v16 * v16), v27 = v14 * v14;
-    const dhgen_four Y1_2 = m7 * (v26 + (v27 + v18 * v18)) - w234 * (m6 * (v11 * (v25 + v18 *
-        v22))), v28 = Z1_3 * Y1_2, v29 = v28 + w3 * (m7 * (e2 * v21)), v30 = Z2_3 * Y1_2,
-        v31 = m7 * (e2 * Z1_3), C2 = v30 - w3 * v31, v32 = v29 * v29 + C2 * C2,
-        w2 = dhgen_sqrt_four(v32), v33 = 1.0 / v32, factor2 = w2 * v33;
+    const double v22 = v10 * v11, v23 = v8 * (v10 * v10 + v13 * v13), v24 = v11 * v11;
+    const dhgen_four Y1_2 = m7 * (v23 + (v24 + v15 * v15)) - w234 * (m6 * (v8 * (v22 + v15 * v19))),
+        v25 = Z1_3 * Y1_2, v26 = v25 + w3 * (m7 * (e2 * v18)), v27 = Z2_3 * Y1_2,
+        v28 = m7 * (e2 * Z1_3), C2 = v27 - w3 * v28, v29 = v26 * v26 + C2 * C2,
+        w2 = dhgen_sqrt_four(v29), v30 = 1.0 / v29, factor2 = w2 * v30;
 
     /* is the pose one that the arm can take? */
-    const dhgen_four v34 = a1 - v20,
-        v35 = v34 + w2 * (v33 * (a3 * (c3 * C2 + e2 * (s3 * v29)) + a2 * C2));
-    const double v36 = d1 + v15, v37 = T33 - T33 * v12, v38 = T13 - v12 * (v6 * v9),
-        v39 = T23 - v12 * (v7 * v9);
-    const dhgen_four v40 = T34 + (factor2 * (a3 * (e2 * (s3 * C2) - c3 * v29)) - (v36 + factor2 *
-        (a2 * v29))), v41 = T14 + e1 * (v6 * v35), v42 = T24 + e1 * (v7 * v35),
-        v43 = v40 * v40 + v41 * v41 + v42 * v42;
+    const dhgen_four v31 = a1 - v17,
+        v32 = v31 + w2 * (v30 * (a3 * (c3 * C2 + e2 * (s3 * v26)) + a2 * C2));
+    const double v33 = d1 + v12, v34 = T33 - T33 * v9, v35 = T13 - v9 * (v3 * v6),
+        v36 = T23 - v9 * (v4 * v6);
+    const dhgen_four v37 = T34 + (factor2 * (a3 * (e2 * (s3 * C2) - c3 * v26)) - (v33 + factor2 *
+        (a2 * v26))), v38 = T14 + e1 * (v3 * v32), v39 = T24 + e1 * (v4 * v32),
+        v40 = v37 * v37 + v38 * v38 + v39 * v39;
 
     /* joint values */
-    const double v48 = DHGEN_NAN;
-    const dhgen_four v49 = dhgen_only_four((v43 <= m10) == 0, v48), v51 = v24 + free_joints[0],
-        q5 = v49 + v51;
+    const double v45 = DHGEN_NAN;
+    const dhgen_four v46 = dhgen_only_four((v40 <= m10) == 0, v45), v48 = v21 + free_joints[0],
+        q5 = v46 + v48;
 
     if (dhgen_bits_four(((dhgen_all_four(dhgen_approach_misfit(T) + 0.0 * (T[3] + T[7] + T[11] +
-        free_joints[0])) <= DHGEN_ORTHONORMAL) == 0) | ((-m4 <= D3) & (D3 <= m5)) | ((v32 <= m8) |
-        ((m10 < v43) & (v43 <= m11)))) | (unsigned)((v10 <= m3) | (m9 < v37 * v37 + v38 * v38 + v39
-        * v39) | (v4 <= m1)))
+        free_joints[0])) <= DHGEN_ORTHONORMAL) == 0) | ((-m4 <= D3) & (D3 <= m5)) | ((v29 <= m8) |
+        ((m10 < v40) & (v40 <= m11)))) | (unsigned)((v7 <= m3) | (m9 < v34 * v34 + v35 * v35 + v36 *
+        v36) | (v1 <= m1)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(w3,
-        dhgen_all_four(-v3), 0, 5, 2, 3), dhgen_all_four(-v9), 0, 1, 2, 7),
-        dhgen_shuffle(dhgen_shuffle(K3, dhgen_all_four(-v2), 0, 5, 2, 3), dhgen_all_four(T33), 0, 1,
-        2, 7)), ratio2 = dhgen_ratio_four(-v29, C2);
+        dhgen_all_four(-Yhat1), 0, 5, 2, 3), dhgen_all_four(-v6), 0, 1, 2, 7),
+        dhgen_shuffle(dhgen_shuffle(K3, dhgen_all_four(-Xhat1), 0, 5, 2, 3), dhgen_all_four(T33), 0,
+        1, 2, 7)), ratio2 = dhgen_ratio_four(-v26, C2);
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle3 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1),
         angle2 = dhgen_shuffle(packed1, packed1, 3, 3, 3, 3), angle4 = dhgen_angle_four(ratio2);
-    const dhgen_four v44 = e2 * angle3, v45 = e1 * angle2, v46 = v45 - (angle4 + v44) - offset4,
-        v47 = dhgen_centred_four(v46), v50 = v24 + (angle1 + v8 * (m2 * (e1 - 1.0))),
-        q1 = v49 + v50, q2 = angle4 + v49, q3 = v44 + v49, q4 = v49 + dhgen_raised_four(v47);
+    const dhgen_four v41 = e2 * angle3, v42 = e1 * angle2, v43 = v42 - (angle4 + v41) - offset4,
+        v44 = dhgen_centred_four(v43), v47 = v21 + (angle1 + v5 * (m2 * (e1 - 1.0))),
+        q1 = v46 + v47, q2 = angle4 + v46, q3 = v41 + v46, q4 = v46 + dhgen_raised_four(v44);
 
     dhgen_store_4(q, q + 5, q + 10, q + 15, q1, q2, q3, q4);
     dhgen_store_1(q + 4, q + 9, q + 14, q + 19, q5);

@@ -547,19 +547,19 @@ def _solve(pose, q_free, seed, q, status):
     """
     _, _, T13, T14, _, _, T23, T24, _, _, T33, T34 = pose
 
-    # theta1, type 2: U1[3, 4] and U1[3, 3]
-    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-    v2 = T14 + T13 * v1
-    v3 = T24 + T23 * v1
-    w1 = math.sqrt(v2 * v2 + v3 * v3)
+    # theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3]
+    sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    Xhat1 = T14 + T13 * sigma1
+    Yhat1 = T24 + T23 * sigma1
+    w1 = math.sqrt(Xhat1 * Xhat1 + Yhat1 * Yhat1)
     free1 = w1 <= free_limit1
     divisor1 = 1.0 if free1 else w1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v4 = T33 * T33
+    v1 = T33 * T33
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v7 = T34 - d1
+    v4 = T34 - d1
 
     for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
@@ -567,24 +567,24 @@ def _solve(pose, q_free, seed, q, status):
         if e1 < 0.0 and free1:
             continue  # both signs give the same
         factor1 = e1 / divisor1
-        c1 = math.cos(seed[0]) if free1 else -(v2 * factor1)
-        s1 = math.sin(seed[0]) if free1 else -(v3 * factor1)
+        c1 = math.cos(seed[0]) if free1 else -(Xhat1 * factor1)
+        s1 = math.sin(seed[0]) if free1 else -(Yhat1 * factor1)
         q1 = _atan2(s1, c1)
 
         # theta234
         Z2_234 = T13 * c1 + T23 * s1
-        w234 = math.sqrt(Z2_234 * Z2_234 + v4)
+        w234 = math.sqrt(Z2_234 * Z2_234 + v1)
         short234 = w234 <= free_limit
-        v5 = 1.0 / (1.0 if short234 else w234)
-        c234 = T33 * v5
-        s234 = Z2_234 * v5
+        v2 = 1.0 / (1.0 if short234 else w234)
+        c234 = T33 * v2
+        s234 = Z2_234 * v2
         theta234 = _atan2(s234, c234)
 
         # theta3
-        v6 = c234 * d5
-        Z1_3 = v7 - v6
-        v8 = s234 * d5
-        Z2_3 = T14 * c1 + T24 * s1 - a1 - v8
+        v3 = c234 * d5
+        Z1_3 = v4 - v3
+        v5 = s234 * d5
+        Z2_3 = T14 * c1 + T24 * s1 - a1 - v5
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
         D3 = (longest3 - N3) * (N3 - shortest3)
@@ -599,12 +599,12 @@ def _solve(pose, q_free, seed, q, status):
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         Y1_2 = a2 + a3 * c3
-        v10 = Z1_3 * Y1_2
-        v12 = Z2_3 * Y1_2
+        v7 = Z1_3 * Y1_2
+        v9 = Z2_3 * Y1_2
 
         # is the pose one that the arm can take?
-        v13 = a1 + v8
-        v15 = d1 + v6
+        v10 = a1 + v5
+        v12 = d1 + v3
         if (
             not (abs(T33 - c234) <= doubtful_slack and abs(T13 - c1 * s234) <= doubtful_slack and
             abs(T23 - s1 * s234) <= doubtful_slack)
@@ -620,23 +620,23 @@ def _solve(pose, q_free, seed, q, status):
             q3 = _atan2(s3, c3)
 
             # theta2
-            v9 = a3 * s3
-            v11 = Z2_3 * v9 + v10
-            C2 = v12 - Z1_3 * v9
-            w2 = math.sqrt(v11 * v11 + C2 * C2)
+            v6 = a3 * s3
+            v8 = Z2_3 * v6 + v7
+            C2 = v9 - Z1_3 * v6
+            w2 = math.sqrt(v8 * v8 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
             c2 = math.cos(seed[1]) if free2 else C2 * factor2
-            s2 = math.sin(seed[1]) if free2 else -(v11 * factor2)
+            s2 = math.sin(seed[1]) if free2 else -(v8 * factor2)
             q2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v14 = a3 * c23 + (a2 * c2 + v13)
+            v11 = a3 * c23 + (a2 * c2 + v10)
             if (
-                not (abs(T34 + (a3 * s23 + (a2 * s2 - v15))) <= doubtful_slack1 and abs(T14 - c1 *
-                v14) <= doubtful_slack1 and abs(T24 - s1 * v14) <= doubtful_slack1)
+                not (abs(T34 + (a3 * s23 + (a2 * s2 - v12))) <= doubtful_slack1 and abs(T14 - c1 *
+                v11) <= doubtful_slack1 and abs(T24 - s1 * v11) <= doubtful_slack1)
             ):
                 continue  # the arm can't take this pose
 
@@ -1132,159 +1132,159 @@ def _regular(pose, q_free, q, status):
     _, _, T13, T14, _, _, T23, T24, _, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
-    # theta1, type 2: U1[3, 4] and U1[3, 3]
-    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-    v2 = T14 + T13 * v1
-    v3 = T24 + T23 * v1
-    v4 = v2 * v2 + v3 * v3
-    w1 = math.sqrt(v4)
-    v5 = 1.0 / v4
-    factor1 = w1 * v5
-    v6 = v2 * factor1
-    v7 = v3 * factor1
+    # theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3]
+    sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    Xhat1 = T14 + T13 * sigma1
+    Yhat1 = T24 + T23 * sigma1
+    v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
+    w1 = math.sqrt(v1)
+    v2 = 1.0 / v1
+    factor1 = w1 * v2
+    v3 = Xhat1 * factor1
+    v4 = Yhat1 * factor1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v8 = w1 * (v5 * (T13 * v2 + T23 * v3))
-    v9 = T33 * T33 + v8 * v8
-    w234 = math.sqrt(v9)
-    v10 = 1.0 / v9
-    v11 = w234 * v10
+    v5 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1))
+    v6 = T33 * T33 + v5 * v5
+    w234 = math.sqrt(v6)
+    v7 = 1.0 / v6
+    v8 = w234 * v7
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v12 = d5 * T33
-    v13 = T34 - d1
-    v14 = v11 * v12
-    Z1_3 = v13 - v14
-    v15 = d5 * v8
-    v16 = T14 * v6 + T24 * v7
-    v17 = a1 + v16
-    v18 = a1 - v16
-    v19 = v11 * v15
-    v20 = v19 - v17
-    v21 = w234 * (v10 * v15)
-    Z2_3_p = v21 - v17
-    v22 = v18 + v21
-    v23 = Z1_3 * Z1_3
-    N3_p = v23 + Z2_3_p * Z2_3_p
-    N3_m = v23 + v22 * v22
+    v9 = d5 * T33
+    v10 = T34 - d1
+    v11 = v8 * v9
+    Z1_3 = v10 - v11
+    v12 = d5 * v5
+    v13 = T14 * v3 + T24 * v4
+    v14 = a1 + v13
+    v15 = a1 - v13
+    v16 = v8 * v12
+    v17 = v16 - v14
+    v18 = w234 * (v7 * v12)
+    Z2_3_p = v18 - v14
+    v19 = v15 + v18
+    v20 = Z1_3 * Z1_3
+    N3_p = v20 + Z2_3_p * Z2_3_p
+    N3_m = v20 + v19 * v19
     K3_p = N3_p - k1
     K3_m = N3_m - k1
     D3_p = (longest3 - N3_p) * (N3_p - shortest3)
     D3_m = (longest3 - N3_m) * (N3_m - shortest3)
     w3_p = math.sqrt(D3_p)
     w3_m = math.sqrt(D3_m)
-    v24 = w3_p - w3_p
-    v25 = w3_m - w3_m
+    v21 = w3_p - w3_p
+    v22 = w3_m - w3_m
     s3_p = k2 * w3_p
     s3_m = k2 * w3_m
     c3_p = k2 * K3_p
     c3_m = k2 * K3_m
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v26 = v12 * v13
-    v27 = v10 * (v12 * v12 + v15 * v15)
-    v28 = v13 * v13
-    Y1_2_p = m7 * (v27 + (v28 + v17 * v17)) - w234 * (m6 * (v10 * (v26 + v15 * v17)))
-    Y1_2_m = m7 * (v27 + (v28 + v18 * v18)) - w234 * (m6 * (v10 * (v26 - v15 * v18)))
-    v29 = Z1_3 * Y1_2_p
-    v30 = Z1_3 * Y1_2_m
-    v31 = v29 + w3_p * (m7 * v20)
-    v32 = v29 + w3_p * (m7 * -v20)
-    v33 = w3_m * (m7 * (v18 + v19))
-    v34 = v30 - v33
-    v35 = v30 + v33
-    v36 = Z2_3_p * Y1_2_p
-    v37 = v22 * Y1_2_m
-    v38 = m7 * Z1_3
-    v39 = m7 * -Z1_3
-    C2_pp = v36 - w3_p * v38
-    C2_pm = v36 - w3_p * v39
-    v40 = v37 + w3_m * v38
-    v41 = v37 + w3_m * v39
-    v42 = v31 * v31 + C2_pp * C2_pp
-    v43 = v32 * v32 + C2_pm * C2_pm
-    v44 = v34 * v34 + v40 * v40
-    v45 = v35 * v35 + v41 * v41
-    w2_pp = math.sqrt(v42)
-    w2_pm = math.sqrt(v43)
-    w2_mp = math.sqrt(v44)
-    w2_mm = math.sqrt(v45)
+    v23 = v9 * v10
+    v24 = v7 * (v9 * v9 + v12 * v12)
+    v25 = v10 * v10
+    Y1_2_p = m7 * (v24 + (v25 + v14 * v14)) - w234 * (m6 * (v7 * (v23 + v12 * v14)))
+    Y1_2_m = m7 * (v24 + (v25 + v15 * v15)) - w234 * (m6 * (v7 * (v23 - v12 * v15)))
+    v26 = Z1_3 * Y1_2_p
+    v27 = Z1_3 * Y1_2_m
+    v28 = v26 + w3_p * (m7 * v17)
+    v29 = v26 + w3_p * (m7 * -v17)
+    v30 = w3_m * (m7 * (v15 + v16))
+    v31 = v27 - v30
+    v32 = v27 + v30
+    v33 = Z2_3_p * Y1_2_p
+    v34 = v19 * Y1_2_m
+    v35 = m7 * Z1_3
+    v36 = m7 * -Z1_3
+    C2_pp = v33 - w3_p * v35
+    C2_pm = v33 - w3_p * v36
+    v37 = v34 + w3_m * v35
+    v38 = v34 + w3_m * v36
+    v39 = v28 * v28 + C2_pp * C2_pp
+    v40 = v29 * v29 + C2_pm * C2_pm
+    v41 = v31 * v31 + v37 * v37
+    v42 = v32 * v32 + v38 * v38
+    w2_pp = math.sqrt(v39)
+    w2_pm = math.sqrt(v40)
+    w2_mp = math.sqrt(v41)
+    w2_mm = math.sqrt(v42)
+    v43 = 1.0 / v39
+    v44 = 1.0 / v40
+    v45 = 1.0 / v41
     v46 = 1.0 / v42
-    v47 = 1.0 / v43
-    v48 = 1.0 / v44
-    v49 = 1.0 / v45
-    factor2_pp = w2_pp * v46
-    factor2_pm = w2_pm * v47
-    factor2_mp = w2_mp * v48
-    factor2_mm = w2_mm * v49
+    factor2_pp = w2_pp * v43
+    factor2_pm = w2_pm * v44
+    factor2_mp = w2_mp * v45
+    factor2_mm = w2_mm * v46
 
     # is the pose one that the arm can take?
-    v50 = a1 - v19
-    v51 = a1 + v19
-    v52 = v50 + w2_pp * (v46 * (a3 * (c3_p * C2_pp + s3_p * v31) + a2 * C2_pp))
-    v53 = v50 + w2_pm * (v47 * (a3 * (c3_p * C2_pm - s3_p * v32) + a2 * C2_pm))
-    v54 = v51 + w2_mp * (v48 * (a3 * (s3_m * v34 - c3_m * v40) - a2 * v40))
-    v55 = v51 - w2_mm * (v49 * (a3 * (c3_m * v41 + s3_m * v35) + a2 * v41))
-    v56 = d1 + v14
-    v57 = T33 - T33 * v11
-    v58 = T13 - v11 * (v6 * v8)
-    v59 = T23 - v11 * (v7 * v8)
-    v60 = T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v31)) - (v56 + factor2_pp * (a2 * v31)))
-    v61 = T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v32)) + (v56 + factor2_pm * (a2 * v32)))
-    v62 = T34 - (factor2_mp * (a3 * (s3_m * v40 + c3_m * v34)) + (v56 + factor2_mp * (a2 * v34)))
-    v63 = T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35)) - (v56 + factor2_mm * (a2 * v35)))
-    v64 = T14 + v6 * v52
-    v65 = T14 + v6 * v53
-    v66 = T14 - v6 * v54
-    v67 = T14 - v6 * v55
-    v68 = T24 + v7 * v52
-    v69 = T24 + v7 * v53
-    v70 = T24 - v7 * v54
-    v71 = T24 - v7 * v55
+    v47 = a1 - v16
+    v48 = a1 + v16
+    v49 = v47 + w2_pp * (v43 * (a3 * (c3_p * C2_pp + s3_p * v28) + a2 * C2_pp))
+    v50 = v47 + w2_pm * (v44 * (a3 * (c3_p * C2_pm - s3_p * v29) + a2 * C2_pm))
+    v51 = v48 + w2_mp * (v45 * (a3 * (s3_m * v31 - c3_m * v37) - a2 * v37))
+    v52 = v48 - w2_mm * (v46 * (a3 * (c3_m * v38 + s3_m * v32) + a2 * v38))
+    v53 = d1 + v11
+    v54 = T33 - T33 * v8
+    v55 = T13 - v8 * (v3 * v5)
+    v56 = T23 - v8 * (v4 * v5)
+    v57 = T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v28)) - (v53 + factor2_pp * (a2 * v28)))
+    v58 = T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v29)) + (v53 + factor2_pm * (a2 * v29)))
+    v59 = T34 - (factor2_mp * (a3 * (s3_m * v37 + c3_m * v31)) + (v53 + factor2_mp * (a2 * v31)))
+    v60 = T34 + (factor2_mm * (a3 * (s3_m * v38 - c3_m * v32)) - (v53 + factor2_mm * (a2 * v32)))
+    v61 = T14 + v3 * v49
+    v62 = T14 + v3 * v50
+    v63 = T14 - v3 * v51
+    v64 = T14 - v3 * v52
+    v65 = T24 + v4 * v49
+    v66 = T24 + v4 * v50
+    v67 = T24 - v4 * v51
+    v68 = T24 - v4 * v52
+    v69 = v57 * v57 + v61 * v61 + v65 * v65
+    v70 = v58 * v58 + v62 * v62 + v66 * v66
+    v71 = v59 * v59 + v63 * v63 + v67 * v67
     v72 = v60 * v60 + v64 * v64 + v68 * v68
-    v73 = v61 * v61 + v65 * v65 + v69 * v69
-    v74 = v62 * v62 + v66 * v66 + v70 * v70
-    v75 = v63 * v63 + v67 * v67 + v71 * v71
 
     # joint values
-    v84 = math.sqrt(-1.0)
-    v85 = 0.0 if v72 <= m10 else v84
-    v86 = 0.0 if v73 <= m10 else v84
-    v87 = 0.0 if v74 <= m10 else v84
-    v88 = 0.0 if v75 <= m10 else v84
-    v91 = v24 + q_free[0]
-    v92 = v25 + q_free[0]
-    q5_pp = v85 + v91
-    q5_pm = v86 + v91
-    q5_mp = v87 + v92
-    q5_mm = v88 + v92
+    v81 = math.sqrt(-1.0)
+    v82 = 0.0 if v69 <= m10 else v81
+    v83 = 0.0 if v70 <= m10 else v81
+    v84 = 0.0 if v71 <= m10 else v81
+    v85 = 0.0 if v72 <= m10 else v81
+    v88 = v21 + q_free[0]
+    v89 = v22 + q_free[0]
+    q5_pp = v82 + v88
+    q5_pm = v83 + v88
+    q5_mp = v84 + v89
+    q5_mm = v85 + v89
 
     # a joint is free, or branches meet
     if (
-        v9 <= m3 or v4 <= m1 or (m10 < v75 and v75 <= m11) or v45 <= m8 or (m10 < v74 and v74 <=
-        m11) or v44 <= m8 or (m10 < v73 and v73 <= m11) or v43 <= m8 or (m10 < v72 and v72 <= m11)
-        or v42 <= m8 or m9 < v57 * v57 + v58 * v58 + v59 * v59 or (-m4 <= D3_p and D3_p <= m5) or
+        v6 <= m3 or v1 <= m1 or (m10 < v72 and v72 <= m11) or v42 <= m8 or (m10 < v71 and v71 <=
+        m11) or v41 <= m8 or (m10 < v70 and v70 <= m11) or v40 <= m8 or (m10 < v69 and v69 <= m11)
+        or v39 <= m8 or m9 < v54 * v54 + v55 * v55 + v56 * v56 or (-m4 <= D3_p and D3_p <= m5) or
         (-m4 <= D3_m and D3_m <= m5)
     ):
         return False
 
     # angles, side by side
-    room[0] = -v3
-    room[1] = -v8
+    room[0] = -Yhat1
+    room[1] = -v5
     room[2] = w3_p
     room[3] = w3_m
-    room[4] = -v31
-    room[5] = -v32
-    room[6] = -v34
-    room[7] = -v35
-    room[8] = -v2
+    room[4] = -v28
+    room[5] = -v29
+    room[6] = -v31
+    room[7] = -v32
+    room[8] = -Xhat1
     room[9] = T33
     room[10] = K3_p
     room[11] = K3_m
     room[12] = C2_pp
     room[13] = C2_pm
-    room[14] = -v40
-    room[15] = -v41
+    room[14] = -v37
+    room[15] = -v38
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
@@ -1297,32 +1297,32 @@ def _regular(pose, q_free, q, status):
     angle8 = room[7]
 
     # joint values
-    v76 = angle2 - (angle3 + angle5) - offset4
-    v77 = angle2 - (angle6 - angle3) - offset4
-    v78 = offset4 + (angle2 + (angle4 + angle7))
-    v79 = offset4 + (angle2 + (angle8 - angle4))
-    v80 = v76 + (turn if v76 <= -half_turn else (-turn if half_turn < v76 else 0.0))
-    v81 = v77 + (turn if v77 <= -half_turn else (-turn if half_turn < v77 else 0.0))
-    v82 = (turn if -v78 <= -half_turn else (-turn if half_turn < -v78 else 0.0)) - v78
-    v83 = (turn if -v79 <= -half_turn else (-turn if half_turn < -v79 else 0.0)) - v79
-    v89 = angle1 + v24
-    v90 = v25 + (angle1 - math.copysign(half_turn, -v3))
-    q1_pp = v85 + v89
-    q1_pm = v86 + v89
-    q1_mp = v87 + v90
-    q1_mm = v88 + v90
-    q2_pp = angle5 + v85
-    q2_pm = angle6 + v86
-    q2_mp = angle7 + v87
-    q2_mm = angle8 + v88
-    q3_pp = angle3 + v85
-    q3_pm = v86 - angle3
-    q3_mp = angle4 + v87
-    q3_mm = v88 - angle4
-    q4_pp = v85 + (v80 + (turn if v80 <= -half_turn else 0.0))
-    q4_pm = v86 + (v81 + (turn if v81 <= -half_turn else 0.0))
-    q4_mp = v87 + (v82 + (turn if v82 <= -half_turn else 0.0))
-    q4_mm = v88 + (v83 + (turn if v83 <= -half_turn else 0.0))
+    v73 = angle2 - (angle3 + angle5) - offset4
+    v74 = angle2 - (angle6 - angle3) - offset4
+    v75 = offset4 + (angle2 + (angle4 + angle7))
+    v76 = offset4 + (angle2 + (angle8 - angle4))
+    v77 = v73 + (turn if v73 <= -half_turn else (-turn if half_turn < v73 else 0.0))
+    v78 = v74 + (turn if v74 <= -half_turn else (-turn if half_turn < v74 else 0.0))
+    v79 = (turn if -v75 <= -half_turn else (-turn if half_turn < -v75 else 0.0)) - v75
+    v80 = (turn if -v76 <= -half_turn else (-turn if half_turn < -v76 else 0.0)) - v76
+    v86 = angle1 + v21
+    v87 = v22 + (angle1 - math.copysign(half_turn, -Yhat1))
+    q1_pp = v82 + v86
+    q1_pm = v83 + v86
+    q1_mp = v84 + v87
+    q1_mm = v85 + v87
+    q2_pp = angle5 + v82
+    q2_pm = angle6 + v83
+    q2_mp = angle7 + v84
+    q2_mm = angle8 + v85
+    q3_pp = angle3 + v82
+    q3_pm = v83 - angle3
+    q3_mp = angle4 + v84
+    q3_mm = v85 - angle4
+    q4_pp = v82 + (v77 + (turn if v77 <= -half_turn else 0.0))
+    q4_pm = v83 + (v78 + (turn if v78 <= -half_turn else 0.0))
+    q4_mp = v84 + (v79 + (turn if v79 <= -half_turn else 0.0))
+    q4_mm = v85 + (v80 + (turn if v80 <= -half_turn else 0.0))
 
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
@@ -1415,200 +1415,200 @@ def _in_tiles(T, q_free, q, status):
             T33 = work[160 + k]
             T34 = work[176 + k]
             given1 = work[256 + k]
-            v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-            v2 = T14 + T13 * v1
-            v3 = T24 + T23 * v1
-            v4 = v2 * v2 + v3 * v3
-            w1 = math.sqrt(v4)
-            v5 = 1.0 / v4
-            factor1 = w1 * v5
-            v6 = v2 * factor1
-            v7 = v3 * factor1
-            v8 = w1 * (v5 * (T13 * v2 + T23 * v3))
-            v9 = T33 * T33 + v8 * v8
-            w234 = math.sqrt(v9)
-            v10 = 1.0 / v9
-            v11 = w234 * v10
-            v12 = d5 * T33
-            v13 = T34 - d1
-            v14 = v11 * v12
-            Z1_3 = v13 - v14
-            v15 = d5 * v8
-            v16 = T14 * v6 + T24 * v7
-            v17 = a1 + v16
-            v18 = a1 - v16
-            v19 = v11 * v15
-            v20 = v19 - v17
-            v21 = w234 * (v10 * v15)
-            Z2_3_p = v21 - v17
-            v22 = v18 + v21
-            v23 = Z1_3 * Z1_3
-            N3_p = v23 + Z2_3_p * Z2_3_p
-            N3_m = v23 + v22 * v22
+            sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+            Xhat1 = T14 + T13 * sigma1
+            Yhat1 = T24 + T23 * sigma1
+            v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
+            w1 = math.sqrt(v1)
+            v2 = 1.0 / v1
+            factor1 = w1 * v2
+            v3 = Xhat1 * factor1
+            v4 = Yhat1 * factor1
+            v5 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1))
+            v6 = T33 * T33 + v5 * v5
+            w234 = math.sqrt(v6)
+            v7 = 1.0 / v6
+            v8 = w234 * v7
+            v9 = d5 * T33
+            v10 = T34 - d1
+            v11 = v8 * v9
+            Z1_3 = v10 - v11
+            v12 = d5 * v5
+            v13 = T14 * v3 + T24 * v4
+            v14 = a1 + v13
+            v15 = a1 - v13
+            v16 = v8 * v12
+            v17 = v16 - v14
+            v18 = w234 * (v7 * v12)
+            Z2_3_p = v18 - v14
+            v19 = v15 + v18
+            v20 = Z1_3 * Z1_3
+            N3_p = v20 + Z2_3_p * Z2_3_p
+            N3_m = v20 + v19 * v19
             K3_p = N3_p - k1
             K3_m = N3_m - k1
             D3_p = (longest3 - N3_p) * (N3_p - shortest3)
             D3_m = (longest3 - N3_m) * (N3_m - shortest3)
             w3_p = math.sqrt(D3_p)
             w3_m = math.sqrt(D3_m)
-            v24 = w3_p - w3_p
-            v25 = w3_m - w3_m
+            v21 = w3_p - w3_p
+            v22 = w3_m - w3_m
             s3_p = k2 * w3_p
             s3_m = k2 * w3_m
             c3_p = k2 * K3_p
             c3_m = k2 * K3_m
-            v26 = v12 * v13
-            v27 = v10 * (v12 * v12 + v15 * v15)
-            v28 = v13 * v13
-            Y1_2_p = m7 * (v27 + (v28 + v17 * v17)) - w234 * (m6 * (v10 * (v26 + v15 * v17)))
-            Y1_2_m = m7 * (v27 + (v28 + v18 * v18)) - w234 * (m6 * (v10 * (v26 - v15 * v18)))
-            v29 = Z1_3 * Y1_2_p
-            v30 = Z1_3 * Y1_2_m
-            v31 = v29 + w3_p * (m7 * v20)
-            v32 = v29 + w3_p * (m7 * -v20)
-            v33 = w3_m * (m7 * (v18 + v19))
-            v34 = v30 - v33
-            v35 = v30 + v33
-            v36 = Z2_3_p * Y1_2_p
-            v37 = v22 * Y1_2_m
-            v38 = m7 * Z1_3
-            v39 = m7 * -Z1_3
-            C2_pp = v36 - w3_p * v38
-            C2_pm = v36 - w3_p * v39
-            v40 = v37 + w3_m * v38
-            v41 = v37 + w3_m * v39
-            v42 = v31 * v31 + C2_pp * C2_pp
-            v43 = v32 * v32 + C2_pm * C2_pm
-            v44 = v34 * v34 + v40 * v40
-            v45 = v35 * v35 + v41 * v41
-            w2_pp = math.sqrt(v42)
-            w2_pm = math.sqrt(v43)
-            w2_mp = math.sqrt(v44)
-            w2_mm = math.sqrt(v45)
+            v23 = v9 * v10
+            v24 = v7 * (v9 * v9 + v12 * v12)
+            v25 = v10 * v10
+            Y1_2_p = m7 * (v24 + (v25 + v14 * v14)) - w234 * (m6 * (v7 * (v23 + v12 * v14)))
+            Y1_2_m = m7 * (v24 + (v25 + v15 * v15)) - w234 * (m6 * (v7 * (v23 - v12 * v15)))
+            v26 = Z1_3 * Y1_2_p
+            v27 = Z1_3 * Y1_2_m
+            v28 = v26 + w3_p * (m7 * v17)
+            v29 = v26 + w3_p * (m7 * -v17)
+            v30 = w3_m * (m7 * (v15 + v16))
+            v31 = v27 - v30
+            v32 = v27 + v30
+            v33 = Z2_3_p * Y1_2_p
+            v34 = v19 * Y1_2_m
+            v35 = m7 * Z1_3
+            v36 = m7 * -Z1_3
+            C2_pp = v33 - w3_p * v35
+            C2_pm = v33 - w3_p * v36
+            v37 = v34 + w3_m * v35
+            v38 = v34 + w3_m * v36
+            v39 = v28 * v28 + C2_pp * C2_pp
+            v40 = v29 * v29 + C2_pm * C2_pm
+            v41 = v31 * v31 + v37 * v37
+            v42 = v32 * v32 + v38 * v38
+            w2_pp = math.sqrt(v39)
+            w2_pm = math.sqrt(v40)
+            w2_mp = math.sqrt(v41)
+            w2_mm = math.sqrt(v42)
+            v43 = 1.0 / v39
+            v44 = 1.0 / v40
+            v45 = 1.0 / v41
             v46 = 1.0 / v42
-            v47 = 1.0 / v43
-            v48 = 1.0 / v44
-            v49 = 1.0 / v45
-            factor2_pp = w2_pp * v46
-            factor2_pm = w2_pm * v47
-            factor2_mp = w2_mp * v48
-            factor2_mm = w2_mm * v49
-            v50 = a1 - v19
-            v51 = a1 + v19
-            v52 = v50 + w2_pp * (v46 * (a3 * (c3_p * C2_pp + s3_p * v31) + a2 * C2_pp))
-            v53 = v50 + w2_pm * (v47 * (a3 * (c3_p * C2_pm - s3_p * v32) + a2 * C2_pm))
-            v54 = v51 + w2_mp * (v48 * (a3 * (s3_m * v34 - c3_m * v40) - a2 * v40))
-            v55 = v51 - w2_mm * (v49 * (a3 * (c3_m * v41 + s3_m * v35) + a2 * v41))
-            v56 = d1 + v14
-            v57 = T33 - T33 * v11
-            v58 = T13 - v11 * (v6 * v8)
-            v59 = T23 - v11 * (v7 * v8)
-            v60 = (
-                T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v31)) - (v56 + factor2_pp * (a2 *
+            factor2_pp = w2_pp * v43
+            factor2_pm = w2_pm * v44
+            factor2_mp = w2_mp * v45
+            factor2_mm = w2_mm * v46
+            v47 = a1 - v16
+            v48 = a1 + v16
+            v49 = v47 + w2_pp * (v43 * (a3 * (c3_p * C2_pp + s3_p * v28) + a2 * C2_pp))
+            v50 = v47 + w2_pm * (v44 * (a3 * (c3_p * C2_pm - s3_p * v29) + a2 * C2_pm))
+            v51 = v48 + w2_mp * (v45 * (a3 * (s3_m * v31 - c3_m * v37) - a2 * v37))
+            v52 = v48 - w2_mm * (v46 * (a3 * (c3_m * v38 + s3_m * v32) + a2 * v38))
+            v53 = d1 + v11
+            v54 = T33 - T33 * v8
+            v55 = T13 - v8 * (v3 * v5)
+            v56 = T23 - v8 * (v4 * v5)
+            v57 = (
+                T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v28)) - (v53 + factor2_pp * (a2 *
+                v28)))
+            )
+            v58 = (
+                T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v29)) + (v53 + factor2_pm * (a2 *
+                v29)))
+            )
+            v59 = (
+                T34 - (factor2_mp * (a3 * (s3_m * v37 + c3_m * v31)) + (v53 + factor2_mp * (a2 *
                 v31)))
             )
-            v61 = (
-                T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v32)) + (v56 + factor2_pm * (a2 *
+            v60 = (
+                T34 + (factor2_mm * (a3 * (s3_m * v38 - c3_m * v32)) - (v53 + factor2_mm * (a2 *
                 v32)))
             )
-            v62 = (
-                T34 - (factor2_mp * (a3 * (s3_m * v40 + c3_m * v34)) + (v56 + factor2_mp * (a2 *
-                v34)))
-            )
-            v63 = (
-                T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35)) - (v56 + factor2_mm * (a2 *
-                v35)))
-            )
-            v64 = T14 + v6 * v52
-            v65 = T14 + v6 * v53
-            v66 = T14 - v6 * v54
-            v67 = T14 - v6 * v55
-            v68 = T24 + v7 * v52
-            v69 = T24 + v7 * v53
-            v70 = T24 - v7 * v54
-            v71 = T24 - v7 * v55
+            v61 = T14 + v3 * v49
+            v62 = T14 + v3 * v50
+            v63 = T14 - v3 * v51
+            v64 = T14 - v3 * v52
+            v65 = T24 + v4 * v49
+            v66 = T24 + v4 * v50
+            v67 = T24 - v4 * v51
+            v68 = T24 - v4 * v52
+            v69 = v57 * v57 + v61 * v61 + v65 * v65
+            v70 = v58 * v58 + v62 * v62 + v66 * v66
+            v71 = v59 * v59 + v63 * v63 + v67 * v67
             v72 = v60 * v60 + v64 * v64 + v68 * v68
-            v73 = v61 * v61 + v65 * v65 + v69 * v69
-            v74 = v62 * v62 + v66 * v66 + v70 * v70
-            v75 = v63 * v63 + v67 * v67 + v71 * v71
-            v84 = math.sqrt(-1.0)
-            v85 = 0.0 if v72 <= m10 else v84
-            v86 = 0.0 if v73 <= m10 else v84
-            v87 = 0.0 if v74 <= m10 else v84
-            v88 = 0.0 if v75 <= m10 else v84
-            v91 = v24 + given1
-            v92 = v25 + given1
-            q5_pp = v85 + v91
-            q5_pm = v86 + v91
-            q5_mp = v87 + v92
-            q5_mm = v88 + v92
-            work[288 + k] = v3
-            work[304 + k] = v4
-            work[320 + k] = v9
+            v81 = math.sqrt(-1.0)
+            v82 = 0.0 if v69 <= m10 else v81
+            v83 = 0.0 if v70 <= m10 else v81
+            v84 = 0.0 if v71 <= m10 else v81
+            v85 = 0.0 if v72 <= m10 else v81
+            v88 = v21 + given1
+            v89 = v22 + given1
+            q5_pp = v82 + v88
+            q5_pm = v83 + v88
+            q5_mp = v84 + v89
+            q5_mm = v85 + v89
+            work[288 + k] = Yhat1
+            work[304 + k] = v1
+            work[320 + k] = v6
             work[336 + k] = D3_p
             work[352 + k] = D3_m
-            work[368 + k] = v24
-            work[384 + k] = v25
-            work[400 + k] = v42
-            work[416 + k] = v43
-            work[432 + k] = v44
-            work[448 + k] = v45
-            work[464 + k] = v57
-            work[480 + k] = v58
-            work[496 + k] = v59
-            work[512 + k] = v72
-            work[528 + k] = v73
-            work[544 + k] = v74
-            work[560 + k] = v75
-            work[576 + k] = v85
-            work[592 + k] = v86
-            work[608 + k] = v87
-            work[624 + k] = v88
+            work[368 + k] = v21
+            work[384 + k] = v22
+            work[400 + k] = v39
+            work[416 + k] = v40
+            work[432 + k] = v41
+            work[448 + k] = v42
+            work[464 + k] = v54
+            work[480 + k] = v55
+            work[496 + k] = v56
+            work[512 + k] = v69
+            work[528 + k] = v70
+            work[544 + k] = v71
+            work[560 + k] = v72
+            work[576 + k] = v82
+            work[592 + k] = v83
+            work[608 + k] = v84
+            work[624 + k] = v85
             work[640 + k] = q5_pp
             work[656 + k] = q5_pm
             work[672 + k] = q5_mp
             work[688 + k] = q5_mm
-            work[704 + k] = -v3
-            work[720 + k] = -v8
+            work[704 + k] = -Yhat1
+            work[720 + k] = -v5
             work[736 + k] = w3_p
             work[752 + k] = w3_m
-            work[768 + k] = -v31
-            work[784 + k] = -v32
-            work[800 + k] = -v34
-            work[816 + k] = -v35
-            work[832 + k] = -v2
+            work[768 + k] = -v28
+            work[784 + k] = -v29
+            work[800 + k] = -v31
+            work[816 + k] = -v32
+            work[832 + k] = -Xhat1
             work[848 + k] = T33
             work[864 + k] = K3_p
             work[880 + k] = K3_m
             work[896 + k] = C2_pp
             work[912 + k] = C2_pm
-            work[928 + k] = -v40
-            work[944 + k] = -v41
+            work[928 + k] = -v37
+            work[944 + k] = -v38
         for k in range(704, 832):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 16):
-            v3 = work[288 + k]
-            v4 = work[304 + k]
-            v9 = work[320 + k]
+            Yhat1 = work[288 + k]
+            v1 = work[304 + k]
+            v6 = work[320 + k]
             D3_p = work[336 + k]
             D3_m = work[352 + k]
-            v24 = work[368 + k]
-            v25 = work[384 + k]
-            v42 = work[400 + k]
-            v43 = work[416 + k]
-            v44 = work[432 + k]
-            v45 = work[448 + k]
-            v57 = work[464 + k]
-            v58 = work[480 + k]
-            v59 = work[496 + k]
-            v72 = work[512 + k]
-            v73 = work[528 + k]
-            v74 = work[544 + k]
-            v75 = work[560 + k]
-            v85 = work[576 + k]
-            v86 = work[592 + k]
-            v87 = work[608 + k]
-            v88 = work[624 + k]
+            v21 = work[368 + k]
+            v22 = work[384 + k]
+            v39 = work[400 + k]
+            v40 = work[416 + k]
+            v41 = work[432 + k]
+            v42 = work[448 + k]
+            v54 = work[464 + k]
+            v55 = work[480 + k]
+            v56 = work[496 + k]
+            v69 = work[512 + k]
+            v70 = work[528 + k]
+            v71 = work[544 + k]
+            v72 = work[560 + k]
+            v82 = work[576 + k]
+            v83 = work[592 + k]
+            v84 = work[608 + k]
+            v85 = work[624 + k]
             q5_pp = work[640 + k]
             q5_pm = work[656 + k]
             q5_mp = work[672 + k]
@@ -1621,32 +1621,32 @@ def _in_tiles(T, q_free, q, status):
             angle6 = work[784 + k]
             angle7 = work[800 + k]
             angle8 = work[816 + k]
-            v76 = angle2 - (angle3 + angle5) - offset4
-            v77 = angle2 - (angle6 - angle3) - offset4
-            v78 = offset4 + (angle2 + (angle4 + angle7))
-            v79 = offset4 + (angle2 + (angle8 - angle4))
-            v80 = v76 + (turn if v76 <= -half_turn else (-turn if half_turn < v76 else 0.0))
-            v81 = v77 + (turn if v77 <= -half_turn else (-turn if half_turn < v77 else 0.0))
-            v82 = (turn if -v78 <= -half_turn else (-turn if half_turn < -v78 else 0.0)) - v78
-            v83 = (turn if -v79 <= -half_turn else (-turn if half_turn < -v79 else 0.0)) - v79
-            v89 = angle1 + v24
-            v90 = v25 + (angle1 - math.copysign(half_turn, -v3))
-            q1_pp = v85 + v89
-            q1_pm = v86 + v89
-            q1_mp = v87 + v90
-            q1_mm = v88 + v90
-            q2_pp = angle5 + v85
-            q2_pm = angle6 + v86
-            q2_mp = angle7 + v87
-            q2_mm = angle8 + v88
-            q3_pp = angle3 + v85
-            q3_pm = v86 - angle3
-            q3_mp = angle4 + v87
-            q3_mm = v88 - angle4
-            q4_pp = v85 + (v80 + (turn if v80 <= -half_turn else 0.0))
-            q4_pm = v86 + (v81 + (turn if v81 <= -half_turn else 0.0))
-            q4_mp = v87 + (v82 + (turn if v82 <= -half_turn else 0.0))
-            q4_mm = v88 + (v83 + (turn if v83 <= -half_turn else 0.0))
+            v73 = angle2 - (angle3 + angle5) - offset4
+            v74 = angle2 - (angle6 - angle3) - offset4
+            v75 = offset4 + (angle2 + (angle4 + angle7))
+            v76 = offset4 + (angle2 + (angle8 - angle4))
+            v77 = v73 + (turn if v73 <= -half_turn else (-turn if half_turn < v73 else 0.0))
+            v78 = v74 + (turn if v74 <= -half_turn else (-turn if half_turn < v74 else 0.0))
+            v79 = (turn if -v75 <= -half_turn else (-turn if half_turn < -v75 else 0.0)) - v75
+            v80 = (turn if -v76 <= -half_turn else (-turn if half_turn < -v76 else 0.0)) - v76
+            v86 = angle1 + v21
+            v87 = v22 + (angle1 - math.copysign(half_turn, -Yhat1))
+            q1_pp = v82 + v86
+            q1_pm = v83 + v86
+            q1_mp = v84 + v87
+            q1_mm = v85 + v87
+            q2_pp = angle5 + v82
+            q2_pm = angle6 + v83
+            q2_mp = angle7 + v84
+            q2_mm = angle8 + v85
+            q3_pp = angle3 + v82
+            q3_pm = v83 - angle3
+            q3_mp = angle4 + v84
+            q3_mm = v85 - angle4
+            q4_pp = v82 + (v77 + (turn if v77 <= -half_turn else 0.0))
+            q4_pm = v83 + (v78 + (turn if v78 <= -half_turn else 0.0))
+            q4_mp = v84 + (v79 + (turn if v79 <= -half_turn else 0.0))
+            q4_mm = v85 + (v80 + (turn if v80 <= -half_turn else 0.0))
             _960 = q1_pp
             work[960 + k] = _960
             _976 = q2_pp
@@ -1692,9 +1692,9 @@ def _in_tiles(T, q_free, q, status):
             work[1312 + k] = UNREACHABLE if _1120 != _1120 else OK
             work[1328 + k] = UNREACHABLE if _1200 != _1200 else OK
             work[272 + k] = (
-                1.0 if v9 <= m3 or v4 <= m1 or (m10 < v75 and v75 <= m11) or v45 <= m8 or (m10 < v74
-                and v74 <= m11) or v44 <= m8 or (m10 < v73 and v73 <= m11) or v43 <= m8 or (m10 <
-                v72 and v72 <= m11) or v42 <= m8 or m9 < v57 * v57 + v58 * v58 + v59 * v59 or (-m4
+                1.0 if v6 <= m3 or v1 <= m1 or (m10 < v72 and v72 <= m11) or v42 <= m8 or (m10 < v71
+                and v71 <= m11) or v41 <= m8 or (m10 < v70 and v70 <= m11) or v40 <= m8 or (m10 <
+                v69 and v69 <= m11) or v39 <= m8 or m9 < v54 * v54 + v55 * v55 + v56 * v56 or (-m4
                 <= D3_p and D3_p <= m5) or (-m4 <= D3_m and D3_m <= m5) else work[272 + k]
             )
         for k in range(first, first + count):

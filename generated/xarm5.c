@@ -129,51 +129,52 @@ static void solve(
     (void)moved;
     ENTRIES(double);
 
-    /* theta1, type 2: U1[3, 4] and U1[3, 3] */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
-        v3 = T24 + T23 * v1;
-    const double w1 = sqrt(v2 * v2 + v3 * v3);
+    /* theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3] */
+    const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23);
+    const double Xhat1 = T14 + T13 * sigma1;
+    const double Yhat1 = T24 + T23 * sigma1;
+    const double w1 = sqrt(Xhat1 * Xhat1 + Yhat1 * Yhat1);
     const int free1 = w1 <= free_limit1;
     const double divisor1 = free1 ? 1.0 : w1;
-    const double v4 = seed[0] + offset1;
+    const double v1 = seed[0] + offset1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v5 = T33 * T33;
+    const double v2 = T33 * T33;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v11 = T34 - d1;
+    const double v8 = T34 - d1;
 
     /* theta2, type 3: U1[2, 4] and U1[1, 4] */
-    const double v15 = seed[1] + offset2;
+    const double v12 = seed[1] + offset2;
 
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(v4) : v2 * factor1, s1 = free1 ? sin(v4) : v3 * factor1;
+        const double c1 = free1 ? cos(v1) : Xhat1 * factor1, s1 = free1 ? sin(v1) : Yhat1 * factor1;
 
         /* theta234 */
         const double Z2_234 = T13 * c1 + T23 * s1;
-        const double w234 = sqrt(Z2_234 * Z2_234 + v5);
+        const double w234 = sqrt(Z2_234 * Z2_234 + v2);
         const int short234 = w234 <= free_limit;
         const double factor234 = 1.0 / (short234 ? 1.0 : w234);
-        const double c234 = T33 * factor234, v6 = Z2_234 * factor234;
-        const double theta234 = atan2(-v6, c234);
+        const double c234 = T33 * factor234, v3 = Z2_234 * factor234;
+        const double theta234 = atan2(-v3, c234);
 
         /* theta5, type 3: U1[3, 2] and U1[3, 1] */
         const double Z1_5 = T12 * s1 - T22 * c1;
         const double Z2_5 = T11 * s1 - T21 * c1;
         const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
         const int short5 = w5 <= free_limit;
-        const double v7 = 1.0 / (short5 ? 1.0 : w5), v8 = Z1_5 * v7, v9 = Z2_5 * v7;
-        const double q5 = atan2(-v9, -v8);
+        const double v4 = 1.0 / (short5 ? 1.0 : w5), v5 = Z1_5 * v4, v6 = Z2_5 * v4;
+        const double q5 = atan2(-v6, -v5);
 
         /* theta3 */
-        const double v10 = v6 * a4 - c234 * d5;
-        const double Z1_3 = v10 + v11;
-        const double v12 = c234 * a4 + v6 * d5;
-        const double Z2_3 = T14 * c1 + T24 * s1 - v12;
+        const double v7 = v3 * a4 - c234 * d5;
+        const double Z1_3 = v7 + v8;
+        const double v9 = c234 * a4 + v3 * d5;
+        const double Z2_3 = T14 * c1 + T24 * s1 - v9;
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
@@ -187,13 +188,13 @@ static void solve(
 
         /* theta2 */
         const double X1_2 = a2 + a3 * c3;
-        const double v13 = Z1_3 * X1_2, v14 = Z2_3 * X1_2;
+        const double v10 = Z1_3 * X1_2, v11 = Z2_3 * X1_2;
 
         /* is the pose one that the arm can take? */
-        const double v17 = d1 + -v10;
-        if (!(fabs(T33 - c234) <= pose_slack && fabs(T31 - v6 * v8) <= pose_slack && fabs(T23 - s1 *
-            v6) <= pose_slack && fabs(T21 + (v8 * (s1 * c234) + c1 * v9)) <= pose_slack && fabs(T11
-            - (s1 * v9 - v8 * (c1 * c234))) <= pose_slack && fabs(T13 - c1 * v6) <= pose_slack))
+        const double v14 = d1 + -v7;
+        if (!(fabs(T33 - c234) <= pose_slack && fabs(T31 - v3 * v5) <= pose_slack && fabs(T23 - s1 *
+            v3) <= pose_slack && fabs(T21 + (v5 * (s1 * c234) + c1 * v6)) <= pose_slack && fabs(T11
+            - (s1 * v6 - v5 * (c1 * c234))) <= pose_slack && fabs(T13 - c1 * v3) <= pose_slack))
             continue; /* the arm can't take this pose */
 
         /* joint values */
@@ -208,19 +209,19 @@ static void solve(
 
             /* theta2 */
             const double Y1_2 = a3 * s3;
-            const double S2 = v13 - Z2_3 * Y1_2;
-            const double C2 = v14 + Z1_3 * Y1_2;
+            const double S2 = v10 - Z2_3 * Y1_2;
+            const double C2 = v11 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v15) : C2 * factor2, s2 = free2 ? sin(v15) : S2 * factor2;
+            const double c2 = free2 ? cos(v12) : C2 * factor2, s2 = free2 ? sin(v12) : S2 * factor2;
             const double theta2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
-                v16 = a3 * c23 + (v12 + a2 * c2);
-            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 && fabs(T14 - c1 * v16) <=
-                pose_slack1 && fabs(T24 - s1 * v16) <= pose_slack1))
+                v13 = a3 * c23 + (v9 + a2 * c2);
+            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 && fabs(T14 - c1 * v13) <=
+                pose_slack1 && fabs(T24 - s1 * v13) <= pose_slack1))
                 continue; /* the arm can't take this pose */
 
             /* joint values */
@@ -257,99 +258,100 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide v1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
-        v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = dhgen_sqrt_wide(v4),
-        v5 = 1.0 / v4, factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1;
+    const dhgen_wide sigma1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
+        Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
+        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, factor1 = w1 * v2, c1 = Xhat1 * factor1,
+        s1 = Yhat1 * factor1;
 
     /* theta234 */
-    const dhgen_wide v6 = v5 * (T13 * v2 + T23 * v3), Z2_234 = w1 * v6,
-        v7 = T33 * T33 + Z2_234 * Z2_234, factor234 = dhgen_sqrt_wide(v7) * (1.0 / v7),
+    const dhgen_wide v3 = v2 * (T13 * Xhat1 + T23 * Yhat1), Z2_234 = w1 * v3,
+        v4 = T33 * T33 + Z2_234 * Z2_234, factor234 = dhgen_sqrt_wide(v4) * (1.0 / v4),
         angle1 = dhgen_atan2_wide(-Z2_234, T33);
 
     /* theta5 */
-    const dhgen_wide Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22)),
-        Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21)), v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5,
-        v9 = dhgen_sqrt_wide(v8) * (1.0 / v8), v10 = Z1_5 * v9, v11 = Z2_5 * v9,
+    const dhgen_wide Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22)),
+        Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21)), v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5,
+        v6 = dhgen_sqrt_wide(v5) * (1.0 / v5), v7 = Z1_5 * v6, v8 = Z2_5 * v6,
         angle2 = dhgen_atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
-    const dhgen_wide v12 = d5 * T33, v13 = w1 * (m4 * v6), v14 = v13 - v12, v15 = T34 - d1,
-        Z1_3_p = v15 + factor234 * v14, v16 = factor234 * (v12 + v13), Z1_3_m = v15 - v16,
-        v17 = a4 * T33, v18 = T14 * c1 + T24 * s1, v19 = w1 * (m5 * v6),
-        v20 = factor234 * (v17 + v19), v21 = factor234 * (v17 - v19), Z2_3_p = v18 - v20,
-        v22 = v18 + v21, N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p,
-        N3_m = Z1_3_m * Z1_3_m + v22 * v22, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+    const dhgen_wide v9 = d5 * T33, v10 = w1 * (m4 * v3), v11 = v10 - v9, v12 = T34 - d1,
+        Z1_3_p = v12 + factor234 * v11, v13 = factor234 * (v9 + v10), Z1_3_m = v12 - v13,
+        v14 = a4 * T33, v15 = T14 * c1 + T24 * s1, v16 = w1 * (m5 * v3),
+        v17 = factor234 * (v14 + v16), v18 = factor234 * (v14 - v16), Z2_3_p = v15 - v17,
+        v19 = v15 + v18, N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p,
+        N3_m = Z1_3_m * Z1_3_m + v19 * v19, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
         D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m), v23 = w3_p - w3_p, v24 = w3_m - w3_m,
+        w3_m = dhgen_sqrt_wide(D3_m), v20 = w3_p - w3_p, v21 = w3_m - w3_m,
         angle3 = dhgen_atan2_wide(w3_p, N3_p - k1), angle4 = dhgen_atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
-    const dhgen_wide v25 = m7 * N3_p - m8, v26 = m7 * N3_m - m8, v27 = Z1_3_p * v25,
-        v28 = Z1_3_m * v26, S2_pp = v27 - w3_p * (m7 * Z2_3_p), S2_pm = v27 - w3_p * (m7 * -Z2_3_p),
-        v29 = w3_m * (m7 * v22), S2_mp = v28 + v29, S2_mm = v28 - v29, v30 = Z2_3_p * v25,
-        v31 = v22 * v26, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m, v32 = w3_p * (m7 * Z1_3_p),
-        angle5 = dhgen_atan2_wide(S2_pp, v30 + v32), angle6 = dhgen_atan2_wide(S2_pm, v30 - v32),
-        angle7 = dhgen_atan2_wide(S2_mp, w3_m * (m7 * Z1_3_m) - v31),
-        angle8 = dhgen_atan2_wide(S2_mm, w3_m * (m7 * -Z1_3_m) - v31);
+    const dhgen_wide v22 = m7 * N3_p - m8, v23 = m7 * N3_m - m8, v24 = Z1_3_p * v22,
+        v25 = Z1_3_m * v23, S2_pp = v24 - w3_p * (m7 * Z2_3_p), S2_pm = v24 - w3_p * (m7 * -Z2_3_p),
+        v26 = w3_m * (m7 * v19), S2_mp = v25 + v26, S2_mm = v25 - v26, v27 = Z2_3_p * v22,
+        v28 = v19 * v23, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m, v29 = w3_p * (m7 * Z1_3_p),
+        angle5 = dhgen_atan2_wide(S2_pp, v27 + v29), angle6 = dhgen_atan2_wide(S2_pm, v27 - v29),
+        angle7 = dhgen_atan2_wide(S2_mp, w3_m * (m7 * Z1_3_m) - v28),
+        angle8 = dhgen_atan2_wide(S2_mm, w3_m * (m7 * -Z1_3_m) - v28);
 
     /* is the pose one that the arm can take? */
-    const dhgen_wide v33 = Z1_3_p * (m9 + m10 * factor2_p), v34 = Z1_3_m * (m9 + m10 * factor2_m),
-        v35 = v20 + Z2_3_p, v36 = v21 - v22, v37 = d1 + factor234 * -v14, v38 = d1 + v16,
-        v39 = T33 - T33 * factor234, v40 = T31 - factor234 * (Z2_234 * v10),
-        v41 = T23 - factor234 * (s1 * Z2_234),
-        v42 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33))),
-        v43 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33))),
-        v44 = T13 - factor234 * (c1 * Z2_234),
-        v45 = T34 - (a3 * (v33 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v37 + a2 * (S2_pp *
+    const dhgen_wide v30 = Z1_3_p * (m9 + m10 * factor2_p), v31 = Z1_3_m * (m9 + m10 * factor2_m),
+        v32 = v17 + Z2_3_p, v33 = v18 - v19, v34 = d1 + factor234 * -v11, v35 = d1 + v13,
+        v36 = T33 - T33 * factor234, v37 = T31 - factor234 * (Z2_234 * v7),
+        v38 = T23 - factor234 * (s1 * Z2_234),
+        v39 = T21 + (c1 * v8 + factor234 * (v7 * (s1 * T33))),
+        v40 = T11 - (s1 * v8 - factor234 * (v7 * (c1 * T33))),
+        v41 = T13 - factor234 * (c1 * Z2_234),
+        v42 = T34 - (a3 * (v30 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pp *
             factor2_p))),
-        v46 = T34 - (a3 * (v33 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v37 + a2 * (S2_pm *
-            factor2_p))), v47 = w3_m * (m9 * (v22 * factor2_m)),
-        v48 = T34 - (a3 * (v34 - v47) + (v38 + a2 * (S2_mp * factor2_m))),
-        v49 = T34 - (a3 * (v34 + v47) + (v38 + a2 * (S2_mm * factor2_m))), v50 = T14 - c1 * v35,
-        v51 = T14 + c1 * v36, v52 = T24 - s1 * v35, v53 = T24 + s1 * v36, v54 = v50 * v50,
-        v55 = v51 * v51, v56 = v52 * v52, v57 = v53 * v53, v58 = v56 + (v54 + v45 * v45),
-        v59 = v56 + (v54 + v46 * v46), v60 = v57 + (v55 + v48 * v48), v61 = v57 + (v55 + v49 * v49);
+        v43 = T34 - (a3 * (v30 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pm *
+            factor2_p))), v44 = w3_m * (m9 * (v19 * factor2_m)),
+        v45 = T34 - (a3 * (v31 - v44) + (v35 + a2 * (S2_mp * factor2_m))),
+        v46 = T34 - (a3 * (v31 + v44) + (v35 + a2 * (S2_mm * factor2_m))), v47 = T14 - c1 * v32,
+        v48 = T14 + c1 * v33, v49 = T24 - s1 * v32, v50 = T24 + s1 * v33, v51 = v47 * v47,
+        v52 = v48 * v48, v53 = v49 * v49, v54 = v50 * v50, v55 = v53 + (v51 + v42 * v42),
+        v56 = v53 + (v51 + v43 * v43), v57 = v54 + (v52 + v45 * v45), v58 = v54 + (v52 + v46 * v46);
 
     /* joint values */
-    const dhgen_wide angle9 = dhgen_atan2_wide(v3, v2), v62 = angle9 - offset1,
-        v63 = angle9 - dhgen_signed_wide(DHGEN_HALF_TURN, v3) - offset1, v64 = angle5 - offset2,
-        v65 = angle6 - offset2, v66 = angle7 - offset2, v67 = angle8 - offset2,
-        v68 = angle3 - offset3, v69 = offset3 + angle3, v70 = angle4 - offset3,
-        v71 = offset3 + angle4, v72 = angle1 - (angle3 + angle5) - offset4,
-        v73 = angle1 - (angle6 - angle3) - offset4, v74 = offset4 + (angle1 + (angle4 + angle7)),
-        v75 = offset4 + (angle1 + (angle8 - angle4)), v76 = dhgen_centred_wide(v72),
-        v77 = dhgen_centred_wide(v73),
-        v78 = dhgen_pick_wide(-v74 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
-            dhgen_only_wide(DHGEN_HALF_TURN < -v74, -DHGEN_TURN)) - v74,
-        v79 = dhgen_pick_wide(-v75 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
-            dhgen_only_wide(DHGEN_HALF_TURN < -v75, -DHGEN_TURN)) - v75;
-    const double v80 = DHGEN_NAN;
-    const dhgen_wide v81 = dhgen_only_wide((v58 <= m12) == 0, v80),
-        v82 = dhgen_only_wide((v59 <= m12) == 0, v80),
-        v83 = dhgen_only_wide((v60 <= m12) == 0, v80),
-        v84 = dhgen_only_wide((v61 <= m12) == 0, v80), v85 = v23 + dhgen_raised_wide(v62),
-        v86 = v24 + dhgen_raised_wide(v63), v87 = angle2 + v23,
-        v88 = v24 + (angle2 - dhgen_signed_wide(DHGEN_HALF_TURN, -Z2_5));
+    const dhgen_wide angle9 = dhgen_atan2_wide(Yhat1, Xhat1), v59 = angle9 - offset1,
+        v60 = angle9 - dhgen_signed_wide(DHGEN_HALF_TURN, Yhat1) - offset1, v61 = angle5 - offset2,
+        v62 = angle6 - offset2, v63 = angle7 - offset2, v64 = angle8 - offset2,
+        v65 = angle3 - offset3, v66 = offset3 + angle3, v67 = angle4 - offset3,
+        v68 = offset3 + angle4, v69 = angle1 - (angle3 + angle5) - offset4,
+        v70 = angle1 - (angle6 - angle3) - offset4, v71 = offset4 + (angle1 + (angle4 + angle7)),
+        v72 = offset4 + (angle1 + (angle8 - angle4)), v73 = dhgen_centred_wide(v69),
+        v74 = dhgen_centred_wide(v70),
+        v75 = dhgen_pick_wide(-v71 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
+            dhgen_only_wide(DHGEN_HALF_TURN < -v71, -DHGEN_TURN)) - v71,
+        v76 = dhgen_pick_wide(-v72 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
+            dhgen_only_wide(DHGEN_HALF_TURN < -v72, -DHGEN_TURN)) - v72;
+    const double v77 = DHGEN_NAN;
+    const dhgen_wide v78 = dhgen_only_wide((v55 <= m12) == 0, v77),
+        v79 = dhgen_only_wide((v56 <= m12) == 0, v77),
+        v80 = dhgen_only_wide((v57 <= m12) == 0, v77),
+        v81 = dhgen_only_wide((v58 <= m12) == 0, v77), v82 = v20 + dhgen_raised_wide(v59),
+        v83 = v21 + dhgen_raised_wide(v60), v84 = angle2 + v20,
+        v85 = v21 + (angle2 - dhgen_signed_wide(DHGEN_HALF_TURN, -Z2_5));
 
-    q[0] = v81 + v85; q[1] = v81 + dhgen_raised_wide(v64); q[2] = v81 + dhgen_raised_wide(v68);
-    q[3] = v81 + dhgen_lowered_wide(v76); q[4] = v81 + v87;
+    q[0] = v78 + v82; q[1] = v78 + dhgen_raised_wide(v61); q[2] = v78 + dhgen_raised_wide(v65);
+    q[3] = v78 + dhgen_lowered_wide(v73); q[4] = v78 + v84;
     kind[0] = dhgen_kind_wide(q[0]);
-    q[5] = v82 + v85; q[6] = v82 + dhgen_raised_wide(v65);
-    q[7] = v82 + (dhgen_only_wide(-v69 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v69);
-    q[8] = v82 + dhgen_lowered_wide(v77); q[9] = v82 + v87;
+    q[5] = v79 + v82; q[6] = v79 + dhgen_raised_wide(v62);
+    q[7] = v79 + (dhgen_only_wide(-v66 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v66);
+    q[8] = v79 + dhgen_lowered_wide(v74); q[9] = v79 + v84;
     kind[1] = dhgen_kind_wide(q[5]);
-    q[10] = v83 + v86; q[11] = v83 + dhgen_raised_wide(v66); q[12] = v83 + dhgen_raised_wide(v70);
-    q[13] = v83 + dhgen_lowered_wide(v78); q[14] = v83 + v88;
+    q[10] = v80 + v83; q[11] = v80 + dhgen_raised_wide(v63); q[12] = v80 + dhgen_raised_wide(v67);
+    q[13] = v80 + dhgen_lowered_wide(v75); q[14] = v80 + v85;
     kind[2] = dhgen_kind_wide(q[10]);
-    q[15] = v84 + v86; q[16] = v84 + dhgen_raised_wide(v67);
-    q[17] = v84 + (dhgen_only_wide(-v71 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v71);
-    q[18] = v84 + dhgen_lowered_wide(v79); q[19] = v84 + v88;
+    q[15] = v81 + v83; q[16] = v81 + dhgen_raised_wide(v64);
+    q[17] = v81 + (dhgen_only_wide(-v68 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v68);
+    q[18] = v81 + dhgen_lowered_wide(v76); q[19] = v81 + v85;
     kind[3] = dhgen_kind_wide(q[15]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (m11 < v39 * v39 + v40 * v40 + v41
-        * v41 + v42 * v42 + v43 * v43 + v44 * v44) | ((m12 < v61) & (v61 <= m13)) | ((m12 < v60) &
-        (v60 <= m13)) | ((m12 < v59) & (v59 <= m13)) | ((m12 < v58) & (v58 <= m13)) |
+    return (exact == 0) | ((v4 <= m2) | (v1 <= m1) | (v5 <= m2) | (m11 < v36 * v36 + v37 * v37 + v38
+        * v38 + v39 * v39 + v40 * v40 + v41 * v41) | ((m12 < v58) & (v58 <= m13)) | ((m12 < v57) &
+        (v57 <= m13)) | ((m12 < v56) & (v56 <= m13)) | ((m12 < v55) & (v55 <= m13)) |
         (dhgen_abs_wide(D3_p) <= m6) | (dhgen_abs_wide(D3_m) <= m6));
 }
 
@@ -368,72 +370,73 @@ DHGEN_INLINE int solve_regular(
     ENTRIES(double);
 
     /* theta1 */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
-        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt(v4), v5 = 1.0 / v4,
-        factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1;
+    const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23),
+        Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
+        w1 = sqrt(v1), v2 = 1.0 / v1, factor1 = w1 * v2, c1 = Xhat1 * factor1, s1 = Yhat1 * factor1;
 
     /* theta234 */
-    const double v6 = T13 * v2 + T23 * v3, Z2_234 = w1 * (v5 * v6),
-        v7 = T33 * T33 + Z2_234 * Z2_234, factor234 = sqrt(v7) * (1.0 / v7);
+    const double v3 = T13 * Xhat1 + T23 * Yhat1, Z2_234 = w1 * (v2 * v3),
+        v4 = T33 * T33 + Z2_234 * Z2_234, factor234 = sqrt(v4) * (1.0 / v4);
 
     /* theta5 */
-    const double Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22)), Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21)),
-        v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v9 = sqrt(v8) * (1.0 / v8), v10 = Z1_5 * v9,
-        v11 = Z2_5 * v9, v12 = copysign(DHGEN_HALF_TURN, -Z2_5);
-    const dhgen_four v13 = m3 * (e1 - 1.0);
+    const double Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22)),
+        Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21)), v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5,
+        v6 = sqrt(v5) * (1.0 / v5), v7 = Z1_5 * v6, v8 = Z2_5 * v6,
+        v9 = copysign(DHGEN_HALF_TURN, -Z2_5);
+    const dhgen_four v10 = m3 * (e1 - 1.0);
 
     /* theta3 */
-    const double v14 = d5 * T33;
-    const dhgen_four v15 = v5 * (e1 * v6), v16 = w1 * (m4 * v15) - v14;
-    const double v17 = T34 - d1;
-    const dhgen_four Z1_3 = v17 + factor234 * v16;
-    const double v18 = a4 * T33, v19 = T14 * c1 + T24 * s1;
-    const dhgen_four v20 = factor234 * (v18 + w1 * (m5 * v15)), Z2_3 = e1 * v19 - v20,
+    const double v11 = d5 * T33;
+    const dhgen_four v12 = v2 * (e1 * v3), v13 = w1 * (m4 * v12) - v11;
+    const double v14 = T34 - d1;
+    const dhgen_four Z1_3 = v14 + factor234 * v13;
+    const double v15 = a4 * T33, v16 = T14 * c1 + T24 * s1;
+    const dhgen_four v17 = factor234 * (v15 + w1 * (m5 * v12)), Z2_3 = e1 * v16 - v17,
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3), v21 = w3 - w3;
+        w3 = dhgen_sqrt_four(D3), v18 = w3 - w3;
 
     /* theta2 */
-    const dhgen_four v22 = e2 * Z2_3, v23 = m7 * N3 - m8, v24 = Z1_3 * v23,
-        S2 = v24 - w3 * (m7 * v22), v25 = Z2_3 * v23, factor2 = 1.0 / N3;
+    const dhgen_four v19 = e2 * Z2_3, v20 = m7 * N3 - m8, v21 = Z1_3 * v20,
+        S2 = v21 - w3 * (m7 * v19), v22 = Z2_3 * v20, factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
-    const dhgen_four v26 = Z1_3 * (m9 + m10 * factor2), v27 = v20 + Z2_3,
-        v28 = d1 + factor234 * -v16;
-    const double v29 = T33 - T33 * factor234, v30 = T31 - factor234 * (Z2_234 * v10),
-        v31 = T23 - factor234 * (s1 * Z2_234),
-        v32 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33))),
-        v33 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33))),
-        v34 = T13 - factor234 * (c1 * Z2_234);
-    const dhgen_four v35 = T34 - (a3 * (v26 + w3 * (m9 * (v22 * factor2))) + (v28 + a2 * (S2 *
-        factor2))), v36 = T14 - e1 * (c1 * v27), v37 = T24 - e1 * (s1 * v27), v38 = v36 * v36,
-        v39 = v37 * v37, v40 = v39 + (v38 + v35 * v35);
+    const dhgen_four v23 = Z1_3 * (m9 + m10 * factor2), v24 = v17 + Z2_3,
+        v25 = d1 + factor234 * -v13;
+    const double v26 = T33 - T33 * factor234, v27 = T31 - factor234 * (Z2_234 * v7),
+        v28 = T23 - factor234 * (s1 * Z2_234),
+        v29 = T21 + (c1 * v8 + factor234 * (v7 * (s1 * T33))),
+        v30 = T11 - (s1 * v8 - factor234 * (v7 * (c1 * T33))),
+        v31 = T13 - factor234 * (c1 * Z2_234);
+    const dhgen_four v32 = T34 - (a3 * (v23 + w3 * (m9 * (v19 * factor2))) + (v25 + a2 * (S2 *
+        factor2))), v33 = T14 - e1 * (c1 * v24), v34 = T24 - e1 * (s1 * v24), v35 = v33 * v33,
+        v36 = v34 * v34, v37 = v36 + (v35 + v32 * v32);
 
     /* joint values */
-    const double v41 = copysign(DHGEN_HALF_TURN, v3), v49 = DHGEN_NAN;
-    const dhgen_four v50 = dhgen_only_four((v40 <= m12) == 0, v49);
+    const double v38 = copysign(DHGEN_HALF_TURN, Yhat1), v46 = DHGEN_NAN;
+    const dhgen_four v47 = dhgen_only_four((v37 <= m12) == 0, v46);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
-        (dhgen_abs_four(D3) <= m6) | ((m12 < v40) & (v40 <= m13))) | (unsigned)((v7 <= m2) | (v4 <=
-        m1) | (m11 < v29 * v29 + v30 * v30 + v31 * v31 + v32 * v32 + v33 * v33 + v34 * v34) | (v8 <=
+        (dhgen_abs_four(D3) <= m6) | ((m12 < v37) & (v37 <= m13))) | (unsigned)((v4 <= m2) | (v1 <=
+        m1) | (m11 < v26 * v26 + v27 * v27 + v28 * v28 + v29 * v29 + v30 * v30 + v31 * v31) | (v5 <=
         m2)))
         return -1;
 
-    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(v3, v3, v3, v3),
-        dhgen_four_of(v2, v2, v2, v2)),
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(Yhat1, Yhat1, Yhat1, Yhat1),
+        dhgen_four_of(Xhat1, Xhat1, Xhat1, Xhat1)),
         ratio2 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(w3, dhgen_all_four(-Z2_234), 0, 5, 2,
             3), dhgen_all_four(-Z2_5), 0, 1, 2, 7), dhgen_shuffle(dhgen_shuffle(N3 - k1,
             dhgen_all_four(T33), 0, 5, 2, 3), dhgen_all_four(-Z1_5), 0, 1, 2, 7)),
-        ratio3 = dhgen_ratio_four(S2, v25 + w3 * (m7 * (e2 * Z1_3)));
+        ratio3 = dhgen_ratio_four(S2, v22 + w3 * (m7 * (e2 * Z1_3)));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle5 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0), packed2 = dhgen_angle_four(ratio2),
         angle3 = dhgen_shuffle(packed2, packed2, 0, 0, 2, 2),
         angle1 = dhgen_shuffle(packed2, packed2, 1, 1, 1, 1),
         angle2 = dhgen_shuffle(packed2, packed2, 3, 3, 3, 3), angle4 = dhgen_angle_four(ratio3);
-    const dhgen_four v42 = angle5 + v13 * v41 - offset1, v43 = angle4 - offset2, v44 = e2 * angle3,
-        v45 = v44 - offset3, v46 = e1 * angle1, v47 = v46 - (angle4 + v44) - offset4,
-        v48 = dhgen_centred_four(v47), v51 = v21 + dhgen_raised_four(v42), q1 = v50 + v51,
-        q2 = v50 + dhgen_raised_four(v43), q3 = v50 + dhgen_raised_four(v45),
-        q4 = v50 + dhgen_lowered_four(v48), v52 = v21 + (angle2 + v12 * v13), q5 = v50 + v52;
+    const dhgen_four v39 = angle5 + v10 * v38 - offset1, v40 = angle4 - offset2, v41 = e2 * angle3,
+        v42 = v41 - offset3, v43 = e1 * angle1, v44 = v43 - (angle4 + v41) - offset4,
+        v45 = dhgen_centred_four(v44), v48 = v18 + dhgen_raised_four(v39), q1 = v47 + v48,
+        q2 = v47 + dhgen_raised_four(v40), q3 = v47 + dhgen_raised_four(v42),
+        q4 = v47 + dhgen_lowered_four(v45), v49 = v18 + (angle2 + v9 * v10), q5 = v47 + v49;
 
     dhgen_store_4(q, q + 5, q + 10, q + 15, q1, q2, q3, q4);
     dhgen_store_1(q + 4, q + 9, q + 14, q + 19, q5);

@@ -90,8 +90,8 @@ k1 = 0.20711584560000001  # a2^2 + a3^2 [m^2]
 k2 = 4.918543046385274  # 1 / (2 * a3 * a2) [m^-2]
 m1 = 1.1677971055248613e-08  # doubt_limit1^2 [m^2]
 m2 = 9.999999999999999e-09  # doubt_limit^2
-m4 = 0.076  # a coefficient of v10
-m5 = 0.097  # a coefficient of v12
+m4 = 0.076  # a coefficient of v7
+m5 = 0.097  # a coefficient of v9
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m6 = 5.597903840841209e-12
 m7 = 1.727195576168653  # a coefficient of S2
@@ -257,23 +257,23 @@ def _solve(pose, seed, q, status):
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
 
-    # theta1, type 2: U1[3, 4] and U1[3, 3]
-    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-    v2 = T14 + T13 * v1
-    v3 = T24 + T23 * v1
-    w1 = math.sqrt(v2 * v2 + v3 * v3)
+    # theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3]
+    sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    Xhat1 = T14 + T13 * sigma1
+    Yhat1 = T24 + T23 * sigma1
+    w1 = math.sqrt(Xhat1 * Xhat1 + Yhat1 * Yhat1)
     free1 = w1 <= free_limit1
     divisor1 = 1.0 if free1 else w1
-    v4 = seed[0] + offset1
+    v1 = seed[0] + offset1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v5 = T33 * T33
+    v2 = T33 * T33
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v11 = T34 - d1
+    v8 = T34 - d1
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v15 = seed[1] + offset2
+    v12 = seed[1] + offset2
 
     for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
@@ -281,33 +281,33 @@ def _solve(pose, seed, q, status):
         if e1 < 0.0 and free1:
             continue  # both signs give the same
         factor1 = e1 / divisor1
-        c1 = math.cos(v4) if free1 else v2 * factor1
-        s1 = math.sin(v4) if free1 else v3 * factor1
+        c1 = math.cos(v1) if free1 else Xhat1 * factor1
+        s1 = math.sin(v1) if free1 else Yhat1 * factor1
 
         # theta234
         Z2_234 = T13 * c1 + T23 * s1
-        w234 = math.sqrt(Z2_234 * Z2_234 + v5)
+        w234 = math.sqrt(Z2_234 * Z2_234 + v2)
         short234 = w234 <= free_limit
         factor234 = 1.0 / (1.0 if short234 else w234)
         c234 = T33 * factor234
-        v6 = Z2_234 * factor234
-        theta234 = _atan2(-v6, c234)
+        v3 = Z2_234 * factor234
+        theta234 = _atan2(-v3, c234)
 
         # theta5, type 3: U1[3, 2] and U1[3, 1]
         Z1_5 = T12 * s1 - T22 * c1
         Z2_5 = T11 * s1 - T21 * c1
         w5 = math.sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5)
         short5 = w5 <= free_limit
-        v7 = 1.0 / (1.0 if short5 else w5)
-        v8 = Z1_5 * v7
-        v9 = Z2_5 * v7
-        q5 = _atan2(-v9, -v8)
+        v4 = 1.0 / (1.0 if short5 else w5)
+        v5 = Z1_5 * v4
+        v6 = Z2_5 * v4
+        q5 = _atan2(-v6, -v5)
 
         # theta3
-        v10 = v6 * a4 - c234 * d5
-        Z1_3 = v10 + v11
-        v12 = c234 * a4 + v6 * d5
-        Z2_3 = T14 * c1 + T24 * s1 - v12
+        v7 = v3 * a4 - c234 * d5
+        Z1_3 = v7 + v8
+        v9 = c234 * a4 + v3 * d5
+        Z2_3 = T14 * c1 + T24 * s1 - v9
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
         D3 = (longest3 - N3) * (N3 - shortest3)
@@ -322,15 +322,15 @@ def _solve(pose, seed, q, status):
 
         # theta2
         X1_2 = a2 + a3 * c3
-        v13 = Z1_3 * X1_2
-        v14 = Z2_3 * X1_2
+        v10 = Z1_3 * X1_2
+        v11 = Z2_3 * X1_2
 
         # is the pose one that the arm can take?
-        v17 = d1 + -v10
+        v14 = d1 + -v7
         if (
-            not (abs(T33 - c234) <= pose_slack and abs(T31 - v6 * v8) <= pose_slack and abs(T23 - s1
-            * v6) <= pose_slack and abs(T21 + (v8 * (s1 * c234) + c1 * v9)) <= pose_slack and
-            abs(T11 - (s1 * v9 - v8 * (c1 * c234))) <= pose_slack and abs(T13 - c1 * v6) <=
+            not (abs(T33 - c234) <= pose_slack and abs(T31 - v3 * v5) <= pose_slack and abs(T23 - s1
+            * v3) <= pose_slack and abs(T21 + (v5 * (s1 * c234) + c1 * v6)) <= pose_slack and
+            abs(T11 - (s1 * v6 - v5 * (c1 * c234))) <= pose_slack and abs(T13 - c1 * v3) <=
             pose_slack)
         ):
             continue  # the arm can't take this pose
@@ -348,22 +348,22 @@ def _solve(pose, seed, q, status):
 
             # theta2
             Y1_2 = a3 * s3
-            S2 = v13 - Z2_3 * Y1_2
-            C2 = v14 + Z1_3 * Y1_2
+            S2 = v10 - Z2_3 * Y1_2
+            C2 = v11 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v15) if free2 else C2 * factor2
-            s2 = math.sin(v15) if free2 else S2 * factor2
+            c2 = math.cos(v12) if free2 else C2 * factor2
+            s2 = math.sin(v12) if free2 else S2 * factor2
             theta2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v16 = a3 * c23 + (v12 + a2 * c2)
+            v13 = a3 * c23 + (v9 + a2 * c2)
             if (
-                not (abs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 and abs(T14 - c1 * v16)
-                <= pose_slack1 and abs(T24 - s1 * v16) <= pose_slack1)
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 and abs(T14 - c1 * v13)
+                <= pose_slack1 and abs(T24 - s1 * v13) <= pose_slack1)
             ):
                 continue  # the arm can't take this pose
 
@@ -743,116 +743,116 @@ def _regular(pose, q, status):
     T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(32), 32)
 
-    # theta1, type 2: U1[3, 4] and U1[3, 3]
-    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-    v2 = T14 + T13 * v1
-    v3 = T24 + T23 * v1
-    v4 = v2 * v2 + v3 * v3
-    w1 = math.sqrt(v4)
-    v5 = 1.0 / v4
-    factor1 = w1 * v5
-    c1 = v2 * factor1
-    s1 = v3 * factor1
+    # theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3]
+    sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    Xhat1 = T14 + T13 * sigma1
+    Yhat1 = T24 + T23 * sigma1
+    v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
+    w1 = math.sqrt(v1)
+    v2 = 1.0 / v1
+    factor1 = w1 * v2
+    c1 = Xhat1 * factor1
+    s1 = Yhat1 * factor1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v6 = v5 * (T13 * v2 + T23 * v3)
-    Z2_234 = w1 * v6
-    v7 = T33 * T33 + Z2_234 * Z2_234
-    factor234 = math.sqrt(v7) * (1.0 / v7)
+    v3 = v2 * (T13 * Xhat1 + T23 * Yhat1)
+    Z2_234 = w1 * v3
+    v4 = T33 * T33 + Z2_234 * Z2_234
+    factor234 = math.sqrt(v4) * (1.0 / v4)
 
     # theta5, type 3: U1[3, 2] and U1[3, 1]
-    Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22))
-    Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21))
-    v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-    v9 = math.sqrt(v8) * (1.0 / v8)
-    v10 = Z1_5 * v9
-    v11 = Z2_5 * v9
+    Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22))
+    Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21))
+    v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5
+    v6 = math.sqrt(v5) * (1.0 / v5)
+    v7 = Z1_5 * v6
+    v8 = Z2_5 * v6
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v12 = d5 * T33
-    v13 = w1 * (m4 * v6)
-    v14 = v13 - v12
-    v15 = T34 - d1
-    Z1_3_p = v15 + factor234 * v14
-    v16 = factor234 * (v12 + v13)
-    Z1_3_m = v15 - v16
-    v17 = a4 * T33
-    v18 = T14 * c1 + T24 * s1
-    v19 = w1 * (m5 * v6)
-    v20 = factor234 * (v17 + v19)
-    v21 = factor234 * (v17 - v19)
-    Z2_3_p = v18 - v20
-    v22 = v18 + v21
+    v9 = d5 * T33
+    v10 = w1 * (m4 * v3)
+    v11 = v10 - v9
+    v12 = T34 - d1
+    Z1_3_p = v12 + factor234 * v11
+    v13 = factor234 * (v9 + v10)
+    Z1_3_m = v12 - v13
+    v14 = a4 * T33
+    v15 = T14 * c1 + T24 * s1
+    v16 = w1 * (m5 * v3)
+    v17 = factor234 * (v14 + v16)
+    v18 = factor234 * (v14 - v16)
+    Z2_3_p = v15 - v17
+    v19 = v15 + v18
     N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
-    N3_m = Z1_3_m * Z1_3_m + v22 * v22
+    N3_m = Z1_3_m * Z1_3_m + v19 * v19
     D3_p = (longest3 - N3_p) * (N3_p - shortest3)
     D3_m = (longest3 - N3_m) * (N3_m - shortest3)
     w3_p = math.sqrt(D3_p)
     w3_m = math.sqrt(D3_m)
-    v23 = w3_p - w3_p
-    v24 = w3_m - w3_m
+    v20 = w3_p - w3_p
+    v21 = w3_m - w3_m
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v25 = m7 * N3_p - m8
-    v26 = m7 * N3_m - m8
-    v27 = Z1_3_p * v25
-    v28 = Z1_3_m * v26
-    S2_pp = v27 - w3_p * (m7 * Z2_3_p)
-    S2_pm = v27 - w3_p * (m7 * -Z2_3_p)
-    v29 = w3_m * (m7 * v22)
-    S2_mp = v28 + v29
-    S2_mm = v28 - v29
-    v30 = Z2_3_p * v25
-    v31 = v22 * v26
+    v22 = m7 * N3_p - m8
+    v23 = m7 * N3_m - m8
+    v24 = Z1_3_p * v22
+    v25 = Z1_3_m * v23
+    S2_pp = v24 - w3_p * (m7 * Z2_3_p)
+    S2_pm = v24 - w3_p * (m7 * -Z2_3_p)
+    v26 = w3_m * (m7 * v19)
+    S2_mp = v25 + v26
+    S2_mm = v25 - v26
+    v27 = Z2_3_p * v22
+    v28 = v19 * v23
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
-    v32 = w3_p * (m7 * Z1_3_p)
+    v29 = w3_p * (m7 * Z1_3_p)
 
     # is the pose one that the arm can take?
-    v33 = Z1_3_p * (m9 + m10 * factor2_p)
-    v34 = Z1_3_m * (m9 + m10 * factor2_m)
-    v35 = v20 + Z2_3_p
-    v36 = v21 - v22
-    v37 = d1 + factor234 * -v14
-    v38 = d1 + v16
-    v39 = T33 - T33 * factor234
-    v40 = T31 - factor234 * (Z2_234 * v10)
-    v41 = T23 - factor234 * (s1 * Z2_234)
-    v42 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33)))
-    v43 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33)))
-    v44 = T13 - factor234 * (c1 * Z2_234)
-    v45 = T34 - (a3 * (v33 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v37 + a2 * (S2_pp * factor2_p)))
-    v46 = (
-        T34 - (a3 * (v33 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v37 + a2 * (S2_pm * factor2_p)))
+    v30 = Z1_3_p * (m9 + m10 * factor2_p)
+    v31 = Z1_3_m * (m9 + m10 * factor2_m)
+    v32 = v17 + Z2_3_p
+    v33 = v18 - v19
+    v34 = d1 + factor234 * -v11
+    v35 = d1 + v13
+    v36 = T33 - T33 * factor234
+    v37 = T31 - factor234 * (Z2_234 * v7)
+    v38 = T23 - factor234 * (s1 * Z2_234)
+    v39 = T21 + (c1 * v8 + factor234 * (v7 * (s1 * T33)))
+    v40 = T11 - (s1 * v8 - factor234 * (v7 * (c1 * T33)))
+    v41 = T13 - factor234 * (c1 * Z2_234)
+    v42 = T34 - (a3 * (v30 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pp * factor2_p)))
+    v43 = (
+        T34 - (a3 * (v30 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pm * factor2_p)))
     )
-    v47 = w3_m * (m9 * (v22 * factor2_m))
-    v48 = T34 - (a3 * (v34 - v47) + (v38 + a2 * (S2_mp * factor2_m)))
-    v49 = T34 - (a3 * (v34 + v47) + (v38 + a2 * (S2_mm * factor2_m)))
-    v50 = T14 - c1 * v35
-    v51 = T14 + c1 * v36
-    v52 = T24 - s1 * v35
-    v53 = T24 + s1 * v36
+    v44 = w3_m * (m9 * (v19 * factor2_m))
+    v45 = T34 - (a3 * (v31 - v44) + (v35 + a2 * (S2_mp * factor2_m)))
+    v46 = T34 - (a3 * (v31 + v44) + (v35 + a2 * (S2_mm * factor2_m)))
+    v47 = T14 - c1 * v32
+    v48 = T14 + c1 * v33
+    v49 = T24 - s1 * v32
+    v50 = T24 + s1 * v33
+    v51 = v47 * v47
+    v52 = v48 * v48
+    v53 = v49 * v49
     v54 = v50 * v50
-    v55 = v51 * v51
-    v56 = v52 * v52
-    v57 = v53 * v53
-    v58 = v56 + (v54 + v45 * v45)
-    v59 = v56 + (v54 + v46 * v46)
-    v60 = v57 + (v55 + v48 * v48)
-    v61 = v57 + (v55 + v49 * v49)
+    v55 = v53 + (v51 + v42 * v42)
+    v56 = v53 + (v51 + v43 * v43)
+    v57 = v54 + (v52 + v45 * v45)
+    v58 = v54 + (v52 + v46 * v46)
 
     # joint values
-    v80 = math.sqrt(-1.0)
-    v81 = 0.0 if v58 <= m12 else v80
-    v82 = 0.0 if v59 <= m12 else v80
-    v83 = 0.0 if v60 <= m12 else v80
-    v84 = 0.0 if v61 <= m12 else v80
+    v77 = math.sqrt(-1.0)
+    v78 = 0.0 if v55 <= m12 else v77
+    v79 = 0.0 if v56 <= m12 else v77
+    v80 = 0.0 if v57 <= m12 else v77
+    v81 = 0.0 if v58 <= m12 else v77
 
     # a joint is free, or branches meet
     if (
-        v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v39 * v39 + v40 * v40 + v41 * v41 + v42 * v42 +
-        v43 * v43 + v44 * v44 or (m12 < v61 and v61 <= m13) or (m12 < v60 and v60 <= m13) or (m12 <
-        v59 and v59 <= m13) or (m12 < v58 and v58 <= m13) or abs(D3_p) <= m6 or abs(D3_m) <= m6
+        v4 <= m2 or v1 <= m1 or v5 <= m2 or m11 < v36 * v36 + v37 * v37 + v38 * v38 + v39 * v39 +
+        v40 * v40 + v41 * v41 or (m12 < v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or (m12 <
+        v56 and v56 <= m13) or (m12 < v55 and v55 <= m13) or abs(D3_p) <= m6 or abs(D3_m) <= m6
     ):
         return False
 
@@ -865,16 +865,16 @@ def _regular(pose, q, status):
     room[5] = S2_pm
     room[6] = S2_mp
     room[7] = S2_mm
-    room[8] = v3
+    room[8] = Yhat1
     room[16] = T33
     room[17] = -Z1_5
     room[18] = N3_p - k1
     room[19] = N3_m - k1
-    room[20] = v30 + v32
-    room[21] = v30 - v32
-    room[22] = w3_m * (m7 * Z1_3_m) - v31
-    room[23] = w3_m * (m7 * -Z1_3_m) - v31
-    room[24] = v2
+    room[20] = v27 + v29
+    room[21] = v27 - v29
+    room[22] = w3_m * (m7 * Z1_3_m) - v28
+    room[23] = w3_m * (m7 * -Z1_3_m) - v28
+    room[24] = Xhat1
     for k in range(9, 16):
         room[k] = room[k + 16] = 1.0
     for k in range(16):
@@ -890,48 +890,48 @@ def _regular(pose, q, status):
     angle9 = room[8]
 
     # joint values
-    v62 = angle9 - offset1
-    v63 = angle9 - math.copysign(half_turn, v3) - offset1
-    v64 = angle5 - offset2
-    v65 = angle6 - offset2
-    v66 = angle7 - offset2
-    v67 = angle8 - offset2
-    v68 = angle3 - offset3
-    v69 = offset3 + angle3
-    v70 = angle4 - offset3
-    v71 = offset3 + angle4
-    v72 = angle1 - (angle3 + angle5) - offset4
-    v73 = angle1 - (angle6 - angle3) - offset4
-    v74 = offset4 + (angle1 + (angle4 + angle7))
-    v75 = offset4 + (angle1 + (angle8 - angle4))
-    v76 = v72 + (turn if v72 <= -half_turn else (-turn if half_turn < v72 else 0.0))
-    v77 = v73 + (turn if v73 <= -half_turn else (-turn if half_turn < v73 else 0.0))
-    v78 = (turn if -v74 <= -half_turn else (-turn if half_turn < -v74 else 0.0)) - v74
-    v79 = (turn if -v75 <= -half_turn else (-turn if half_turn < -v75 else 0.0)) - v75
-    v85 = v23 + (v62 + (turn if v62 <= -half_turn else 0.0))
-    v86 = v24 + (v63 + (turn if v63 <= -half_turn else 0.0))
-    q1_pp = v81 + v85
-    q1_pm = v82 + v85
-    q1_mp = v83 + v86
-    q1_mm = v84 + v86
-    q2_pp = v81 + (v64 + (turn if v64 <= -half_turn else 0.0))
-    q2_pm = v82 + (v65 + (turn if v65 <= -half_turn else 0.0))
-    q2_mp = v83 + (v66 + (turn if v66 <= -half_turn else 0.0))
-    q2_mm = v84 + (v67 + (turn if v67 <= -half_turn else 0.0))
-    q3_pp = v81 + (v68 + (turn if v68 <= -half_turn else 0.0))
-    q3_pm = v82 + ((turn if -v69 <= -half_turn else 0.0) - v69)
-    q3_mp = v83 + (v70 + (turn if v70 <= -half_turn else 0.0))
-    q3_mm = v84 + ((turn if -v71 <= -half_turn else 0.0) - v71)
-    q4_pp = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
-    q4_pm = v82 + (v77 + (-turn if half_turn < v77 else 0.0))
-    q4_mp = v83 + (v78 + (-turn if half_turn < v78 else 0.0))
-    q4_mm = v84 + (v79 + (-turn if half_turn < v79 else 0.0))
-    v87 = angle2 + v23
-    v88 = v24 + (angle2 - math.copysign(half_turn, -Z2_5))
-    q5_pp = v81 + v87
-    q5_pm = v82 + v87
-    q5_mp = v83 + v88
-    q5_mm = v84 + v88
+    v59 = angle9 - offset1
+    v60 = angle9 - math.copysign(half_turn, Yhat1) - offset1
+    v61 = angle5 - offset2
+    v62 = angle6 - offset2
+    v63 = angle7 - offset2
+    v64 = angle8 - offset2
+    v65 = angle3 - offset3
+    v66 = offset3 + angle3
+    v67 = angle4 - offset3
+    v68 = offset3 + angle4
+    v69 = angle1 - (angle3 + angle5) - offset4
+    v70 = angle1 - (angle6 - angle3) - offset4
+    v71 = offset4 + (angle1 + (angle4 + angle7))
+    v72 = offset4 + (angle1 + (angle8 - angle4))
+    v73 = v69 + (turn if v69 <= -half_turn else (-turn if half_turn < v69 else 0.0))
+    v74 = v70 + (turn if v70 <= -half_turn else (-turn if half_turn < v70 else 0.0))
+    v75 = (turn if -v71 <= -half_turn else (-turn if half_turn < -v71 else 0.0)) - v71
+    v76 = (turn if -v72 <= -half_turn else (-turn if half_turn < -v72 else 0.0)) - v72
+    v82 = v20 + (v59 + (turn if v59 <= -half_turn else 0.0))
+    v83 = v21 + (v60 + (turn if v60 <= -half_turn else 0.0))
+    q1_pp = v78 + v82
+    q1_pm = v79 + v82
+    q1_mp = v80 + v83
+    q1_mm = v81 + v83
+    q2_pp = v78 + (v61 + (turn if v61 <= -half_turn else 0.0))
+    q2_pm = v79 + (v62 + (turn if v62 <= -half_turn else 0.0))
+    q2_mp = v80 + (v63 + (turn if v63 <= -half_turn else 0.0))
+    q2_mm = v81 + (v64 + (turn if v64 <= -half_turn else 0.0))
+    q3_pp = v78 + (v65 + (turn if v65 <= -half_turn else 0.0))
+    q3_pm = v79 + ((turn if -v66 <= -half_turn else 0.0) - v66)
+    q3_mp = v80 + (v67 + (turn if v67 <= -half_turn else 0.0))
+    q3_mm = v81 + ((turn if -v68 <= -half_turn else 0.0) - v68)
+    q4_pp = v78 + (v73 + (-turn if half_turn < v73 else 0.0))
+    q4_pm = v79 + (v74 + (-turn if half_turn < v74 else 0.0))
+    q4_mp = v80 + (v75 + (-turn if half_turn < v75 else 0.0))
+    q4_mm = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
+    v84 = angle2 + v20
+    v85 = v21 + (angle2 - math.copysign(half_turn, -Z2_5))
+    q5_pp = v78 + v84
+    q5_pm = v79 + v84
+    q5_mp = v80 + v85
+    q5_mm = v81 + v85
 
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
@@ -1030,124 +1030,124 @@ def _in_tiles(T, q, status):
             T31 = work[128 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
-            v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-            v2 = T14 + T13 * v1
-            v3 = T24 + T23 * v1
-            v4 = v2 * v2 + v3 * v3
-            w1 = math.sqrt(v4)
-            v5 = 1.0 / v4
-            factor1 = w1 * v5
-            c1 = v2 * factor1
-            s1 = v3 * factor1
-            v6 = v5 * (T13 * v2 + T23 * v3)
-            Z2_234 = w1 * v6
-            v7 = T33 * T33 + Z2_234 * Z2_234
-            factor234 = math.sqrt(v7) * (1.0 / v7)
-            Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22))
-            Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21))
-            v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-            v9 = math.sqrt(v8) * (1.0 / v8)
-            v10 = Z1_5 * v9
-            v11 = Z2_5 * v9
-            v12 = d5 * T33
-            v13 = w1 * (m4 * v6)
-            v14 = v13 - v12
-            v15 = T34 - d1
-            Z1_3_p = v15 + factor234 * v14
-            v16 = factor234 * (v12 + v13)
-            Z1_3_m = v15 - v16
-            v17 = a4 * T33
-            v18 = T14 * c1 + T24 * s1
-            v19 = w1 * (m5 * v6)
-            v20 = factor234 * (v17 + v19)
-            v21 = factor234 * (v17 - v19)
-            Z2_3_p = v18 - v20
-            v22 = v18 + v21
+            sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+            Xhat1 = T14 + T13 * sigma1
+            Yhat1 = T24 + T23 * sigma1
+            v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
+            w1 = math.sqrt(v1)
+            v2 = 1.0 / v1
+            factor1 = w1 * v2
+            c1 = Xhat1 * factor1
+            s1 = Yhat1 * factor1
+            v3 = v2 * (T13 * Xhat1 + T23 * Yhat1)
+            Z2_234 = w1 * v3
+            v4 = T33 * T33 + Z2_234 * Z2_234
+            factor234 = math.sqrt(v4) * (1.0 / v4)
+            Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22))
+            Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21))
+            v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5
+            v6 = math.sqrt(v5) * (1.0 / v5)
+            v7 = Z1_5 * v6
+            v8 = Z2_5 * v6
+            v9 = d5 * T33
+            v10 = w1 * (m4 * v3)
+            v11 = v10 - v9
+            v12 = T34 - d1
+            Z1_3_p = v12 + factor234 * v11
+            v13 = factor234 * (v9 + v10)
+            Z1_3_m = v12 - v13
+            v14 = a4 * T33
+            v15 = T14 * c1 + T24 * s1
+            v16 = w1 * (m5 * v3)
+            v17 = factor234 * (v14 + v16)
+            v18 = factor234 * (v14 - v16)
+            Z2_3_p = v15 - v17
+            v19 = v15 + v18
             N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
-            N3_m = Z1_3_m * Z1_3_m + v22 * v22
+            N3_m = Z1_3_m * Z1_3_m + v19 * v19
             D3_p = (longest3 - N3_p) * (N3_p - shortest3)
             D3_m = (longest3 - N3_m) * (N3_m - shortest3)
             w3_p = math.sqrt(D3_p)
             w3_m = math.sqrt(D3_m)
-            v23 = w3_p - w3_p
-            v24 = w3_m - w3_m
-            v25 = m7 * N3_p - m8
-            v26 = m7 * N3_m - m8
-            v27 = Z1_3_p * v25
-            v28 = Z1_3_m * v26
-            S2_pp = v27 - w3_p * (m7 * Z2_3_p)
-            S2_pm = v27 - w3_p * (m7 * -Z2_3_p)
-            v29 = w3_m * (m7 * v22)
-            S2_mp = v28 + v29
-            S2_mm = v28 - v29
-            v30 = Z2_3_p * v25
-            v31 = v22 * v26
+            v20 = w3_p - w3_p
+            v21 = w3_m - w3_m
+            v22 = m7 * N3_p - m8
+            v23 = m7 * N3_m - m8
+            v24 = Z1_3_p * v22
+            v25 = Z1_3_m * v23
+            S2_pp = v24 - w3_p * (m7 * Z2_3_p)
+            S2_pm = v24 - w3_p * (m7 * -Z2_3_p)
+            v26 = w3_m * (m7 * v19)
+            S2_mp = v25 + v26
+            S2_mm = v25 - v26
+            v27 = Z2_3_p * v22
+            v28 = v19 * v23
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v32 = w3_p * (m7 * Z1_3_p)
-            v33 = Z1_3_p * (m9 + m10 * factor2_p)
-            v34 = Z1_3_m * (m9 + m10 * factor2_m)
-            v35 = v20 + Z2_3_p
-            v36 = v21 - v22
-            v37 = d1 + factor234 * -v14
-            v38 = d1 + v16
-            v39 = T33 - T33 * factor234
-            v40 = T31 - factor234 * (Z2_234 * v10)
-            v41 = T23 - factor234 * (s1 * Z2_234)
-            v42 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33)))
-            v43 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33)))
-            v44 = T13 - factor234 * (c1 * Z2_234)
-            v45 = (
-                T34 - (a3 * (v33 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v37 + a2 * (S2_pp *
+            v29 = w3_p * (m7 * Z1_3_p)
+            v30 = Z1_3_p * (m9 + m10 * factor2_p)
+            v31 = Z1_3_m * (m9 + m10 * factor2_m)
+            v32 = v17 + Z2_3_p
+            v33 = v18 - v19
+            v34 = d1 + factor234 * -v11
+            v35 = d1 + v13
+            v36 = T33 - T33 * factor234
+            v37 = T31 - factor234 * (Z2_234 * v7)
+            v38 = T23 - factor234 * (s1 * Z2_234)
+            v39 = T21 + (c1 * v8 + factor234 * (v7 * (s1 * T33)))
+            v40 = T11 - (s1 * v8 - factor234 * (v7 * (c1 * T33)))
+            v41 = T13 - factor234 * (c1 * Z2_234)
+            v42 = (
+                T34 - (a3 * (v30 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pp *
                 factor2_p)))
             )
-            v46 = (
-                T34 - (a3 * (v33 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v37 + a2 * (S2_pm *
+            v43 = (
+                T34 - (a3 * (v30 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pm *
                 factor2_p)))
             )
-            v47 = w3_m * (m9 * (v22 * factor2_m))
-            v48 = T34 - (a3 * (v34 - v47) + (v38 + a2 * (S2_mp * factor2_m)))
-            v49 = T34 - (a3 * (v34 + v47) + (v38 + a2 * (S2_mm * factor2_m)))
-            v50 = T14 - c1 * v35
-            v51 = T14 + c1 * v36
-            v52 = T24 - s1 * v35
-            v53 = T24 + s1 * v36
+            v44 = w3_m * (m9 * (v19 * factor2_m))
+            v45 = T34 - (a3 * (v31 - v44) + (v35 + a2 * (S2_mp * factor2_m)))
+            v46 = T34 - (a3 * (v31 + v44) + (v35 + a2 * (S2_mm * factor2_m)))
+            v47 = T14 - c1 * v32
+            v48 = T14 + c1 * v33
+            v49 = T24 - s1 * v32
+            v50 = T24 + s1 * v33
+            v51 = v47 * v47
+            v52 = v48 * v48
+            v53 = v49 * v49
             v54 = v50 * v50
-            v55 = v51 * v51
-            v56 = v52 * v52
-            v57 = v53 * v53
-            v58 = v56 + (v54 + v45 * v45)
-            v59 = v56 + (v54 + v46 * v46)
-            v60 = v57 + (v55 + v48 * v48)
-            v61 = v57 + (v55 + v49 * v49)
-            v80 = math.sqrt(-1.0)
-            v81 = 0.0 if v58 <= m12 else v80
-            v82 = 0.0 if v59 <= m12 else v80
-            v83 = 0.0 if v60 <= m12 else v80
-            v84 = 0.0 if v61 <= m12 else v80
-            work[272 + k] = v3
-            work[288 + k] = v4
-            work[304 + k] = v7
+            v55 = v53 + (v51 + v42 * v42)
+            v56 = v53 + (v51 + v43 * v43)
+            v57 = v54 + (v52 + v45 * v45)
+            v58 = v54 + (v52 + v46 * v46)
+            v77 = math.sqrt(-1.0)
+            v78 = 0.0 if v55 <= m12 else v77
+            v79 = 0.0 if v56 <= m12 else v77
+            v80 = 0.0 if v57 <= m12 else v77
+            v81 = 0.0 if v58 <= m12 else v77
+            work[272 + k] = Yhat1
+            work[288 + k] = v1
+            work[304 + k] = v4
             work[320 + k] = Z2_5
-            work[336 + k] = v8
+            work[336 + k] = v5
             work[352 + k] = D3_p
             work[368 + k] = D3_m
-            work[384 + k] = v23
-            work[400 + k] = v24
-            work[416 + k] = v39
-            work[432 + k] = v40
-            work[448 + k] = v41
-            work[464 + k] = v42
-            work[480 + k] = v43
-            work[496 + k] = v44
-            work[512 + k] = v58
-            work[528 + k] = v59
-            work[544 + k] = v60
-            work[560 + k] = v61
-            work[576 + k] = v81
-            work[592 + k] = v82
-            work[608 + k] = v83
-            work[624 + k] = v84
+            work[384 + k] = v20
+            work[400 + k] = v21
+            work[416 + k] = v36
+            work[432 + k] = v37
+            work[448 + k] = v38
+            work[464 + k] = v39
+            work[480 + k] = v40
+            work[496 + k] = v41
+            work[512 + k] = v55
+            work[528 + k] = v56
+            work[544 + k] = v57
+            work[560 + k] = v58
+            work[576 + k] = v78
+            work[592 + k] = v79
+            work[608 + k] = v80
+            work[624 + k] = v81
             work[640 + k] = -Z2_234
             work[656 + k] = -Z2_5
             work[672 + k] = w3_p
@@ -1156,42 +1156,42 @@ def _in_tiles(T, q, status):
             work[720 + k] = S2_pm
             work[736 + k] = S2_mp
             work[752 + k] = S2_mm
-            work[768 + k] = v3
+            work[768 + k] = Yhat1
             work[784 + k] = T33
             work[800 + k] = -Z1_5
             work[816 + k] = N3_p - k1
             work[832 + k] = N3_m - k1
-            work[848 + k] = v30 + v32
-            work[864 + k] = v30 - v32
-            work[880 + k] = w3_m * (m7 * Z1_3_m) - v31
-            work[896 + k] = w3_m * (m7 * -Z1_3_m) - v31
-            work[912 + k] = v2
+            work[848 + k] = v27 + v29
+            work[864 + k] = v27 - v29
+            work[880 + k] = w3_m * (m7 * Z1_3_m) - v28
+            work[896 + k] = w3_m * (m7 * -Z1_3_m) - v28
+            work[912 + k] = Xhat1
         for k in range(640, 784):
             work[k] = _atan2(work[k], work[k + 144])
         for k in range(0, 16):
-            v3 = work[272 + k]
-            v4 = work[288 + k]
-            v7 = work[304 + k]
+            Yhat1 = work[272 + k]
+            v1 = work[288 + k]
+            v4 = work[304 + k]
             Z2_5 = work[320 + k]
-            v8 = work[336 + k]
+            v5 = work[336 + k]
             D3_p = work[352 + k]
             D3_m = work[368 + k]
-            v23 = work[384 + k]
-            v24 = work[400 + k]
-            v39 = work[416 + k]
-            v40 = work[432 + k]
-            v41 = work[448 + k]
-            v42 = work[464 + k]
-            v43 = work[480 + k]
-            v44 = work[496 + k]
-            v58 = work[512 + k]
-            v59 = work[528 + k]
-            v60 = work[544 + k]
-            v61 = work[560 + k]
-            v81 = work[576 + k]
-            v82 = work[592 + k]
-            v83 = work[608 + k]
-            v84 = work[624 + k]
+            v20 = work[384 + k]
+            v21 = work[400 + k]
+            v36 = work[416 + k]
+            v37 = work[432 + k]
+            v38 = work[448 + k]
+            v39 = work[464 + k]
+            v40 = work[480 + k]
+            v41 = work[496 + k]
+            v55 = work[512 + k]
+            v56 = work[528 + k]
+            v57 = work[544 + k]
+            v58 = work[560 + k]
+            v78 = work[576 + k]
+            v79 = work[592 + k]
+            v80 = work[608 + k]
+            v81 = work[624 + k]
             angle1 = work[640 + k]
             angle2 = work[656 + k]
             angle3 = work[672 + k]
@@ -1201,48 +1201,48 @@ def _in_tiles(T, q, status):
             angle7 = work[736 + k]
             angle8 = work[752 + k]
             angle9 = work[768 + k]
-            v62 = angle9 - offset1
-            v63 = angle9 - math.copysign(half_turn, v3) - offset1
-            v64 = angle5 - offset2
-            v65 = angle6 - offset2
-            v66 = angle7 - offset2
-            v67 = angle8 - offset2
-            v68 = angle3 - offset3
-            v69 = offset3 + angle3
-            v70 = angle4 - offset3
-            v71 = offset3 + angle4
-            v72 = angle1 - (angle3 + angle5) - offset4
-            v73 = angle1 - (angle6 - angle3) - offset4
-            v74 = offset4 + (angle1 + (angle4 + angle7))
-            v75 = offset4 + (angle1 + (angle8 - angle4))
-            v76 = v72 + (turn if v72 <= -half_turn else (-turn if half_turn < v72 else 0.0))
-            v77 = v73 + (turn if v73 <= -half_turn else (-turn if half_turn < v73 else 0.0))
-            v78 = (turn if -v74 <= -half_turn else (-turn if half_turn < -v74 else 0.0)) - v74
-            v79 = (turn if -v75 <= -half_turn else (-turn if half_turn < -v75 else 0.0)) - v75
-            v85 = v23 + (v62 + (turn if v62 <= -half_turn else 0.0))
-            v86 = v24 + (v63 + (turn if v63 <= -half_turn else 0.0))
-            q1_pp = v81 + v85
-            q1_pm = v82 + v85
-            q1_mp = v83 + v86
-            q1_mm = v84 + v86
-            q2_pp = v81 + (v64 + (turn if v64 <= -half_turn else 0.0))
-            q2_pm = v82 + (v65 + (turn if v65 <= -half_turn else 0.0))
-            q2_mp = v83 + (v66 + (turn if v66 <= -half_turn else 0.0))
-            q2_mm = v84 + (v67 + (turn if v67 <= -half_turn else 0.0))
-            q3_pp = v81 + (v68 + (turn if v68 <= -half_turn else 0.0))
-            q3_pm = v82 + ((turn if -v69 <= -half_turn else 0.0) - v69)
-            q3_mp = v83 + (v70 + (turn if v70 <= -half_turn else 0.0))
-            q3_mm = v84 + ((turn if -v71 <= -half_turn else 0.0) - v71)
-            q4_pp = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
-            q4_pm = v82 + (v77 + (-turn if half_turn < v77 else 0.0))
-            q4_mp = v83 + (v78 + (-turn if half_turn < v78 else 0.0))
-            q4_mm = v84 + (v79 + (-turn if half_turn < v79 else 0.0))
-            v87 = angle2 + v23
-            v88 = v24 + (angle2 - math.copysign(half_turn, -Z2_5))
-            q5_pp = v81 + v87
-            q5_pm = v82 + v87
-            q5_mp = v83 + v88
-            q5_mm = v84 + v88
+            v59 = angle9 - offset1
+            v60 = angle9 - math.copysign(half_turn, Yhat1) - offset1
+            v61 = angle5 - offset2
+            v62 = angle6 - offset2
+            v63 = angle7 - offset2
+            v64 = angle8 - offset2
+            v65 = angle3 - offset3
+            v66 = offset3 + angle3
+            v67 = angle4 - offset3
+            v68 = offset3 + angle4
+            v69 = angle1 - (angle3 + angle5) - offset4
+            v70 = angle1 - (angle6 - angle3) - offset4
+            v71 = offset4 + (angle1 + (angle4 + angle7))
+            v72 = offset4 + (angle1 + (angle8 - angle4))
+            v73 = v69 + (turn if v69 <= -half_turn else (-turn if half_turn < v69 else 0.0))
+            v74 = v70 + (turn if v70 <= -half_turn else (-turn if half_turn < v70 else 0.0))
+            v75 = (turn if -v71 <= -half_turn else (-turn if half_turn < -v71 else 0.0)) - v71
+            v76 = (turn if -v72 <= -half_turn else (-turn if half_turn < -v72 else 0.0)) - v72
+            v82 = v20 + (v59 + (turn if v59 <= -half_turn else 0.0))
+            v83 = v21 + (v60 + (turn if v60 <= -half_turn else 0.0))
+            q1_pp = v78 + v82
+            q1_pm = v79 + v82
+            q1_mp = v80 + v83
+            q1_mm = v81 + v83
+            q2_pp = v78 + (v61 + (turn if v61 <= -half_turn else 0.0))
+            q2_pm = v79 + (v62 + (turn if v62 <= -half_turn else 0.0))
+            q2_mp = v80 + (v63 + (turn if v63 <= -half_turn else 0.0))
+            q2_mm = v81 + (v64 + (turn if v64 <= -half_turn else 0.0))
+            q3_pp = v78 + (v65 + (turn if v65 <= -half_turn else 0.0))
+            q3_pm = v79 + ((turn if -v66 <= -half_turn else 0.0) - v66)
+            q3_mp = v80 + (v67 + (turn if v67 <= -half_turn else 0.0))
+            q3_mm = v81 + ((turn if -v68 <= -half_turn else 0.0) - v68)
+            q4_pp = v78 + (v73 + (-turn if half_turn < v73 else 0.0))
+            q4_pm = v79 + (v74 + (-turn if half_turn < v74 else 0.0))
+            q4_mp = v80 + (v75 + (-turn if half_turn < v75 else 0.0))
+            q4_mm = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
+            v84 = angle2 + v20
+            v85 = v21 + (angle2 - math.copysign(half_turn, -Z2_5))
+            q5_pp = v78 + v84
+            q5_pm = v79 + v84
+            q5_mp = v80 + v85
+            q5_mm = v81 + v85
             _928 = q1_pp
             work[928 + k] = _928
             _944 = q2_pp
@@ -1288,9 +1288,9 @@ def _in_tiles(T, q, status):
             work[1280 + k] = UNREACHABLE if _1088 != _1088 else OK
             work[1296 + k] = UNREACHABLE if _1168 != _1168 else OK
             work[256 + k] = (
-                1.0 if v7 <= m2 or v4 <= m1 or v8 <= m2 or m11 < v39 * v39 + v40 * v40 + v41 * v41 +
-                v42 * v42 + v43 * v43 + v44 * v44 or (m12 < v61 and v61 <= m13) or (m12 < v60 and
-                v60 <= m13) or (m12 < v59 and v59 <= m13) or (m12 < v58 and v58 <= m13) or abs(D3_p)
+                1.0 if v4 <= m2 or v1 <= m1 or v5 <= m2 or m11 < v36 * v36 + v37 * v37 + v38 * v38 +
+                v39 * v39 + v40 * v40 + v41 * v41 or (m12 < v58 and v58 <= m13) or (m12 < v57 and
+                v57 <= m13) or (m12 < v56 and v56 <= m13) or (m12 < v55 and v55 <= m13) or abs(D3_p)
                 <= m6 or abs(D3_m) <= m6 else work[256 + k]
             )
         for k in range(first, first + count):

@@ -236,6 +236,16 @@ def test_alternatives_name_the_way_of_document_003() -> None:
     assert len(re.findall(r"\(taken\)$", text, re.MULTILINE)) == len(story("scara").steps)
 
 
+@pytest.mark.parametrize("name", ["katana_400", "kuka_youbot", "scorbot_pointing", "xarm5"])
+def test_what_protects_a_plain_formula_comes_after_it(name: str) -> None:
+    """The arm lies in an upright plane through axis 1, and so does the tool: any book begins so."""
+    first = document(name).split("**1. ")[1].split("**2. ")[0]
+    plain = re.search(r"atan2\}\((-?)\\varepsilon_1 t_\{24\}, \1\\varepsilon_1 t_\{14\}\)", first)
+    assert plain
+    assert plain.start() < first.index("are small, this says little")
+    assert first.index("this says little") < first.index(r"\varepsilon_1 \hat X")
+
+
 def test_every_type_has_a_printer() -> None:
     assert set(PRINTERS) == set(Kind)
 

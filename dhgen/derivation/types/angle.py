@@ -71,23 +71,22 @@ def _letters(context: StepContext, right: Formula, names: str) -> list[Block]:
 def _homogeneous(context: StepContext) -> StepText:
     sign = context.facing_sign
     second = Fallback.of(context)
-    along, across = (X, Y) if second is None else (ADDED["X"], ADDED["Y"])
-    general = atan2(times(sign, across), minus(times(sign, along)))
+    general = atan2(times(sign, Y), minus(times(sign, X)))
     special = general
-    if second is None and context.are_short("X", "Y"):
+    if context.are_short("X", "Y"):
         x, y = context.value("X"), context.value("Y")
         special = atan2(times(sign, y), minus(times(sign, x)))
     blocks = [
         *_letters(context, ZERO, "XY"),
-        *([] if second is None else second.blocks()),
         paragraph(
             "{} and {} are proportional to {} and {}, with either sign:",
             sine(context.angle),
             cosine(context.angle),
-            across,
-            minus(along),
+            Y,
+            minus(X),
         ),
         display(equal(theta(context.angle), general, special)),
+        *([] if second is None else second.blocks(sign)),
     ]
     remembered = context.remembered
     if remembered is not None:

@@ -18,7 +18,9 @@ from dhgen.derivation.text.formula import (
     Call,
     Symbol,
     add,
+    atan2,
     equal,
+    minus,
     over,
     times,
 )
@@ -58,8 +60,12 @@ class Fallback:
         """That of a step, if it has one."""
         return None if context.step.fallback is None else cls(context, context.step.fallback)
 
-    def blocks(self) -> list[Block]:
-        """Its place, its letters, and how both are added."""
+    def blocks(self, sign: Formula) -> list[Block]:
+        """Its place, its letters, how both are added, and the angle of the sum.
+
+        Args:
+            sign: Of the branch.
+        """
         story, angle = self.context.story, self.context.angle
         (form,) = self.step.forms
         (origin,) = self.step.origins
@@ -97,6 +103,13 @@ class Fallback:
                 equal(Call("sgn", (ZERO,)), ONE),
             ),
             display(equal(WEIGHT, Call("sgn", (along,))), *sums),
+            paragraph("The sum has the direction of both, and takes their place:"),
+            display(
+                equal(
+                    theta(angle),
+                    atan2(times(sign, ADDED["Y"]), minus(times(sign, ADDED["X"]))),
+                )
+            ),
         ]
 
     @property

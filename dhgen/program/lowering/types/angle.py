@@ -149,7 +149,13 @@ def _lengthened(
     power = degree - context.scales.degree(*(second.coefficient(name) for name in "XY"))
     along = builder.add(builder.mul(x, u), builder.mul(y, v))
     weight = builder.apply("copysign", context.scales.weight(power), along)
-    return builder.add(x, builder.mul(weight, u)), builder.add(y, builder.mul(weight, v))
+    builder.hint(weight, f"sigma{angle.suffix}")
+    sums = builder.add(x, builder.mul(weight, u)), builder.add(y, builder.mul(weight, v))
+    for name, each in zip("XY", sums, strict=True):
+        entry = builder.entries[each]
+        size = entry.operands[0] if entry.operator == "neg" else each
+        builder.hint(size, named(f"{name}hat", angle.suffix))
+    return sums
 
 
 def lower_angle_pair(context: Lowering, step: Step) -> None:
