@@ -15,6 +15,7 @@ from dhgen.program.interpret import interpret
 from dhgen.robot.load import load
 from dhgen.runtime.plain import plain
 from dhgen.runtime.python.numerical.arm import arm_numbers
+from dhgen.status import Status
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.singular import in_a_family, singular_sets
 from dhgen.tolerances import TOLERANCES
@@ -22,6 +23,8 @@ from dhgen.verify.native import CompiledSolver, compile_solver
 from tests.compiling import library, written
 from tests.general.files import compiled, without_derivation
 from tests.robots.cases import ROBOTS, robot
+from tests.targets.calling import LANGUAGES
+from tests.targets.made import made_up, solving
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -130,6 +133,44 @@ def test_of_a_continuum_a_solution_inside_the_limits_is_taken(tmp_path: Path, fi
         )
         for row in held:
             np.testing.assert_allclose(solver.fk(np.ascontiguousarray(row)), T, atol=1e-9)
+
+
+INSTRUMENT = [
+    "theta: q, alpha: -pi/2",
+    "theta: q, alpha: -pi/2",
+    "d: q",
+    "theta: q, alpha: pi/2",
+    "theta: q, alpha: -pi/2, a: 0.0091",
+    "theta: q, alpha: -pi/2",
+]
+
+
+def test_a_continuum_gives_one_row_that_is_nearest_to_the_seed_in_both_languages() -> None:
+    """Joints 2 and 6 turn about one axis: its members differ in these alone."""
+    arm = made_up("instrument", INSTRUMENT, "", "modified")
+    q = np.array([-np.pi / 2, np.pi, 0.00273, -np.pi / 2, -np.pi / 2, np.pi])
+    seed = np.array([-1.3225, 2.3399, -0.0059, 1.3266, -1.5666, -0.3423])
+    T = np.asarray(forward(arm.robot, q[None])[0], dtype=float)
+    found = []
+    for language in LANGUAGES:
+        rows, status = solving(arm, language)(T, seed)
+        rows = rows[status == Status.FREE_JOINT]
+        found.append(rows)
+        fixed = rows[:, [0, 2, 3, 4]]
+        assert gaps(fixed, q[[0, 2, 3, 4]]).min() < 1e-6
+        for k, row in enumerate(rows):
+            assert gaps(np.delete(fixed, k, axis=0), fixed[k]).min() > 1e-3
+            turns = np.linspace(-np.pi, np.pi, 1000)[:, None]
+            members = [row + turns * [0, 1, 0, 0, 0, way] for way in (-1, 1)]
+            misses = [np.abs(forward(arm.robot, each) - T).max() for each in members]
+            assert min(misses) < 1e-9
+            off = members[int(np.argmin(misses))] - seed
+            turned = off - 2 * np.pi * np.round(off / (2 * np.pi))
+            own = gaps(row[[1, 5], None], seed[[1, 5], None])
+            assert (own**2).sum() <= (turned[:, [1, 5]] ** 2).sum(axis=1).min() + 1e-9
+    assert len(found[0]) == len(found[1])
+    for row in found[0]:
+        assert gaps(found[1], row).min() < 1e-6
 
 
 @pytest.mark.parametrize("name", ["puma560_calibrated", "kinova_gen3_lite"])

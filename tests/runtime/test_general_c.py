@@ -35,7 +35,7 @@ from dhgen.runtime.python.general import (
     tables,
     wrist,
 )
-from dhgen.runtime.python.numerical import descent, solutions
+from dhgen.runtime.python.numerical import descent, family, keep, solutions
 from dhgen.verify.native import c_compiler
 
 if TYPE_CHECKING:
@@ -284,13 +284,18 @@ SHARED = {
         },
     ),
     solutions: (
-        "NEIGHBOURS STEPS_ASIDE FEELER FELT BESIDE_SEED PROMISED LIMIT DOUBTFUL",
+        "NEIGHBOURS STEPS_ASIDE FEELER FELT",
         {
             "STAYING_PART": "STAYS",
             "SINGULAR_LENGTH": "SINGULAR",
             "ROW_TIE": "TIE",
         },
     ),
+    family: (
+        "WALK_STEP WALK_STEPS WALK_CLOSED LEAST_STEPS LEAST_SETTLED EQUALLY_NEAR MEMBER_TIE",
+        {"BESIDE_SEED": "BESIDE_SEED", "LIMIT": "LIMIT", "DOUBTFUL": "DOUBTFUL"},
+    ),
+    keep: ("PROMISED", {}),
     rows: ("NEARLY_NONE", {"FEW_STARTS": "STARTS", "NEARLY_NONE_IN_DOUBT": "NEARLY_NONE_IN_DOUBT"}),
 }
 

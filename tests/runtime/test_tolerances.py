@@ -10,7 +10,7 @@ import pytest
 
 from dhgen.runtime import c_runtime_files
 from dhgen.runtime.python import pose, turns
-from dhgen.runtime.python.numerical import descent, solutions
+from dhgen.runtime.python.numerical import descent, family, keep, solutions
 from dhgen.tolerances import DOUBLE, SINGLE
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ def expected(known: Tolerances) -> dict[str, float]:
         "FAMILY": max(1e-6, 10.0 * known.exact),
         # of the runtime alone
         "LAST_ROW": pose.LAST_ROW if known is DOUBLE.tolerances else 1e-6,
-        "BESIDE_SEED": solutions.BESIDE_SEED,
+        "BESIDE_SEED": family.BESIDE_SEED,
     }
 
 
@@ -96,9 +96,9 @@ IN_DESCENTS = {
     "SINGULAR_LENGTH": solutions.SINGULAR,
     "FEELER": solutions.FEELER,
     "FELT": solutions.FELT,
-    "DOUBTFUL": solutions.DOUBTFUL,
-    "PROMISED": solutions.PROMISED,
-    "LIMIT": solutions.LIMIT,
+    "DOUBTFUL": family.DOUBTFUL,
+    "PROMISED": keep.PROMISED,
+    "LIMIT": family.LIMIT,
     "ROW_TIE": solutions.TIE,
 }
 
@@ -106,7 +106,7 @@ IN_DESCENTS = {
 def test_descents_are_alike_in_python() -> None:
     files = c_runtime_files()
     found = table(DOUBLE)
-    for name in ("descent", "pull", "solutions", "keep"):
+    for name in ("descent", "pull", "solutions", "family", "keep"):
         found |= defined(files[f"dhgen/numerical/{name}.h"])
     assert {name: found[name] for name in IN_DESCENTS} == pytest.approx(IN_DESCENTS, abs=0.0)
     turns_in_c = [found[f"ANY_TURN_{axis}"] for axis in "XYZ"]

@@ -256,26 +256,33 @@ DHGEN_FN void dhgen_start(const struct dhgen_descent *d, int k, double *u)
                       : arm->span_low[j] + arm->span_width[j] * fmod(0.5 + k * arm->stride[j], 1.0);
 }
 
-/* The part of a generic direction that leaves the tool where it is, to first order, one long;
+/* Leaves of a direction the part that leaves the tool where it is, to first order, one long;
  * returns how long it was. */
-DHGEN_FN double dhgen_null_direction(const struct dhgen_descent *d, double *along)
+DHGEN_FN double dhgen_keep_null_part(const struct dhgen_descent *d, double *along)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
-    double moved[DHGEN_MOST_EQUATIONS], square = 0.0;
+    double moved[DHGEN_MOST_EQUATIONS], rest[DHGEN_JOINTS], square = 0.0;
     for (int i = 0; i < arm->equations; i++) {
         moved[i] = 0.0;
         for (int j = 0; j < arm->solved; j++)
-            moved[i] += d->A[i][j] * arm->stride[j];
+            moved[i] += d->A[i][j] * along[j];
     }
-    dhgen_damped_step(d, moved, 0.0, DHGEN_DAMPING_FLOOR, along);
+    dhgen_damped_step(d, moved, 0.0, DHGEN_DAMPING_FLOOR, rest);
     for (int j = 0; j < arm->solved; j++) {
-        along[j] = arm->stride[j] - along[j];
+        along[j] -= rest[j];
         square += along[j] * along[j];
     }
     const double length = sqrt(square);
     for (int j = 0; j < arm->solved; j++)
         along[j] /= length;
     return length;
+}
+
+/* The same of a generic direction. */
+DHGEN_FN double dhgen_null_direction(const struct dhgen_descent *d, double *along)
+{
+    dhgen_copy_units(d->arm, d->arm->stride, along);
+    return dhgen_keep_null_part(d, along);
 }
 
 #endif

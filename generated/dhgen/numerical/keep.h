@@ -5,33 +5,11 @@
 #define DHGEN_NUMERICAL_KEEP_H
 
 #include "../tolerances.h"
-#include "solutions.h"
+#include "family.h"
 
 /* Where a solution beyond a limit is one of two that nearly meet the other lies across a singular
  * place, and from the limit steps may lead back: how far to go on, as parts of the way there. */
 DHGEN_TABLE double dhgen_farther_on[5] = { 0.0, 1.0, 3.0, 7.0, 15.0 };
-
-/* The nearest values inside the limits, whole turns aside, but next to the seed's where they are
- * just beyond an end there; returns how far one was beyond. */
-DHGEN_FN double dhgen_clamp_units(const struct dhgen_descent *d, const double *u, double *inside)
-{
-    const struct dhgen_numerical_arm *const arm = d->arm;
-    double most = 0.0;
-    for (int j = 0; j < arm->solved; j++) {
-        const double low = arm->lowest[j], high = arm->highest[j];
-        const double middle = 0.5 * (low + high), seen = d->seed[j];
-        double near = u[j];
-        if (arm->turning[j] && isfinite(middle)) {
-            near -= DHGEN_TURN * floor((near - seen) / DHGEN_TURN + 0.5);
-            const double past = fmax(low - near, near - high);
-            if (past >= DHGEN_DOUBTFUL || fabs(near - seen) >= DHGEN_BESIDE_SEED)
-                near -= DHGEN_TURN * ceil((near - middle) / DHGEN_TURN - 0.5);
-        }
-        inside[j] = fmin(fmax(near, low), high);
-        most = fmax(most, fabs(inside[j] - near));
-    }
-    return most;
-}
 
 /* Takes joint values on a way from u to a solution that keeps all limits and is as exact as a row
  * has to be, farther on if steps lead back; returns if it can. */
@@ -103,13 +81,8 @@ DHGEN_FN void dhgen_keep(struct dhgen_descent *d, struct dhgen_kept *kept, doubl
     if (kept->count == dhgen_rows(arm) || dhgen_find_known(d, kept, u, 0) >= 0)
         return;
     const int kind = dhgen_is_continuum(d, u, enough);
-    if (kind == 1) {
-        double end[DHGEN_JOINTS];
-        dhgen_copy_units(arm, u, end);
-        (void)dhgen_pull_to_seed(d, end, dhgen_no_lowest, dhgen_no_highest);
-        if (dhgen_descend(d, end) <= enough)
-            dhgen_copy_units(arm, end, u);
-    }
+    if (kind == 1)
+        dhgen_go_to_nearest_member(d, u, enough);
     if (arm->limited && kind >= 0)
         dhgen_move_inside(d, kept, !kind, enough, u);
     dhgen_wrap_units(arm, u);

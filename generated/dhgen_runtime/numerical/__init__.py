@@ -2,5 +2,6 @@
 """Damped least squares: what takes joint values to solutions, and tells solutions apart.
 
 In reading order: places (the numbers of an arm), forward (pose and Jacobian), descent (steps to a
-solution), solutions (which of them are one), search (all joints from starts alone).
+solution), solutions (which of them are one), family (the member of a continuum that is nearest to
+the seed), keep (how a solution joins others), search (all joints from starts alone).
 """

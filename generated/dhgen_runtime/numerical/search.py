@@ -11,6 +11,7 @@ import numpy as np
 from ..jit import of_file
 from .descent import descend, descend_towards, start_of, wrap_angles
 from .forward import take
+from .keep import keep
 from .places import (
     DOF,
     FREE,
@@ -25,7 +26,7 @@ from .places import (
     SOLVED,
     UNIT,
 )
-from .solutions import keep, sort_rows
+from .solutions import sort_rows
 
 if TYPE_CHECKING:
     from ..arrays import Bools, Floats

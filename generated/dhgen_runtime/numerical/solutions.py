@@ -1,22 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""Which solutions are one, which belong to a continuum, and which are kept."""
+"""Which solutions are one, which belong to a continuum, and in which order rows stand."""
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..jit import of_file
 from .descent import (
-    EXACT,
     FLOOR,
     SOLUTION,
-    TURN,
     damped_step,
     descend,
-    descend_towards,
     measure_miss,
     sideways,
     wrap_angles,
@@ -25,15 +21,10 @@ from .forward import take
 from .places import (
     CHECKED,
     EQUATIONS,
-    HIGHEST,
-    LIMITED,
-    LOWEST,
     PLACE,
     RECORD,
     RESIDUAL,
-    ROWS,
     SOLVED,
-    TURNS,
     UNIT,
 )
 
@@ -59,17 +50,6 @@ STAYS = 1 / 16
 SINGULAR = 1e-4
 FEELER = 0.05  # how far a continuum is looked for in that direction [rad, arm sizes]
 FELT = 0.01  # how far from where it began, and from the other side, a solution must then be
-# Where a solution beyond a limit is one of two that nearly meet the other lies across a singular
-# place, and from the limit steps may lead back: how far to go on, as parts of the way there.
-FARTHER_ON = (0.0, 1.0, 3.0, 7.0, 15.0)
-# Just beyond an end of its range a joint is taken for one on that end, not for one that turned to
-# the other, if the seed is nearer than this [rad].
-BESIDE_SEED = 0.15
-# Just beyond an end is by less than this [rad]: an angle taken from a vector that hardly fixes it
-# is good to 1e-3.
-DOUBTFUL = 1e-2
-PROMISED = 1e-11  # a row misses its pose by no more [arm sizes, rad]
-LIMIT = 1e-9  # a joint value may miss its limit by this [rad, arm sizes]: rounding of the angle
 TIE = 1e-9  # values closer than this don't decide which of two rows comes first [rad or length]
 
 
@@ -175,145 +155,6 @@ def find_known(
 
 
 @inner
-def _clamp(arm: Floats, u: Floats, seen: Floats, inside: Floats) -> float:
-    """Returns how far joint values exceed their limits; the nearest inside go into `inside`.
-
-    Whole turns aside, but next to the seed's where they are just beyond an end there.
-    """
-    most = 0.0
-    for j in range(int(arm[SOLVED])):
-        at = RECORD * j
-        low, high = arm[LOWEST + at], arm[HIGHEST + at]
-        near, middle = u[j], 0.5 * (low + high)
-        if arm[TURNS + at] > 0.0 and math.isfinite(middle):
-            near -= TURN * math.floor((near - seen[j]) / TURN + 0.5)
-            past = max(low - near, near - high)
-            if past >= DOUBTFUL or abs(near - seen[j]) >= BESIDE_SEED:
-                near -= TURN * math.ceil((near - middle) / TURN - 0.5)
-        inside[j] = min(max(near, low), high)
-        most = max(most, abs(inside[j] - near))
-    return most
-
-
-@apart(
-    "boolean(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[::1])"
-)
-def _leads_inside(arm: Floats, T: Floats, q: Floats, near: Floats, u: Floats, end: Floats) -> bool:
-    """Takes joint values on a way from u to a solution inside the limits; whether it can.
-
-    It is as exact as a row has to be, and farther on if steps lead back.
-    """
-    solved = int(arm[SOLVED])
-    way, start, inside = np.empty(solved), end.copy(), np.empty(solved)
-    for j in range(solved):
-        way[j] = start[j] - u[j]
-    wrap_angles(arm, way)
-    for part in FARTHER_ON:
-        for j in range(solved):
-            end[j] = start[j] + part * way[j]
-        if descend(arm, T, q, end) <= PROMISED and _clamp(arm, end, near, inside) <= LIMIT:
-            return True
-    return False
-
-
-@apart(
-    "void(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], "
-    "int64, boolean, float64, float64[::1])"
-)
-def _move_inside(
-    arm: Floats,
-    T: Floats,
-    q: Floats,
-    near: Floats,
-    kept: Floats,
-    kinds: Ints,
-    count: int,
-    alone: bool,
-    enough: float,
-    u: Floats,
-) -> None:
-    """Replaces a solution that is beyond a limit by one that keeps all of them.
-
-    If the way to the seed inside the limits leads to one, from there or from the seed; where it
-    stands alone to one that is taken for it and as exact as a row has to be.
-    """
-    solved = int(arm[SOLVED])
-    end, low, high = np.empty(solved), np.empty(solved), np.empty(solved)
-    if _clamp(arm, u, near, end) <= LIMIT:
-        return
-    for j in range(solved):
-        low[j], high[j] = arm[LOWEST + RECORD * j], arm[HIGHEST + RECORD * j]
-    for from_seed in range(2):
-        _clamp(arm, near if from_seed else u, near, end)
-        if descend_towards(arm, T, q, end, near, low, high) > enough:
-            continue
-        if alone and not _leads_inside(arm, T, q, near, u, end):
-            continue
-        new = find_known(arm, T, q, kept, kinds, count, end, True) < 0
-        if new and (not alone or is_same(arm, T, q, u, end, True)):
-            take(u, end)
-            return
-
-
-@inner
-def _takes_place(arm: Floats, T: Floats, q: Floats, near: Floats, u: Floats, known: Floats) -> bool:
-    """Whether a solution is kept instead of a known one that it is taken for.
-
-    It is inside the limits, and as exact as a row has to be; the other one is not inside.
-    """
-    end = np.empty(int(arm[SOLVED]))
-    if _clamp(arm, known, near, end) <= LIMIT or _clamp(arm, u, near, end) > LIMIT:
-        return False
-    e, A = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), int(arm[SOLVED])))
-    return measure_miss(arm, T, q, u, e, A) <= PROMISED
-
-
-@apart(
-    "int64(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], "
-    "int64, float64[::1])"
-)
-def keep(
-    arm: Floats,
-    T: Floats,
-    q: Floats,
-    near: Floats,
-    kept: Floats,
-    kinds: Ints,
-    count: int,
-    u: Floats,
-) -> int:
-    """Adds a solution to those found before, unless it is one of them; returns how many there are.
-
-    Where one is exact the pose has not been rounded: then all have to be exact.
-    """
-    enough = enough_beside(arm, T, q, u)
-    before = enough_beside(arm, T, q, kept[0]) if count else enough
-    if before < enough:
-        return count
-    if before > enough:
-        count = 0
-    if count == int(arm[ROWS]) or find_known(arm, T, q, kept, kinds, count, u, False) >= 0:
-        return count
-    limited = arm[LIMITED] > 0.0
-    kind = continuum(arm, T, q, u, enough)
-    if kind == 1:
-        end, everywhere = u.copy(), np.full(len(u), np.inf)
-        descend_towards(arm, T, q, end, near, -everywhere, everywhere)
-        if descend(arm, T, q, end) <= enough:
-            take(u, end)
-    if limited and kind >= 0:
-        _move_inside(arm, T, q, near, kept, kinds, count, kind == 0, enough, u)
-    wrap_angles(arm, u)
-    k = find_known(arm, T, q, kept, kinds, count, u, kind >= 0)
-    if k >= 0 and not (limited and _takes_place(arm, T, q, near, u, kept[k])):
-        return count
-    k = count if k < 0 else k
-    kinds[k] = kind
-    take(kept[k], u)
-    return max(count, k + 1)
-
-
-@inner
 def _comes_before(a: Floats, b: Floats) -> bool:
     """Whether a row of joint values comes before another."""
     for i in range(len(a)):
@@ -349,6 +190,3 @@ def sort_rows(
         take(q[row], joints)
         chosen[row] = kinds[k] == 1
         found[k] = True
-
-
-__all__ = ["EXACT", "SOLUTION", "continuum", "find_known", "is_same", "keep", "sort_rows"]

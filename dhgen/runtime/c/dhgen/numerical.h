@@ -2,7 +2,7 @@
  *
  * The numerical solver: descents from the seed and from evenly spread starts.
  *
- * Rooms, in reading order: arm (the table), descent, pull, solutions, keep, search. */
+ * Rooms, in reading order: arm (the table), descent, pull, solutions, family, keep, search. */
 #ifndef DHGEN_NUMERICAL_H
 #define DHGEN_NUMERICAL_H
 

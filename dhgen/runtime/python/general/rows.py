@@ -15,6 +15,7 @@ import numpy as np
 from ..jit import of_file
 from ..numerical.descent import EXACT, descend, start_of, wrap_angles
 from ..numerical.forward import take
+from ..numerical.keep import keep
 from ..numerical.places import (
     CHECKED,
     DOF,
@@ -27,7 +28,7 @@ from ..numerical.places import (
     ZERO,
 )
 from ..numerical.search import given_joints, matrix_of, seed_in_units
-from ..numerical.solutions import keep, sort_rows
+from ..numerical.solutions import sort_rows
 from .places import POINTING_LOOP
 from .search import solve_loop
 

@@ -323,22 +323,30 @@ def start_of(arm: Floats, k: int, near: Floats, u: Floats) -> None:
 
 
 @inner
-def sideways(arm: Floats, A: Floats, along: Floats) -> float:
-    """Returns the length of the part of a generic direction that leaves the tool where it is.
+def null_part(A: Floats, along: Floats) -> float:
+    """Leaves of a direction the part that leaves the tool where it is; returns how long it was.
 
-    To first order; that part, one long, goes into `along`.
+    To first order; that part is one long.
     """
     equations, solved = A.shape
-    moved, square = np.empty(equations), 0.0
+    moved, rest, square = np.empty(equations), np.empty(solved), 0.0
     for i in range(equations):
         moved[i] = 0.0
         for j in range(solved):
-            moved[i] += A[i, j] * arm[STRIDE + RECORD * j]
-    damped_step(A, moved, 0.0, FLOOR, along)
+            moved[i] += A[i, j] * along[j]
+    damped_step(A, moved, 0.0, FLOOR, rest)
     for j in range(solved):
-        along[j] = arm[STRIDE + RECORD * j] - along[j]
+        along[j] -= rest[j]
         square += along[j] * along[j]
     length = math.sqrt(square)
     for j in range(solved):
         along[j] /= length
     return length
+
+
+@inner
+def sideways(arm: Floats, A: Floats, along: Floats) -> float:
+    """Computes the null part of a generic direction; returns how long it was."""
+    for j in range(len(along)):
+        along[j] = arm[STRIDE + RECORD * j]
+    return null_part(A, along)
