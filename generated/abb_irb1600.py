@@ -27,17 +27,10 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
-_read_rows = _runtime("pose").read_pose
 _of_joints = _runtime("entry").of_joints(_HOW, 6)
 
 NAME = "abb_irb1600"
@@ -100,16 +93,24 @@ m5 = 0.09285714285714279  # a coefficient of S2
 m6 = 0.8333333333333335  # a coefficient of v9
 m7 = 0.10833333333333327  # a coefficient of v9
 m8 = 9.999999999999999e-09  # doubt_limit^2
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(),
+        rows=8,
+        directions='rotation',
+        miss_weights=(0.4996, 0.4996, 0.4996, 1.0, 1.0, 1.0),
+        size=2.0015,
+        steps=('regular', 'follows seed'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -264,8 +265,8 @@ def jacobian(q):
     return J
 
 
-@_inner
-def _solve(pose, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
@@ -388,874 +389,263 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.4996, 0.4996, 0.4996, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
+    for k in range(w):
+        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
+        # theta1, type 2: U1 A6^-1 [3, 4]
+        wx = T14 - d6 * T13
+        Y1 = d6 * T23 - T24
+        v1 = wx * wx + Y1 * Y1
+        w1 = math.sqrt(v1)
+        v2 = 1.0 / v1
+        factor1 = w1 * v2
+        v3 = wx * factor1
+        s1 = Y1 * factor1
 
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
+        # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+        Z1_3 = T34 - d6 * T33 - d1
+        v4 = a1 + w1
+        v5 = a1 - w1
+        v6 = Z1_3 * Z1_3
+        N3_p = v6 + v4 * v4
+        N3_m = v6 + v5 * v5
+        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p = math.sqrt(D3_p)
+        w3_m = math.sqrt(D3_m)
+        v7 = k1 * (N3_p - k2)
+        v8 = k1 * (N3_m - k2)
 
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
-    for i in range(6):
-        for j in range(6):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 6 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(12):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(12):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(12):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
+        # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
+        v9 = m5 + m4 * N3_p
+        v10 = m5 + m4 * N3_m
+        v11 = Z1_3 * v9
+        v12 = Z1_3 * v10
+        v13 = m4 * Z1_3
+        v14 = m4 * -Z1_3
+        v15 = v4 * v9
+        v16 = v5 * v10
+        factor2_p = 1.0 / N3_p
+        factor2_m = 1.0 / N3_m
 
+        # theta4, type 2: U4[3, 3]
+        v17 = m7 - m6 * N3_p
+        v18 = m7 - m6 * N3_m
+        v19 = T23 * s1 - T13 * v3
+        v20 = T33 * Z1_3
+        v21 = v20 - v4 * v19
+        v22 = v20 - v19 * -v5
+        v23 = Z1_3 * v17
+        v24 = Z1_3 * -v18
+        v25 = T33 * v17
+        v26 = T33 * v18
+        v27 = v19 * v23 + v4 * v25
+        v28 = v19 * v24 + v5 * v26
+        X4_pp = v27 + w3_p * (m6 * v21)
+        X4_pm = v27 + w3_p * (m6 * -v21)
+        X4_mp = v28 + w3_m * (m6 * v22)
+        X4_mm = v28 + w3_m * (m6 * -v22)
+        v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
+        v30 = v29 * v29
+        v31 = factor2_p * X4_pp
+        v32 = factor2_p * X4_pm
+        v33 = factor2_m * X4_mp
+        v34 = factor2_m * X4_mm
+        v35 = v30 + factor2_p * (X4_pp * v31)
+        v36 = v30 + factor2_p * (X4_pm * v32)
+        v37 = v30 + factor2_m * (X4_mp * v33)
+        v38 = v30 + factor2_m * (X4_mm * v34)
 
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
+        # theta5, type 3: U4[2, 3] and U4[1, 3]
+        v39 = v19 * (v4 * -v17) + Z1_3 * v25
+        v40 = v19 * (v5 * v18) + Z1_3 * v26
 
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(6):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        v41 = w1 * (v2 * (wx * T22 + Y1 * T12))
+        v42 = s1 * T22 - v3 * T12
+        v43 = Z1_3 * T32
+        v44 = v43 - v4 * v42
+        v45 = v43 - -v5 * v42
+        v46 = v23 * v42 + v4 * (v17 * T32)
+        v47 = v24 * v42 + v5 * (v18 * T32)
+        v48 = w1 * (v2 * (wx * T21 + Y1 * T11))
+        v49 = s1 * T21 - v3 * T11
+        v50 = Z1_3 * T31
+        v51 = v50 - v4 * v49
+        v52 = v50 - -v5 * v49
+        v53 = v23 * v49 + v4 * (v17 * T31)
+        v54 = v24 * v49 + v5 * (v18 * T31)
+        v55 = v29 * (v53 + w3_p * (m6 * v51)) - X4_pp * v48
+        v56 = v29 * (v53 + w3_p * (m6 * -v51)) - X4_pm * v48
+        v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m6 * v52))
+        v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m6 * -v52))
 
+        # joint values
+        v59 = w3_p * (m4 * v4)
+        v68 = math.copysign(half_turn, -v29)
+        v69 = math.copysign(half_turn, v29)
+        v78 = w3_p * (m6 * (Z1_3 * v19 + T33 * v4))
+        v79 = w3_m * (m6 * (-Z1_3 * v19 + T33 * v5))
 
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(6)
-    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(6):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(6)
-    for i in range(6):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(6):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    nearest = 0.001
-    for i in range(6):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
+        # a joint is free, or branches meet
+        kept[16 * w + k] = (
+            1.0 if v38 <= m8 or v37 <= m8 or v36 <= m8 or v35 <= m8 or abs(D3_m) <= m3 or v1 <= m1
+            or abs(D3_p) <= m3 else kept[16 * w + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Y1, w3_p, w3_m, v7
+        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v8, v55, v56, v57
+        kept[25 * w + k], kept[26 * w + k], kept[27 * w + k], turns[0 * w + k] = v58, v68, v69, Y1
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = v55, v56, v57, v58
+        turns[5 * w + k], turns[6 * w + k] = v59 - v11, -(v11 + v59)
+        turns[7 * w + k], turns[8 * w + k] = w3_m * (m4 * v5) - v12, w3_m * (m4 * -v5) - v12
+        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = v7, v8, -v29
+        turns[12 * w + k], turns[13 * w + k], turns[14 * w + k] = -v29, v29, v29
+        turns[15 * w + k], turns[16 * w + k] = math.sqrt(v35), math.sqrt(v36)
+        turns[17 * w + k], turns[18 * w + k] = math.sqrt(v37), math.sqrt(v38)
+        turns[24 * w + k], turns[25 * w + k] = -wx, v29 * (v46 + w3_p * (m6 * v44)) - X4_pp * v41
+        turns[26 * w + k] = v29 * (v46 + w3_p * (m6 * -v44)) - X4_pm * v41
+        turns[27 * w + k] = X4_mp * v41 - v29 * (v47 + w3_m * (m6 * v45))
+        turns[28 * w + k] = X4_mm * v41 - v29 * (v47 + w3_m * (m6 * -v45))
+        turns[29 * w + k], turns[30 * w + k] = -(v15 + w3_p * v13), -(v15 + w3_p * v14)
+        turns[31 * w + k], turns[32 * w + k] = -(v16 + w3_m * v13), -(v16 + w3_m * v14)
+        turns[33 * w + k], turns[34 * w + k], turns[35 * w + k] = -(k1 * w3_p), -(k1 * w3_m), -v31
+        turns[36 * w + k], turns[37 * w + k], turns[38 * w + k] = -v32, -v33, -v34
+        turns[39 * w + k], turns[40 * w + k] = factor2_p * (v39 - v78), factor2_p * (v39 + v78)
+        turns[41 * w + k], turns[42 * w + k] = factor2_m * (v40 - v79), factor2_m * (v40 + v79)
+    if w == 1 and kept[16] != 0.0:
         return
-    for row in range(8 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
+    end = 24 if w == 1 else 19 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(19 * w, end):
+        turns[k] = turns[k + 24 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 24 * w])
+    for k in range(w):
+        Y1, w3_p, w3_m, v7 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
+        v8, v55, v56, v57 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
+        v58, v68, v69 = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        angle19 = turns[18 * w + k]
+
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        q6_ppm = angle2 - math.copysign(half_turn, v55)
+        q6_pmm = angle3 - math.copysign(half_turn, v56)
+        q6_mpm = angle4 - math.copysign(half_turn, v57)
+        q6_mmm = angle5 - math.copysign(half_turn, v58)
+
+        # joint values
+        v60 = angle6 - offset2
+        v61 = angle7 - offset2
+        v62 = angle8 - offset2
+        v63 = angle9 - offset2
+        q2_ppp = v60 + (-turn if half_turn < v60 else 0.0)
+        q2_pmp = v61 + (-turn if half_turn < v61 else 0.0)
+        q2_mpp = v62 + (-turn if half_turn < v62 else 0.0)
+        q2_mmp = v63 + (-turn if half_turn < v63 else 0.0)
+        v64 = angle10 - offset3
+        v65 = math.copysign(half_turn, v7) - angle10 - offset3
+        v66 = angle11 - offset3
+        v67 = math.copysign(half_turn, v8) - angle11 - offset3
+        q3_ppp = v64 + (turn if v64 <= -half_turn else 0.0)
+        q3_pmp = v65 + (turn if v65 <= -half_turn else 0.0)
+        q3_mpp = v66 + (turn if v66 <= -half_turn else 0.0)
+        q3_mmp = v67 + (turn if v67 <= -half_turn else 0.0)
+        v70 = angle12 - offset4
+        v71 = angle12 - v68 - offset4
+        v72 = angle13 - offset4
+        v73 = angle13 - v68 - offset4
+        v74 = angle14 - offset4
+        v75 = angle14 - v69 - offset4
+        v76 = angle15 - offset4
+        v77 = angle15 - v69 - offset4
+        q4_ppp = v70 + (turn if v70 <= -half_turn else 0.0)
+        q4_ppm = v71 + (turn if v71 <= -half_turn else 0.0)
+        q4_pmp = v72 + (turn if v72 <= -half_turn else 0.0)
+        q4_pmm = v73 + (turn if v73 <= -half_turn else 0.0)
+        q4_mpp = v74 + (turn if v74 <= -half_turn else 0.0)
+        q4_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
+        q4_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
+        q4_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
+        v80 = angle16 - offset5
+        v81 = offset5 + angle16
+        v82 = angle17 - offset5
+        v83 = offset5 + angle17
+        v84 = angle18 - offset5
+        v85 = offset5 + angle18
+        v86 = angle19 - offset5
+        v87 = offset5 + angle19
+        q5_ppp = v80 + (turn if v80 <= -half_turn else 0.0)
+        q5_ppm = (turn if -v81 <= -half_turn else 0.0) - v81
+        q5_pmp = v82 + (turn if v82 <= -half_turn else 0.0)
+        q5_pmm = (turn if -v83 <= -half_turn else 0.0) - v83
+        q5_mpp = v84 + (turn if v84 <= -half_turn else 0.0)
+        q5_mpm = (turn if -v85 <= -half_turn else 0.0) - v85
+        q5_mmp = v86 + (turn if v86 <= -half_turn else 0.0)
+        q5_mmm = (turn if -v87 <= -half_turn else 0.0) - v87
+        q1_ppp = angle1 + (w3_p - w3_p)
+        q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, q2_ppp, q3_ppp
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q4_ppp, q5_ppp, angle2
+        rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q4_ppm, q5_ppm, q6_ppm
+        rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = q2_pmp, q3_pmp, q4_pmp
+        rows[12 * w + k], rows[13 * w + k], rows[14 * w + k] = q5_pmp, angle3, q4_pmm
+        rows[15 * w + k], rows[16 * w + k], rows[17 * w + k] = q5_pmm, q6_pmm, q1_mpp
+        rows[18 * w + k], rows[19 * w + k], rows[20 * w + k] = q2_mpp, q3_mpp, q4_mpp
+        rows[21 * w + k], rows[22 * w + k], rows[23 * w + k] = q5_mpp, angle4, q4_mpm
+        rows[24 * w + k], rows[25 * w + k], rows[26 * w + k] = q5_mpm, q6_mpm, q2_mmp
+        rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = q3_mmp, q4_mmp, q5_mmp
+        rows[30 * w + k], rows[31 * w + k], rows[32 * w + k] = angle5, q4_mmm, q5_mmm
+        rows[33 * w + k] = q6_mmm
+        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[40 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(8):
-        status[row] = UNREACHABLE
-        for i in range(6):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(8):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(6):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
-
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
-    """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
-    room = carray(_room(48), 48)
-
-    # theta1, type 2: U1 A6^-1 [3, 4]
-    wx = T14 - d6 * T13
-    Y1 = d6 * T23 - T24
-    v1 = wx * wx + Y1 * Y1
-    w1 = math.sqrt(v1)
-    v2 = 1.0 / v1
-    factor1 = w1 * v2
-    v3 = wx * factor1
-    s1 = Y1 * factor1
-
-    # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    Z1_3 = T34 - d6 * T33 - d1
-    v4 = a1 + w1
-    v5 = a1 - w1
-    v6 = Z1_3 * Z1_3
-    N3_p = v6 + v4 * v4
-    N3_m = v6 + v5 * v5
-    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-    w3_p = math.sqrt(D3_p)
-    w3_m = math.sqrt(D3_m)
-    v7 = k1 * (N3_p - k2)
-    v8 = k1 * (N3_m - k2)
-
-    # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    v9 = m5 + m4 * N3_p
-    v10 = m5 + m4 * N3_m
-    v11 = Z1_3 * v9
-    v12 = Z1_3 * v10
-    v13 = m4 * Z1_3
-    v14 = m4 * -Z1_3
-    v15 = v4 * v9
-    v16 = v5 * v10
-    factor2_p = 1.0 / N3_p
-    factor2_m = 1.0 / N3_m
-
-    # theta4, type 2: U4[3, 3]
-    v17 = m7 - m6 * N3_p
-    v18 = m7 - m6 * N3_m
-    v19 = T23 * s1 - T13 * v3
-    v20 = T33 * Z1_3
-    v21 = v20 - v4 * v19
-    v22 = v20 - v19 * -v5
-    v23 = Z1_3 * v17
-    v24 = Z1_3 * -v18
-    v25 = T33 * v17
-    v26 = T33 * v18
-    v27 = v19 * v23 + v4 * v25
-    v28 = v19 * v24 + v5 * v26
-    X4_pp = v27 + w3_p * (m6 * v21)
-    X4_pm = v27 + w3_p * (m6 * -v21)
-    X4_mp = v28 + w3_m * (m6 * v22)
-    X4_mm = v28 + w3_m * (m6 * -v22)
-    v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
-    v30 = v29 * v29
-    v31 = factor2_p * X4_pp
-    v32 = factor2_p * X4_pm
-    v33 = factor2_m * X4_mp
-    v34 = factor2_m * X4_mm
-    v35 = v30 + factor2_p * (X4_pp * v31)
-    v36 = v30 + factor2_p * (X4_pm * v32)
-    v37 = v30 + factor2_m * (X4_mp * v33)
-    v38 = v30 + factor2_m * (X4_mm * v34)
-
-    # theta5, type 3: U4[2, 3] and U4[1, 3]
-    v39 = v19 * (v4 * -v17) + Z1_3 * v25
-    v40 = v19 * (v5 * v18) + Z1_3 * v26
-
-    # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v41 = w1 * (v2 * (wx * T22 + Y1 * T12))
-    v42 = s1 * T22 - v3 * T12
-    v43 = Z1_3 * T32
-    v44 = v43 - v4 * v42
-    v45 = v43 - -v5 * v42
-    v46 = v23 * v42 + v4 * (v17 * T32)
-    v47 = v24 * v42 + v5 * (v18 * T32)
-    v48 = w1 * (v2 * (wx * T21 + Y1 * T11))
-    v49 = s1 * T21 - v3 * T11
-    v50 = Z1_3 * T31
-    v51 = v50 - v4 * v49
-    v52 = v50 - -v5 * v49
-    v53 = v23 * v49 + v4 * (v17 * T31)
-    v54 = v24 * v49 + v5 * (v18 * T31)
-    v55 = v29 * (v53 + w3_p * (m6 * v51)) - X4_pp * v48
-    v56 = v29 * (v53 + w3_p * (m6 * -v51)) - X4_pm * v48
-    v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m6 * v52))
-    v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m6 * -v52))
-
-    # joint values
-    v59 = w3_p * (m4 * v4)
-    v68 = math.copysign(half_turn, -v29)
-    v69 = math.copysign(half_turn, v29)
-    v78 = w3_p * (m6 * (Z1_3 * v19 + T33 * v4))
-    v79 = w3_m * (m6 * (-Z1_3 * v19 + T33 * v5))
-
-    # a joint is free, or branches meet
-    if (
-        v38 <= m8 or v37 <= m8 or v36 <= m8 or v35 <= m8 or abs(D3_m) <= m3 or v1 <= m1 or abs(D3_p)
-        <= m3
-    ):
-        return False
-
-    # angles, side by side
-    room[0] = Y1
-    room[1] = v55
-    room[2] = v56
-    room[3] = v57
-    room[4] = v58
-    room[5] = v59 - v11
-    room[6] = -(v11 + v59)
-    room[7] = w3_m * (m4 * v5) - v12
-    room[8] = w3_m * (m4 * -v5) - v12
-    room[9] = v7
-    room[10] = v8
-    room[11] = -v29
-    room[12] = -v29
-    room[13] = v29
-    room[14] = v29
-    room[15] = math.sqrt(v35)
-    room[16] = math.sqrt(v36)
-    room[17] = math.sqrt(v37)
-    room[18] = math.sqrt(v38)
-    room[24] = -wx
-    room[25] = v29 * (v46 + w3_p * (m6 * v44)) - X4_pp * v41
-    room[26] = v29 * (v46 + w3_p * (m6 * -v44)) - X4_pm * v41
-    room[27] = X4_mp * v41 - v29 * (v47 + w3_m * (m6 * v45))
-    room[28] = X4_mm * v41 - v29 * (v47 + w3_m * (m6 * -v45))
-    room[29] = -(v15 + w3_p * v13)
-    room[30] = -(v15 + w3_p * v14)
-    room[31] = -(v16 + w3_m * v13)
-    room[32] = -(v16 + w3_m * v14)
-    room[33] = -(k1 * w3_p)
-    room[34] = -(k1 * w3_m)
-    room[35] = -v31
-    room[36] = -v32
-    room[37] = -v33
-    room[38] = -v34
-    room[39] = factor2_p * (v39 - v78)
-    room[40] = factor2_p * (v39 + v78)
-    room[41] = factor2_m * (v40 - v79)
-    room[42] = factor2_m * (v40 + v79)
-    for k in range(19, 24):
-        room[k] = room[k + 24] = 1.0
-    for k in range(24):
-        room[k] = _atan2(room[k], room[k + 24])
-    angle1 = room[0]
-    angle2 = room[1]
-    angle3 = room[2]
-    angle4 = room[3]
-    angle5 = room[4]
-    angle6 = room[5]
-    angle7 = room[6]
-    angle8 = room[7]
-    angle9 = room[8]
-    angle10 = room[9]
-    angle11 = room[10]
-    angle12 = room[11]
-    angle13 = room[12]
-    angle14 = room[13]
-    angle15 = room[14]
-    angle16 = room[15]
-    angle17 = room[16]
-    angle18 = room[17]
-    angle19 = room[18]
-
-    # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle2 - math.copysign(half_turn, v55)
-    q6_pmm = angle3 - math.copysign(half_turn, v56)
-    q6_mpm = angle4 - math.copysign(half_turn, v57)
-    q6_mmm = angle5 - math.copysign(half_turn, v58)
-
-    # joint values
-    v60 = angle6 - offset2
-    v61 = angle7 - offset2
-    v62 = angle8 - offset2
-    v63 = angle9 - offset2
-    q2_ppp = v60 + (-turn if half_turn < v60 else 0.0)
-    q2_pmp = v61 + (-turn if half_turn < v61 else 0.0)
-    q2_mpp = v62 + (-turn if half_turn < v62 else 0.0)
-    q2_mmp = v63 + (-turn if half_turn < v63 else 0.0)
-    v64 = angle10 - offset3
-    v65 = math.copysign(half_turn, v7) - angle10 - offset3
-    v66 = angle11 - offset3
-    v67 = math.copysign(half_turn, v8) - angle11 - offset3
-    q3_ppp = v64 + (turn if v64 <= -half_turn else 0.0)
-    q3_pmp = v65 + (turn if v65 <= -half_turn else 0.0)
-    q3_mpp = v66 + (turn if v66 <= -half_turn else 0.0)
-    q3_mmp = v67 + (turn if v67 <= -half_turn else 0.0)
-    v70 = angle12 - offset4
-    v71 = angle12 - v68 - offset4
-    v72 = angle13 - offset4
-    v73 = angle13 - v68 - offset4
-    v74 = angle14 - offset4
-    v75 = angle14 - v69 - offset4
-    v76 = angle15 - offset4
-    v77 = angle15 - v69 - offset4
-    q4_ppp = v70 + (turn if v70 <= -half_turn else 0.0)
-    q4_ppm = v71 + (turn if v71 <= -half_turn else 0.0)
-    q4_pmp = v72 + (turn if v72 <= -half_turn else 0.0)
-    q4_pmm = v73 + (turn if v73 <= -half_turn else 0.0)
-    q4_mpp = v74 + (turn if v74 <= -half_turn else 0.0)
-    q4_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
-    q4_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
-    q4_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
-    v80 = angle16 - offset5
-    v81 = offset5 + angle16
-    v82 = angle17 - offset5
-    v83 = offset5 + angle17
-    v84 = angle18 - offset5
-    v85 = offset5 + angle18
-    v86 = angle19 - offset5
-    v87 = offset5 + angle19
-    q5_ppp = v80 + (turn if v80 <= -half_turn else 0.0)
-    q5_ppm = (turn if -v81 <= -half_turn else 0.0) - v81
-    q5_pmp = v82 + (turn if v82 <= -half_turn else 0.0)
-    q5_pmm = (turn if -v83 <= -half_turn else 0.0) - v83
-    q5_mpp = v84 + (turn if v84 <= -half_turn else 0.0)
-    q5_mpm = (turn if -v85 <= -half_turn else 0.0) - v85
-    q5_mmp = v86 + (turn if v86 <= -half_turn else 0.0)
-    q5_mmm = (turn if -v87 <= -half_turn else 0.0) - v87
-    q1_ppp = angle1 + (w3_p - w3_p)
-    q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
-
-    q[0, 0] = q1_ppp
-    q[0, 1] = q2_ppp
-    q[0, 2] = q3_ppp
-    q[0, 3] = q4_ppp
-    q[0, 4] = q5_ppp
-    q[0, 5] = angle2
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = q1_ppp
-    q[1, 1] = q2_ppp
-    q[1, 2] = q3_ppp
-    q[1, 3] = q4_ppm
-    q[1, 4] = q5_ppm
-    q[1, 5] = q6_ppm
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    q[2, 0] = q1_ppp
-    q[2, 1] = q2_pmp
-    q[2, 2] = q3_pmp
-    q[2, 3] = q4_pmp
-    q[2, 4] = q5_pmp
-    q[2, 5] = angle3
-    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
-    q[3, 0] = q1_ppp
-    q[3, 1] = q2_pmp
-    q[3, 2] = q3_pmp
-    q[3, 3] = q4_pmm
-    q[3, 4] = q5_pmm
-    q[3, 5] = q6_pmm
-    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
-    q[4, 0] = q1_mpp
-    q[4, 1] = q2_mpp
-    q[4, 2] = q3_mpp
-    q[4, 3] = q4_mpp
-    q[4, 4] = q5_mpp
-    q[4, 5] = angle4
-    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
-    q[5, 0] = q1_mpp
-    q[5, 1] = q2_mpp
-    q[5, 2] = q3_mpp
-    q[5, 3] = q4_mpm
-    q[5, 4] = q5_mpm
-    q[5, 5] = q6_mpm
-    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
-    q[6, 0] = q1_mpp
-    q[6, 1] = q2_mmp
-    q[6, 2] = q3_mmp
-    q[6, 3] = q4_mmp
-    q[6, 4] = q5_mmp
-    q[6, 5] = angle5
-    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
-    q[7, 0] = q1_mpp
-    q[7, 1] = q2_mmp
-    q[7, 2] = q3_mmp
-    q[7, 3] = q4_mmm
-    q[7, 4] = q5_mmm
-    q[7, 5] = q6_mmm
-    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
-    return True
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must have shapes (4, 4), (8, 6), (8,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [1168, 1184, 1200, 1216, 1232, 1248],
-    [1168, 1184, 1200, 1264, 1280, 1296],
-    [1168, 1312, 1328, 1344, 1360, 1376],
-    [1168, 1312, 1328, 1392, 1408, 1424],
-    [1440, 1456, 1472, 1488, 1504, 1520],
-    [1440, 1456, 1472, 1536, 1552, 1568],
-    [1440, 1584, 1600, 1616, 1632, 1648],
-    [1440, 1584, 1600, 1664, 1680, 1696],
+    [0, 1, 2, 3, 4, 5],
+    [0, 1, 2, 6, 7, 8],
+    [0, 9, 10, 11, 12, 13],
+    [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22],
+    [17, 18, 19, 23, 24, 25],
+    [17, 26, 27, 28, 29, 30],
+    [17, 26, 27, 31, 32, 33],
 ])
-_KINDS = np.array([1712, 1728, 1744, 1760, 1776, 1792, 1808, 1824])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(1840), 1840)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
-            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
-            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
-            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-            xy = x0 * y0 + x1 * y1 + x2 * y2
-            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
-            miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
-                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
-            )
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T11 = work[0 + k]
-            T12 = work[16 + k]
-            T13 = work[32 + k]
-            T14 = work[48 + k]
-            T21 = work[64 + k]
-            T22 = work[80 + k]
-            T23 = work[96 + k]
-            T24 = work[112 + k]
-            T31 = work[128 + k]
-            T32 = work[144 + k]
-            T33 = work[160 + k]
-            T34 = work[176 + k]
-            wx = T14 - d6 * T13
-            Y1 = d6 * T23 - T24
-            v1 = wx * wx + Y1 * Y1
-            w1 = math.sqrt(v1)
-            v2 = 1.0 / v1
-            factor1 = w1 * v2
-            v3 = wx * factor1
-            s1 = Y1 * factor1
-            Z1_3 = T34 - d6 * T33 - d1
-            v4 = a1 + w1
-            v5 = a1 - w1
-            v6 = Z1_3 * Z1_3
-            N3_p = v6 + v4 * v4
-            N3_m = v6 + v5 * v5
-            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-            w3_p = math.sqrt(D3_p)
-            w3_m = math.sqrt(D3_m)
-            v7 = k1 * (N3_p - k2)
-            v8 = k1 * (N3_m - k2)
-            v9 = m5 + m4 * N3_p
-            v10 = m5 + m4 * N3_m
-            v11 = Z1_3 * v9
-            v12 = Z1_3 * v10
-            v13 = m4 * Z1_3
-            v14 = m4 * -Z1_3
-            v15 = v4 * v9
-            v16 = v5 * v10
-            factor2_p = 1.0 / N3_p
-            factor2_m = 1.0 / N3_m
-            v17 = m7 - m6 * N3_p
-            v18 = m7 - m6 * N3_m
-            v19 = T23 * s1 - T13 * v3
-            v20 = T33 * Z1_3
-            v21 = v20 - v4 * v19
-            v22 = v20 - v19 * -v5
-            v23 = Z1_3 * v17
-            v24 = Z1_3 * -v18
-            v25 = T33 * v17
-            v26 = T33 * v18
-            v27 = v19 * v23 + v4 * v25
-            v28 = v19 * v24 + v5 * v26
-            X4_pp = v27 + w3_p * (m6 * v21)
-            X4_pm = v27 + w3_p * (m6 * -v21)
-            X4_mp = v28 + w3_m * (m6 * v22)
-            X4_mm = v28 + w3_m * (m6 * -v22)
-            v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
-            v30 = v29 * v29
-            v31 = factor2_p * X4_pp
-            v32 = factor2_p * X4_pm
-            v33 = factor2_m * X4_mp
-            v34 = factor2_m * X4_mm
-            v35 = v30 + factor2_p * (X4_pp * v31)
-            v36 = v30 + factor2_p * (X4_pm * v32)
-            v37 = v30 + factor2_m * (X4_mp * v33)
-            v38 = v30 + factor2_m * (X4_mm * v34)
-            v39 = v19 * (v4 * -v17) + Z1_3 * v25
-            v40 = v19 * (v5 * v18) + Z1_3 * v26
-            v41 = w1 * (v2 * (wx * T22 + Y1 * T12))
-            v42 = s1 * T22 - v3 * T12
-            v43 = Z1_3 * T32
-            v44 = v43 - v4 * v42
-            v45 = v43 - -v5 * v42
-            v46 = v23 * v42 + v4 * (v17 * T32)
-            v47 = v24 * v42 + v5 * (v18 * T32)
-            v48 = w1 * (v2 * (wx * T21 + Y1 * T11))
-            v49 = s1 * T21 - v3 * T11
-            v50 = Z1_3 * T31
-            v51 = v50 - v4 * v49
-            v52 = v50 - -v5 * v49
-            v53 = v23 * v49 + v4 * (v17 * T31)
-            v54 = v24 * v49 + v5 * (v18 * T31)
-            v55 = v29 * (v53 + w3_p * (m6 * v51)) - X4_pp * v48
-            v56 = v29 * (v53 + w3_p * (m6 * -v51)) - X4_pm * v48
-            v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m6 * v52))
-            v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m6 * -v52))
-            v59 = w3_p * (m4 * v4)
-            v68 = math.copysign(half_turn, -v29)
-            v69 = math.copysign(half_turn, v29)
-            v78 = w3_p * (m6 * (Z1_3 * v19 + T33 * v4))
-            v79 = w3_m * (m6 * (-Z1_3 * v19 + T33 * v5))
-            work[272 + k] = Y1
-            work[288 + k] = v1
-            work[304 + k] = D3_p
-            work[320 + k] = D3_m
-            work[336 + k] = w3_p
-            work[352 + k] = w3_m
-            work[368 + k] = v7
-            work[384 + k] = v8
-            work[400 + k] = v35
-            work[416 + k] = v36
-            work[432 + k] = v37
-            work[448 + k] = v38
-            work[464 + k] = v55
-            work[480 + k] = v56
-            work[496 + k] = v57
-            work[512 + k] = v58
-            work[528 + k] = v68
-            work[544 + k] = v69
-            work[560 + k] = Y1
-            work[576 + k] = v55
-            work[592 + k] = v56
-            work[608 + k] = v57
-            work[624 + k] = v58
-            work[640 + k] = v59 - v11
-            work[656 + k] = -(v11 + v59)
-            work[672 + k] = w3_m * (m4 * v5) - v12
-            work[688 + k] = w3_m * (m4 * -v5) - v12
-            work[704 + k] = v7
-            work[720 + k] = v8
-            work[736 + k] = -v29
-            work[752 + k] = -v29
-            work[768 + k] = v29
-            work[784 + k] = v29
-            work[800 + k] = math.sqrt(v35)
-            work[816 + k] = math.sqrt(v36)
-            work[832 + k] = math.sqrt(v37)
-            work[848 + k] = math.sqrt(v38)
-            work[864 + k] = -wx
-            work[880 + k] = v29 * (v46 + w3_p * (m6 * v44)) - X4_pp * v41
-            work[896 + k] = v29 * (v46 + w3_p * (m6 * -v44)) - X4_pm * v41
-            work[912 + k] = X4_mp * v41 - v29 * (v47 + w3_m * (m6 * v45))
-            work[928 + k] = X4_mm * v41 - v29 * (v47 + w3_m * (m6 * -v45))
-            work[944 + k] = -(v15 + w3_p * v13)
-            work[960 + k] = -(v15 + w3_p * v14)
-            work[976 + k] = -(v16 + w3_m * v13)
-            work[992 + k] = -(v16 + w3_m * v14)
-            work[1008 + k] = -(k1 * w3_p)
-            work[1024 + k] = -(k1 * w3_m)
-            work[1040 + k] = -v31
-            work[1056 + k] = -v32
-            work[1072 + k] = -v33
-            work[1088 + k] = -v34
-            work[1104 + k] = factor2_p * (v39 - v78)
-            work[1120 + k] = factor2_p * (v39 + v78)
-            work[1136 + k] = factor2_m * (v40 - v79)
-            work[1152 + k] = factor2_m * (v40 + v79)
-        for k in range(560, 864):
-            work[k] = _atan2(work[k], work[k + 304])
-        for k in range(0, 16):
-            Y1 = work[272 + k]
-            v1 = work[288 + k]
-            D3_p = work[304 + k]
-            D3_m = work[320 + k]
-            w3_p = work[336 + k]
-            w3_m = work[352 + k]
-            v7 = work[368 + k]
-            v8 = work[384 + k]
-            v35 = work[400 + k]
-            v36 = work[416 + k]
-            v37 = work[432 + k]
-            v38 = work[448 + k]
-            v55 = work[464 + k]
-            v56 = work[480 + k]
-            v57 = work[496 + k]
-            v58 = work[512 + k]
-            v68 = work[528 + k]
-            v69 = work[544 + k]
-            angle1 = work[560 + k]
-            angle2 = work[576 + k]
-            angle3 = work[592 + k]
-            angle4 = work[608 + k]
-            angle5 = work[624 + k]
-            angle6 = work[640 + k]
-            angle7 = work[656 + k]
-            angle8 = work[672 + k]
-            angle9 = work[688 + k]
-            angle10 = work[704 + k]
-            angle11 = work[720 + k]
-            angle12 = work[736 + k]
-            angle13 = work[752 + k]
-            angle14 = work[768 + k]
-            angle15 = work[784 + k]
-            angle16 = work[800 + k]
-            angle17 = work[816 + k]
-            angle18 = work[832 + k]
-            angle19 = work[848 + k]
-            q6_ppm = angle2 - math.copysign(half_turn, v55)
-            q6_pmm = angle3 - math.copysign(half_turn, v56)
-            q6_mpm = angle4 - math.copysign(half_turn, v57)
-            q6_mmm = angle5 - math.copysign(half_turn, v58)
-            v60 = angle6 - offset2
-            v61 = angle7 - offset2
-            v62 = angle8 - offset2
-            v63 = angle9 - offset2
-            q2_ppp = v60 + (-turn if half_turn < v60 else 0.0)
-            q2_pmp = v61 + (-turn if half_turn < v61 else 0.0)
-            q2_mpp = v62 + (-turn if half_turn < v62 else 0.0)
-            q2_mmp = v63 + (-turn if half_turn < v63 else 0.0)
-            v64 = angle10 - offset3
-            v65 = math.copysign(half_turn, v7) - angle10 - offset3
-            v66 = angle11 - offset3
-            v67 = math.copysign(half_turn, v8) - angle11 - offset3
-            q3_ppp = v64 + (turn if v64 <= -half_turn else 0.0)
-            q3_pmp = v65 + (turn if v65 <= -half_turn else 0.0)
-            q3_mpp = v66 + (turn if v66 <= -half_turn else 0.0)
-            q3_mmp = v67 + (turn if v67 <= -half_turn else 0.0)
-            v70 = angle12 - offset4
-            v71 = angle12 - v68 - offset4
-            v72 = angle13 - offset4
-            v73 = angle13 - v68 - offset4
-            v74 = angle14 - offset4
-            v75 = angle14 - v69 - offset4
-            v76 = angle15 - offset4
-            v77 = angle15 - v69 - offset4
-            q4_ppp = v70 + (turn if v70 <= -half_turn else 0.0)
-            q4_ppm = v71 + (turn if v71 <= -half_turn else 0.0)
-            q4_pmp = v72 + (turn if v72 <= -half_turn else 0.0)
-            q4_pmm = v73 + (turn if v73 <= -half_turn else 0.0)
-            q4_mpp = v74 + (turn if v74 <= -half_turn else 0.0)
-            q4_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
-            q4_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
-            q4_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
-            v80 = angle16 - offset5
-            v81 = offset5 + angle16
-            v82 = angle17 - offset5
-            v83 = offset5 + angle17
-            v84 = angle18 - offset5
-            v85 = offset5 + angle18
-            v86 = angle19 - offset5
-            v87 = offset5 + angle19
-            q5_ppp = v80 + (turn if v80 <= -half_turn else 0.0)
-            q5_ppm = (turn if -v81 <= -half_turn else 0.0) - v81
-            q5_pmp = v82 + (turn if v82 <= -half_turn else 0.0)
-            q5_pmm = (turn if -v83 <= -half_turn else 0.0) - v83
-            q5_mpp = v84 + (turn if v84 <= -half_turn else 0.0)
-            q5_mpm = (turn if -v85 <= -half_turn else 0.0) - v85
-            q5_mmp = v86 + (turn if v86 <= -half_turn else 0.0)
-            q5_mmm = (turn if -v87 <= -half_turn else 0.0) - v87
-            q1_ppp = angle1 + (w3_p - w3_p)
-            q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
-            _1168 = q1_ppp
-            work[1168 + k] = _1168
-            _1184 = q2_ppp
-            work[1184 + k] = _1184
-            _1200 = q3_ppp
-            work[1200 + k] = _1200
-            _1216 = q4_ppp
-            work[1216 + k] = _1216
-            _1232 = q5_ppp
-            work[1232 + k] = _1232
-            _1248 = angle2
-            work[1248 + k] = _1248
-            _1264 = q4_ppm
-            work[1264 + k] = _1264
-            _1280 = q5_ppm
-            work[1280 + k] = _1280
-            _1296 = q6_ppm
-            work[1296 + k] = _1296
-            _1312 = q2_pmp
-            work[1312 + k] = _1312
-            _1328 = q3_pmp
-            work[1328 + k] = _1328
-            _1344 = q4_pmp
-            work[1344 + k] = _1344
-            _1360 = q5_pmp
-            work[1360 + k] = _1360
-            _1376 = angle3
-            work[1376 + k] = _1376
-            _1392 = q4_pmm
-            work[1392 + k] = _1392
-            _1408 = q5_pmm
-            work[1408 + k] = _1408
-            _1424 = q6_pmm
-            work[1424 + k] = _1424
-            _1440 = q1_mpp
-            work[1440 + k] = _1440
-            _1456 = q2_mpp
-            work[1456 + k] = _1456
-            _1472 = q3_mpp
-            work[1472 + k] = _1472
-            _1488 = q4_mpp
-            work[1488 + k] = _1488
-            _1504 = q5_mpp
-            work[1504 + k] = _1504
-            _1520 = angle4
-            work[1520 + k] = _1520
-            _1536 = q4_mpm
-            work[1536 + k] = _1536
-            _1552 = q5_mpm
-            work[1552 + k] = _1552
-            _1568 = q6_mpm
-            work[1568 + k] = _1568
-            _1584 = q2_mmp
-            work[1584 + k] = _1584
-            _1600 = q3_mmp
-            work[1600 + k] = _1600
-            _1616 = q4_mmp
-            work[1616 + k] = _1616
-            _1632 = q5_mmp
-            work[1632 + k] = _1632
-            _1648 = angle5
-            work[1648 + k] = _1648
-            _1664 = q4_mmm
-            work[1664 + k] = _1664
-            _1680 = q5_mmm
-            work[1680 + k] = _1680
-            _1696 = q6_mmm
-            work[1696 + k] = _1696
-            work[1712 + k] = UNREACHABLE if _1168 != _1168 else OK
-            work[1728 + k] = UNREACHABLE if _1168 != _1168 else OK
-            work[1744 + k] = UNREACHABLE if _1168 != _1168 else OK
-            work[1760 + k] = UNREACHABLE if _1168 != _1168 else OK
-            work[1776 + k] = UNREACHABLE if _1440 != _1440 else OK
-            work[1792 + k] = UNREACHABLE if _1440 != _1440 else OK
-            work[1808 + k] = UNREACHABLE if _1440 != _1440 else OK
-            work[1824 + k] = UNREACHABLE if _1440 != _1440 else OK
-            work[256 + k] = (
-                1.0 if v38 <= m8 or v37 <= m8 or v36 <= m8 or v35 <= m8 or abs(D3_m) <= m3 or v1 <=
-                m1 or abs(D3_p) <= m3 else work[256 + k]
-            )
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(8):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(6):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 28, 48, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach",
@@ -1263,6 +653,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

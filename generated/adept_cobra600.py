@@ -27,17 +27,10 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
-_read_rows = _runtime("pose").read_pose
 _of_joints = _runtime("entry").of_joints(_HOW, 4)
 
 NAME = "adept_cobra600"
@@ -84,17 +77,24 @@ m2 = 1.5384615384615385  # a coefficient of S1
 m3 = 0.04615384615384612  # a coefficient of S1
 m4 = 9.74169e-11  # pose_slack1^2 [m^2]
 m5 = 1.0000000000000002e-10  # pose_slack^2
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 9.87e-10, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0265159330670552, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 9.87e-10, 1e-09),
+        weights=(1.0, 1.0, 1.0265159330670552, 1.0),
+        paces=(1.0, 1.0, 0.987, 1.0),
+        fan_steps=(),
+        rows=2,
+        directions='rotation',
+        miss_weights=(1.013, 1.013, 1.013, 1.0, 1.0, 1.0),
+        size=0.987,
+        steps=('regular', 'follows seed'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -154,8 +154,8 @@ def jacobian(q):
     return J
 
 
-@_inner
-def _solve(pose, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
 
@@ -231,400 +231,93 @@ def _solve(pose, seed, q, status):
         status[row] = FREE_JOINT if free1 else OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px * px * px) and math.isfinite(py * py * py) and math.isfinite(pz * pz * pz), pose
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 0.987, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([1.013, 1.013, 1.013, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
+    for k in range(w):
+        T11, T13, T14, T21 = kept[0 * w + k], kept[2 * w + k], kept[3 * w + k], kept[4 * w + k]
+        T23, T24, T31, T33 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k], kept[10 * w + k]
+        T34 = kept[11 * w + k]
 
+        # r3, type 1: U0[3, 4]
+        r3 = d1 - T34
 
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
+        # theta2, type 8: U0[1, 4] and U0[2, 4]
+        N2 = T14 * T14 + T24 * T24
+        D2 = (longest2 - N2) * (N2 - shortest2)
+        w2 = math.sqrt(D2)
 
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 10)), np.zeros(6)
-    for i in range(6):
-        for j in range(4):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 4 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(10):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(10):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(10):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(4):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
+        # theta1, type 3: U0[2, 4] and U0[1, 4]
+        v1 = m3 + m2 * N2
+        v2 = T24 * v1
+        v3 = T14 * v1
+        v4 = w2 * (m2 * T14)
+        v5 = w2 * (m2 * T24)
 
+        # is the pose one that the arm can take?
+        v6 = T34 - (d1 - r3)
+        v7 = 1.0 + T33
+        v8 = T21 * T21 + T11 * T11 - 1.0
 
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
+        # joint values
+        q3_p = r3 + (w2 - w2)
 
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(4):
-        off = q[i] - x[i]
-        if _REVOLUTE[i]:
-            off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off) * math.sqrt(_WEIGHT[i]))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(4)
-    held, x, settled = np.zeros(4, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(4):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(4)
-    for i in range(4):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(4):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(4), np.empty(4), 0, math.inf
-    nearest = 0.001
-    for i in range(4):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
+        # a joint is free, or branches meet
+        kept[16 * w + k] = (
+            1.0 if m4 < v6 * v6 or m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8 * v8 or
+            abs(D2) <= m1 else kept[16 * w + k]
+        )
+        kept[17 * w + k], turns[0 * w + k], turns[1 * w + k] = q3_p, T21, w2
+        turns[2 * w + k], turns[3 * w + k], turns[8 * w + k] = v2 - v4, v2 + v4, T11
+        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = N2 - k1, v3 + v5, v3 - v5
+    if w == 1 and kept[16] != 0.0:
         return
-    for row in range(2 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(4):
-            q[place, i] = x[i]
+    end = 8 if w == 1 else 4 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(4 * w, end):
+        turns[k] = turns[k + 8 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 8 * w])
+    for k in range(w):
+        q3_p, angle1, angle2 = kept[17 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle3, angle4 = turns[2 * w + k], turns[3 * w + k]
+
+        # joint values
+        v9 = angle2 + angle3 - angle1
+        v10 = angle4 - angle2 - angle1
+        q4_p = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
+        q4_m = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = angle3, angle2, q3_p
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q4_p, angle4, -angle2
+        rows[6 * w + k] = q4_m
+        rows[7 * w + k] = UNREACHABLE if angle3 != angle3 else OK
+        rows[8 * w + k] = UNREACHABLE if angle4 != angle4 else OK
 
 
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(2):
-        status[row] = UNREACHABLE
-        for i in range(4):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(2):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(4):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
-
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
-    """
-    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
-    room = carray(_room(16), 16)
-
-    # r3, type 1: U0[3, 4]
-    r3 = d1 - T34
-
-    # theta2, type 8: U0[1, 4] and U0[2, 4]
-    N2 = T14 * T14 + T24 * T24
-    D2 = (longest2 - N2) * (N2 - shortest2)
-    w2 = math.sqrt(D2)
-
-    # theta1, type 3: U0[2, 4] and U0[1, 4]
-    v1 = m3 + m2 * N2
-    v2 = T24 * v1
-    v3 = T14 * v1
-    v4 = w2 * (m2 * T14)
-    v5 = w2 * (m2 * T24)
-
-    # is the pose one that the arm can take?
-    v6 = T34 - (d1 - r3)
-    v7 = 1.0 + T33
-    v8 = T21 * T21 + T11 * T11 - 1.0
-
-    # joint values
-    q3_p = r3 + (w2 - w2)
-
-    # a joint is free, or branches meet
-    if m4 < v6 * v6 or m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8 * v8 or abs(D2) <= m1:
-        return False
-
-    # angles, side by side
-    room[0] = T21
-    room[1] = w2
-    room[2] = v2 - v4
-    room[3] = v2 + v4
-    room[8] = T11
-    room[9] = N2 - k1
-    room[10] = v3 + v5
-    room[11] = v3 - v5
-    for k in range(4, 8):
-        room[k] = room[k + 8] = 1.0
-    for k in range(8):
-        room[k] = _atan2(room[k], room[k + 8])
-    angle1 = room[0]
-    angle2 = room[1]
-    angle3 = room[2]
-    angle4 = room[3]
-
-    # joint values
-    v9 = angle2 + angle3 - angle1
-    v10 = angle4 - angle2 - angle1
-    q4_p = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
-    q4_m = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
-
-    q[0, 0] = angle3
-    q[0, 1] = angle2
-    q[0, 2] = q3_p
-    q[0, 3] = q4_p
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = angle4
-    q[1, 1] = -angle2
-    q[1, 2] = q3_p
-    q[1, 3] = q4_m
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    return True
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
-        raise ValueError("T, q and status must have shapes (4, 4), (2, 4), (2,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(2):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [480, 496, 512, 528],
-    [544, 560, 512, 576],
+    [0, 1, 2, 3],
+    [4, 5, 2, 6],
 ])
-_KINDS = np.array([592, 608])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(624), 624)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
-            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
-            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
-            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-            xy = x0 * y0 + x1 * y1 + x2 * y2
-            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
-            miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
-                - 1.0) + 0.0 * (work[48 + k] * work[48 + k] * work[48 + k] + work[112 + k] *
-                work[112 + k] * work[112 + k] + work[176 + k] * work[176 + k] * work[176 + k])
-            )
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T11 = work[0 + k]
-            T14 = work[48 + k]
-            T21 = work[64 + k]
-            T24 = work[112 + k]
-            T33 = work[160 + k]
-            T34 = work[176 + k]
-            r3 = d1 - T34
-            N2 = T14 * T14 + T24 * T24
-            D2 = (longest2 - N2) * (N2 - shortest2)
-            w2 = math.sqrt(D2)
-            v1 = m3 + m2 * N2
-            v2 = T24 * v1
-            v3 = T14 * v1
-            v4 = w2 * (m2 * T14)
-            v5 = w2 * (m2 * T24)
-            v6 = T34 - (d1 - r3)
-            v7 = 1.0 + T33
-            v8 = T21 * T21 + T11 * T11 - 1.0
-            q3_p = r3 + (w2 - w2)
-            work[272 + k] = D2
-            work[288 + k] = v6
-            work[304 + k] = v7
-            work[320 + k] = v8
-            work[336 + k] = q3_p
-            work[352 + k] = T21
-            work[368 + k] = w2
-            work[384 + k] = v2 - v4
-            work[400 + k] = v2 + v4
-            work[416 + k] = T11
-            work[432 + k] = N2 - k1
-            work[448 + k] = v3 + v5
-            work[464 + k] = v3 - v5
-        for k in range(352, 416):
-            work[k] = _atan2(work[k], work[k + 64])
-        for k in range(0, 16):
-            T13 = work[32 + k]
-            T23 = work[96 + k]
-            T31 = work[128 + k]
-            D2 = work[272 + k]
-            v6 = work[288 + k]
-            v7 = work[304 + k]
-            v8 = work[320 + k]
-            q3_p = work[336 + k]
-            angle1 = work[352 + k]
-            angle2 = work[368 + k]
-            angle3 = work[384 + k]
-            angle4 = work[400 + k]
-            v9 = angle2 + angle3 - angle1
-            v10 = angle4 - angle2 - angle1
-            q4_p = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
-            q4_m = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
-            _480 = angle3
-            work[480 + k] = _480
-            _496 = angle2
-            work[496 + k] = _496
-            _512 = q3_p
-            work[512 + k] = _512
-            _528 = q4_p
-            work[528 + k] = _528
-            _544 = angle4
-            work[544 + k] = _544
-            _560 = -angle2
-            work[560 + k] = _560
-            _576 = q4_m
-            work[576 + k] = _576
-            work[592 + k] = UNREACHABLE if _480 != _480 else OK
-            work[608 + k] = UNREACHABLE if _544 != _544 else OK
-            work[256 + k] = (
-                1.0 if m4 < v6 * v6 or m5 < v7 * v7 + T31 * T31 + T23 * T23 + T13 * T13 + v8 * v8 or
-                abs(D2) <= m1 else work[256 + k]
-            )
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(2):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(4):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 18, 16, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite or beyond 5e102, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach, or one that 4 joints can't take",
@@ -632,6 +325,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

@@ -26,17 +26,10 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
-_read_rows = _runtime("pose").read_pose
 _of_joints = _runtime("entry").of_joints(_HOW, 6)
 
 NAME = "comau_ns16"
@@ -118,16 +111,38 @@ m6 = 0.7365421705803339  # a coefficient of c2m3
 m7 = 0.04890566358436353  # a coefficient of c2m3
 m8 = 0.01449927526138983  # a coefficient of c2m3
 m9 = 9.999999999999999e-09  # doubt_limit^2
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(
+            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
+            0.09817477042468103, 0.09817477042468103,
+        ),
+        rows=8,
+        directions='rotation',
+        miss_weights=(0.3642, 0.3642, 0.3642, 1.0, 1.0, 1.0),
+        size=2.7459999999999996,
+        steps=(
+            'keeps limits',
+            'regular',
+            'merges',
+            'refines',
+            'clamps',
+            'clamps far',
+            'winds',
+            'follows seed',
+        ),
+        choosable=(3, 1, 0),
+        cuts=52,
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -287,8 +302,8 @@ def jacobian(q):
     return J
 
 
-@_inner
-def _solve(pose, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
@@ -417,1330 +432,324 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-
-@_inner
-def _overshoot(joint, value):
-    """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
-    if low <= value <= high:
-        return 0.0
-    gap, over = turn - (high - low), value - high
-    rest = over - turn * math.floor(over / turn)
-    off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
-
-
-@_inner
-def _beyond_limits(values):
-    """The same of a row."""
-    total = 0.0
-    for i in range(6):
-        total += abs(_overshoot(i, values[i]))
-    return total
-
-
-@_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % turn, angle)
-
-
-_CHOOSABLE = (3, 1, 0,)  # joints, from 0, that may be free
-
-
-@_inner
-def _attempt(pose, seed, search, moved, q, status):
-    """Solves with a joint moved: 0 if it serves, else less.
-
-    A search is a row, the joint that had been chosen, whether limits count.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    row, joint = search[0], search[1]
-    for i in range(8):
-        status[i] = UNREACHABLE
-    kept = seed[joint]
-    seed[joint] = kept + moved
-    _solve(pose, seed, q, status)
-    seed[joint] = kept
-    return -math.inf if status[row] == UNREACHABLE else -_beyond_limits(q[row])
+    for k in range(w):
+        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
+        # theta1, type 2: U1 A6^-1 [3, 4]
+        X1 = d6 * T13 - T14
+        wy = d6 * T23 - T24
+        N1 = X1 * X1 + wy * wy
+        D1 = N1 - k1
+        w1 = math.sqrt(D1)
+        inverse1 = 1.0 / N1
+        v1 = inverse1 * (k1 * wy)
+        c1_p = v1 - w1 * (X1 * inverse1)
+        c1_m = v1 - w1 * (inverse1 * -X1)
+        v2 = inverse1 * (k1 * X1)
+        s1_p = v2 + w1 * (wy * inverse1)
+        s1_m = v2 + w1 * (inverse1 * -wy)
 
-@_inner
-def _peak(pose, seed, search, low, high, q, status):
-    """Golden section for the move between low and high that comes nearest, or one that serves."""
-    for _ in range(52):
-        third = 0.3819660112501051 * (high - low)
-        left = _attempt(pose, seed, search, low + third, q, status)
-        right = _attempt(pose, seed, search, high - third, q, status)
-        if left == 0.0 or right == 0.0:
-            return low + third if left == 0.0 else high - third
-        if left >= right:
-            high -= third
-        else:
-            low += third
-    return low
+        # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+        Z1_3 = d1 + (d6 * T33 - T34)
+        Z2_3_p = w1 - a1
+        v3 = a1 + w1
+        v4 = Z1_3 * Z1_3
+        N3_p = v4 + Z2_3_p * Z2_3_p
+        N3_m = v4 + v3 * v3
+        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+        v5 = k4 * w1
+        w3_p = math.sqrt(D3_p)
+        w3_m = math.sqrt(D3_m)
 
+        # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+        X1_2_p = m4 + m3 * N3_p
+        X1_2_m = m4 + m3 * N3_m
+        v6 = Z1_3 * X1_2_p
+        v7 = Z1_3 * X1_2_m
+        v8 = Z2_3_p * X1_2_p
+        v9 = v3 * X1_2_m
+        v10 = m3 * Z1_3
+        factor2_p = 1.0 / N3_p
+        factor2_m = 1.0 / N3_m
 
-@_inner
-def _summit(pose, seed, search, low, high, q, status):
-    """A move between low and high that serves; NaN if there is none."""
-    top = _peak(pose, seed, search, low, high, q, status)
-    if _attempt(pose, seed, search, top, q, status) == 0.0:
-        return top
-    return math.nan
+        # theta4, type 2: U4[3, 3]
+        v11 = m5 * Z1_3
+        v12 = v11 - m6 * Z2_3_p
+        v13 = m6 - m7 * factor2_p
+        v14 = m6 - m7 * factor2_m
+        v15 = m5 - m8 * factor2_p
+        v16 = m5 - m8 * factor2_m
+        v17 = Z1_3 * v13 + Z2_3_p * v15
+        v18 = Z1_3 * v14 - v3 * v16
+        c2m3_pp = v17 + w3_p * (factor2_p * v12)
+        c2m3_pm = v17 + w3_p * (factor2_p * -v12)
+        v19 = w3_m * (factor2_m * (v11 + m6 * v3))
+        c2m3_mp = v18 + v19
+        c2m3_mm = v18 - v19
+        v20 = m6 * Z1_3
+        v21 = v20 - m5 * v3
+        v22 = Z1_3 * v15 + Z2_3_p * -v13
+        v23 = Z1_3 * v16 - v3 * -v14
+        v24 = w3_p * (factor2_p * (v20 + m5 * Z2_3_p))
+        s2m3_pp = v22 - v24
+        s2m3_pm = v22 + v24
+        s2m3_mp = v23 - w3_m * (factor2_m * v21)
+        s2m3_mm = v23 - w3_m * (factor2_m * -v21)
+        v25 = T13 * c1_p - T23 * s1_p
+        v26 = T13 * c1_m - T23 * s1_m
+        X4_pp = T33 * s2m3_pp - c2m3_pp * v25
+        X4_pm = T33 * s2m3_pm - c2m3_pm * v25
+        X4_mp = T33 * s2m3_mp - c2m3_mp * v26
+        X4_mm = T33 * s2m3_mm - c2m3_mm * v26
+        Y4_p = T23 * c1_p + T13 * s1_p
+        Y4_m = T23 * c1_m + T13 * s1_m
+        v27 = Y4_p * Y4_p
+        v28 = Y4_m * Y4_m
+        v29 = v27 + X4_pp * X4_pp
+        v30 = v27 + X4_pm * X4_pm
+        v31 = v28 + X4_mp * X4_mp
+        v32 = v28 + X4_mm * X4_mm
 
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        v33 = c1_p * T22 + s1_p * T12
+        v34 = c1_m * T22 + s1_m * T12
+        v35 = c1_p * T12 - s1_p * T22
+        v36 = c1_m * T12 - s1_m * T22
+        v37 = c1_p * T21 + s1_p * T11
+        v38 = c1_m * T21 + s1_m * T11
+        v39 = c1_p * T11 - s1_p * T21
+        v40 = c1_m * T11 - s1_m * T21
+        s6_pp = Y4_p * (c2m3_pp * v39 - s2m3_pp * T31) - v37 * -X4_pp
+        s6_pm = Y4_p * (c2m3_pm * v39 - s2m3_pm * T31) - v37 * -X4_pm
+        s6_mp = Y4_m * (c2m3_mp * v40 - s2m3_mp * T31) - v38 * -X4_mp
+        s6_mm = Y4_m * (c2m3_mm * v40 - s2m3_mm * T31) - v38 * -X4_mm
 
-@_inner
-def _serving(pose, seed, search, q, status):
-    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
+        # joint values
+        v41 = w3_p * v10
+        v44 = w3_m * (m3 * v3)
+        v45 = w3_m * v10
+        v52 = math.copysign(half_turn, Y4_p)
+        v53 = math.copysign(half_turn, Y4_m)
 
-    A fan of values shows where it serves or nearly so, golden section finds what lies between two
-    of them, bisection the end that is nearest to the seed; of two that are equally near the lower
-    one.
-    """
-    if _attempt(pose, seed, search, 0.0, q, status) == 0.0:
-        return 0.0
-    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
-    after = _attempt(pose, seed, search, -32.0 * step, q, status)
-    for k in range(-32, 32 + 1):
-        before, here = here, after
-        after = _attempt(pose, seed, search, (k + 1) * step, q, status)
-        outer = k * step
-        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
-        if here < 0.0 and here >= before and here > after:
-            low, high = outer - step, outer + step
-            outer = _summit(pose, seed, search, low, high, q, status)
-            if math.isnan(outer):
-                continue
-        elif here < 0.0 or (before if k > 0 else after) == 0.0:
-            continue
-        for _ in range(52):
-            middle = 0.5 * (inner + outer)
-            if _attempt(pose, seed, search, middle, q, status) == 0.0:
-                outer = middle
-            else:
-                inner = middle
-        if not abs(outer) >= abs(nearest) - 1e-09:
-            nearest = outer
-    return nearest
-
-
-@_inner
-def _hopeless(pose, seed, search, q, status):
-    """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
-    row = search[0]
-    if math.isinf(_attempt(pose, seed, search, 0.0, q, status)):
-        return False
-    values = q[row].copy()
-    if math.isinf(_attempt(pose, seed, search, 0.1, q, status)):
-        return False
-    for i in range(6):
-        if abs(values[i] - q[row, i]) < 1e-09 and _overshoot(i, values[i]) != 0.0:
-            return True
-    return False
-
-
-@_inner
-def _keep_limits(pose, given, row, q, status):
-    """A free joint took the seed's value, and that puts one beyond its limits.
-
-    It takes the nearest value that keeps all of them, if there is one. Where several joints are
-    free the others take the seed's values as far as their limits allow.
-    """
-    seed, trial, result = given.copy(), q.copy(), status.copy()
-    for i in range(6):
-        seed[i] -= _overshoot(i, seed[i])
-    for joint in _CHOOSABLE:
-        inside, search = seed[joint], (row, joint, True)
-        seed[joint] = _without_turns(given[joint])
-        if not _hopeless(pose, seed, search, trial, result):
-            moved = _serving(pose, seed, search, trial, result)
-            # beside the solution of another row this one has none
-            start = _attempt(pose, seed, search, 0.0, trial, result)
-            own = abs(moved) >= 1e-06 or not math.isinf(start)
-            if own and not math.isnan(moved):
-                _attempt(pose, seed, search, moved, trial, result)
-                for i in range(6):
-                    q[row, i] = trial[row, i]
-                status[row] = result[row]
-                return
-        seed[joint] = inside
-
-
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
-def _other_choices(pose, seed, q, status):
-    """Other values for free joints, in rows that the seed's do not serve."""
-    for row in range(8):
-        if status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0:
-            _keep_limits(pose, seed, row, q, status)
-
-
-@_inner
-def _choose(pose, seed, q, status):
-    """The same where there is a row that needs it."""
-    served = True
-    for row in range(8):
-        served = served and not (status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0)
-    if served:
+        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        kept[16 * w + k] = (
+            1.0 if abs(D1) <= m1 or N1 <= doubt_limit_squared2 or v32 <= m9 or v31 <= m9 or v30 <=
+            m9 or v29 <= m9 or abs(D3_p * v5) <= m2 or abs(D3_m * v5) <= m2 else kept[16 * w + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3_p, w3_m, s6_pp
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = s6_pm, s6_mp, s6_mm
+        kept[23 * w + k], kept[24 * w + k], turns[0 * w + k] = v52, v53, s1_p
+        turns[1 * w + k], turns[2 * w + k] = s1_m, v6 + w3_p * (m3 * Z2_3_p)
+        turns[3 * w + k], turns[4 * w + k] = v6 + w3_p * (m3 * -Z2_3_p), v7 - v44
+        turns[5 * w + k], turns[6 * w + k], turns[7 * w + k] = v7 + v44, w3_p, w3_m
+        turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = Y4_p, Y4_p, Y4_m
+        turns[11 * w + k], turns[12 * w + k] = Y4_m, -math.sqrt(v29)
+        turns[13 * w + k], turns[14 * w + k] = -math.sqrt(v30), -math.sqrt(v31)
+        turns[15 * w + k], turns[16 * w + k], turns[17 * w + k] = -math.sqrt(v32), s6_pp, s6_pm
+        turns[18 * w + k], turns[19 * w + k], turns[24 * w + k] = s6_mp, s6_mm, c1_p
+        turns[25 * w + k], turns[26 * w + k], turns[27 * w + k] = c1_m, v8 - v41, v8 + v41
+        turns[28 * w + k], turns[29 * w + k], turns[30 * w + k] = -(v9 + v45), v45 - v9, N3_p - k7
+        turns[31 * w + k], turns[32 * w + k], turns[33 * w + k] = N3_m - k7, -X4_pp, -X4_pm
+        turns[34 * w + k], turns[35 * w + k] = -X4_mp, -X4_mm
+        turns[36 * w + k] = T33 * c2m3_pp + s2m3_pp * v25
+        turns[37 * w + k] = T33 * c2m3_pm + s2m3_pm * v25
+        turns[38 * w + k] = T33 * c2m3_mp + s2m3_mp * v26
+        turns[39 * w + k] = T33 * c2m3_mm + s2m3_mm * v26
+        turns[40 * w + k] = v33 * -X4_pp - Y4_p * (c2m3_pp * v35 - s2m3_pp * T32)
+        turns[41 * w + k] = v33 * -X4_pm - Y4_p * (c2m3_pm * v35 - s2m3_pm * T32)
+        turns[42 * w + k] = v34 * -X4_mp - Y4_m * (c2m3_mp * v36 - s2m3_mp * T32)
+        turns[43 * w + k] = v34 * -X4_mm - Y4_m * (c2m3_mm * v36 - s2m3_mm * T32)
+    if w == 1 and kept[16] != 0.0:
         return
-    # arrays of the caller may have any layout
-    values, rows, kinds = np.empty(6), np.empty((8, 6)), np.empty(8, np.uint8)
-    for row in range(8):
-        kinds[row] = status[row]
-        for i in range(6):
-            values[i], rows[row, i] = seed[i], q[row, i]
-    _other_choices(pose, values, rows, kinds)
-    for row in range(8):
-        status[row] = kinds[row]
-        for i in range(6):
-            q[row, i] = rows[row, i]
+    end = 24 if w == 1 else 20 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(20 * w, end):
+        turns[k] = turns[k + 24 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 24 * w])
+    for k in range(w):
+        w3_p, w3_m, s6_pp = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        s6_pm, s6_mp, s6_mm = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v52, v53, angle1 = kept[23 * w + k], kept[24 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
+        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
+        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
+        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
+        angle17, angle18, angle19 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
+        angle20 = turns[19 * w + k]
+
+        # joint values
+        v42 = angle3 - offset2
+        v43 = angle4 - offset2
+        v46 = angle5 - offset2
+        v47 = angle6 - offset2
+        q2_ppp = v42 + (-turn if half_turn < v42 else 0.0)
+        q2_pmp = v43 + (-turn if half_turn < v43 else 0.0)
+        q2_mpp = v46 + (-turn if half_turn < v46 else 0.0)
+        q2_mmp = v47 + (-turn if half_turn < v47 else 0.0)
+        v48 = angle7 - turn1 - offset3
+        v49 = offset3 + (turn1 + angle7)
+        v50 = angle8 - turn1 - offset3
+        v51 = offset3 + (turn1 + angle8)
+        q3_ppp = v48 + (turn if v48 <= -half_turn else 0.0)
+        q3_pmp = (turn if -v49 <= -half_turn else 0.0) - v49
+        q3_mpp = v50 + (turn if v50 <= -half_turn else 0.0)
+        q3_mmp = (turn if -v51 <= -half_turn else 0.0) - v51
+        v54 = angle9 - offset4
+        v55 = angle9 - v52 - offset4
+        v56 = angle10 - offset4
+        v57 = angle10 - v52 - offset4
+        v58 = angle11 - offset4
+        v59 = angle11 - v53 - offset4
+        v60 = angle12 - offset4
+        v61 = angle12 - v53 - offset4
+        q4_ppp = v54 + (turn if v54 <= -half_turn else 0.0)
+        q4_ppm = v55 + (turn if v55 <= -half_turn else 0.0)
+        q4_pmp = v56 + (turn if v56 <= -half_turn else 0.0)
+        q4_pmm = v57 + (turn if v57 <= -half_turn else 0.0)
+        q4_mpp = v58 + (turn if v58 <= -half_turn else 0.0)
+        q4_mpm = v59 + (turn if v59 <= -half_turn else 0.0)
+        q4_mmp = v60 + (turn if v60 <= -half_turn else 0.0)
+        q4_mmm = v61 + (turn if v61 <= -half_turn else 0.0)
+        v62 = angle13 - offset5
+        v63 = offset5 + angle13
+        v64 = angle14 - offset5
+        v65 = offset5 + angle14
+        v66 = angle15 - offset5
+        v67 = offset5 + angle15
+        v68 = angle16 - offset5
+        v69 = offset5 + angle16
+        q5_ppp = v62 + (turn if v62 <= -half_turn else 0.0)
+        q5_ppm = (turn if -v63 <= -half_turn else 0.0) - v63
+        q5_pmp = v64 + (turn if v64 <= -half_turn else 0.0)
+        q5_pmm = (turn if -v65 <= -half_turn else 0.0) - v65
+        q5_mpp = v66 + (turn if v66 <= -half_turn else 0.0)
+        q5_mpm = (turn if -v67 <= -half_turn else 0.0) - v67
+        q5_mmp = v68 + (turn if v68 <= -half_turn else 0.0)
+        q5_mmm = (turn if -v69 <= -half_turn else 0.0) - v69
+        v70 = angle17 - offset6
+        v71 = angle17 - math.copysign(half_turn, s6_pp) - offset6
+        v72 = angle18 - offset6
+        v73 = angle18 - math.copysign(half_turn, s6_pm) - offset6
+        v74 = angle19 - offset6
+        v75 = angle19 - math.copysign(half_turn, s6_mp) - offset6
+        v76 = angle20 - offset6
+        v77 = angle20 - math.copysign(half_turn, s6_mm) - offset6
+        q6_ppp = v70 + (turn if v70 <= -half_turn else 0.0)
+        q6_ppm = v71 + (turn if v71 <= -half_turn else 0.0)
+        q6_pmp = v72 + (turn if v72 <= -half_turn else 0.0)
+        q6_pmm = v73 + (turn if v73 <= -half_turn else 0.0)
+        q6_mpp = v74 + (turn if v74 <= -half_turn else 0.0)
+        q6_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
+        q6_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
+        q6_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
+        v78 = abs(angle1) - high1
+        v79 = abs(angle2) - high1
+        q1_ppp = angle1 + (w3_p - w3_p)
+        q1_mpp = angle2 + (w3_m - w3_m)
+        v80 = max(max(low3 - q3_ppp, q3_ppp - high3), max(v78, max(low2 - q2_ppp, q2_ppp - high2)))
+        v81 = max(max(low3 - q3_pmp, q3_pmp - high3), max(v78, max(low2 - q2_pmp, q2_pmp - high2)))
+        v82 = max(max(low3 - q3_mpp, q3_mpp - high3), max(v79, max(low2 - q2_mpp, q2_mpp - high2)))
+        v83 = max(max(low3 - q3_mmp, q3_mmp - high3), max(v79, max(low2 - q2_mmp, q2_mmp - high2)))
+        excess_ppp = max(v80, abs(q5_ppp) - high5)
+        excess_ppm = max(v80, abs(q5_ppm) - high5)
+        excess_pmp = max(v81, abs(q5_pmp) - high5)
+        excess_pmm = max(v81, abs(q5_pmm) - high5)
+        excess_mpp = max(v82, abs(q5_mpp) - high5)
+        excess_mpm = max(v82, abs(q5_mpm) - high5)
+        excess_mmp = max(v83, abs(q5_mmp) - high5)
+        excess_mmm = max(v83, abs(q5_mmm) - high5)
+        outside_ppp = 0.0 < excess_ppp
+        outside_ppm = 0.0 < excess_ppm
+        outside_pmp = 0.0 < excess_pmp
+        outside_pmm = 0.0 < excess_pmm
+        outside_mpp = 0.0 < excess_mpp
+        outside_mpm = 0.0 < excess_mpm
+        outside_mmp = 0.0 < excess_mmp
+        outside_mmm = 0.0 < excess_mmm
+
+        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        kept[16 * w + k] = (
+            1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+            abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -
+            graze) <= graze or abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze
+            or abs(excess_ppm - graze) <= graze else kept[16 * w + k]
+        )
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, q2_ppp, q3_ppp
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q4_ppp, q5_ppp, q6_ppp
+        rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q4_ppm, q5_ppm, q6_ppm
+        rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = q2_pmp, q3_pmp, q4_pmp
+        rows[12 * w + k], rows[13 * w + k], rows[14 * w + k] = q5_pmp, q6_pmp, q4_pmm
+        rows[15 * w + k], rows[16 * w + k], rows[17 * w + k] = q5_pmm, q6_pmm, q1_mpp
+        rows[18 * w + k], rows[19 * w + k], rows[20 * w + k] = q2_mpp, q3_mpp, q4_mpp
+        rows[21 * w + k], rows[22 * w + k], rows[23 * w + k] = q5_mpp, q6_mpp, q4_mpm
+        rows[24 * w + k], rows[25 * w + k], rows[26 * w + k] = q5_mpm, q6_mpm, q2_mmp
+        rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = q3_mmp, q4_mmp, q5_mmp
+        rows[30 * w + k], rows[31 * w + k], rows[32 * w + k] = q6_mmp, q4_mmm, q5_mmm
+        rows[33 * w + k] = q6_mmm
+        rows[34 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_ppp else OK)
+        )
+        rows[35 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_ppm else OK)
+        )
+        rows[36 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_pmp else OK)
+        )
+        rows[37 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_pmm else OK)
+        )
+        rows[38 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mpp else OK)
+        )
+        rows[39 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mpm else OK)
+        )
+        rows[40 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mmp else OK)
+        )
+        rows[41 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mmm else OK)
+        )
 
 
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.3642, 0.3642, 0.3642, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
-    """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
-
-
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
-
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
-    for i in range(6):
-        for j in range(6):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 6 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(12):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(12):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(12):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
-
-
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
-
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(6):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_inner
-def _past_an_end(joint, value):
-    """How far a joint value is beyond its limits as it stands: perhaps it could be turned."""
-    low, high = _LOWEST[joint], _HIGHEST[joint]
-    if high - low < 6.183185307179587:
-        return _overshoot(joint, value)
-    off = value - min(max(value, low + _SLACK[joint]), high - _SLACK[joint])
-    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
-
-
-@_inner
-def _past_ends(values):
-    """How far joints are beyond their limits as they stand."""
-    total = 0.0
-    for i in range(6):
-        total += abs(_past_an_end(i, values[i]))
-    return total
-
-
-@_inner
-def _at_an_end(joint, value, seed):
-    """A joint value moved by whole turns inside its limits, or next to an end that it is just
-    beyond: the one near the seed."""
-    near = value + turn * math.floor((seed - value) / turn + 0.5)
-    if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
-        if abs(near - seed) < 0.15:
-            return near
-    off = _overshoot(joint, value)
-    if off == 0.0 or abs(off) > 0.01:
-        return _turned(_JOINTS, joint, value, value)
-    return off + (_HIGHEST[joint] - _SLACK[joint] if off > 0.0 else _LOWEST[joint] + _SLACK[joint])
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(6)
-    stands, moves = math.isnan(enough), 0
-    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if math.isnan(enough):
-            enough = miss + 1e-14
-        worst, past = -1, 0.0
-        for j in range(6 if stands and miss < enough else 0):
-            off = _past_an_end(j, x[j]) if _PACE[j] > 0.0 else 0.0
-            if abs(off) > abs(past):
-                worst, past = j, off
-        if worst >= 0:  # one at a time: others may follow it inside, or the first one the second
-            moves += 1
-            if moves == 2:
-                held[:] = False
-            held[worst], last = True, math.inf
-            x[worst] -= past
-            e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(6):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(6)
-    for i in range(6):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(6):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _lead_inside(pose, enough, most, q):
-    """Takes joint values onto the ends that they are beyond, or else inside.
-
-    Two of them may not be able to stand on their ends at once.
-    """
-    if _settle(pose, enough, most, q):
-        return True
-    past = 0
-    for i in range(6):
-        past += _past_an_end(i, q[i]) != 0.0
-    if past < 2:
-        return False
-    x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
-    farther = 2.0
-    while farther <= 16.0:
-        for i in range(6):
-            x[i] = q[i] - farther * _past_an_end(i, q[i])
-        farther *= 2.0
-        if _settle(pose, enough, most, x) and _past_ends(x) == 0.0:
-            for i in range(6):
-                q[i] = x[i]
-            return True
-    return False
-
-
-@_inner
-def _stand(pose, row, far, rows, status):
-    """Puts a row's joints just beyond their limits on them, unless that is another solution; those
-    that are far beyond them, too, if that is asked for. Returns if it did.
-
-    Half way to the same there is one, and what is nearer to another row that is less far beyond is
-    that one's.
-    """
-    q = rows[row]
-    beyond = _past_ends(q)
-    if not (0.0 < beyond and (far or beyond < 0.01)):
-        return False
-    x, half, to = q.copy(), np.empty(6), np.empty(6)
-    if not _lead_inside(pose, math.nan, math.inf if far else 1.5, x):
-        return False
-    off = _half_way(q, x, half)
-    for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
-            if _half_way(rows[k], x, to) < off:
-                return False
-    if off >= 0.001 and not _settle(pose, 1e-12, 0.25 * off, half):
-        return False
-    for i in range(6):
-        q[i] = x[i]
-    return True
-
-
-@_inner
-def _lead(pose, q, status):
-    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
-    for row in range(8):
-        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
-            continue
-        if not _settle(pose, 1e-12, 0.15, q[row]):
-            status[row] = UNREACHABLE
-            for i in range(6):
-                q[row, i] = math.nan
-
-
-@_apart("boolean(UniTuple(float64, 12), float64[::1])")
-def _are_one(T, half):
-    """Whether rounding alone tells two solutions that lie to both sides of joint values.
-
-    Half way the arm is singular, and what steps in all other directions leave of the miss is how far
-    the pose is from one at which both meet.
-    """
-    held = np.zeros(6, np.bool_)
-    for _ in range(3):
-        _add_step(held, 1e-13, _miss(T, half)[0], half)
-    return _miss(T, half)[1] <= 1e-14
-
-
-@_inner
-def _tell_once(pose, q, status):
-    """Ends rows that rounding alone tells from earlier ones.
-
-    Where an earlier angle is good to fewer digits than usual branches that meet come out apart.
-    """
-    half = np.empty(6)
-    for row in range(1, 8):
-        for k in range(row):
-            if status[row] == UNREACHABLE or status[k] == UNREACHABLE:
-                continue
-            if _half_way(q[k], q[row], half) < 0.001 and _are_one(pose, half):
-                status[row] = UNREACHABLE
-                for i in range(6):
-                    q[row, i] = math.nan
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    nearest = 0.001
-    for i in range(6):
-        here = seed[i]
-        if abs(_past_an_end(i, here)) > 0.15:
-            here = _turned(_JOINTS, i, here, here)
-        x[i] = here - _past_an_end(i, here)
-    if not _settle(pose, 1e-12, 0.15, x):
-        return
-    if _past_ends(x) > 1e-09 and not _lead_inside(pose, math.nan, 0.15, x):
-        return
-    for row in range(8 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06 or _past_ends(q[place]) > 0.0:
-        for i in range(6):
-            q[place, i] = x[i]
-
-
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(8):
-        status[row] = UNREACHABLE
-        for i in range(6):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    _choose(pose, seed, q, status)
-    _lead(pose, q, status)
-    _tell_once(pose, q, status)
-    for row in range(8):
-        if status[row] != UNREACHABLE:
-            for i in range(6):
-                q[row, i] = _at_an_end(i, q[row, i], seed[i])
-    _stay(pose, seed, q, status)
-    count = 0
-    for n in range(2 * 8):
-        row, far = n % 8, n >= 8  # far where no row is inside all limits
-        if status[row] == UNREACHABLE or (far and count > 0):
-            continue
-        if _stand(pose, row, far, q, status) and far:
-            status[row] = FREE_JOINT
-        for i in range(6):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
-
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
-    """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
-    room = carray(_room(48), 48)
-
-    # theta1, type 2: U1 A6^-1 [3, 4]
-    X1 = d6 * T13 - T14
-    wy = d6 * T23 - T24
-    N1 = X1 * X1 + wy * wy
-    D1 = N1 - k1
-    w1 = math.sqrt(D1)
-    inverse1 = 1.0 / N1
-    v1 = inverse1 * (k1 * wy)
-    c1_p = v1 - w1 * (X1 * inverse1)
-    c1_m = v1 - w1 * (inverse1 * -X1)
-    v2 = inverse1 * (k1 * X1)
-    s1_p = v2 + w1 * (wy * inverse1)
-    s1_m = v2 + w1 * (inverse1 * -wy)
-
-    # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    Z1_3 = d1 + (d6 * T33 - T34)
-    Z2_3_p = w1 - a1
-    v3 = a1 + w1
-    v4 = Z1_3 * Z1_3
-    N3_p = v4 + Z2_3_p * Z2_3_p
-    N3_m = v4 + v3 * v3
-    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-    v5 = k4 * w1
-    w3_p = math.sqrt(D3_p)
-    w3_m = math.sqrt(D3_m)
-
-    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    X1_2_p = m4 + m3 * N3_p
-    X1_2_m = m4 + m3 * N3_m
-    v6 = Z1_3 * X1_2_p
-    v7 = Z1_3 * X1_2_m
-    v8 = Z2_3_p * X1_2_p
-    v9 = v3 * X1_2_m
-    v10 = m3 * Z1_3
-    factor2_p = 1.0 / N3_p
-    factor2_m = 1.0 / N3_m
-
-    # theta4, type 2: U4[3, 3]
-    v11 = m5 * Z1_3
-    v12 = v11 - m6 * Z2_3_p
-    v13 = m6 - m7 * factor2_p
-    v14 = m6 - m7 * factor2_m
-    v15 = m5 - m8 * factor2_p
-    v16 = m5 - m8 * factor2_m
-    v17 = Z1_3 * v13 + Z2_3_p * v15
-    v18 = Z1_3 * v14 - v3 * v16
-    c2m3_pp = v17 + w3_p * (factor2_p * v12)
-    c2m3_pm = v17 + w3_p * (factor2_p * -v12)
-    v19 = w3_m * (factor2_m * (v11 + m6 * v3))
-    c2m3_mp = v18 + v19
-    c2m3_mm = v18 - v19
-    v20 = m6 * Z1_3
-    v21 = v20 - m5 * v3
-    v22 = Z1_3 * v15 + Z2_3_p * -v13
-    v23 = Z1_3 * v16 - v3 * -v14
-    v24 = w3_p * (factor2_p * (v20 + m5 * Z2_3_p))
-    s2m3_pp = v22 - v24
-    s2m3_pm = v22 + v24
-    s2m3_mp = v23 - w3_m * (factor2_m * v21)
-    s2m3_mm = v23 - w3_m * (factor2_m * -v21)
-    v25 = T13 * c1_p - T23 * s1_p
-    v26 = T13 * c1_m - T23 * s1_m
-    X4_pp = T33 * s2m3_pp - c2m3_pp * v25
-    X4_pm = T33 * s2m3_pm - c2m3_pm * v25
-    X4_mp = T33 * s2m3_mp - c2m3_mp * v26
-    X4_mm = T33 * s2m3_mm - c2m3_mm * v26
-    Y4_p = T23 * c1_p + T13 * s1_p
-    Y4_m = T23 * c1_m + T13 * s1_m
-    v27 = Y4_p * Y4_p
-    v28 = Y4_m * Y4_m
-    v29 = v27 + X4_pp * X4_pp
-    v30 = v27 + X4_pm * X4_pm
-    v31 = v28 + X4_mp * X4_mp
-    v32 = v28 + X4_mm * X4_mm
-
-    # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v33 = c1_p * T22 + s1_p * T12
-    v34 = c1_m * T22 + s1_m * T12
-    v35 = c1_p * T12 - s1_p * T22
-    v36 = c1_m * T12 - s1_m * T22
-    v37 = c1_p * T21 + s1_p * T11
-    v38 = c1_m * T21 + s1_m * T11
-    v39 = c1_p * T11 - s1_p * T21
-    v40 = c1_m * T11 - s1_m * T21
-    s6_pp = Y4_p * (c2m3_pp * v39 - s2m3_pp * T31) - v37 * -X4_pp
-    s6_pm = Y4_p * (c2m3_pm * v39 - s2m3_pm * T31) - v37 * -X4_pm
-    s6_mp = Y4_m * (c2m3_mp * v40 - s2m3_mp * T31) - v38 * -X4_mp
-    s6_mm = Y4_m * (c2m3_mm * v40 - s2m3_mm * T31) - v38 * -X4_mm
-
-    # joint values
-    v41 = w3_p * v10
-    v44 = w3_m * (m3 * v3)
-    v45 = w3_m * v10
-    v52 = math.copysign(half_turn, Y4_p)
-    v53 = math.copysign(half_turn, Y4_m)
-
-    # a joint is free, branches meet, or rounding tells what is beyond a limit
-    if (
-        abs(D1) <= m1 or N1 <= doubt_limit_squared2 or v32 <= m9 or v31 <= m9 or v30 <= m9 or v29 <=
-        m9 or abs(D3_p * v5) <= m2 or abs(D3_m * v5) <= m2
-    ):
-        return False
-
-    # angles, side by side
-    room[0] = s1_p
-    room[1] = s1_m
-    room[2] = v6 + w3_p * (m3 * Z2_3_p)
-    room[3] = v6 + w3_p * (m3 * -Z2_3_p)
-    room[4] = v7 - v44
-    room[5] = v7 + v44
-    room[6] = w3_p
-    room[7] = w3_m
-    room[8] = Y4_p
-    room[9] = Y4_p
-    room[10] = Y4_m
-    room[11] = Y4_m
-    room[12] = -math.sqrt(v29)
-    room[13] = -math.sqrt(v30)
-    room[14] = -math.sqrt(v31)
-    room[15] = -math.sqrt(v32)
-    room[16] = s6_pp
-    room[17] = s6_pm
-    room[18] = s6_mp
-    room[19] = s6_mm
-    room[24] = c1_p
-    room[25] = c1_m
-    room[26] = v8 - v41
-    room[27] = v8 + v41
-    room[28] = -(v9 + v45)
-    room[29] = v45 - v9
-    room[30] = N3_p - k7
-    room[31] = N3_m - k7
-    room[32] = -X4_pp
-    room[33] = -X4_pm
-    room[34] = -X4_mp
-    room[35] = -X4_mm
-    room[36] = T33 * c2m3_pp + s2m3_pp * v25
-    room[37] = T33 * c2m3_pm + s2m3_pm * v25
-    room[38] = T33 * c2m3_mp + s2m3_mp * v26
-    room[39] = T33 * c2m3_mm + s2m3_mm * v26
-    room[40] = v33 * -X4_pp - Y4_p * (c2m3_pp * v35 - s2m3_pp * T32)
-    room[41] = v33 * -X4_pm - Y4_p * (c2m3_pm * v35 - s2m3_pm * T32)
-    room[42] = v34 * -X4_mp - Y4_m * (c2m3_mp * v36 - s2m3_mp * T32)
-    room[43] = v34 * -X4_mm - Y4_m * (c2m3_mm * v36 - s2m3_mm * T32)
-    for k in range(20, 24):
-        room[k] = room[k + 24] = 1.0
-    for k in range(24):
-        room[k] = _atan2(room[k], room[k + 24])
-    angle1 = room[0]
-    angle2 = room[1]
-    angle3 = room[2]
-    angle4 = room[3]
-    angle5 = room[4]
-    angle6 = room[5]
-    angle7 = room[6]
-    angle8 = room[7]
-    angle9 = room[8]
-    angle10 = room[9]
-    angle11 = room[10]
-    angle12 = room[11]
-    angle13 = room[12]
-    angle14 = room[13]
-    angle15 = room[14]
-    angle16 = room[15]
-    angle17 = room[16]
-    angle18 = room[17]
-    angle19 = room[18]
-    angle20 = room[19]
-
-    # joint values
-    v42 = angle3 - offset2
-    v43 = angle4 - offset2
-    v46 = angle5 - offset2
-    v47 = angle6 - offset2
-    q2_ppp = v42 + (-turn if half_turn < v42 else 0.0)
-    q2_pmp = v43 + (-turn if half_turn < v43 else 0.0)
-    q2_mpp = v46 + (-turn if half_turn < v46 else 0.0)
-    q2_mmp = v47 + (-turn if half_turn < v47 else 0.0)
-    v48 = angle7 - turn1 - offset3
-    v49 = offset3 + (turn1 + angle7)
-    v50 = angle8 - turn1 - offset3
-    v51 = offset3 + (turn1 + angle8)
-    q3_ppp = v48 + (turn if v48 <= -half_turn else 0.0)
-    q3_pmp = (turn if -v49 <= -half_turn else 0.0) - v49
-    q3_mpp = v50 + (turn if v50 <= -half_turn else 0.0)
-    q3_mmp = (turn if -v51 <= -half_turn else 0.0) - v51
-    v54 = angle9 - offset4
-    v55 = angle9 - v52 - offset4
-    v56 = angle10 - offset4
-    v57 = angle10 - v52 - offset4
-    v58 = angle11 - offset4
-    v59 = angle11 - v53 - offset4
-    v60 = angle12 - offset4
-    v61 = angle12 - v53 - offset4
-    q4_ppp = v54 + (turn if v54 <= -half_turn else 0.0)
-    q4_ppm = v55 + (turn if v55 <= -half_turn else 0.0)
-    q4_pmp = v56 + (turn if v56 <= -half_turn else 0.0)
-    q4_pmm = v57 + (turn if v57 <= -half_turn else 0.0)
-    q4_mpp = v58 + (turn if v58 <= -half_turn else 0.0)
-    q4_mpm = v59 + (turn if v59 <= -half_turn else 0.0)
-    q4_mmp = v60 + (turn if v60 <= -half_turn else 0.0)
-    q4_mmm = v61 + (turn if v61 <= -half_turn else 0.0)
-    v62 = angle13 - offset5
-    v63 = offset5 + angle13
-    v64 = angle14 - offset5
-    v65 = offset5 + angle14
-    v66 = angle15 - offset5
-    v67 = offset5 + angle15
-    v68 = angle16 - offset5
-    v69 = offset5 + angle16
-    q5_ppp = v62 + (turn if v62 <= -half_turn else 0.0)
-    q5_ppm = (turn if -v63 <= -half_turn else 0.0) - v63
-    q5_pmp = v64 + (turn if v64 <= -half_turn else 0.0)
-    q5_pmm = (turn if -v65 <= -half_turn else 0.0) - v65
-    q5_mpp = v66 + (turn if v66 <= -half_turn else 0.0)
-    q5_mpm = (turn if -v67 <= -half_turn else 0.0) - v67
-    q5_mmp = v68 + (turn if v68 <= -half_turn else 0.0)
-    q5_mmm = (turn if -v69 <= -half_turn else 0.0) - v69
-    v70 = angle17 - offset6
-    v71 = angle17 - math.copysign(half_turn, s6_pp) - offset6
-    v72 = angle18 - offset6
-    v73 = angle18 - math.copysign(half_turn, s6_pm) - offset6
-    v74 = angle19 - offset6
-    v75 = angle19 - math.copysign(half_turn, s6_mp) - offset6
-    v76 = angle20 - offset6
-    v77 = angle20 - math.copysign(half_turn, s6_mm) - offset6
-    q6_ppp = v70 + (turn if v70 <= -half_turn else 0.0)
-    q6_ppm = v71 + (turn if v71 <= -half_turn else 0.0)
-    q6_pmp = v72 + (turn if v72 <= -half_turn else 0.0)
-    q6_pmm = v73 + (turn if v73 <= -half_turn else 0.0)
-    q6_mpp = v74 + (turn if v74 <= -half_turn else 0.0)
-    q6_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
-    q6_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
-    q6_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
-    v78 = abs(angle1) - high1
-    v79 = abs(angle2) - high1
-    q1_ppp = angle1 + (w3_p - w3_p)
-    q1_mpp = angle2 + (w3_m - w3_m)
-    v80 = max(max(low3 - q3_ppp, q3_ppp - high3), max(v78, max(low2 - q2_ppp, q2_ppp - high2)))
-    v81 = max(max(low3 - q3_pmp, q3_pmp - high3), max(v78, max(low2 - q2_pmp, q2_pmp - high2)))
-    v82 = max(max(low3 - q3_mpp, q3_mpp - high3), max(v79, max(low2 - q2_mpp, q2_mpp - high2)))
-    v83 = max(max(low3 - q3_mmp, q3_mmp - high3), max(v79, max(low2 - q2_mmp, q2_mmp - high2)))
-    excess_ppp = max(v80, abs(q5_ppp) - high5)
-    excess_ppm = max(v80, abs(q5_ppm) - high5)
-    excess_pmp = max(v81, abs(q5_pmp) - high5)
-    excess_pmm = max(v81, abs(q5_pmm) - high5)
-    excess_mpp = max(v82, abs(q5_mpp) - high5)
-    excess_mpm = max(v82, abs(q5_mpm) - high5)
-    excess_mmp = max(v83, abs(q5_mmp) - high5)
-    excess_mmm = max(v83, abs(q5_mmm) - high5)
-    outside_ppp = 0.0 < excess_ppp
-    outside_ppm = 0.0 < excess_ppm
-    outside_pmp = 0.0 < excess_pmp
-    outside_pmm = 0.0 < excess_pmm
-    outside_mpp = 0.0 < excess_mpp
-    outside_mpm = 0.0 < excess_mpm
-    outside_mmp = 0.0 < excess_mmp
-    outside_mmm = 0.0 < excess_mmm
-
-    # a joint is free, branches meet, or rounding tells what is beyond a limit
-    if (
-        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
-        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
-        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
-        graze) <= graze
-    ):
-        return False
-
-    q[0, 0] = q1_ppp
-    q[0, 1] = q2_ppp
-    q[0, 2] = q3_ppp
-    q[0, 3] = q4_ppp
-    q[0, 4] = q5_ppp
-    q[0, 5] = q6_ppp
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
-    q[1, 0] = q1_ppp
-    q[1, 1] = q2_ppp
-    q[1, 2] = q3_ppp
-    q[1, 3] = q4_ppm
-    q[1, 4] = q5_ppm
-    q[1, 5] = q6_ppm
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
-    q[2, 0] = q1_ppp
-    q[2, 1] = q2_pmp
-    q[2, 2] = q3_pmp
-    q[2, 3] = q4_pmp
-    q[2, 4] = q5_pmp
-    q[2, 5] = q6_pmp
-    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
-    q[3, 0] = q1_ppp
-    q[3, 1] = q2_pmp
-    q[3, 2] = q3_pmp
-    q[3, 3] = q4_pmm
-    q[3, 4] = q5_pmm
-    q[3, 5] = q6_pmm
-    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
-    q[4, 0] = q1_mpp
-    q[4, 1] = q2_mpp
-    q[4, 2] = q3_mpp
-    q[4, 3] = q4_mpp
-    q[4, 4] = q5_mpp
-    q[4, 5] = q6_mpp
-    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
-    q[5, 0] = q1_mpp
-    q[5, 1] = q2_mpp
-    q[5, 2] = q3_mpp
-    q[5, 3] = q4_mpm
-    q[5, 4] = q5_mpm
-    q[5, 5] = q6_mpm
-    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
-    q[6, 0] = q1_mpp
-    q[6, 1] = q2_mmp
-    q[6, 2] = q3_mmp
-    q[6, 3] = q4_mmp
-    q[6, 4] = q5_mmp
-    q[6, 5] = q6_mmp
-    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
-    q[7, 0] = q1_mpp
-    q[7, 1] = q2_mmp
-    q[7, 2] = q3_mmp
-    q[7, 3] = q4_mmm
-    q[7, 4] = q5_mmm
-    q[7, 5] = q6_mmm
-    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
-    return True
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must have shapes (4, 4), (8, 6), (8,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [1184, 1200, 1216, 1232, 1248, 1264],
-    [1184, 1200, 1216, 1280, 1296, 1312],
-    [1184, 1328, 1344, 1360, 1376, 1392],
-    [1184, 1328, 1344, 1408, 1424, 1440],
-    [1456, 1472, 1488, 1504, 1520, 1536],
-    [1456, 1472, 1488, 1552, 1568, 1584],
-    [1456, 1600, 1616, 1632, 1648, 1664],
-    [1456, 1600, 1616, 1680, 1696, 1712],
+    [0, 1, 2, 3, 4, 5],
+    [0, 1, 2, 6, 7, 8],
+    [0, 9, 10, 11, 12, 13],
+    [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22],
+    [17, 18, 19, 23, 24, 25],
+    [17, 26, 27, 28, 29, 30],
+    [17, 26, 27, 31, 32, 33],
 ])
-_KINDS = np.array([1728, 1744, 1760, 1776, 1792, 1808, 1824, 1840])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(1856), 1856)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
-            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
-            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
-            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-            xy = x0 * y0 + x1 * y1 + x2 * y2
-            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
-            miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
-                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
-            )
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T11 = work[0 + k]
-            T12 = work[16 + k]
-            T13 = work[32 + k]
-            T14 = work[48 + k]
-            T21 = work[64 + k]
-            T22 = work[80 + k]
-            T23 = work[96 + k]
-            T24 = work[112 + k]
-            T31 = work[128 + k]
-            T32 = work[144 + k]
-            T33 = work[160 + k]
-            T34 = work[176 + k]
-            X1 = d6 * T13 - T14
-            wy = d6 * T23 - T24
-            N1 = X1 * X1 + wy * wy
-            D1 = N1 - k1
-            w1 = math.sqrt(D1)
-            inverse1 = 1.0 / N1
-            v1 = inverse1 * (k1 * wy)
-            c1_p = v1 - w1 * (X1 * inverse1)
-            c1_m = v1 - w1 * (inverse1 * -X1)
-            v2 = inverse1 * (k1 * X1)
-            s1_p = v2 + w1 * (wy * inverse1)
-            s1_m = v2 + w1 * (inverse1 * -wy)
-            Z1_3 = d1 + (d6 * T33 - T34)
-            Z2_3_p = w1 - a1
-            v3 = a1 + w1
-            v4 = Z1_3 * Z1_3
-            N3_p = v4 + Z2_3_p * Z2_3_p
-            N3_m = v4 + v3 * v3
-            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-            v5 = k4 * w1
-            w3_p = math.sqrt(D3_p)
-            w3_m = math.sqrt(D3_m)
-            X1_2_p = m4 + m3 * N3_p
-            X1_2_m = m4 + m3 * N3_m
-            v6 = Z1_3 * X1_2_p
-            v7 = Z1_3 * X1_2_m
-            v8 = Z2_3_p * X1_2_p
-            v9 = v3 * X1_2_m
-            v10 = m3 * Z1_3
-            factor2_p = 1.0 / N3_p
-            factor2_m = 1.0 / N3_m
-            v11 = m5 * Z1_3
-            v12 = v11 - m6 * Z2_3_p
-            v13 = m6 - m7 * factor2_p
-            v14 = m6 - m7 * factor2_m
-            v15 = m5 - m8 * factor2_p
-            v16 = m5 - m8 * factor2_m
-            v17 = Z1_3 * v13 + Z2_3_p * v15
-            v18 = Z1_3 * v14 - v3 * v16
-            c2m3_pp = v17 + w3_p * (factor2_p * v12)
-            c2m3_pm = v17 + w3_p * (factor2_p * -v12)
-            v19 = w3_m * (factor2_m * (v11 + m6 * v3))
-            c2m3_mp = v18 + v19
-            c2m3_mm = v18 - v19
-            v20 = m6 * Z1_3
-            v21 = v20 - m5 * v3
-            v22 = Z1_3 * v15 + Z2_3_p * -v13
-            v23 = Z1_3 * v16 - v3 * -v14
-            v24 = w3_p * (factor2_p * (v20 + m5 * Z2_3_p))
-            s2m3_pp = v22 - v24
-            s2m3_pm = v22 + v24
-            s2m3_mp = v23 - w3_m * (factor2_m * v21)
-            s2m3_mm = v23 - w3_m * (factor2_m * -v21)
-            v25 = T13 * c1_p - T23 * s1_p
-            v26 = T13 * c1_m - T23 * s1_m
-            X4_pp = T33 * s2m3_pp - c2m3_pp * v25
-            X4_pm = T33 * s2m3_pm - c2m3_pm * v25
-            X4_mp = T33 * s2m3_mp - c2m3_mp * v26
-            X4_mm = T33 * s2m3_mm - c2m3_mm * v26
-            Y4_p = T23 * c1_p + T13 * s1_p
-            Y4_m = T23 * c1_m + T13 * s1_m
-            v27 = Y4_p * Y4_p
-            v28 = Y4_m * Y4_m
-            v29 = v27 + X4_pp * X4_pp
-            v30 = v27 + X4_pm * X4_pm
-            v31 = v28 + X4_mp * X4_mp
-            v32 = v28 + X4_mm * X4_mm
-            v33 = c1_p * T22 + s1_p * T12
-            v34 = c1_m * T22 + s1_m * T12
-            v35 = c1_p * T12 - s1_p * T22
-            v36 = c1_m * T12 - s1_m * T22
-            v37 = c1_p * T21 + s1_p * T11
-            v38 = c1_m * T21 + s1_m * T11
-            v39 = c1_p * T11 - s1_p * T21
-            v40 = c1_m * T11 - s1_m * T21
-            s6_pp = Y4_p * (c2m3_pp * v39 - s2m3_pp * T31) - v37 * -X4_pp
-            s6_pm = Y4_p * (c2m3_pm * v39 - s2m3_pm * T31) - v37 * -X4_pm
-            s6_mp = Y4_m * (c2m3_mp * v40 - s2m3_mp * T31) - v38 * -X4_mp
-            s6_mm = Y4_m * (c2m3_mm * v40 - s2m3_mm * T31) - v38 * -X4_mm
-            v41 = w3_p * v10
-            v44 = w3_m * (m3 * v3)
-            v45 = w3_m * v10
-            v52 = math.copysign(half_turn, Y4_p)
-            v53 = math.copysign(half_turn, Y4_m)
-            work[272 + k] = N1
-            work[288 + k] = D1
-            work[304 + k] = D3_p
-            work[320 + k] = D3_m
-            work[336 + k] = v5
-            work[352 + k] = w3_p
-            work[368 + k] = w3_m
-            work[384 + k] = v29
-            work[400 + k] = v30
-            work[416 + k] = v31
-            work[432 + k] = v32
-            work[448 + k] = s6_pp
-            work[464 + k] = s6_pm
-            work[480 + k] = s6_mp
-            work[496 + k] = s6_mm
-            work[512 + k] = v52
-            work[528 + k] = v53
-            work[544 + k] = s1_p
-            work[560 + k] = s1_m
-            work[576 + k] = v6 + w3_p * (m3 * Z2_3_p)
-            work[592 + k] = v6 + w3_p * (m3 * -Z2_3_p)
-            work[608 + k] = v7 - v44
-            work[624 + k] = v7 + v44
-            work[640 + k] = w3_p
-            work[656 + k] = w3_m
-            work[672 + k] = Y4_p
-            work[688 + k] = Y4_p
-            work[704 + k] = Y4_m
-            work[720 + k] = Y4_m
-            work[736 + k] = -math.sqrt(v29)
-            work[752 + k] = -math.sqrt(v30)
-            work[768 + k] = -math.sqrt(v31)
-            work[784 + k] = -math.sqrt(v32)
-            work[800 + k] = s6_pp
-            work[816 + k] = s6_pm
-            work[832 + k] = s6_mp
-            work[848 + k] = s6_mm
-            work[864 + k] = c1_p
-            work[880 + k] = c1_m
-            work[896 + k] = v8 - v41
-            work[912 + k] = v8 + v41
-            work[928 + k] = -(v9 + v45)
-            work[944 + k] = v45 - v9
-            work[960 + k] = N3_p - k7
-            work[976 + k] = N3_m - k7
-            work[992 + k] = -X4_pp
-            work[1008 + k] = -X4_pm
-            work[1024 + k] = -X4_mp
-            work[1040 + k] = -X4_mm
-            work[1056 + k] = T33 * c2m3_pp + s2m3_pp * v25
-            work[1072 + k] = T33 * c2m3_pm + s2m3_pm * v25
-            work[1088 + k] = T33 * c2m3_mp + s2m3_mp * v26
-            work[1104 + k] = T33 * c2m3_mm + s2m3_mm * v26
-            work[1120 + k] = v33 * -X4_pp - Y4_p * (c2m3_pp * v35 - s2m3_pp * T32)
-            work[1136 + k] = v33 * -X4_pm - Y4_p * (c2m3_pm * v35 - s2m3_pm * T32)
-            work[1152 + k] = v34 * -X4_mp - Y4_m * (c2m3_mp * v36 - s2m3_mp * T32)
-            work[1168 + k] = v34 * -X4_mm - Y4_m * (c2m3_mm * v36 - s2m3_mm * T32)
-        for k in range(544, 864):
-            work[k] = _atan2(work[k], work[k + 320])
-        for k in range(0, 16):
-            N1 = work[272 + k]
-            D1 = work[288 + k]
-            D3_p = work[304 + k]
-            D3_m = work[320 + k]
-            v5 = work[336 + k]
-            w3_p = work[352 + k]
-            w3_m = work[368 + k]
-            v29 = work[384 + k]
-            v30 = work[400 + k]
-            v31 = work[416 + k]
-            v32 = work[432 + k]
-            s6_pp = work[448 + k]
-            s6_pm = work[464 + k]
-            s6_mp = work[480 + k]
-            s6_mm = work[496 + k]
-            v52 = work[512 + k]
-            v53 = work[528 + k]
-            angle1 = work[544 + k]
-            angle2 = work[560 + k]
-            angle3 = work[576 + k]
-            angle4 = work[592 + k]
-            angle5 = work[608 + k]
-            angle6 = work[624 + k]
-            angle7 = work[640 + k]
-            angle8 = work[656 + k]
-            angle9 = work[672 + k]
-            angle10 = work[688 + k]
-            angle11 = work[704 + k]
-            angle12 = work[720 + k]
-            angle13 = work[736 + k]
-            angle14 = work[752 + k]
-            angle15 = work[768 + k]
-            angle16 = work[784 + k]
-            angle17 = work[800 + k]
-            angle18 = work[816 + k]
-            angle19 = work[832 + k]
-            angle20 = work[848 + k]
-            v42 = angle3 - offset2
-            v43 = angle4 - offset2
-            v46 = angle5 - offset2
-            v47 = angle6 - offset2
-            q2_ppp = v42 + (-turn if half_turn < v42 else 0.0)
-            q2_pmp = v43 + (-turn if half_turn < v43 else 0.0)
-            q2_mpp = v46 + (-turn if half_turn < v46 else 0.0)
-            q2_mmp = v47 + (-turn if half_turn < v47 else 0.0)
-            v48 = angle7 - turn1 - offset3
-            v49 = offset3 + (turn1 + angle7)
-            v50 = angle8 - turn1 - offset3
-            v51 = offset3 + (turn1 + angle8)
-            q3_ppp = v48 + (turn if v48 <= -half_turn else 0.0)
-            q3_pmp = (turn if -v49 <= -half_turn else 0.0) - v49
-            q3_mpp = v50 + (turn if v50 <= -half_turn else 0.0)
-            q3_mmp = (turn if -v51 <= -half_turn else 0.0) - v51
-            v54 = angle9 - offset4
-            v55 = angle9 - v52 - offset4
-            v56 = angle10 - offset4
-            v57 = angle10 - v52 - offset4
-            v58 = angle11 - offset4
-            v59 = angle11 - v53 - offset4
-            v60 = angle12 - offset4
-            v61 = angle12 - v53 - offset4
-            q4_ppp = v54 + (turn if v54 <= -half_turn else 0.0)
-            q4_ppm = v55 + (turn if v55 <= -half_turn else 0.0)
-            q4_pmp = v56 + (turn if v56 <= -half_turn else 0.0)
-            q4_pmm = v57 + (turn if v57 <= -half_turn else 0.0)
-            q4_mpp = v58 + (turn if v58 <= -half_turn else 0.0)
-            q4_mpm = v59 + (turn if v59 <= -half_turn else 0.0)
-            q4_mmp = v60 + (turn if v60 <= -half_turn else 0.0)
-            q4_mmm = v61 + (turn if v61 <= -half_turn else 0.0)
-            v62 = angle13 - offset5
-            v63 = offset5 + angle13
-            v64 = angle14 - offset5
-            v65 = offset5 + angle14
-            v66 = angle15 - offset5
-            v67 = offset5 + angle15
-            v68 = angle16 - offset5
-            v69 = offset5 + angle16
-            q5_ppp = v62 + (turn if v62 <= -half_turn else 0.0)
-            q5_ppm = (turn if -v63 <= -half_turn else 0.0) - v63
-            q5_pmp = v64 + (turn if v64 <= -half_turn else 0.0)
-            q5_pmm = (turn if -v65 <= -half_turn else 0.0) - v65
-            q5_mpp = v66 + (turn if v66 <= -half_turn else 0.0)
-            q5_mpm = (turn if -v67 <= -half_turn else 0.0) - v67
-            q5_mmp = v68 + (turn if v68 <= -half_turn else 0.0)
-            q5_mmm = (turn if -v69 <= -half_turn else 0.0) - v69
-            v70 = angle17 - offset6
-            v71 = angle17 - math.copysign(half_turn, s6_pp) - offset6
-            v72 = angle18 - offset6
-            v73 = angle18 - math.copysign(half_turn, s6_pm) - offset6
-            v74 = angle19 - offset6
-            v75 = angle19 - math.copysign(half_turn, s6_mp) - offset6
-            v76 = angle20 - offset6
-            v77 = angle20 - math.copysign(half_turn, s6_mm) - offset6
-            q6_ppp = v70 + (turn if v70 <= -half_turn else 0.0)
-            q6_ppm = v71 + (turn if v71 <= -half_turn else 0.0)
-            q6_pmp = v72 + (turn if v72 <= -half_turn else 0.0)
-            q6_pmm = v73 + (turn if v73 <= -half_turn else 0.0)
-            q6_mpp = v74 + (turn if v74 <= -half_turn else 0.0)
-            q6_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
-            q6_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
-            q6_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
-            v78 = abs(angle1) - high1
-            v79 = abs(angle2) - high1
-            q1_ppp = angle1 + (w3_p - w3_p)
-            q1_mpp = angle2 + (w3_m - w3_m)
-            v80 = (
-                max(max(low3 - q3_ppp, q3_ppp - high3), max(v78, max(low2 - q2_ppp, q2_ppp -
-                high2)))
-            )
-            v81 = (
-                max(max(low3 - q3_pmp, q3_pmp - high3), max(v78, max(low2 - q2_pmp, q2_pmp -
-                high2)))
-            )
-            v82 = (
-                max(max(low3 - q3_mpp, q3_mpp - high3), max(v79, max(low2 - q2_mpp, q2_mpp -
-                high2)))
-            )
-            v83 = (
-                max(max(low3 - q3_mmp, q3_mmp - high3), max(v79, max(low2 - q2_mmp, q2_mmp -
-                high2)))
-            )
-            excess_ppp = max(v80, abs(q5_ppp) - high5)
-            excess_ppm = max(v80, abs(q5_ppm) - high5)
-            excess_pmp = max(v81, abs(q5_pmp) - high5)
-            excess_pmm = max(v81, abs(q5_pmm) - high5)
-            excess_mpp = max(v82, abs(q5_mpp) - high5)
-            excess_mpm = max(v82, abs(q5_mpm) - high5)
-            excess_mmp = max(v83, abs(q5_mmp) - high5)
-            excess_mmm = max(v83, abs(q5_mmm) - high5)
-            outside_ppp = 0.0 < excess_ppp
-            outside_ppm = 0.0 < excess_ppm
-            outside_pmp = 0.0 < excess_pmp
-            outside_pmm = 0.0 < excess_pmm
-            outside_mpp = 0.0 < excess_mpp
-            outside_mpm = 0.0 < excess_mpm
-            outside_mmp = 0.0 < excess_mmp
-            outside_mmm = 0.0 < excess_mmm
-            _1184 = q1_ppp
-            work[1184 + k] = _1184
-            _1200 = q2_ppp
-            work[1200 + k] = _1200
-            _1216 = q3_ppp
-            work[1216 + k] = _1216
-            _1232 = q4_ppp
-            work[1232 + k] = _1232
-            _1248 = q5_ppp
-            work[1248 + k] = _1248
-            _1264 = q6_ppp
-            work[1264 + k] = _1264
-            _1280 = q4_ppm
-            work[1280 + k] = _1280
-            _1296 = q5_ppm
-            work[1296 + k] = _1296
-            _1312 = q6_ppm
-            work[1312 + k] = _1312
-            _1328 = q2_pmp
-            work[1328 + k] = _1328
-            _1344 = q3_pmp
-            work[1344 + k] = _1344
-            _1360 = q4_pmp
-            work[1360 + k] = _1360
-            _1376 = q5_pmp
-            work[1376 + k] = _1376
-            _1392 = q6_pmp
-            work[1392 + k] = _1392
-            _1408 = q4_pmm
-            work[1408 + k] = _1408
-            _1424 = q5_pmm
-            work[1424 + k] = _1424
-            _1440 = q6_pmm
-            work[1440 + k] = _1440
-            _1456 = q1_mpp
-            work[1456 + k] = _1456
-            _1472 = q2_mpp
-            work[1472 + k] = _1472
-            _1488 = q3_mpp
-            work[1488 + k] = _1488
-            _1504 = q4_mpp
-            work[1504 + k] = _1504
-            _1520 = q5_mpp
-            work[1520 + k] = _1520
-            _1536 = q6_mpp
-            work[1536 + k] = _1536
-            _1552 = q4_mpm
-            work[1552 + k] = _1552
-            _1568 = q5_mpm
-            work[1568 + k] = _1568
-            _1584 = q6_mpm
-            work[1584 + k] = _1584
-            _1600 = q2_mmp
-            work[1600 + k] = _1600
-            _1616 = q3_mmp
-            work[1616 + k] = _1616
-            _1632 = q4_mmp
-            work[1632 + k] = _1632
-            _1648 = q5_mmp
-            work[1648 + k] = _1648
-            _1664 = q6_mmp
-            work[1664 + k] = _1664
-            _1680 = q4_mmm
-            work[1680 + k] = _1680
-            _1696 = q5_mmm
-            work[1696 + k] = _1696
-            _1712 = q6_mmm
-            work[1712 + k] = _1712
-            work[1728 + k] = (
-                UNREACHABLE if _1184 != _1184 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[1744 + k] = (
-                UNREACHABLE if _1184 != _1184 else (OUT_OF_LIMITS if outside_ppm else OK)
-            )
-            work[1760 + k] = (
-                UNREACHABLE if _1184 != _1184 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
-            work[1776 + k] = (
-                UNREACHABLE if _1184 != _1184 else (OUT_OF_LIMITS if outside_pmm else OK)
-            )
-            work[1792 + k] = (
-                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
-            work[1808 + k] = (
-                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mpm else OK)
-            )
-            work[1824 + k] = (
-                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mmp else OK)
-            )
-            work[1840 + k] = (
-                UNREACHABLE if _1456 != _1456 else (OUT_OF_LIMITS if outside_mmm else OK)
-            )
-            work[256 + k] = (
-                1.0 if abs(D1) <= m1 or N1 <= doubt_limit_squared2 or v32 <= m9 or v31 <= m9 or v30
-                <= m9 or v29 <= m9 or abs(D3_p * v5) <= m2 or abs(D3_m * v5) <= m2 else work[256 +
-                k]
-            )
-            work[256 + k] = (
-                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
-                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
-                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
-                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[256 +
-                k]
-            )
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(8):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(6):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 25, 48, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach",
@@ -1748,6 +757,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

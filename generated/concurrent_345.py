@@ -27,16 +27,11 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
-_read_rows = _runtime("pose").read_pose
+_circle = _runtime("circle_roots")
+_circle_roots = _circle.circle_roots
 _of_joints = _runtime("entry").of_joints(_HOW, 6)
 
 NAME = "concurrent_345"
@@ -134,130 +129,31 @@ f3 = 0.025881904510252077  # d2 * f1 [m]
 f5 = 0.8660254037844386  # 1 / 2 * sqrt3
 f6 = 0.12940952255126037  # 1 / 2 * f1
 f7 = 0.22414386804201336  # 1 / 2 * sqrt3 * f1
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(),
+        rows=8,
+        directions='rotation',
+        miss_weights=(0.5405, 0.5405, 0.5405, 1.0, 1.0, 1.0),
+        size=1.8499999999999999,
+        entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
+        steps=('completes', 'follows seed'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 
 
-
-
-@_inner
-def _horner(p0, p1, p2, p3, p4, t):
-    return (((p4 * t + p3) * t + p2) * t + p1) * t + p0
-
-
-@_inner
-def _bracketed(p0, p1, p2, p3, p4, low, high, at_low):
-    """The root between two points with values of unlike sign."""
-    t = 0.5 * (low + high)
-    for _ in range(100):
-        value = _horner(p0, p1, p2, p3, p4, t)
-        slope = ((4.0 * p4 * t + 3.0 * p3) * t + 2.0 * p2) * t + p1
-        if (value < 0.0) == (at_low < 0.0):
-            low = t
-        else:
-            high = t
-        following = t - value / slope if slope != 0.0 else low
-        if not low < following < high:
-            following = 0.5 * (low + high)
-        if abs(following - t) <= 2e-16 * abs(t):
-            return following
-        t = following
-    return t
-
-
-@_inner
-def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
-    """Roots, into `found`, of a polynomial that is monotone between neighbouring edges."""
-    roots = 0
-    before, at_before = edges[0], _horner(p0, p1, p2, p3, p4, edges[0])
-    for k in range(1, count):
-        edge = edges[k]
-        value = _horner(p0, p1, p2, p3, p4, edge)
-        size = 1.0 + edge * edge
-        if k < count - 1 and abs(value) <= tolerance * size * size:
-            value = 0.0
-        if at_before * value < 0.0:
-            found[roots] = _bracketed(p0, p1, p2, p3, p4, before, edge, at_before)
-            roots += 1
-        elif value == 0.0 and k < count - 1:
-            found[roots] = edge
-            roots += 1
-        before, at_before = edge, value
-    return roots
-
-
-@_inner
-def _circle_roots(a0, a1, b1, a2, b2, rounding, moved):
-    """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
-
-    Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
-    leading coefficient; its roots lie between those of its derivative, those between the
-    roots of the second derivative. Second comes which are close, where the slope is small: one may
-    stand for two, or has another beside it. Rounding may add so much to values. All roots are moved
-    by an angle in the end.
-    """
-    x, close = np.full(4, math.nan), np.zeros(4, np.bool_)
-    size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
-    if not (size > 0.0 and math.isfinite(size)):
-        return x, close
-    best, apart = -1.0, 0.0
-    for k in range(16):
-        at = turn * k / 16
-        c, s = math.cos(at), math.sin(at)
-        value = abs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s)
-        if value > best:
-            best, apart = value, at
-    c, s = -math.cos(apart), -math.sin(apart)
-    u1, v1 = a1 * c + b1 * s, b1 * c - a1 * s
-    c2, s2 = c * c - s * s, 2.0 * c * s
-    u2, v2 = a2 * c2 + b2 * s2, b2 * c2 - a2 * s2
-    lead = a0 - u1 + u2
-    p0, p1 = (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead
-    p2, p3 = 2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead
-    bound = 1.0 + max(abs(p0), abs(p1), abs(p2), abs(p3))
-    edges, extrema = np.empty(5), np.empty(4)
-    half = 0.25 * p3
-    square = half * half - p2 / 6.0
-    count = 0
-    edges[0] = -bound
-    if square > 0.0:
-        edges[1], edges[2] = -half - math.sqrt(square), -half + math.sqrt(square)
-        count = 2
-    edges[count + 1] = bound
-    count = _between(p1, 2.0 * p2, 3.0 * p3, 4.0, 0.0, edges, count + 2, 0.0, extrema)
-    for k in range(count):
-        edges[k + 1] = extrema[k]
-    edges[count + 1] = bound
-    tolerance = (1e-13 * size + rounding) / abs(lead)
-    count = _between(p0, p1, p2, p3, 1.0, edges, count + 2, tolerance, x)
-    for k in range(count):
-        at = apart + 0.5 * turn + 2.0 * math.atan(x[k])
-        c, s = math.cos(at), math.sin(at)
-        slope = b1 * c - a1 * s + 2.0 * b2 * (c * c - s * s) - 4.0 * a2 * c * s
-        flat = abs(slope) <= 0.0001 * size
-        if not flat:
-            at -= (a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s) / slope
-        at -= turn * math.ceil(at / turn - 0.5)
-        place = k
-        while place > 0 and x[place - 1] > at:
-            x[place], close[place] = x[place - 1], close[place - 1]
-            place -= 1
-        x[place], close[place] = at, flat
-    for k in range(4):
-        x[k] += moved
-    return x, close
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
@@ -452,93 +348,242 @@ def jacobian(q):
     return J
 
 
-_CLOSE = 64  # roots nearly meet: the row may stand between two solutions
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta6, type 9: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1
+    v1 = T31 * k11 + (T33 * k11 + (k13 - 8.0 * T34))
+    R1_6 = k3 * v1
+    v2 = T31 * k14 + d5 * (sqrt3 * T32)
+    R1c6 = v2 * k15
+    v3 = T31 * k16 - 2.0 * (T32 * a5)
+    R1s6 = k15 * v3
+    v4 = T14 * T11 + T24 * T21 + T31 * T34
+    v5 = T14 * T12 + T24 * T22 + T32 * T34
+    v6 = T14 * T13 + T24 * T23 + T33 * T34
+    v7 = v5 * (4.0 * v5) - (v6 * (4.0 * (k12 - v6)) + k18) - v4 * (4.0 * (k12 - v4))
+    R2_6 = k6 * -v7
+    v8 = k19 - k16 * v5 - k14 * v4
+    v9 = k14 * v5 + k20 - k16 * v4
+    v10 = k8 * R2_6 - k10 * R1_6
+    v11 = k8 * -v8 - k10 * R1c6
+    v12 = k8 * -v9 - k10 * R1s6
+    v13 = k4 * R2_6 - k7 * R1_6
+    v14 = k4 * -v8 - k7 * R1c6
+    v15 = k4 * -v9 - k7 * R1s6
+    v16 = v11 * v11
+    v17 = v12 * v12
+    v18 = 2.0 * v10
+    v19 = v14 * v14
+    v20 = v15 * v15
+    v21 = 2.0 * v13
+    v22 = v10 * v10 + k15 * (v16 + v17) + (v13 * v13 + k15 * (v19 + v20))
+    v23 = v11 * v18 + v14 * v21
+    v24 = v12 * v18 + v15 * v21
+    v25 = k15 * (v16 - v17) + k15 * (v19 - v20)
+    v26 = v11 * v12 + v14 * v15
+    v27 = v22 - k21
+    free6 = abs(v27) + abs(v23) + abs(v24) + abs(v25) + abs(v26) <= free_limit6
+    x6_roots, x6_close = _circle_roots(1.0 if free6 else v27, -1.0 if free6 else v23, 0.0 if free6
+        else v24, 0.0 if free6 else v25, 0.0 if free6 else v26, square_rounding * (v22 + k21),
+        moved)
+
+    # theta2, type 3: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1
+    v28 = 4.0 * v2
+    v29 = 4.0 * v3
+    v31 = 4.0 * v8
+    v32 = 4.0 * v9
+
+    # theta1, type 3: U0 (A5 A6)^-1 [2, 4] and U0 (A5 A6)^-1 [1, 4]
+    v33 = sqrt3 * T22
+    v34 = k14 * T21 + d5 * v33
+    v35 = k16 * T21 - 2.0 * (a5 * T22)
+    v36 = k12 * T21 + (k12 * T23 - 2.0 * T24)
+    v38 = sqrt3 * T12
+    v39 = k14 * T11 + d5 * v38
+    v40 = k16 * T11 - 2.0 * (a5 * T12)
+    v41 = k12 * T11 + (k12 * T13 - 2.0 * T14)
+
+    # theta3, type 2: U3 (A5 A6)^-1 [3, 3]
+    v44 = sqrt3 * T11
+    v45 = T22 * k28
+    v46 = T21 * k28
+    v47 = T23 * k24
+    v48 = sqrt3 * T21
+    v49 = T12 * k28
+    v50 = T11 * k28
+    v51 = T13 * k24
+    v52 = T32 * k29
+    v53 = T31 * k29
+    v54 = k1 * T33
+    v56 = 3.0 * (T22 * k24)
+    v57 = 3.0 * (T21 * k24)
+    v58 = T23 * k28
+    v59 = 3.0 * T12
+    v60 = 3.0 * T11
+    v61 = sqrt3 * T13
+    v62 = T22 * k29
+    v63 = T21 * k29
+    v64 = k1 * T23
+    v65 = 3.0 * (T12 * k24)
+    v66 = 3.0 * (T11 * k24)
+    v67 = T13 * k28
+    v68 = 3.0 * T22
+    v69 = 3.0 * T21
+    v70 = sqrt3 * T23
+    v71 = T12 * k29
+    v72 = T11 * k29
+    v73 = k1 * T13
+    v74 = 3.0 * (k1 * T32)
+    v75 = 3.0 * (k1 * T31)
+    v76 = T33 * k29
+    v77 = T32 * k28
+    v78 = T31 * k28
+    v79 = T33 * k24
+
+    # theta5, type 3: U3 A6^-1 [3, 3] and U3 A6^-1 [3, 4]
+    v81 = sqrt2 * v58
+    v82 = 4.0 * v61
+    v83 = sqrt2 * v64
+    v84 = sqrt2 * v67
+    v85 = 4.0 * v70
+    v86 = sqrt2 * v73
+    v88 = 4.0 * T13
+    v89 = sqrt2 * v47
+    v90 = 4.0 * T23
+    v91 = sqrt2 * v51
+    wx = T14 - a6 * T11 - d6 * T13
+    wy = T24 - a6 * T21 - d6 * T23
+    wz = T34 - T31 * a6 - T33 * d6
+    v94 = k2 * wz
+    v95 = wz * k31
+
+    # theta4, type 3: U3[2, 3] and U3[1, 3]
+    v102 = sqrt2 * (T23 * k29)
+    v103 = sqrt2 * (T13 * k29)
+
+    for i1 in range(4):  # root1, root2, root3, root4
+        x6 = x6_roots[i1]
+        # theta6
+        if not (x6 <= 4.0):
+            continue  # out of reach
+        q6 = seed[5] if free6 else x6
+        c6 = math.cos(q6)
+        s6 = math.sin(q6)
+
+        # theta2
+        v30 = k3 * (v1 + (c6 * v28 + s6 * v29))
+        Z2_2 = k6 * (v7 + (c6 * v31 + s6 * v32))
+        s2 = (k7 * v30 + k4 * Z2_2) * k22
+        c2 = (k8 * Z2_2 + k10 * v30) * k22
+        q2 = _atan2(s2, c2)
+
+        # theta1
+        X1_1 = k15 * (k12 + (c2 * k23 + d3 * s2))
+        X2_1 = k3 * (sqrt2 * (c2 * k25 - s2 * k26 + k27))
+        v37 = k15 * (c6 * v34 + s6 * v35 + v36)
+        v42 = k15 * (c6 * v39 + s6 * v40 + v41)
+        v43 = X1_1 * v37 + X2_1 * v42
+        C1 = X2_1 * v37 - X1_1 * v42
+        w1 = math.sqrt(v43 * v43 + C1 * C1)
+        free1 = w1 <= free_limit_squared2
+        near1 = w1 <= near_limit_squared2
+        factor1 = 1.0 / (1.0 if free1 else w1)
+        c1 = math.cos(seed[0]) if free1 else C1 * factor1
+        s1 = math.sin(seed[0]) if free1 else -(v43 * factor1)
+        q1 = _atan2(s1, c1)
+
+        # theta3
+        v55 = (
+            k3 * (c1 * (c2 * (4.0 * (T13 + (c6 * v38 + s6 * v44))) - s2 * (sqrt2 * (c6 * v45 + s6 *
+            v46 - v47))) + s1 * (c2 * (4.0 * (T23 + (c6 * v33 + s6 * v48))) + s2 * (sqrt2 * (c6 *
+            v49 + s6 * v50 - v51))) + sqrt2 * (s2 * (c6 * v52 + s6 * v53 + v54)))
+        )
+        Y3 = (
+            k17 * (sqrt2 * (c2 * (c6 * v74 + s6 * v75 + v76) + (v79 - (c6 * v77 + s6 * v78))) - (c1
+            * (s2 * (4.0 * (c6 * v59 + s6 * v60 + v61)) - c2 * (sqrt2 * (c6 * v56 + s6 * v57 - v58))
+            + sqrt2 * (c6 * v62 + s6 * v63 + v64)) + s1 * (c2 * (sqrt2 * (c6 * v65 + s6 * v66 -
+            v67)) + s2 * (4.0 * (c6 * v68 + s6 * v69 + v70)) - sqrt2 * (c6 * v71 + s6 * v72 +
+            v73))))
+        )
+        v80 = v55 * v55 + Y3 * Y3
+        w3 = math.sqrt(v80)
+        free3 = w3 <= free_limit
+        near3 = v80 <= near_limit_squared
+        divisor3 = 1.0 if free3 else w3
+
+        # theta5
+        v87 = (
+            c1 * (c2 * v81 + s2 * v82 + v83) - s1 * (c2 * v84 - s2 * v85 + v86) - sqrt2 * (T33 *
+            (k24 + c2 * k29))
+        )
+        v92 = 2.0 * (c1 * (c2 * v88 + s2 * v89) + s1 * (c2 * v90 - s2 * v91) + sqrt2 * (s2 * v54))
+        v93 = c1 * wy - s1 * wx
+        v96 = c1 * wx + s1 * wy - a1
+        v97 = k31 * v93 + v94 - k5
+        v98 = c2 * v96 + s2 * v97 - a2
+        v99 = k30 * (c2 * v97 - s2 * v96) + k15 * (v95 - k2 * v93 - k32) - k9
+
+        # theta4
+        Z1_4 = (
+            k3 * (c1 * (s2 * v88 - c2 * v89 - v102) + s1 * (c2 * v91 + s2 * v90 + v103) - sqrt2 *
+            (T33 * (k28 + k1 * c2)))
+        )
+        v105 = k15 * Z1_4
+
+        for i2 in range(2):  # elbow+, elbow-
+            e2 = 1.0 - 2.0 * i2
+            # theta3
+            if e2 < 0.0 and free3:
+                continue  # both signs give the same
+            factor3 = e2 / divisor3
+            c3 = math.cos(seed[2]) if free3 else v55 * factor3
+            s3 = math.sin(seed[2]) if free3 else Y3 * factor3
+            q3 = _atan2(s3, c3)
+
+            # theta5
+            v100 = k30 * (s3 * v98 - c3 * v99) * k33
+            c5 = a5 * (k3 * (c3 * v87 + s3 * v92)) * k33
+            q5 = _atan2(-v100, c5)
+
+            # theta4
+            v101 = k15 * (sqrt3 * v100)
+            Z2_4 = k3 * (c3 * v92 + s3 * -v87)
+            v104 = v101 * Z1_4 + k15 * Z2_4
+            C4 = v105 - v101 * Z2_4
+            w4 = math.sqrt(v104 * v104 + C4 * C4)
+            free4 = w4 <= free_limit_squared
+            near4 = w4 <= near_limit_squared
+            factor4 = 1.0 / (1.0 if free4 else w4)
+            c4 = math.cos(seed[3]) if free4 else C4 * factor4
+            s4 = math.sin(seed[3]) if free4 else -(v104 * factor4)
+            q4 = _atan2(s4, c4)
+            row = 2 * i1 + i2
+            q[row, 0] = q1
+            q[row, 1] = q2
+            q[row, 2] = q3
+            q[row, 3] = q4
+            q[row, 4] = q5
+            q[row, 5] = q6
+            status[row] = (
+                FREE_JOINT if free1 or free3 or free4 or free6 else _status.CLOSE if x6_close[i1] or
+                near1 or near3 or near4 else OK
+            )
+
+
+_inner, _apart = _HOW.inner, _HOW.apart
+_room, carray = _runtime("jit").room, _runtime("jit").carray
+_CLOSE = _status.CLOSE
+_measured, _refined = _runtime("refine").missed_by, _runtime("refine").refine
+_robot = _HOW.addresses("_solve", "fk", "jacobian", None)
 
 
 @_inner
 def _missed_by(pose, q):
     """By how much joint values miss the entries that count: the root of the sum of squares."""
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = s1 * f1
-    y1_y = c1 * f1
-    z1_x = s1 * f2
-    v2 = c1 * f2
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - v1 * s2
-    x2_y = s1 * c2 + y1_y * s2
-    x2_z = f2 * s2
-    v3 = v1 * c2 + c1 * s2
-    v4 = y1_y * c2 - s1 * s2
-    v5 = f2 * c2
-    y2_x = z1_x * k15 - v3 * f5
-    y2_y = v4 * f5 - v2 * k15
-    y2_z = v5 * f5 + f6
-    z2_x = v3 * k15 + z1_x * f5
-    v6 = v4 * k15 + v2 * f5
-    z2_z = f7 - v5 * k15
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = x2_z * c3 + y2_z * s3
-    y4_x = y2_x * c3 - x2_x * s3
-    y4_y = y2_y * c3 - x2_y * s3
-    y4_z = y2_z * c3 - x2_z * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + z2_x * s4
-    x4_y = x3_y * c4 - v6 * s4
-    x4_z = x3_z * c4 + z2_z * s4
-    z4_x = z2_x * c4 - x3_x * s4
-    v7 = v6 * c4 + x3_y * s4
-    z4_z = z2_z * c4 - x3_z * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + y4_x * s5
-    x5_y = x4_y * c5 + y4_y * s5
-    x5_z = x4_z * c5 + y4_z * s5
-    v8 = y4_x * c5 - x4_x * s5
-    v9 = y4_y * c5 - x4_y * s5
-    v10 = y4_z * c5 - x4_z * s5
-    y5_x = k15 * v8 + f5 * z4_x
-    y5_y = k15 * v9 - f5 * v7
-    y5_z = k15 * v10 + f5 * z4_z
-    z5_x = k15 * z4_x - f5 * v8
-    v11 = f5 * v9 + k15 * v7
-    z5_z = k15 * z4_z - f5 * v10
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    x6_x = x5_x * c6 + y5_x * s6
-    x6_y = x5_y * c6 + y5_y * s6
-    x6_z = x5_z * c6 + y5_z * s6
-    miss = 0.0
-    off = x6_x - pose[0]
-    miss += (1.0 * off) ** 2
-    off = z5_x - pose[2]
-    miss += (1.0 * off) ** 2
-    off = (
-        c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * d3 + x5_x * a5 + z4_x * d5 + x6_x * a6 + z5_x * d6
-        - pose[3]
-    )
-    miss += (0.5405405405405406 * off) ** 2
-    off = x6_y - pose[4]
-    miss += (1.0 * off) ** 2
-    off = -v11 - pose[6]
-    miss += (1.0 * off) ** 2
-    off = (
-        s1 * a1 + x2_y * a2 - v2 * d2 - v6 * d3 + x5_y * a5 - v7 * d5 + x6_y * a6 - v11 * d6 -
-        pose[7]
-    )
-    miss += (0.5405405405405406 * off) ** 2
-    off = x6_z - pose[8]
-    miss += (1.0 * off) ** 2
-    off = z5_z - pose[10]
-    miss += (1.0 * off) ** 2
-    off = d1 + x2_z * a2 + f3 + z2_z * d3 + x5_z * a5 + z4_z * d5 + x6_z * a6 + z5_z * d6 - pose[11]
-    miss += (0.5405405405405406 * off) ** 2
-    return math.sqrt(miss)
+    return _measured(_ARM, _robot(), pose, q)
 
 
 # The joints that are solved for, and whether they turn; what a step of one means, in rad or
@@ -851,239 +896,6 @@ def _tighten(pose, q, status):
 
 
 @_inner
-def _solve(pose, seed, moved, q, status):
-    """Fills the rows of the branches that have a solution, and no others."""
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
-
-    # theta6, type 9: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1
-    v1 = T31 * k11 + (T33 * k11 + (k13 - 8.0 * T34))
-    R1_6 = k3 * v1
-    v2 = T31 * k14 + d5 * (sqrt3 * T32)
-    R1c6 = v2 * k15
-    v3 = T31 * k16 - 2.0 * (T32 * a5)
-    R1s6 = k15 * v3
-    v4 = T14 * T11 + T24 * T21 + T31 * T34
-    v5 = T14 * T12 + T24 * T22 + T32 * T34
-    v6 = T14 * T13 + T24 * T23 + T33 * T34
-    v7 = v5 * (4.0 * v5) - (v6 * (4.0 * (k12 - v6)) + k18) - v4 * (4.0 * (k12 - v4))
-    R2_6 = k6 * -v7
-    v8 = k19 - k16 * v5 - k14 * v4
-    v9 = k14 * v5 + k20 - k16 * v4
-    v10 = k8 * R2_6 - k10 * R1_6
-    v11 = k8 * -v8 - k10 * R1c6
-    v12 = k8 * -v9 - k10 * R1s6
-    v13 = k4 * R2_6 - k7 * R1_6
-    v14 = k4 * -v8 - k7 * R1c6
-    v15 = k4 * -v9 - k7 * R1s6
-    v16 = v11 * v11
-    v17 = v12 * v12
-    v18 = 2.0 * v10
-    v19 = v14 * v14
-    v20 = v15 * v15
-    v21 = 2.0 * v13
-    v22 = v10 * v10 + k15 * (v16 + v17) + (v13 * v13 + k15 * (v19 + v20))
-    v23 = v11 * v18 + v14 * v21
-    v24 = v12 * v18 + v15 * v21
-    v25 = k15 * (v16 - v17) + k15 * (v19 - v20)
-    v26 = v11 * v12 + v14 * v15
-    v27 = v22 - k21
-    free6 = abs(v27) + abs(v23) + abs(v24) + abs(v25) + abs(v26) <= free_limit6
-    x6_roots, x6_close = _circle_roots(1.0 if free6 else v27, -1.0 if free6 else v23, 0.0 if free6
-        else v24, 0.0 if free6 else v25, 0.0 if free6 else v26, square_rounding * (v22 + k21),
-        moved)
-
-    # theta2, type 3: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1
-    v28 = 4.0 * v2
-    v29 = 4.0 * v3
-    v31 = 4.0 * v8
-    v32 = 4.0 * v9
-
-    # theta1, type 3: U0 (A5 A6)^-1 [2, 4] and U0 (A5 A6)^-1 [1, 4]
-    v33 = sqrt3 * T22
-    v34 = k14 * T21 + d5 * v33
-    v35 = k16 * T21 - 2.0 * (a5 * T22)
-    v36 = k12 * T21 + (k12 * T23 - 2.0 * T24)
-    v38 = sqrt3 * T12
-    v39 = k14 * T11 + d5 * v38
-    v40 = k16 * T11 - 2.0 * (a5 * T12)
-    v41 = k12 * T11 + (k12 * T13 - 2.0 * T14)
-
-    # theta3, type 2: U3 (A5 A6)^-1 [3, 3]
-    v44 = sqrt3 * T11
-    v45 = T22 * k28
-    v46 = T21 * k28
-    v47 = T23 * k24
-    v48 = sqrt3 * T21
-    v49 = T12 * k28
-    v50 = T11 * k28
-    v51 = T13 * k24
-    v52 = T32 * k29
-    v53 = T31 * k29
-    v54 = k1 * T33
-    v56 = 3.0 * (T22 * k24)
-    v57 = 3.0 * (T21 * k24)
-    v58 = T23 * k28
-    v59 = 3.0 * T12
-    v60 = 3.0 * T11
-    v61 = sqrt3 * T13
-    v62 = T22 * k29
-    v63 = T21 * k29
-    v64 = k1 * T23
-    v65 = 3.0 * (T12 * k24)
-    v66 = 3.0 * (T11 * k24)
-    v67 = T13 * k28
-    v68 = 3.0 * T22
-    v69 = 3.0 * T21
-    v70 = sqrt3 * T23
-    v71 = T12 * k29
-    v72 = T11 * k29
-    v73 = k1 * T13
-    v74 = 3.0 * (k1 * T32)
-    v75 = 3.0 * (k1 * T31)
-    v76 = T33 * k29
-    v77 = T32 * k28
-    v78 = T31 * k28
-    v79 = T33 * k24
-
-    # theta5, type 3: U3 A6^-1 [3, 3] and U3 A6^-1 [3, 4]
-    v81 = sqrt2 * v58
-    v82 = 4.0 * v61
-    v83 = sqrt2 * v64
-    v84 = sqrt2 * v67
-    v85 = 4.0 * v70
-    v86 = sqrt2 * v73
-    v88 = 4.0 * T13
-    v89 = sqrt2 * v47
-    v90 = 4.0 * T23
-    v91 = sqrt2 * v51
-    wx = T14 - a6 * T11 - d6 * T13
-    wy = T24 - a6 * T21 - d6 * T23
-    wz = T34 - T31 * a6 - T33 * d6
-    v94 = k2 * wz
-    v95 = wz * k31
-
-    # theta4, type 3: U3[2, 3] and U3[1, 3]
-    v102 = sqrt2 * (T23 * k29)
-    v103 = sqrt2 * (T13 * k29)
-
-    for i1 in range(4):  # root1, root2, root3, root4
-        x6 = x6_roots[i1]
-        # theta6
-        if not (x6 <= 4.0):
-            continue  # out of reach
-        q6 = seed[5] if free6 else x6
-        c6 = math.cos(q6)
-        s6 = math.sin(q6)
-
-        # theta2
-        v30 = k3 * (v1 + (c6 * v28 + s6 * v29))
-        Z2_2 = k6 * (v7 + (c6 * v31 + s6 * v32))
-        s2 = (k7 * v30 + k4 * Z2_2) * k22
-        c2 = (k8 * Z2_2 + k10 * v30) * k22
-        q2 = _atan2(s2, c2)
-
-        # theta1
-        X1_1 = k15 * (k12 + (c2 * k23 + d3 * s2))
-        X2_1 = k3 * (sqrt2 * (c2 * k25 - s2 * k26 + k27))
-        v37 = k15 * (c6 * v34 + s6 * v35 + v36)
-        v42 = k15 * (c6 * v39 + s6 * v40 + v41)
-        v43 = X1_1 * v37 + X2_1 * v42
-        C1 = X2_1 * v37 - X1_1 * v42
-        w1 = math.sqrt(v43 * v43 + C1 * C1)
-        free1 = w1 <= free_limit_squared2
-        near1 = w1 <= near_limit_squared2
-        factor1 = 1.0 / (1.0 if free1 else w1)
-        c1 = math.cos(seed[0]) if free1 else C1 * factor1
-        s1 = math.sin(seed[0]) if free1 else -(v43 * factor1)
-        q1 = _atan2(s1, c1)
-
-        # theta3
-        v55 = (
-            k3 * (c1 * (c2 * (4.0 * (T13 + (c6 * v38 + s6 * v44))) - s2 * (sqrt2 * (c6 * v45 + s6 *
-            v46 - v47))) + s1 * (c2 * (4.0 * (T23 + (c6 * v33 + s6 * v48))) + s2 * (sqrt2 * (c6 *
-            v49 + s6 * v50 - v51))) + sqrt2 * (s2 * (c6 * v52 + s6 * v53 + v54)))
-        )
-        Y3 = (
-            k17 * (sqrt2 * (c2 * (c6 * v74 + s6 * v75 + v76) + (v79 - (c6 * v77 + s6 * v78))) - (c1
-            * (s2 * (4.0 * (c6 * v59 + s6 * v60 + v61)) - c2 * (sqrt2 * (c6 * v56 + s6 * v57 - v58))
-            + sqrt2 * (c6 * v62 + s6 * v63 + v64)) + s1 * (c2 * (sqrt2 * (c6 * v65 + s6 * v66 -
-            v67)) + s2 * (4.0 * (c6 * v68 + s6 * v69 + v70)) - sqrt2 * (c6 * v71 + s6 * v72 +
-            v73))))
-        )
-        v80 = v55 * v55 + Y3 * Y3
-        w3 = math.sqrt(v80)
-        free3 = w3 <= free_limit
-        near3 = v80 <= near_limit_squared
-        divisor3 = 1.0 if free3 else w3
-
-        # theta5
-        v87 = (
-            c1 * (c2 * v81 + s2 * v82 + v83) - s1 * (c2 * v84 - s2 * v85 + v86) - sqrt2 * (T33 *
-            (k24 + c2 * k29))
-        )
-        v92 = 2.0 * (c1 * (c2 * v88 + s2 * v89) + s1 * (c2 * v90 - s2 * v91) + sqrt2 * (s2 * v54))
-        v93 = c1 * wy - s1 * wx
-        v96 = c1 * wx + s1 * wy - a1
-        v97 = k31 * v93 + v94 - k5
-        v98 = c2 * v96 + s2 * v97 - a2
-        v99 = k30 * (c2 * v97 - s2 * v96) + k15 * (v95 - k2 * v93 - k32) - k9
-
-        # theta4
-        Z1_4 = (
-            k3 * (c1 * (s2 * v88 - c2 * v89 - v102) + s1 * (c2 * v91 + s2 * v90 + v103) - sqrt2 *
-            (T33 * (k28 + k1 * c2)))
-        )
-        v105 = k15 * Z1_4
-
-        for i2 in range(2):  # elbow+, elbow-
-            e2 = 1.0 - 2.0 * i2
-            # theta3
-            if e2 < 0.0 and free3:
-                continue  # both signs give the same
-            factor3 = e2 / divisor3
-            c3 = math.cos(seed[2]) if free3 else v55 * factor3
-            s3 = math.sin(seed[2]) if free3 else Y3 * factor3
-            q3 = _atan2(s3, c3)
-
-            # theta5
-            v100 = k30 * (s3 * v98 - c3 * v99) * k33
-            c5 = a5 * (k3 * (c3 * v87 + s3 * v92)) * k33
-            q5 = _atan2(-v100, c5)
-
-            # theta4
-            v101 = k15 * (sqrt3 * v100)
-            Z2_4 = k3 * (c3 * v92 + s3 * -v87)
-            v104 = v101 * Z1_4 + k15 * Z2_4
-            C4 = v105 - v101 * Z2_4
-            w4 = math.sqrt(v104 * v104 + C4 * C4)
-            free4 = w4 <= free_limit_squared
-            near4 = w4 <= near_limit_squared
-            factor4 = 1.0 / (1.0 if free4 else w4)
-            c4 = math.cos(seed[3]) if free4 else C4 * factor4
-            s4 = math.sin(seed[3]) if free4 else -(v104 * factor4)
-            q4 = _atan2(s4, c4)
-            row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
-            q[row, 3] = q4
-            q[row, 4] = q5
-            q[row, 5] = q6
-            status[row] = (
-                FREE_JOINT if free1 or free3 or free4 or free6 else _CLOSE if x6_close[i1] or near1
-                or near3 or near4 else OK
-            )
-
-
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
-
-
-@_inner
 def _solves(T, steps, exact, q):
     """Whether joint values are a solution.
 
@@ -1112,11 +924,11 @@ def _keep(known, count, q):
 
 
 @_inner
-def _leads(pose, T, seed, angle, row, exact, end):
+def _leads(pose, T, q_free, seed, angle, row, exact, end):
     """Whether the row of a root that is moved leads to a solution, and to which."""
     q, kind = np.empty((8, 6)), np.empty(8, np.uint8)
     kind[:] = UNREACHABLE
-    _solve(pose, seed, angle, q, kind)
+    _solve(pose, q_free, seed, angle, q, kind)
     if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
         return False
     _take(end, q[row])
@@ -1126,8 +938,8 @@ def _leads(pose, T, seed, angle, row, exact, end):
 _BESIDE = (3.0517578125e-05, -3.0517578125e-05, 3.814697265625e-06, -3.814697265625e-06, 4.76837158203125e-07, -4.76837158203125e-07, 5.960464477539063e-08, -5.960464477539063e-08, 7.450580596923828e-09, -7.450580596923828e-09, 9.313225746154785e-10, -9.313225746154785e-10, 1.1641532182693481e-10, -1.1641532182693481e-10, 1.4551915228366852e-11, -1.4551915228366852e-11, 1.8189894035458565e-12, -1.8189894035458565e-12)
 
 
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
-def _beside(pose, seed, q, status):
+@_apart("void(UniTuple(float64, 12), float64[::1], float64[::1], float64[:, ::1], uint8[::1])")
+def _beside(pose, q_free, seed, q, status):
     """Solutions for the rows that stand between two of them, which are known by no more than that.
 
     Steps from a row lead to one; the root of the other is as far from it on the other side. A row may
@@ -1141,7 +953,7 @@ def _beside(pose, seed, q, status):
     kind[:] = UNREACHABLE
     away = seed.copy()
     away[5] += 2.0
-    _solve(pose, away, 0.0, own, kind)
+    _solve(pose, q_free, away, 0.0, own, kind)
     for row in range(8):
         if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
             _take(own[row], q[row])
@@ -1160,7 +972,7 @@ def _beside(pose, seed, q, status):
         # long steps may lead to solutions of other roots, which are known
         found = _solves(T, 72, exact, end) and _is_new(known, others, end)
         for angle in _BESIDE:
-            if found or not _leads(pose, T, away, angle, row, exact, end):
+            if found or not _leads(pose, T, q_free, away, angle, row, exact, end):
                 continue
             found = _is_new(known, others, end)
         if not found:
@@ -1171,7 +983,7 @@ def _beside(pose, seed, q, status):
         off += end[5] - own[row, 5]
         off -= 6.283185307179586 * math.ceil(off / 6.283185307179586 - 0.5)
         for part in (0.0, -1.0, -2.0, -0.5, -4.0):  # of the way to the one that is known
-            if not _leads(pose, T, away, part * off, row, exact, other):
+            if not _leads(pose, T, q_free, away, part * off, row, exact, other):
                 continue
             if _is_new(known, others, other) and _gap_between(end, other) >= 0.001:
                 count = _keep(known, count, other)
@@ -1191,7 +1003,7 @@ def _beside(pose, seed, q, status):
 
 
 @_inner
-def _both_sides(pose, seed, q, status):
+def _both_sides(pose, q_free, seed, q, status):
     """Solutions for the rows of roots that nearly meet, which may stand between two."""
     close = False
     for row in range(8):
@@ -1199,122 +1011,11 @@ def _both_sides(pose, seed, q, status):
     if not close:
         return
     rows, kinds = q.copy(), status.copy()
-    _beside(pose, seed.copy(), rows, kinds)
+    _beside(pose, q_free.copy(), seed.copy(), rows, kinds)
     for row in range(8):
         status[row] = kinds[row]
         for i in range(6):
             q[row, i] = rows[row, i]
-
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.5405, 0.5405, 0.5405, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
-    """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
-
-
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
-
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
-    for i in range(6):
-        for j in range(6):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 6 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(12):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(12):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(12):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
-
-
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
-
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(6):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(6)
-    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(6):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(6)
-    for i in range(6):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(6):
-        q[i] = values[i]
-    return settled
 
 
 # Between which values starts lie.
@@ -1367,8 +1068,8 @@ def _descend(T, q, u):
     return least
 
 
-@_apart("int64(UniTuple(float64, 12), float64[::1], int64, float64[::1])")
-def _sought(pose, seed, least, q):
+@_apart("int64(UniTuple(float64, 12), float64[::1], float64[::1], int64, float64[::1])")
+def _sought(pose, q_free, seed, least, q):
     """Joint values that serve, into q, if there are some with less wrong than `least`; what is.
 
     Nothing is 0, 1 that they are beyond limits, 2 that they are not exact, 4 that there are none.
@@ -1401,7 +1102,7 @@ def _sought(pose, seed, least, q):
 
 
 @_inner
-def _seek(pose, seed, begun, q, status):
+def _seek(pose, q_free, seed, begun, q, status):
     """The same into a row, if there is none."""
     before, chosen = 4, -1
     for row in range(8 - 1, -1, -1):
@@ -1413,7 +1114,7 @@ def _seek(pose, seed, begun, q, status):
     if before == 0 or (before < 4 and chosen < 0):
         return
     found = np.empty(6)
-    least = _sought(pose, seed.copy(), before, found)
+    least = _sought(pose, q_free.copy(), seed.copy(), before, found)
     if least == before:
         return
     for row in range(8):
@@ -1422,90 +1123,27 @@ def _seek(pose, seed, begun, q, status):
             q[row, i] = found[i] if row == begun else math.nan
 
 
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    nearest = 0.001
-    for i in range(6):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
-        return
-    for row in range(8 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
-
-
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(8):
-        status[row] = UNREACHABLE
-        for i in range(6):
-            q[row, i] = math.nan
-    _solve(pose, seed, 0.0, q, status)
-    begun = -1  # the first row that was not simply out of reach
-    for row in range(8 - 1, -1, -1):
-        if status[row] != UNREACHABLE:
-            begun = row
-    _both_sides(pose, seed, q, status)
+@_apart(_arms.COMPLETES)
+def _complete(pose, q_free, seed, begun, q, status):
+    """Works on all rows where roots nearly meet or rows miss the pose, and looks for lost ones."""
+    _both_sides(pose, q_free, seed, q, status)
     _tighten(pose, q, status)
     if begun >= 0:
-        _seek(pose, seed, begun, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(8):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(6):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
+        _seek(pose, q_free, seed, begun, q, status)
 
 
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must have shapes (4, 4), (8, 6), (8,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    return _whole(pose, seed, q, status)
-
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=None,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", "_complete"),
+        task="pose",
+        counted=(True, True, True),
+        formulas=None,
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(_circle.OWN.compile_apart,),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach",

@@ -27,16 +27,9 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
-_read_rows = _runtime("pose").read_pose
 _of_joints = _runtime("entry").of_joints(_HOW, 3)
 
 NAME = "cylindrical"
@@ -66,17 +59,24 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 3e-06  # a pose may be rounded by this [m]
 m1 = 9.000000000000001e-12  # pose_slack1^2 [m^2]
 m2 = 1.0000000000000002e-10  # pose_slack^2
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 3e-10, 3e-10])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 11.11111111111111, 11.11111111111111])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 3e-10, 3e-10),
+        weights=(1.0, 11.11111111111111, 11.11111111111111),
+        paces=(1.0, 0.3, 0.3),
+        fan_steps=(),
+        rows=1,
+        directions='rotation',
+        miss_weights=(3.333, 3.333, 3.333, 1.0, 1.0, 1.0),
+        size=0.3,
+        steps=('regular', 'follows seed'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -120,8 +120,8 @@ def jacobian(q):
     return J
 
 
-@_inner
-def _solve(pose, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
 
@@ -154,353 +154,75 @@ def _solve(pose, seed, q, status):
     status[row] = OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px * px * px) and math.isfinite(py * py * py) and math.isfinite(pz * pz * pz), pose
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 0.3, 0.3])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([3.333, 3.333, 3.333, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
+    for k in range(w):
+        T11, T13, T14, T21 = kept[0 * w + k], kept[2 * w + k], kept[3 * w + k], kept[4 * w + k]
+        T23, T24, T31, T33 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k], kept[10 * w + k]
+        T34 = kept[11 * w + k]
 
+        # r2, type 1: U0[3, 4]
+        q2 = T34 - d1
 
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
+        # theta1, type 3: U0[1, 3] and U0[2, 3]
+        v1 = T21 * T21 + T11 * T11
+        w1 = math.sqrt(v1)
+        v2 = 1.0 / v1
+        v3 = w1 * v2
+        c1 = T11 * v3
+        s1 = T21 * v3
 
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 9)), np.zeros(6)
-    for i in range(6):
-        for j in range(3):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 3 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(9):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(9):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(9):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(3):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
+        # r3, type 1: U1[2, 4]
+        q3 = w1 * (v2 * (T11 * T24 - T21 * T14))
 
+        # is the pose one that the arm can take?
+        v4 = T34 - (d1 + q2)
+        v5 = T24 - c1 * q3
+        v6 = T23 - c1
+        v7 = T14 + s1 * q3
+        v8 = s1 + T13
+        v9 = v1 - 1.0
 
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
-
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(3):
-        off = q[i] - x[i]
-        if _REVOLUTE[i]:
-            off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off) * math.sqrt(_WEIGHT[i]))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(3)
-    held, x, settled = np.zeros(3, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(3):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(3)
-    for i in range(3):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(3):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(3), np.empty(3), 0, math.inf
-    nearest = 0.001
-    for i in range(3):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
+        # a joint is free, or branches meet
+        kept[16 * w + k] = (
+            1.0 if m1 < v4 * v4 + v5 * v5 + v7 * v7 or m2 < T33 * T33 + T31 * T31 + v6 * v6 + v8 *
+            v8 + v9 * v9 else kept[16 * w + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k], turns[1 * w + k] = q2, q3, T21, T11
+    if w == 1 and kept[16] != 0.0:
         return
-    for row in range(1 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(3):
-            q[place, i] = x[i]
+    for k in range(0 * w, 1 * w):
+        turns[k] = _atan2(turns[k], turns[k + 1 * w])
+    for k in range(w):
+        q2, q3, angle1 = kept[17 * w + k], kept[18 * w + k], turns[0 * w + k]
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = angle1, q2, q3
+        rows[3 * w + k] = UNREACHABLE if angle1 != angle1 else OK
 
 
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(1):
-        status[row] = UNREACHABLE
-        for i in range(3):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(1):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(3):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
-
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
-    """
-    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
-
-    # r2, type 1: U0[3, 4]
-    q2 = T34 - d1
-
-    # theta1, type 3: U0[1, 3] and U0[2, 3]
-    v1 = T21 * T21 + T11 * T11
-    w1 = math.sqrt(v1)
-    v2 = 1.0 / v1
-    v3 = w1 * v2
-    c1 = T11 * v3
-    s1 = T21 * v3
-
-    # r3, type 1: U1[2, 4]
-    q3 = w1 * (v2 * (T11 * T24 - T21 * T14))
-
-    # is the pose one that the arm can take?
-    v4 = T34 - (d1 + q2)
-    v5 = T24 - c1 * q3
-    v6 = T23 - c1
-    v7 = T14 + s1 * q3
-    v8 = s1 + T13
-    v9 = v1 - 1.0
-
-    # a joint is free, or branches meet
-    if m1 < v4 * v4 + v5 * v5 + v7 * v7 or m2 < T33 * T33 + T31 * T31 + v6 * v6 + v8 * v8 + v9 * v9:
-        return False
-    angle1 = _atan2(T21, T11)
-
-    q[0, 0] = angle1
-    q[0, 1] = q2
-    q[0, 2] = q3
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    return True
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (1, 3) or status.shape != (1,):
-        raise ValueError("T, q and status must have shapes (4, 4), (1, 3), (1,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(1):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [432, 448, 464],
+    [0, 1, 2],
 ])
-_KINDS = np.array([480])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(496), 496)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
-            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
-            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
-            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-            xy = x0 * y0 + x1 * y1 + x2 * y2
-            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
-            miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
-                - 1.0) + 0.0 * (work[48 + k] * work[48 + k] * work[48 + k] + work[112 + k] *
-                work[112 + k] * work[112 + k] + work[176 + k] * work[176 + k] * work[176 + k])
-            )
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T11 = work[0 + k]
-            T13 = work[32 + k]
-            T14 = work[48 + k]
-            T21 = work[64 + k]
-            T23 = work[96 + k]
-            T24 = work[112 + k]
-            T34 = work[176 + k]
-            q2 = T34 - d1
-            v1 = T21 * T21 + T11 * T11
-            w1 = math.sqrt(v1)
-            v2 = 1.0 / v1
-            v3 = w1 * v2
-            c1 = T11 * v3
-            s1 = T21 * v3
-            q3 = w1 * (v2 * (T11 * T24 - T21 * T14))
-            v4 = T34 - (d1 + q2)
-            v5 = T24 - c1 * q3
-            v6 = T23 - c1
-            v7 = T14 + s1 * q3
-            v8 = s1 + T13
-            v9 = v1 - 1.0
-            work[272 + k] = q2
-            work[288 + k] = q3
-            work[304 + k] = v4
-            work[320 + k] = v5
-            work[336 + k] = v6
-            work[352 + k] = v7
-            work[368 + k] = v8
-            work[384 + k] = v9
-            work[400 + k] = T21
-            work[416 + k] = T11
-        for k in range(400, 416):
-            work[k] = _atan2(work[k], work[k + 16])
-        for k in range(0, 16):
-            T31 = work[128 + k]
-            T33 = work[160 + k]
-            q2 = work[272 + k]
-            q3 = work[288 + k]
-            v4 = work[304 + k]
-            v5 = work[320 + k]
-            v6 = work[336 + k]
-            v7 = work[352 + k]
-            v8 = work[368 + k]
-            v9 = work[384 + k]
-            angle1 = work[400 + k]
-            _432 = angle1
-            work[432 + k] = _432
-            _448 = q2
-            work[448 + k] = _448
-            _464 = q3
-            work[464 + k] = _464
-            work[480 + k] = UNREACHABLE if _432 != _432 else OK
-            work[256 + k] = (
-                1.0 if m1 < v4 * v4 + v5 * v5 + v7 * v7 or m2 < T33 * T33 + T31 * T31 + v6 * v6 + v8
-                * v8 + v9 * v9 else work[256 + k]
-            )
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(1):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(3):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 19, 2, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite or beyond 5e102, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach, or one that 3 joints can't take",
@@ -508,6 +230,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

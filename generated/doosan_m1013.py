@@ -27,17 +27,10 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
-_read_rows = _runtime("pose").read_pose
 _of_joints = _runtime("entry").of_joints(_HOW, 6)
 
 NAME = "doosan_m1013"
@@ -102,16 +95,24 @@ m3 = 0.8064516129032259  # a coefficient of S2
 m4 = 0.057999193548387  # a coefficient of S2
 m5 = 4.889268346561e-16  # doubt_limit_squared2^2 [m^4]
 m6 = 9.999999999999999e-09  # doubt_limit^2
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(),
+        rows=8,
+        directions='rotation',
+        miss_weights=(0.6725, 0.6725, 0.6725, 1.0, 1.0, 1.0),
+        size=1.487,
+        steps=('regular', 'merges', 'refines', 'follows seed'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -264,8 +265,8 @@ def jacobian(q):
     return J
 
 
-@_inner
-def _solve(pose, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
@@ -392,943 +393,274 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.6725, 0.6725, 0.6725, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
+    for k in range(w):
+        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
+        # theta1, type 2: U1 A6^-1 [3, 4]
+        X1 = d6 * T13 - T14
+        wy = T24 - d6 * T23
+        N1 = X1 * X1 + wy * wy
+        D1 = N1 - k1
+        w1 = math.sqrt(D1)
+        v1 = w1 - w1
+        inverse1 = 1.0 / N1
+        v2 = inverse1 * (d2 * wy)
+        v3 = v2 + w1 * (X1 * inverse1)
+        v4 = v2 + w1 * (inverse1 * -X1)
+        v5 = inverse1 * (d2 * X1)
+        s1_p = w1 * (wy * inverse1) - v5
+        s1_m = w1 * (inverse1 * -wy) - v5
 
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
+        # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+        Z1_3 = T34 - d6 * T33 - d1
+        N3 = D1 + Z1_3 * Z1_3
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3)
+        v6 = w3 - w3
+        v7 = k5 * (N3 - k6)
+        s3 = k7 * v7
+        v8 = k5 * w3
+        v9 = k7 * v8
 
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
-    for i in range(6):
-        for j in range(6):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 6 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(12):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(12):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(12):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
+        # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+        X1_2 = a2 + d4 * s3
+        Y1_2 = d4 * v9
+        v10 = Z1_3 * X1_2
+        v11 = w1 * Y1_2
+        v12 = v10 - v11
+        v13 = v10 + v11
+        v14 = m4 + m3 * N3
+        v15 = Z1_3 * v14
+        v16 = w3 * (m3 * w1)
+        S2_pp = v15 - v16
+        S2_pm = v15 + v16
+        v17 = w1 * X1_2
+        v18 = Z1_3 * Y1_2
+        v19 = v17 + v18
+        v20 = v17 - v18
+        v21 = w3 * (m3 * Z1_3)
+        v22 = w3 * (m3 * -Z1_3)
+        v23 = w1 * v14
+        C2_pp = v21 + v23
+        C2_pm = v22 + v23
+        C2_mp = v21 - v23
+        C2_mm = v22 - v23
+        v24 = S2_pp * S2_pp
+        v25 = v24 + C2_pp * C2_pp
+        v26 = S2_pm * S2_pm
+        v27 = v26 + C2_pm * C2_pm
+        v28 = v26 + C2_mp * C2_mp
+        v29 = v24 + C2_mm * C2_mm
+        w2_pp = math.sqrt(v25)
+        w2_pm = math.sqrt(v27)
+        w2_mp = math.sqrt(v28)
+        w2_mm = math.sqrt(v29)
+        v30 = 1.0 / v25
+        v31 = 1.0 / v27
+        v32 = 1.0 / v28
+        v33 = 1.0 / v29
 
+        # theta4, type 2: U4[3, 3]
+        v34 = v9 * v19 + s3 * v12
+        v35 = w2_pp * (v30 * v34)
+        v36 = s3 * v13
+        v37 = w2_pm * (v31 * (v36 - v9 * v20))
+        v38 = w2_mp * (v32 * (v36 + v9 * -v20))
+        v39 = w2_mm * (v33 * v34)
+        v40 = s3 * v19 - v9 * v12
+        s23_pp = w2_pp * (v30 * v40)
+        v41 = v9 * v13
+        s23_pm = w2_pm * (v31 * (s3 * v20 + v41))
+        s23_mp = w2_mp * (v32 * (s3 * -v20 - v41))
+        s23_mm = w2_mm * (v33 * -v40)
+        v42 = T23 * s1_p - T13 * v3
+        v43 = T23 * s1_m - T13 * v4
+        X4_pp = v35 * v42 - T33 * s23_pp
+        X4_pm = v37 * v42 - T33 * s23_pm
+        X4_mp = v38 * v43 - T33 * s23_mp
+        X4_mm = v39 * v43 - T33 * s23_mm
+        Y4_p = T13 * s1_p + T23 * v3
+        Y4_m = T13 * s1_m + T23 * v4
+        v44 = Y4_p * Y4_p
+        v45 = Y4_m * Y4_m
+        v46 = v44 + X4_pp * X4_pp
+        v47 = v44 + X4_pm * X4_pm
+        v48 = v45 + X4_mp * X4_mp
+        v49 = v45 + X4_mm * X4_mm
 
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        v50 = v3 * T22 + s1_p * T12
+        v51 = v4 * T22 + s1_m * T12
+        v52 = s1_p * T22 - v3 * T12
+        v53 = s1_m * T22 - v4 * T12
+        v54 = v3 * T21 + s1_p * T11
+        v55 = v4 * T21 + s1_m * T11
+        v56 = s1_p * T21 - v3 * T11
+        v57 = s1_m * T21 - v4 * T11
+        s6_pp = Y4_p * (s23_pp * T31 - v35 * v56) - v54 * -X4_pp
+        s6_pm = Y4_p * (s23_pm * T31 - v37 * v56) - v54 * -X4_pm
+        s6_mp = Y4_m * (s23_mp * T31 - v38 * v57) - v55 * -X4_mp
+        s6_mm = Y4_m * (s23_mm * T31 - v39 * v57) - v55 * -X4_mm
 
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(6):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
+        # joint values
+        v64 = math.copysign(half_turn, Y4_p)
+        v65 = math.copysign(half_turn, Y4_m)
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(6)
-    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(6):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(6)
-    for i in range(6):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(6):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _lead(pose, q, status):
-    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
-    for row in range(8):
-        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
-            continue
-        if not _settle(pose, 1e-12, 0.15, q[row]):
-            status[row] = UNREACHABLE
-            for i in range(6):
-                q[row, i] = math.nan
-
-
-@_apart("boolean(UniTuple(float64, 12), float64[::1])")
-def _are_one(T, half):
-    """Whether rounding alone tells two solutions that lie to both sides of joint values.
-
-    Half way the arm is singular, and what steps in all other directions leave of the miss is how far
-    the pose is from one at which both meet.
-    """
-    held = np.zeros(6, np.bool_)
-    for _ in range(3):
-        _add_step(held, 1e-13, _miss(T, half)[0], half)
-    return _miss(T, half)[1] <= 1e-14
-
-
-@_inner
-def _tell_once(pose, q, status):
-    """Ends rows that rounding alone tells from earlier ones.
-
-    Where an earlier angle is good to fewer digits than usual branches that meet come out apart.
-    """
-    half = np.empty(6)
-    for row in range(1, 8):
-        for k in range(row):
-            if status[row] == UNREACHABLE or status[k] == UNREACHABLE:
-                continue
-            if _half_way(q[k], q[row], half) < 0.001 and _are_one(pose, half):
-                status[row] = UNREACHABLE
-                for i in range(6):
-                    q[row, i] = math.nan
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    nearest = 0.001
-    for i in range(6):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
+        # a joint is free, or branches meet
+        kept[16 * w + k] = (
+            1.0 if v49 <= m6 or v29 <= m5 or v48 <= m6 or v28 <= m5 or v47 <= m6 or v27 <= m5 or v46
+            <= m6 or abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v25 <= m5 else kept[16 * w + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = v1, v6, v7, s6_pp
+        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = s6_pm, s6_mp, s6_mm
+        kept[24 * w + k], kept[25 * w + k], turns[0 * w + k] = v64, v65, s6_pp
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = s6_pm, s6_mp, s6_mm
+        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = S2_pp, S2_pm, S2_pm
+        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = S2_pp, v7, Y4_p
+        turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = Y4_p, Y4_m, Y4_m
+        turns[13 * w + k], turns[14 * w + k] = math.sqrt(v46), math.sqrt(v47)
+        turns[15 * w + k], turns[16 * w + k] = math.sqrt(v48), math.sqrt(v49)
+        turns[17 * w + k], turns[18 * w + k] = s1_p, s1_m
+        turns[24 * w + k] = Y4_p * (s23_pp * T32 - v35 * v52) - v50 * -X4_pp
+        turns[25 * w + k] = Y4_p * (s23_pm * T32 - v37 * v52) - v50 * -X4_pm
+        turns[26 * w + k] = Y4_m * (s23_mp * T32 - v38 * v53) - v51 * -X4_mp
+        turns[27 * w + k] = Y4_m * (s23_mm * T32 - v39 * v53) - v51 * -X4_mm
+        turns[28 * w + k], turns[29 * w + k], turns[30 * w + k] = C2_pp, C2_pm, C2_mp
+        turns[31 * w + k], turns[32 * w + k], turns[33 * w + k] = C2_mm, -v8, -X4_pp
+        turns[34 * w + k], turns[35 * w + k], turns[36 * w + k] = -X4_pm, -X4_mp, -X4_mm
+        turns[37 * w + k] = -(T33 * v35 + s23_pp * v42)
+        turns[38 * w + k] = -(T33 * v37 + s23_pm * v42)
+        turns[39 * w + k] = -(T33 * v38 + s23_mp * v43)
+        turns[40 * w + k], turns[41 * w + k] = -(T33 * v39 + s23_mm * v43), -v3
+        turns[42 * w + k] = -v4
+    if w == 1 and kept[16] != 0.0:
         return
-    for row in range(8 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
+    end = 24 if w == 1 else 19 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(19 * w, end):
+        turns[k] = turns[k + 24 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 24 * w])
+    for k in range(w):
+        v1, v6, v7, s6_pp = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
+        s6_pm, s6_mp, s6_mm = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
+        v64, v65, angle1 = kept[24 * w + k], kept[25 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
+        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
+        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
+        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
+        angle17, angle18, angle19 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
+
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        q6_ppm = angle1 - math.copysign(half_turn, s6_pp)
+        q6_pmm = angle2 - math.copysign(half_turn, s6_pm)
+        q6_mpm = angle3 - math.copysign(half_turn, s6_mp)
+        q6_mmm = angle4 - math.copysign(half_turn, s6_mm)
+
+        # joint values
+        v58 = angle5 - offset2
+        v59 = angle6 - offset2
+        v60 = angle7 - offset2
+        v61 = angle8 - offset2
+        q2_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
+        q2_pmp = v59 + (turn if v59 <= -half_turn else 0.0)
+        q2_mpp = v60 + (turn if v60 <= -half_turn else 0.0)
+        q2_mmp = v61 + (turn if v61 <= -half_turn else 0.0)
+        v62 = angle9 - offset3
+        v63 = math.copysign(half_turn, v7) - angle9 - offset3
+        v66 = angle10 - offset4
+        v67 = angle10 - v64 - offset4
+        v68 = angle11 - offset4
+        v69 = angle11 - v64 - offset4
+        v70 = angle12 - offset4
+        v71 = angle12 - v65 - offset4
+        v72 = angle13 - offset4
+        v73 = angle13 - v65 - offset4
+        q4_ppp = v66 + (turn if v66 <= -half_turn else 0.0)
+        q4_ppm = v67 + (turn if v67 <= -half_turn else 0.0)
+        q4_pmp = v68 + (turn if v68 <= -half_turn else 0.0)
+        q4_pmm = v69 + (turn if v69 <= -half_turn else 0.0)
+        q4_mpp = v70 + (turn if v70 <= -half_turn else 0.0)
+        q4_mpm = v71 + (turn if v71 <= -half_turn else 0.0)
+        q4_mmp = v72 + (turn if v72 <= -half_turn else 0.0)
+        q4_mmm = v73 + (turn if v73 <= -half_turn else 0.0)
+        v74 = angle14 - offset5
+        v75 = offset5 + angle14
+        v76 = angle15 - offset5
+        v77 = offset5 + angle15
+        v78 = angle16 - offset5
+        v79 = offset5 + angle16
+        v80 = angle17 - offset5
+        v81 = offset5 + angle17
+        q5_ppp = v74 + (turn if v74 <= -half_turn else 0.0)
+        q5_ppm = (turn if -v75 <= -half_turn else 0.0) - v75
+        q5_pmp = v76 + (turn if v76 <= -half_turn else 0.0)
+        q5_pmm = (turn if -v77 <= -half_turn else 0.0) - v77
+        q5_mpp = v78 + (turn if v78 <= -half_turn else 0.0)
+        q5_mpm = (turn if -v79 <= -half_turn else 0.0) - v79
+        q5_mmp = v80 + (turn if v80 <= -half_turn else 0.0)
+        q5_mmm = (turn if -v81 <= -half_turn else 0.0) - v81
+        q1_ppp = v6 + angle18
+        q1_mpp = v6 + angle19
+        q3_ppp = v1 + (v62 + (turn if v62 <= -half_turn else 0.0))
+        q3_pmp = v1 + (v63 + (turn if v63 <= -half_turn else 0.0))
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, q2_ppp, q3_ppp
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q4_ppp, q5_ppp, angle1
+        rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q4_ppm, q5_ppm, q6_ppm
+        rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = q2_pmp, q3_pmp, q4_pmp
+        rows[12 * w + k], rows[13 * w + k], rows[14 * w + k] = q5_pmp, angle2, q4_pmm
+        rows[15 * w + k], rows[16 * w + k], rows[17 * w + k] = q5_pmm, q6_pmm, q1_mpp
+        rows[18 * w + k], rows[19 * w + k], rows[20 * w + k] = q2_mpp, q4_mpp, q5_mpp
+        rows[21 * w + k], rows[22 * w + k], rows[23 * w + k] = angle3, q4_mpm, q5_mpm
+        rows[24 * w + k], rows[25 * w + k], rows[26 * w + k] = q6_mpm, q2_mmp, q4_mmp
+        rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = q5_mmp, angle4, q4_mmm
+        rows[30 * w + k], rows[31 * w + k] = q5_mmm, q6_mmm
+        rows[32 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[33 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[37 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(8):
-        status[row] = UNREACHABLE
-        for i in range(6):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    _lead(pose, q, status)
-    _tell_once(pose, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(8):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(6):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
-
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
-    """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
-    room = carray(_room(48), 48)
-
-    # theta1, type 2: U1 A6^-1 [3, 4]
-    X1 = d6 * T13 - T14
-    wy = T24 - d6 * T23
-    N1 = X1 * X1 + wy * wy
-    D1 = N1 - k1
-    w1 = math.sqrt(D1)
-    v1 = w1 - w1
-    inverse1 = 1.0 / N1
-    v2 = inverse1 * (d2 * wy)
-    v3 = v2 + w1 * (X1 * inverse1)
-    v4 = v2 + w1 * (inverse1 * -X1)
-    v5 = inverse1 * (d2 * X1)
-    s1_p = w1 * (wy * inverse1) - v5
-    s1_m = w1 * (inverse1 * -wy) - v5
-
-    # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    Z1_3 = T34 - d6 * T33 - d1
-    N3 = D1 + Z1_3 * Z1_3
-    D3 = (longest3 - N3) * (N3 - shortest3)
-    w3 = math.sqrt(D3)
-    v6 = w3 - w3
-    v7 = k5 * (N3 - k6)
-    s3 = k7 * v7
-    v8 = k5 * w3
-    v9 = k7 * v8
-
-    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    X1_2 = a2 + d4 * s3
-    Y1_2 = d4 * v9
-    v10 = Z1_3 * X1_2
-    v11 = w1 * Y1_2
-    v12 = v10 - v11
-    v13 = v10 + v11
-    v14 = m4 + m3 * N3
-    v15 = Z1_3 * v14
-    v16 = w3 * (m3 * w1)
-    S2_pp = v15 - v16
-    S2_pm = v15 + v16
-    v17 = w1 * X1_2
-    v18 = Z1_3 * Y1_2
-    v19 = v17 + v18
-    v20 = v17 - v18
-    v21 = w3 * (m3 * Z1_3)
-    v22 = w3 * (m3 * -Z1_3)
-    v23 = w1 * v14
-    C2_pp = v21 + v23
-    C2_pm = v22 + v23
-    C2_mp = v21 - v23
-    C2_mm = v22 - v23
-    v24 = S2_pp * S2_pp
-    v25 = v24 + C2_pp * C2_pp
-    v26 = S2_pm * S2_pm
-    v27 = v26 + C2_pm * C2_pm
-    v28 = v26 + C2_mp * C2_mp
-    v29 = v24 + C2_mm * C2_mm
-    w2_pp = math.sqrt(v25)
-    w2_pm = math.sqrt(v27)
-    w2_mp = math.sqrt(v28)
-    w2_mm = math.sqrt(v29)
-    v30 = 1.0 / v25
-    v31 = 1.0 / v27
-    v32 = 1.0 / v28
-    v33 = 1.0 / v29
-
-    # theta4, type 2: U4[3, 3]
-    v34 = v9 * v19 + s3 * v12
-    v35 = w2_pp * (v30 * v34)
-    v36 = s3 * v13
-    v37 = w2_pm * (v31 * (v36 - v9 * v20))
-    v38 = w2_mp * (v32 * (v36 + v9 * -v20))
-    v39 = w2_mm * (v33 * v34)
-    v40 = s3 * v19 - v9 * v12
-    s23_pp = w2_pp * (v30 * v40)
-    v41 = v9 * v13
-    s23_pm = w2_pm * (v31 * (s3 * v20 + v41))
-    s23_mp = w2_mp * (v32 * (s3 * -v20 - v41))
-    s23_mm = w2_mm * (v33 * -v40)
-    v42 = T23 * s1_p - T13 * v3
-    v43 = T23 * s1_m - T13 * v4
-    X4_pp = v35 * v42 - T33 * s23_pp
-    X4_pm = v37 * v42 - T33 * s23_pm
-    X4_mp = v38 * v43 - T33 * s23_mp
-    X4_mm = v39 * v43 - T33 * s23_mm
-    Y4_p = T13 * s1_p + T23 * v3
-    Y4_m = T13 * s1_m + T23 * v4
-    v44 = Y4_p * Y4_p
-    v45 = Y4_m * Y4_m
-    v46 = v44 + X4_pp * X4_pp
-    v47 = v44 + X4_pm * X4_pm
-    v48 = v45 + X4_mp * X4_mp
-    v49 = v45 + X4_mm * X4_mm
-
-    # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v50 = v3 * T22 + s1_p * T12
-    v51 = v4 * T22 + s1_m * T12
-    v52 = s1_p * T22 - v3 * T12
-    v53 = s1_m * T22 - v4 * T12
-    v54 = v3 * T21 + s1_p * T11
-    v55 = v4 * T21 + s1_m * T11
-    v56 = s1_p * T21 - v3 * T11
-    v57 = s1_m * T21 - v4 * T11
-    s6_pp = Y4_p * (s23_pp * T31 - v35 * v56) - v54 * -X4_pp
-    s6_pm = Y4_p * (s23_pm * T31 - v37 * v56) - v54 * -X4_pm
-    s6_mp = Y4_m * (s23_mp * T31 - v38 * v57) - v55 * -X4_mp
-    s6_mm = Y4_m * (s23_mm * T31 - v39 * v57) - v55 * -X4_mm
-
-    # joint values
-    v64 = math.copysign(half_turn, Y4_p)
-    v65 = math.copysign(half_turn, Y4_m)
-
-    # a joint is free, or branches meet
-    if (
-        v49 <= m6 or v29 <= m5 or v48 <= m6 or v28 <= m5 or v47 <= m6 or v27 <= m5 or v46 <= m6 or
-        abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v25 <= m5
-    ):
-        return False
-
-    # angles, side by side
-    room[0] = s6_pp
-    room[1] = s6_pm
-    room[2] = s6_mp
-    room[3] = s6_mm
-    room[4] = S2_pp
-    room[5] = S2_pm
-    room[6] = S2_pm
-    room[7] = S2_pp
-    room[8] = v7
-    room[9] = Y4_p
-    room[10] = Y4_p
-    room[11] = Y4_m
-    room[12] = Y4_m
-    room[13] = math.sqrt(v46)
-    room[14] = math.sqrt(v47)
-    room[15] = math.sqrt(v48)
-    room[16] = math.sqrt(v49)
-    room[17] = s1_p
-    room[18] = s1_m
-    room[24] = Y4_p * (s23_pp * T32 - v35 * v52) - v50 * -X4_pp
-    room[25] = Y4_p * (s23_pm * T32 - v37 * v52) - v50 * -X4_pm
-    room[26] = Y4_m * (s23_mp * T32 - v38 * v53) - v51 * -X4_mp
-    room[27] = Y4_m * (s23_mm * T32 - v39 * v53) - v51 * -X4_mm
-    room[28] = C2_pp
-    room[29] = C2_pm
-    room[30] = C2_mp
-    room[31] = C2_mm
-    room[32] = -v8
-    room[33] = -X4_pp
-    room[34] = -X4_pm
-    room[35] = -X4_mp
-    room[36] = -X4_mm
-    room[37] = -(T33 * v35 + s23_pp * v42)
-    room[38] = -(T33 * v37 + s23_pm * v42)
-    room[39] = -(T33 * v38 + s23_mp * v43)
-    room[40] = -(T33 * v39 + s23_mm * v43)
-    room[41] = -v3
-    room[42] = -v4
-    for k in range(19, 24):
-        room[k] = room[k + 24] = 1.0
-    for k in range(24):
-        room[k] = _atan2(room[k], room[k + 24])
-    angle1 = room[0]
-    angle2 = room[1]
-    angle3 = room[2]
-    angle4 = room[3]
-    angle5 = room[4]
-    angle6 = room[5]
-    angle7 = room[6]
-    angle8 = room[7]
-    angle9 = room[8]
-    angle10 = room[9]
-    angle11 = room[10]
-    angle12 = room[11]
-    angle13 = room[12]
-    angle14 = room[13]
-    angle15 = room[14]
-    angle16 = room[15]
-    angle17 = room[16]
-    angle18 = room[17]
-    angle19 = room[18]
-
-    # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle1 - math.copysign(half_turn, s6_pp)
-    q6_pmm = angle2 - math.copysign(half_turn, s6_pm)
-    q6_mpm = angle3 - math.copysign(half_turn, s6_mp)
-    q6_mmm = angle4 - math.copysign(half_turn, s6_mm)
-
-    # joint values
-    v58 = angle5 - offset2
-    v59 = angle6 - offset2
-    v60 = angle7 - offset2
-    v61 = angle8 - offset2
-    q2_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
-    q2_pmp = v59 + (turn if v59 <= -half_turn else 0.0)
-    q2_mpp = v60 + (turn if v60 <= -half_turn else 0.0)
-    q2_mmp = v61 + (turn if v61 <= -half_turn else 0.0)
-    v62 = angle9 - offset3
-    v63 = math.copysign(half_turn, v7) - angle9 - offset3
-    v66 = angle10 - offset4
-    v67 = angle10 - v64 - offset4
-    v68 = angle11 - offset4
-    v69 = angle11 - v64 - offset4
-    v70 = angle12 - offset4
-    v71 = angle12 - v65 - offset4
-    v72 = angle13 - offset4
-    v73 = angle13 - v65 - offset4
-    q4_ppp = v66 + (turn if v66 <= -half_turn else 0.0)
-    q4_ppm = v67 + (turn if v67 <= -half_turn else 0.0)
-    q4_pmp = v68 + (turn if v68 <= -half_turn else 0.0)
-    q4_pmm = v69 + (turn if v69 <= -half_turn else 0.0)
-    q4_mpp = v70 + (turn if v70 <= -half_turn else 0.0)
-    q4_mpm = v71 + (turn if v71 <= -half_turn else 0.0)
-    q4_mmp = v72 + (turn if v72 <= -half_turn else 0.0)
-    q4_mmm = v73 + (turn if v73 <= -half_turn else 0.0)
-    v74 = angle14 - offset5
-    v75 = offset5 + angle14
-    v76 = angle15 - offset5
-    v77 = offset5 + angle15
-    v78 = angle16 - offset5
-    v79 = offset5 + angle16
-    v80 = angle17 - offset5
-    v81 = offset5 + angle17
-    q5_ppp = v74 + (turn if v74 <= -half_turn else 0.0)
-    q5_ppm = (turn if -v75 <= -half_turn else 0.0) - v75
-    q5_pmp = v76 + (turn if v76 <= -half_turn else 0.0)
-    q5_pmm = (turn if -v77 <= -half_turn else 0.0) - v77
-    q5_mpp = v78 + (turn if v78 <= -half_turn else 0.0)
-    q5_mpm = (turn if -v79 <= -half_turn else 0.0) - v79
-    q5_mmp = v80 + (turn if v80 <= -half_turn else 0.0)
-    q5_mmm = (turn if -v81 <= -half_turn else 0.0) - v81
-    q1_ppp = v6 + angle18
-    q1_mpp = v6 + angle19
-    q3_ppp = v1 + (v62 + (turn if v62 <= -half_turn else 0.0))
-    q3_pmp = v1 + (v63 + (turn if v63 <= -half_turn else 0.0))
-
-    q[0, 0] = q1_ppp
-    q[0, 1] = q2_ppp
-    q[0, 2] = q3_ppp
-    q[0, 3] = q4_ppp
-    q[0, 4] = q5_ppp
-    q[0, 5] = angle1
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = q1_ppp
-    q[1, 1] = q2_ppp
-    q[1, 2] = q3_ppp
-    q[1, 3] = q4_ppm
-    q[1, 4] = q5_ppm
-    q[1, 5] = q6_ppm
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    q[2, 0] = q1_ppp
-    q[2, 1] = q2_pmp
-    q[2, 2] = q3_pmp
-    q[2, 3] = q4_pmp
-    q[2, 4] = q5_pmp
-    q[2, 5] = angle2
-    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
-    q[3, 0] = q1_ppp
-    q[3, 1] = q2_pmp
-    q[3, 2] = q3_pmp
-    q[3, 3] = q4_pmm
-    q[3, 4] = q5_pmm
-    q[3, 5] = q6_pmm
-    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
-    q[4, 0] = q1_mpp
-    q[4, 1] = q2_mpp
-    q[4, 2] = q3_ppp
-    q[4, 3] = q4_mpp
-    q[4, 4] = q5_mpp
-    q[4, 5] = angle3
-    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
-    q[5, 0] = q1_mpp
-    q[5, 1] = q2_mpp
-    q[5, 2] = q3_ppp
-    q[5, 3] = q4_mpm
-    q[5, 4] = q5_mpm
-    q[5, 5] = q6_mpm
-    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
-    q[6, 0] = q1_mpp
-    q[6, 1] = q2_mmp
-    q[6, 2] = q3_pmp
-    q[6, 3] = q4_mmp
-    q[6, 4] = q5_mmp
-    q[6, 5] = angle4
-    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
-    q[7, 0] = q1_mpp
-    q[7, 1] = q2_mmp
-    q[7, 2] = q3_pmp
-    q[7, 3] = q4_mmm
-    q[7, 4] = q5_mmm
-    q[7, 5] = q6_mmm
-    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
-    return True
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must have shapes (4, 4), (8, 6), (8,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [1200, 1216, 1232, 1248, 1264, 1280],
-    [1200, 1216, 1232, 1296, 1312, 1328],
-    [1200, 1344, 1360, 1376, 1392, 1408],
-    [1200, 1344, 1360, 1424, 1440, 1456],
-    [1472, 1488, 1232, 1504, 1520, 1536],
-    [1472, 1488, 1232, 1552, 1568, 1584],
-    [1472, 1600, 1360, 1616, 1632, 1648],
-    [1472, 1600, 1360, 1664, 1680, 1696],
+    [0, 1, 2, 3, 4, 5],
+    [0, 1, 2, 6, 7, 8],
+    [0, 9, 10, 11, 12, 13],
+    [0, 9, 10, 14, 15, 16],
+    [17, 18, 2, 19, 20, 21],
+    [17, 18, 2, 22, 23, 24],
+    [17, 25, 10, 26, 27, 28],
+    [17, 25, 10, 29, 30, 31],
 ])
-_KINDS = np.array([1712, 1728, 1744, 1760, 1776, 1792, 1808, 1824])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(1840), 1840)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
-            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
-            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
-            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-            xy = x0 * y0 + x1 * y1 + x2 * y2
-            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
-            miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
-                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
-            )
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T11 = work[0 + k]
-            T12 = work[16 + k]
-            T13 = work[32 + k]
-            T14 = work[48 + k]
-            T21 = work[64 + k]
-            T22 = work[80 + k]
-            T23 = work[96 + k]
-            T24 = work[112 + k]
-            T31 = work[128 + k]
-            T32 = work[144 + k]
-            T33 = work[160 + k]
-            T34 = work[176 + k]
-            X1 = d6 * T13 - T14
-            wy = T24 - d6 * T23
-            N1 = X1 * X1 + wy * wy
-            D1 = N1 - k1
-            w1 = math.sqrt(D1)
-            v1 = w1 - w1
-            inverse1 = 1.0 / N1
-            v2 = inverse1 * (d2 * wy)
-            v3 = v2 + w1 * (X1 * inverse1)
-            v4 = v2 + w1 * (inverse1 * -X1)
-            v5 = inverse1 * (d2 * X1)
-            s1_p = w1 * (wy * inverse1) - v5
-            s1_m = w1 * (inverse1 * -wy) - v5
-            Z1_3 = T34 - d6 * T33 - d1
-            N3 = D1 + Z1_3 * Z1_3
-            D3 = (longest3 - N3) * (N3 - shortest3)
-            w3 = math.sqrt(D3)
-            v6 = w3 - w3
-            v7 = k5 * (N3 - k6)
-            s3 = k7 * v7
-            v8 = k5 * w3
-            v9 = k7 * v8
-            X1_2 = a2 + d4 * s3
-            Y1_2 = d4 * v9
-            v10 = Z1_3 * X1_2
-            v11 = w1 * Y1_2
-            v12 = v10 - v11
-            v13 = v10 + v11
-            v14 = m4 + m3 * N3
-            v15 = Z1_3 * v14
-            v16 = w3 * (m3 * w1)
-            S2_pp = v15 - v16
-            S2_pm = v15 + v16
-            v17 = w1 * X1_2
-            v18 = Z1_3 * Y1_2
-            v19 = v17 + v18
-            v20 = v17 - v18
-            v21 = w3 * (m3 * Z1_3)
-            v22 = w3 * (m3 * -Z1_3)
-            v23 = w1 * v14
-            C2_pp = v21 + v23
-            C2_pm = v22 + v23
-            C2_mp = v21 - v23
-            C2_mm = v22 - v23
-            v24 = S2_pp * S2_pp
-            v25 = v24 + C2_pp * C2_pp
-            v26 = S2_pm * S2_pm
-            v27 = v26 + C2_pm * C2_pm
-            v28 = v26 + C2_mp * C2_mp
-            v29 = v24 + C2_mm * C2_mm
-            w2_pp = math.sqrt(v25)
-            w2_pm = math.sqrt(v27)
-            w2_mp = math.sqrt(v28)
-            w2_mm = math.sqrt(v29)
-            v30 = 1.0 / v25
-            v31 = 1.0 / v27
-            v32 = 1.0 / v28
-            v33 = 1.0 / v29
-            v34 = v9 * v19 + s3 * v12
-            v35 = w2_pp * (v30 * v34)
-            v36 = s3 * v13
-            v37 = w2_pm * (v31 * (v36 - v9 * v20))
-            v38 = w2_mp * (v32 * (v36 + v9 * -v20))
-            v39 = w2_mm * (v33 * v34)
-            v40 = s3 * v19 - v9 * v12
-            s23_pp = w2_pp * (v30 * v40)
-            v41 = v9 * v13
-            s23_pm = w2_pm * (v31 * (s3 * v20 + v41))
-            s23_mp = w2_mp * (v32 * (s3 * -v20 - v41))
-            s23_mm = w2_mm * (v33 * -v40)
-            v42 = T23 * s1_p - T13 * v3
-            v43 = T23 * s1_m - T13 * v4
-            X4_pp = v35 * v42 - T33 * s23_pp
-            X4_pm = v37 * v42 - T33 * s23_pm
-            X4_mp = v38 * v43 - T33 * s23_mp
-            X4_mm = v39 * v43 - T33 * s23_mm
-            Y4_p = T13 * s1_p + T23 * v3
-            Y4_m = T13 * s1_m + T23 * v4
-            v44 = Y4_p * Y4_p
-            v45 = Y4_m * Y4_m
-            v46 = v44 + X4_pp * X4_pp
-            v47 = v44 + X4_pm * X4_pm
-            v48 = v45 + X4_mp * X4_mp
-            v49 = v45 + X4_mm * X4_mm
-            v50 = v3 * T22 + s1_p * T12
-            v51 = v4 * T22 + s1_m * T12
-            v52 = s1_p * T22 - v3 * T12
-            v53 = s1_m * T22 - v4 * T12
-            v54 = v3 * T21 + s1_p * T11
-            v55 = v4 * T21 + s1_m * T11
-            v56 = s1_p * T21 - v3 * T11
-            v57 = s1_m * T21 - v4 * T11
-            s6_pp = Y4_p * (s23_pp * T31 - v35 * v56) - v54 * -X4_pp
-            s6_pm = Y4_p * (s23_pm * T31 - v37 * v56) - v54 * -X4_pm
-            s6_mp = Y4_m * (s23_mp * T31 - v38 * v57) - v55 * -X4_mp
-            s6_mm = Y4_m * (s23_mm * T31 - v39 * v57) - v55 * -X4_mm
-            v64 = math.copysign(half_turn, Y4_p)
-            v65 = math.copysign(half_turn, Y4_m)
-            work[272 + k] = D1
-            work[288 + k] = w1
-            work[304 + k] = v1
-            work[320 + k] = D3
-            work[336 + k] = v6
-            work[352 + k] = v7
-            work[368 + k] = v25
-            work[384 + k] = v27
-            work[400 + k] = v28
-            work[416 + k] = v29
-            work[432 + k] = v46
-            work[448 + k] = v47
-            work[464 + k] = v48
-            work[480 + k] = v49
-            work[496 + k] = s6_pp
-            work[512 + k] = s6_pm
-            work[528 + k] = s6_mp
-            work[544 + k] = s6_mm
-            work[560 + k] = v64
-            work[576 + k] = v65
-            work[592 + k] = s6_pp
-            work[608 + k] = s6_pm
-            work[624 + k] = s6_mp
-            work[640 + k] = s6_mm
-            work[656 + k] = S2_pp
-            work[672 + k] = S2_pm
-            work[688 + k] = S2_pm
-            work[704 + k] = S2_pp
-            work[720 + k] = v7
-            work[736 + k] = Y4_p
-            work[752 + k] = Y4_p
-            work[768 + k] = Y4_m
-            work[784 + k] = Y4_m
-            work[800 + k] = math.sqrt(v46)
-            work[816 + k] = math.sqrt(v47)
-            work[832 + k] = math.sqrt(v48)
-            work[848 + k] = math.sqrt(v49)
-            work[864 + k] = s1_p
-            work[880 + k] = s1_m
-            work[896 + k] = Y4_p * (s23_pp * T32 - v35 * v52) - v50 * -X4_pp
-            work[912 + k] = Y4_p * (s23_pm * T32 - v37 * v52) - v50 * -X4_pm
-            work[928 + k] = Y4_m * (s23_mp * T32 - v38 * v53) - v51 * -X4_mp
-            work[944 + k] = Y4_m * (s23_mm * T32 - v39 * v53) - v51 * -X4_mm
-            work[960 + k] = C2_pp
-            work[976 + k] = C2_pm
-            work[992 + k] = C2_mp
-            work[1008 + k] = C2_mm
-            work[1024 + k] = -v8
-            work[1040 + k] = -X4_pp
-            work[1056 + k] = -X4_pm
-            work[1072 + k] = -X4_mp
-            work[1088 + k] = -X4_mm
-            work[1104 + k] = -(T33 * v35 + s23_pp * v42)
-            work[1120 + k] = -(T33 * v37 + s23_pm * v42)
-            work[1136 + k] = -(T33 * v38 + s23_mp * v43)
-            work[1152 + k] = -(T33 * v39 + s23_mm * v43)
-            work[1168 + k] = -v3
-            work[1184 + k] = -v4
-        for k in range(592, 896):
-            work[k] = _atan2(work[k], work[k + 304])
-        for k in range(0, 16):
-            D1 = work[272 + k]
-            w1 = work[288 + k]
-            v1 = work[304 + k]
-            D3 = work[320 + k]
-            v6 = work[336 + k]
-            v7 = work[352 + k]
-            v25 = work[368 + k]
-            v27 = work[384 + k]
-            v28 = work[400 + k]
-            v29 = work[416 + k]
-            v46 = work[432 + k]
-            v47 = work[448 + k]
-            v48 = work[464 + k]
-            v49 = work[480 + k]
-            s6_pp = work[496 + k]
-            s6_pm = work[512 + k]
-            s6_mp = work[528 + k]
-            s6_mm = work[544 + k]
-            v64 = work[560 + k]
-            v65 = work[576 + k]
-            angle1 = work[592 + k]
-            angle2 = work[608 + k]
-            angle3 = work[624 + k]
-            angle4 = work[640 + k]
-            angle5 = work[656 + k]
-            angle6 = work[672 + k]
-            angle7 = work[688 + k]
-            angle8 = work[704 + k]
-            angle9 = work[720 + k]
-            angle10 = work[736 + k]
-            angle11 = work[752 + k]
-            angle12 = work[768 + k]
-            angle13 = work[784 + k]
-            angle14 = work[800 + k]
-            angle15 = work[816 + k]
-            angle16 = work[832 + k]
-            angle17 = work[848 + k]
-            angle18 = work[864 + k]
-            angle19 = work[880 + k]
-            q6_ppm = angle1 - math.copysign(half_turn, s6_pp)
-            q6_pmm = angle2 - math.copysign(half_turn, s6_pm)
-            q6_mpm = angle3 - math.copysign(half_turn, s6_mp)
-            q6_mmm = angle4 - math.copysign(half_turn, s6_mm)
-            v58 = angle5 - offset2
-            v59 = angle6 - offset2
-            v60 = angle7 - offset2
-            v61 = angle8 - offset2
-            q2_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
-            q2_pmp = v59 + (turn if v59 <= -half_turn else 0.0)
-            q2_mpp = v60 + (turn if v60 <= -half_turn else 0.0)
-            q2_mmp = v61 + (turn if v61 <= -half_turn else 0.0)
-            v62 = angle9 - offset3
-            v63 = math.copysign(half_turn, v7) - angle9 - offset3
-            v66 = angle10 - offset4
-            v67 = angle10 - v64 - offset4
-            v68 = angle11 - offset4
-            v69 = angle11 - v64 - offset4
-            v70 = angle12 - offset4
-            v71 = angle12 - v65 - offset4
-            v72 = angle13 - offset4
-            v73 = angle13 - v65 - offset4
-            q4_ppp = v66 + (turn if v66 <= -half_turn else 0.0)
-            q4_ppm = v67 + (turn if v67 <= -half_turn else 0.0)
-            q4_pmp = v68 + (turn if v68 <= -half_turn else 0.0)
-            q4_pmm = v69 + (turn if v69 <= -half_turn else 0.0)
-            q4_mpp = v70 + (turn if v70 <= -half_turn else 0.0)
-            q4_mpm = v71 + (turn if v71 <= -half_turn else 0.0)
-            q4_mmp = v72 + (turn if v72 <= -half_turn else 0.0)
-            q4_mmm = v73 + (turn if v73 <= -half_turn else 0.0)
-            v74 = angle14 - offset5
-            v75 = offset5 + angle14
-            v76 = angle15 - offset5
-            v77 = offset5 + angle15
-            v78 = angle16 - offset5
-            v79 = offset5 + angle16
-            v80 = angle17 - offset5
-            v81 = offset5 + angle17
-            q5_ppp = v74 + (turn if v74 <= -half_turn else 0.0)
-            q5_ppm = (turn if -v75 <= -half_turn else 0.0) - v75
-            q5_pmp = v76 + (turn if v76 <= -half_turn else 0.0)
-            q5_pmm = (turn if -v77 <= -half_turn else 0.0) - v77
-            q5_mpp = v78 + (turn if v78 <= -half_turn else 0.0)
-            q5_mpm = (turn if -v79 <= -half_turn else 0.0) - v79
-            q5_mmp = v80 + (turn if v80 <= -half_turn else 0.0)
-            q5_mmm = (turn if -v81 <= -half_turn else 0.0) - v81
-            q1_ppp = v6 + angle18
-            q1_mpp = v6 + angle19
-            q3_ppp = v1 + (v62 + (turn if v62 <= -half_turn else 0.0))
-            q3_pmp = v1 + (v63 + (turn if v63 <= -half_turn else 0.0))
-            _1200 = q1_ppp
-            work[1200 + k] = _1200
-            _1216 = q2_ppp
-            work[1216 + k] = _1216
-            _1232 = q3_ppp
-            work[1232 + k] = _1232
-            _1248 = q4_ppp
-            work[1248 + k] = _1248
-            _1264 = q5_ppp
-            work[1264 + k] = _1264
-            _1280 = angle1
-            work[1280 + k] = _1280
-            _1296 = q4_ppm
-            work[1296 + k] = _1296
-            _1312 = q5_ppm
-            work[1312 + k] = _1312
-            _1328 = q6_ppm
-            work[1328 + k] = _1328
-            _1344 = q2_pmp
-            work[1344 + k] = _1344
-            _1360 = q3_pmp
-            work[1360 + k] = _1360
-            _1376 = q4_pmp
-            work[1376 + k] = _1376
-            _1392 = q5_pmp
-            work[1392 + k] = _1392
-            _1408 = angle2
-            work[1408 + k] = _1408
-            _1424 = q4_pmm
-            work[1424 + k] = _1424
-            _1440 = q5_pmm
-            work[1440 + k] = _1440
-            _1456 = q6_pmm
-            work[1456 + k] = _1456
-            _1472 = q1_mpp
-            work[1472 + k] = _1472
-            _1488 = q2_mpp
-            work[1488 + k] = _1488
-            _1504 = q4_mpp
-            work[1504 + k] = _1504
-            _1520 = q5_mpp
-            work[1520 + k] = _1520
-            _1536 = angle3
-            work[1536 + k] = _1536
-            _1552 = q4_mpm
-            work[1552 + k] = _1552
-            _1568 = q5_mpm
-            work[1568 + k] = _1568
-            _1584 = q6_mpm
-            work[1584 + k] = _1584
-            _1600 = q2_mmp
-            work[1600 + k] = _1600
-            _1616 = q4_mmp
-            work[1616 + k] = _1616
-            _1632 = q5_mmp
-            work[1632 + k] = _1632
-            _1648 = angle4
-            work[1648 + k] = _1648
-            _1664 = q4_mmm
-            work[1664 + k] = _1664
-            _1680 = q5_mmm
-            work[1680 + k] = _1680
-            _1696 = q6_mmm
-            work[1696 + k] = _1696
-            work[1712 + k] = UNREACHABLE if _1200 != _1200 else OK
-            work[1728 + k] = UNREACHABLE if _1200 != _1200 else OK
-            work[1744 + k] = UNREACHABLE if _1200 != _1200 else OK
-            work[1760 + k] = UNREACHABLE if _1200 != _1200 else OK
-            work[1776 + k] = UNREACHABLE if _1472 != _1472 else OK
-            work[1792 + k] = UNREACHABLE if _1472 != _1472 else OK
-            work[1808 + k] = UNREACHABLE if _1472 != _1472 else OK
-            work[1824 + k] = UNREACHABLE if _1472 != _1472 else OK
-            work[256 + k] = (
-                1.0 if v49 <= m6 or v29 <= m5 or v48 <= m6 or v28 <= m5 or v47 <= m6 or v27 <= m5 or
-                v46 <= m6 or abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v25 <= m5 else work[256 +
-                k]
-            )
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(8):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(6):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 26, 48, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach",
@@ -1336,6 +668,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

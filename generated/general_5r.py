@@ -26,15 +26,8 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
-_read_rows = _runtime("pose").read_pose
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _of_joints = _runtime("entry").of_joints(_HOW, 5)
 
 NAME = "general_5r"
@@ -102,16 +95,24 @@ ez = 0.14  # z of the tool frame [m]
 f1 = 0.03762221576582357  # d2 * ca1 [m]
 f2 = 0.14454395845259904  # sa2 * ca1
 f3 = 0.3099755192194448  # ca2 * ca1
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(),
+        rows=16,
+        directions='rotation',
+        miss_weights=(0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0),
+        size=1.7600000000000002,
+        steps=('clamps', 'winds'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -320,39 +321,39 @@ def jacobian(q):
     return J
 
 
-_arms = import_module(f"{_FOLDER}.dhgen_runtime.numerical.arm")
+_joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
-_WHOLE = _arms.Arm(
+_LINKS = _joints.Arm(
     rows=16,
     size=1.7600000000000002,
     coordinates=(0, 1, 2),
     directions='rotation',
     joints=(
-        _arms.Joint(place=0, lowest=-2.9670597283903604, highest=2.9670597283903604),
-        _arms.Joint(place=1, lowest=-2.0943951023931953, highest=2.0943951023931953),
-        _arms.Joint(place=2, lowest=-2.443460952792061, highest=2.443460952792061),
-        _arms.Joint(place=3, lowest=-3.141592653589793, highest=3.141592653589793),
-        _arms.Joint(place=4, lowest=-3.141592653589793, highest=3.141592653589793),
+        _joints.Joint(place=0, lowest=-2.9670597283903604, highest=2.9670597283903604),
+        _joints.Joint(place=1, lowest=-2.0943951023931953, highest=2.0943951023931953),
+        _joints.Joint(place=2, lowest=-2.443460952792061, highest=2.443460952792061),
+        _joints.Joint(place=3, lowest=-3.141592653589793, highest=3.141592653589793),
+        _joints.Joint(place=4, lowest=-3.141592653589793, highest=3.141592653589793),
     ),
     base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
     chain=(
-        _arms.ChainJoint((
+        _joints.ChainJoint((
             1.0, 0.0, 0.0, 0.09, 0.0, 0.3420201433256688, -0.9396926207859083, 0.0, 0.0,
             0.9396926207859083, 0.3420201433256688, 0.32,
         )),
-        _arms.ChainJoint((
+        _joints.ChainJoint((
             1.0, 0.0, 0.0, 0.38, 0.0, 0.9063077870366499, -0.42261826174069944, 0.0, 0.0,
             0.42261826174069944, 0.9063077870366499, 0.11,
         )),
-        _arms.ChainJoint((
+        _joints.ChainJoint((
             1.0, 0.0, 0.0, 0.29, 0.0, 0.5735764363510462, 0.8191520442889918, 0.0, 0.0,
             -0.8191520442889918, 0.5735764363510462, -0.07,
         )),
-        _arms.ChainJoint((
+        _joints.ChainJoint((
             1.0, 0.0, 0.0, 0.05, 0.0, 0.08715574274765814, -0.9961946980917455, 0.0, 0.0,
             0.9961946980917455, 0.08715574274765814, 0.14,
         )),
-        _arms.ChainJoint((
+        _joints.ChainJoint((
             0.955336489125606, 0.0, 0.29552020666133955, 0.07, -0.18995672725391455,
             0.766044443118978, 0.6140784582913787, 0.0899902653561155, -0.22638161214229116,
             -0.6427876096865393, 0.7318302088034644, 0.20724622203665694,
@@ -360,9 +361,7 @@ _WHOLE = _arms.Arm(
     ),
     checked=True,
 )
-_loops = import_module(f"{_FOLDER}.dhgen_runtime.general.arm")
-_solver = import_module(f"{_FOLDER}.dhgen_runtime.general.rows")
-_compiled = import_module(f"{_FOLDER}.dhgen_runtime.general.compiled")
+_loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
     size=0.8539731738520357,
@@ -415,22 +414,16 @@ _LOOP = _loops.Loop(
         _loops.Formulation(joints=(3, 4, 5, 0, 1, 2), sign=1.0),
     ),
 )
-_ARM = _loops.general_numbers(_WHOLE, _LOOP)
+_NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
+_all_joints = _runtime("general.rows").all_joints
 _NO_FREE = np.zeros(0)
-_solved_whole = _solver.all_joints
 
 
-@_inner
-def _all_joints(pose, seed):
-    """All solutions, which rows hold one, and where a joint was indeterminate."""
-    return _solved_whole(_ARM, pose, _NO_FREE, seed)
-
-
-@_inner
-def _solve(pose, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     # all joints: the general 6R loop
-    solution_roots, solution_found, solution_chosen = _all_joints(pose, seed)
+    solution_roots, solution_found, solution_chosen = _all_joints(_NUMBERS, pose, _NO_FREE, seed)
 
     for i1 in range(16):  # root1 to root16
         q1 = solution_roots[i1, 0]
@@ -452,288 +445,18 @@ def _solve(pose, seed, q, status):
         status[row] = FREE_JOINT if chosen else OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
-
-
-@_inner
-def _overshoot(joint, value):
-    """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
-    if low <= value <= high:
-        return 0.0
-    gap, over = turn - (high - low), value - high
-    rest = over - turn * math.floor(over / turn)
-    off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
-
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
-    """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
-
-
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
-
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 11)), np.zeros(6)
-    for i in range(6):
-        for j in range(5):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 5 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(11):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(11):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(11):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(5):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
-
-
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
-
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(5):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_inner
-def _past_an_end(joint, value):
-    """How far a joint value is beyond its limits as it stands: perhaps it could be turned."""
-    low, high = _LOWEST[joint], _HIGHEST[joint]
-    if high - low < 6.183185307179587:
-        return _overshoot(joint, value)
-    off = value - min(max(value, low + _SLACK[joint]), high - _SLACK[joint])
-    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
-
-
-@_inner
-def _past_ends(values):
-    """How far joints are beyond their limits as they stand."""
-    total = 0.0
-    for i in range(5):
-        total += abs(_past_an_end(i, values[i]))
-    return total
-
-
-@_inner
-def _at_an_end(joint, value, seed):
-    """A joint value moved by whole turns inside its limits, or next to an end that it is just
-    beyond: the one near the seed."""
-    near = value + turn * math.floor((seed - value) / turn + 0.5)
-    if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
-        if abs(near - seed) < 0.15:
-            return near
-    off = _overshoot(joint, value)
-    if off == 0.0 or abs(off) > 0.01:
-        return _turned(_JOINTS, joint, value, value)
-    return off + (_HIGHEST[joint] - _SLACK[joint] if off > 0.0 else _LOWEST[joint] + _SLACK[joint])
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(5)
-    stands, moves = math.isnan(enough), 0
-    held, x, settled = np.zeros(5, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if math.isnan(enough):
-            enough = miss + 1e-14
-        worst, past = -1, 0.0
-        for j in range(5 if stands and miss < enough else 0):
-            off = _past_an_end(j, x[j]) if _PACE[j] > 0.0 else 0.0
-            if abs(off) > abs(past):
-                worst, past = j, off
-        if worst >= 0:  # one at a time: others may follow it inside, or the first one the second
-            moves += 1
-            if moves == 2:
-                held[:] = False
-            held[worst], last = True, math.inf
-            x[worst] -= past
-            e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(5):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(5)
-    for i in range(5):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(5):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _lead_inside(pose, enough, most, q):
-    """Takes joint values onto the ends that they are beyond, or else inside.
-
-    Two of them may not be able to stand on their ends at once.
-    """
-    if _settle(pose, enough, most, q):
-        return True
-    past = 0
-    for i in range(5):
-        past += _past_an_end(i, q[i]) != 0.0
-    if past < 2:
-        return False
-    x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
-    farther = 2.0
-    while farther <= 16.0:
-        for i in range(5):
-            x[i] = q[i] - farther * _past_an_end(i, q[i])
-        farther *= 2.0
-        if _settle(pose, enough, most, x) and _past_ends(x) == 0.0:
-            for i in range(5):
-                q[i] = x[i]
-            return True
-    return False
-
-
-@_inner
-def _stand(pose, row, far, rows, status):
-    """Puts a row's joints just beyond their limits on them, unless that is another solution; those
-    that are far beyond them, too, if that is asked for. Returns if it did.
-
-    Half way to the same there is one, and what is nearer to another row that is less far beyond is
-    that one's.
-    """
-    q = rows[row]
-    beyond = _past_ends(q)
-    if not (0.0 < beyond and (far or beyond < 0.01)):
-        return False
-    x, half, to = q.copy(), np.empty(5), np.empty(5)
-    if not _lead_inside(pose, math.nan, math.inf if far else 1.5, x):
-        return False
-    off = _half_way(q, x, half)
-    for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
-            if _half_way(rows[k], x, to) < off:
-                return False
-    if off >= 0.001 and not _settle(pose, 1e-12, 0.25 * off, half):
-        return False
-    for i in range(5):
-        q[i] = x[i]
-    return True
-
-
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(16):
-        status[row] = UNREACHABLE
-        for i in range(5):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    for row in range(16):
-        if status[row] != UNREACHABLE:
-            for i in range(5):
-                q[row, i] = _at_an_end(i, q[row, i], seed[i])
-    count = 0
-    for row in range(16):
-        if status[row] == UNREACHABLE:
-            continue
-        _stand(pose, row, False, q, status)
-        for i in range(5):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (16, 5) or status.shape != (16,):
-        raise ValueError("T, q and status must have shapes (4, 4), (16, 5), (16,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    return _whole(pose, seed, q, status)
-
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=None,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=None,
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart, _compiled.compile_apart),
+        apart=(_whole.compile_apart,),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach, or one that 5 joints can't take",

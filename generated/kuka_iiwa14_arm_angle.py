@@ -28,17 +28,10 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
-_read_rows = _runtime("pose").read_pose
 _of_joints = _runtime("entry").of_joints(_HOW, 7)
 
 NAME = "kuka_iiwa14_arm_angle"
@@ -103,16 +96,29 @@ high7 = 3.054326191990077
 m1 = 1.4473755527432779e-11
 m2 = 1e-24  # free_limit^2
 m3 = 9.999999999999999e-09  # doubt_limit^2
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(
+            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
+            0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
+        ),
+        rows=8,
+        directions='rotation',
+        miss_weights=(0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0),
+        size=1.306,
+        steps=('keeps limits', 'regular'),
+        choosable=(4, 0),
+        cuts=52,
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -347,8 +353,8 @@ def arm_angle(q):
     return psi
 
 
-@_inner
-def _solve(pose, q_free, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
@@ -505,1064 +511,364 @@ def _solve(pose, q_free, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free5 else OK
 
 
-@_njit(forceinline=True)
-def _read(T, q_free):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz) and math.isfinite(q_free[0]), pose
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-
-@_inner
-def _overshoot(joint, value):
-    """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
-    if low <= value <= high:
-        return 0.0
-    gap, over = turn - (high - low), value - high
-    rest = over - turn * math.floor(over / turn)
-    off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
-
-
-@_inner
-def _beyond_limits(values):
-    """The same of a row."""
-    total = 0.0
-    for i in range(7):
-        total += abs(_overshoot(i, values[i]))
-    return total
-
-
-@_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % turn, angle)
-
-
-_CHOOSABLE = (4, 0,)  # joints, from 0, that may be free
-
-
-@_inner
-def _attempt(pose, q_free, seed, search, moved, q, status):
-    """Solves with a joint moved: 0 if it serves, else less.
-
-    A search is a row, the joint that had been chosen, whether limits count.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    row, joint = search[0], search[1]
-    for i in range(8):
-        status[i] = UNREACHABLE
-    kept = seed[joint]
-    seed[joint] = kept + moved
-    _solve(pose, q_free, seed, q, status)
-    seed[joint] = kept
-    return -math.inf if status[row] == UNREACHABLE else -_beyond_limits(q[row])
+    for k in range(w):
+        T13, T14, T23, T24 = kept[2 * w + k], kept[3 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        given1 = kept[16 * w + k]
 
+        # theta4, type 2: the squared length of column 4 of U1 A7^-1
+        wx = T14 - d7 * T13
+        wy = T24 - d7 * T23
+        v1 = T34 - d7 * T33 - d1
+        V4 = wx * wx + wy * wy + v1 * v1
+        D4 = (longest4 - V4) * (V4 - shortest4)
+        v2 = k1 * (V4 - k2)
+        v3 = k3 * v2
+        v4 = k1 * math.sqrt(D4)
+        v5 = k3 * v4
 
-@_inner
-def _peak(pose, q_free, seed, search, low, high, q, status):
-    """Golden section for the move between low and high that comes nearest, or one that serves."""
-    for _ in range(52):
-        third = 0.3819660112501051 * (high - low)
-        left = _attempt(pose, q_free, seed, search, low + third, q, status)
-        right = _attempt(pose, q_free, seed, search, high - third, q, status)
-        if left == 0.0 or right == 0.0:
-            return low + third if left == 0.0 else high - third
-        if left >= right:
-            high -= third
-        else:
-            low += third
-    return low
+        # shoulder, its rotation, from the arm angle and theta4
+        v6 = math.sqrt(V4) * (1.0 / V4)
+        gx = wx * v6
+        gy = wy * v6
+        gz = v1 * v6
+        v7 = gy * gy + gx * gx
+        upright = v7 <= m2
+        v8 = 1.0 / (1.0 if upright else math.sqrt(v7))
+        v9 = 0.0 if upright else gy * v8
+        v10 = 1.0 if upright else -(gx * v8)
+        v11 = gz * v10
+        v12 = gz * v9
+        v13 = d5 * v5
+        v14 = d3 + d5 * v3
+        v15 = v14 * v14 + v13 * v13
+        arm_ = math.sqrt(v15)
+        v16 = 1.0 / v15
+        v17 = arm_ * v16
+        v18 = v13 * v17
+        v19 = v14 * v17
+        v20 = d5 * (d3 * v5)
+        side_p = -1.0 if -v20 < -straight_limit else 1.0
+        side_m = -1.0 if v20 < -straight_limit else 1.0
+        v21 = v19 * side_p
+        v22 = v19 * side_m
+        v23 = v18 * side_p
+        v24 = v18 * side_m
+        v25 = gx * v18
+        v26 = gy * v18
+        v27 = gy * v19
 
+        # theta1, type 2: B1[3, 2]
+        v28 = gx * v19
 
-@_inner
-def _summit(pose, q_free, seed, search, low, high, q, status):
-    """A move between low and high that serves; NaN if there is none."""
-    top = _peak(pose, q_free, seed, search, low, high, q, status)
-    if _attempt(pose, q_free, seed, search, top, q, status) == 0.0:
-        return top
-    return math.nan
+        # theta2, type 3: B1[2, 2] and B1[1, 2]
+        v34 = gz * v19
 
+        # theta5, type 2: U5[3, 3]
+        v50 = arm_ * (v16 * (gz * (T33 * v14)))
+        v51 = T33 * v13
 
-@_inner
-def _serving(pose, q_free, seed, search, q, status):
-    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
+        # theta7, type 3: U5[3, 2] and U5[3, 1]
+        v65 = arm_ * (v16 * (gz * (v14 * T32)))
+        v72 = arm_ * (v16 * (gz * (v14 * T31)))
+        v73 = v13 * T31
+        v76 = v13 * T32
+        kept[18 * w + k], kept[19 * w + k], kept[20 * w + k], kept[21 * w + k] = D4, v3, v5, gx
+        kept[22 * w + k], kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = gy, v9, v10, v11
+        kept[26 * w + k], kept[27 * w + k], kept[28 * w + k] = v12, arm_, v16
+        kept[29 * w + k], kept[30 * w + k], kept[31 * w + k] = side_p, side_m, v21
+        kept[32 * w + k], kept[33 * w + k], kept[34 * w + k], kept[35 * w + k] = v22, v23, v24, v25
+        kept[36 * w + k], kept[37 * w + k], kept[38 * w + k], kept[39 * w + k] = v26, v27, v28, v34
+        kept[40 * w + k], kept[41 * w + k], kept[42 * w + k], kept[43 * w + k] = v50, v51, v65, v72
+        kept[44 * w + k], kept[45 * w + k], turns[0 * w + k] = v73, v76, given1
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = given1, -v4, -v2
+    for k in range(0 * w, 1 * w):
+        turns[k] = math.sin(turns[k])
+    for k in range(1 * w, 2 * w):
+        turns[k] = math.cos(turns[k])
+    for k in range(2 * w, 3 * w):
+        turns[k] = _atan2(turns[k], turns[k + 1 * w])
+    for k in range(w):
+        T11, T12, T13, T21 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[4 * w + k]
+        T22, T23, T31, T32 = kept[5 * w + k], kept[6 * w + k], kept[8 * w + k], kept[9 * w + k]
+        T33, D4, v3, v5 = kept[10 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
+        gx, gy, v9, v10 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
+        v11, v12, arm_, v16 = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k], kept[28 * w + k]
+        side_p, side_m, v21 = kept[29 * w + k], kept[30 * w + k], kept[31 * w + k]
+        v22, v23, v24, v25 = kept[32 * w + k], kept[33 * w + k], kept[34 * w + k], kept[35 * w + k]
+        v26, v27, v28, v34 = kept[36 * w + k], kept[37 * w + k], kept[38 * w + k], kept[39 * w + k]
+        v50, v51, v65, v72 = kept[40 * w + k], kept[41 * w + k], kept[42 * w + k], kept[43 * w + k]
+        v73, v76, sin_psi = kept[44 * w + k], kept[45 * w + k], turns[0 * w + k]
+        cos_psi, angle11 = turns[1 * w + k], turns[2 * w + k]
 
-    A fan of values shows where it serves or nearly so, golden section finds what lies between two
-    of them, bisection the end that is nearest to the seed; of two that are equally near the lower
-    one.
-    """
-    if _attempt(pose, q_free, seed, search, 0.0, q, status) == 0.0:
-        return 0.0
-    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
-    after = _attempt(pose, q_free, seed, search, -32.0 * step, q, status)
-    for k in range(-32, 32 + 1):
-        before, here = here, after
-        after = _attempt(pose, q_free, seed, search, (k + 1) * step, q, status)
-        outer = k * step
-        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
-        if here < 0.0 and here >= before and here > after:
-            low, high = outer - step, outer + step
-            outer = _summit(pose, q_free, seed, search, low, high, q, status)
-            if math.isnan(outer):
-                continue
-        elif here < 0.0 or (before if k > 0 else after) == 0.0:
-            continue
-        for _ in range(52):
-            middle = 0.5 * (inner + outer)
-            if _attempt(pose, q_free, seed, search, middle, q, status) == 0.0:
-                outer = middle
-            else:
-                inner = middle
-        if not abs(outer) >= abs(nearest) - 1e-09:
-            nearest = outer
-    return nearest
+        # shoulder, its rotation, from the arm angle and theta4
+        uz = cos_psi * (gy * v9 - gx * v10)
+        ux = v11 * cos_psi + v9 * sin_psi
+        uy = v10 * sin_psi - v12 * cos_psi
+        nx = v9 * cos_psi - v11 * sin_psi
+        ny = v10 * cos_psi + v12 * sin_psi
+        b22_p = v27 - uy * v23
+        b22_m = v27 + uy * v24
 
+        # theta1, type 2: B1[3, 2]
+        X1_p = ux * v23 - v28
+        v29 = v28 + ux * v24
+        v30 = X1_p * X1_p + b22_p * b22_p
+        v31 = v29 * v29 + b22_m * b22_m
+        w1_p = math.sqrt(v30)
+        w1_m = math.sqrt(v31)
+        v32 = 1.0 / v30
+        v33 = 1.0 / v31
 
-@_inner
-def _hopeless(pose, q_free, seed, search, q, status):
-    """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
-    row = search[0]
-    if math.isinf(_attempt(pose, q_free, seed, search, 0.0, q, status)):
-        return False
-    values = q[row].copy()
-    if math.isinf(_attempt(pose, q_free, seed, search, 0.1, q, status)):
-        return False
-    for i in range(7):
-        if abs(values[i] - q[row, i]) < 1e-09 and _overshoot(i, values[i]) != 0.0:
-            return True
-    return False
+        # theta2, type 3: B1[2, 2] and B1[1, 2]
+        c2_p = uz * v23 - v34
+        v35 = v34 + uz * v24
 
+        # theta3, type 3: B1[3, 1] and B1[3, 3]
+        v36 = v32 * (b22_p * (v25 + ux * v21) + X1_p * (v26 + uy * v21))
+        v37 = v33 * (b22_m * (ux * v22 - v25) - v29 * (uy * v22 - v26))
+        v38 = w1_p * v36
+        v39 = w1_m * v37
+        v40 = v32 * (b22_p * (nx * side_p) + X1_p * (ny * side_p))
+        v41 = v33 * (b22_m * (nx * side_m) - v29 * (ny * side_m))
+        v42 = w1_p * v40
+        v43 = w1_m * v41
 
-@_inner
-def _keep_limits(pose, q_free, given, row, q, status):
-    """A free joint took the seed's value, and that puts one beyond its limits.
+        # theta5, type 2: U5[3, 3]
+        v44 = w1_p * (v32 * (T23 * b22_p - T13 * X1_p))
+        v45 = w1_m * (v33 * (T23 * b22_m + T13 * v29))
+        v46 = c2_p * v44 + T33 * w1_p
+        v47 = T33 * w1_m - v35 * v45
+        v48 = w1_p * (v32 * (T13 * b22_p + T23 * X1_p))
+        v49 = w1_m * (v33 * (T13 * b22_m - T23 * v29))
+        v52 = w1_p * v44 - (uz * (arm_ * (v16 * (side_p * v51))) - v50)
+        v53 = w1_m * v45 + (v50 + uz * (arm_ * (v16 * (side_m * v51))))
+        X5_p = v5 * v52 - (v42 * (v3 * v46) + v38 * (v3 * v48))
+        v54 = v5 * v53 + (v43 * (v3 * v47) + v39 * (v3 * v49))
+        Y5_p = v42 * v48 - v38 * v46
+        Y5_m = v43 * v49 - v39 * v47
+        v55 = X5_p * X5_p + Y5_p * Y5_p
+        v56 = v54 * v54 + Y5_m * Y5_m
+        w5_p = math.sqrt(v55)
+        w5_m = math.sqrt(v56)
+        factor5_p = w5_p * (1.0 / v55)
+        factor5_m = w5_m * (1.0 / v56)
+        v57 = X5_p * factor5_p
+        v58 = v54 * factor5_m
+        s5_p = Y5_p * factor5_p
+        s5_m = Y5_m * factor5_m
 
-    It takes the nearest value that keeps all of them, if there is one. Where several joints are
-    free the others take the seed's values as far as their limits allow.
-    """
-    seed, trial, result = given.copy(), q.copy(), status.copy()
-    for i in range(7):
-        seed[i] -= _overshoot(i, seed[i])
-    for joint in _CHOOSABLE:
-        inside, search = seed[joint], (row, joint, True)
-        seed[joint] = _without_turns(given[joint])
-        if not _hopeless(pose, q_free, seed, search, trial, result):
-            moved = _serving(pose, q_free, seed, search, trial, result)
-            # beside the solution of another row this one has none
-            start = _attempt(pose, q_free, seed, search, 0.0, trial, result)
-            own = abs(moved) >= 1e-06 or not math.isinf(start)
-            if own and not math.isnan(moved):
-                _attempt(pose, q_free, seed, search, moved, trial, result)
-                for i in range(7):
-                    q[row, i] = trial[row, i]
-                status[row] = result[row]
-                return
-        seed[joint] = inside
+        # theta7, type 3: U5[3, 2] and U5[3, 1]
+        v59 = w1_p * (v32 * (b22_p * T12 + X1_p * T22))
+        v60 = w1_m * (v33 * (b22_m * T12 - v29 * T22))
+        v61 = w1_p * (v32 * (b22_p * T22 - X1_p * T12))
+        v62 = w1_m * (v33 * (b22_m * T22 + v29 * T12))
+        v63 = c2_p * v61 + w1_p * T32
+        v64 = w1_m * T32 - v35 * v62
+        v66 = w1_p * (v32 * (b22_p * T11 + X1_p * T21))
+        v67 = w1_m * (v33 * (b22_m * T11 - v29 * T21))
+        v68 = w1_p * (v32 * (b22_p * T21 - X1_p * T11))
+        v69 = w1_m * (v33 * (b22_m * T21 + v29 * T11))
+        v70 = c2_p * v68 + w1_p * T31
+        v71 = w1_m * T31 - v35 * v69
+        v74 = (
+            v57 * (v42 * v66 - v38 * v70) - s5_p * (v5 * (w1_p * v68 - (uz * (arm_ * (v16 * (side_p
+            * v73))) - v72)) - (v42 * (v3 * v70) + v38 * (v3 * v66)))
+        )
+        v75 = (
+            s5_m * (v5 * (w1_m * v69 + (v72 + uz * (arm_ * (v16 * (side_m * v73))))) + (v43 * (v3 *
+            v71) + v39 * (v3 * v67))) - v58 * (v43 * v67 - v39 * v71)
+        )
 
+        # joint values
+        v85 = angle11 - offset4
+        v86 = offset4 + angle11
+        q4_ppp = v85 + (turn if v85 <= -half_turn else 0.0)
+        q4_mpp = (turn if -v86 <= -half_turn else 0.0) - v86
+        v91 = abs(q4_ppp) - high4
+        v92 = abs(q4_mpp) - high4
 
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[::1], float64[:, ::1], uint8[::1])")
-def _other_choices(pose, q_free, seed, q, status):
-    """Other values for free joints, in rows that the seed's do not serve."""
-    for row in range(8):
-        if status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0:
-            _keep_limits(pose, q_free, seed, row, q, status)
-
-
-@_inner
-def _choose(pose, q_free, seed, q, status):
-    """The same where there is a row that needs it."""
-    served = True
-    for row in range(8):
-        served = served and not (status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0)
-    if served:
+        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        kept[17 * w + k] = (
+            1.0 if v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3 else kept[17 *
+            w + k]
+        )
+        kept[46 * w + k], kept[47 * w + k], kept[48 * w + k] = b22_p, b22_m, v36
+        kept[49 * w + k], kept[50 * w + k], kept[51 * w + k] = v37, Y5_p, Y5_m
+        kept[52 * w + k], kept[53 * w + k], kept[54 * w + k] = v74, v75, q4_ppp
+        kept[55 * w + k], kept[56 * w + k], kept[57 * w + k] = q4_mpp, v91, v92
+        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = -v36, -v37, Y5_p
+        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = Y5_m, v74, v75
+        turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = b22_p, b22_m, w1_p
+        turns[13 * w + k], turns[14 * w + k], turns[15 * w + k] = w1_m, w5_p, w5_m
+        turns[20 * w + k], turns[21 * w + k], turns[22 * w + k] = -v40, -v41, -X5_p
+        turns[23 * w + k] = v54
+        turns[24 * w + k] = (
+            v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 - (uz * (arm_ * (v16 * (side_p
+            * v76))) - v65)) - (v42 * (v3 * v63) + v38 * (v3 * v59)))
+        )
+        turns[25 * w + k] = (
+            s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm_ * (v16 * (side_m * v76))))) + (v43 * (v3 *
+            v64) + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64)
+        )
+        turns[26 * w + k], turns[27 * w + k], turns[28 * w + k] = -X1_p, v29, c2_p
+        turns[29 * w + k] = -v35
+        turns[30 * w + k] = -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48)))
+        turns[31 * w + k] = v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53
+    if w == 1 and kept[17] != 0.0:
         return
-    # arrays of the caller may have any layout
-    values, rows, kinds = np.empty(7), np.empty((8, 7)), np.empty(8, np.uint8)
-    for row in range(8):
-        kinds[row] = status[row]
-        for i in range(7):
-            values[i], rows[row, i] = seed[i], q[row, i]
-    _other_choices(pose, q_free.copy(), values, rows, kinds)
-    for row in range(8):
-        status[row] = kinds[row]
-        for i in range(7):
-            q[row, i] = rows[row, i]
+    end = 20 if w == 1 else 16 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(16 * w, end):
+        turns[k] = turns[k + 16 * w] = 1.0
+    for k in range(4 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 16 * w])
+    for k in range(w):
+        b22_p, b22_m, v36 = kept[46 * w + k], kept[47 * w + k], kept[48 * w + k]
+        v37, Y5_p, Y5_m = kept[49 * w + k], kept[50 * w + k], kept[51 * w + k]
+        v74, v75, q4_ppp = kept[52 * w + k], kept[53 * w + k], kept[54 * w + k]
+        q4_mpp, v91, v92 = kept[55 * w + k], kept[56 * w + k], kept[57 * w + k]
+        angle1, angle2, angle3 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle4, angle5, angle6 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
+        angle7, angle8, angle9 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
+        angle10, angle12, angle13 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
+
+        # theta3, type 3: B1[3, 1] and B1[3, 3]
+        q3_pmp = angle1 - math.copysign(half_turn, -v36)
+        q3_mmp = angle2 - math.copysign(half_turn, -v37)
+
+        # theta5, type 2: U5[3, 3]
+        q5_ppm = angle3 - math.copysign(half_turn, Y5_p)
+        q5_mpm = angle4 - math.copysign(half_turn, Y5_m)
+
+        # theta7, type 3: U5[3, 2] and U5[3, 1]
+        q7_ppm = angle5 - math.copysign(half_turn, v74)
+        q7_mpm = angle6 - math.copysign(half_turn, v75)
+
+        # joint values
+        v77 = angle7 - offset1
+        v78 = angle7 - math.copysign(half_turn, b22_p) - offset1
+        v79 = angle8 - offset1
+        v80 = angle8 - math.copysign(half_turn, b22_m) - offset1
+        q1_ppp = v77 + (turn if v77 <= -half_turn else 0.0)
+        q1_pmp = v78 + (turn if v78 <= -half_turn else 0.0)
+        q1_mpp = v79 + (turn if v79 <= -half_turn else 0.0)
+        q1_mmp = v80 + (turn if v80 <= -half_turn else 0.0)
+        v81 = angle9 - offset2
+        v82 = offset2 + angle9
+        v83 = angle10 - offset2
+        v84 = offset2 + angle10
+        q2_ppp = v81 + (turn if v81 <= -half_turn else 0.0)
+        q2_pmp = (turn if -v82 <= -half_turn else 0.0) - v82
+        q2_mpp = v83 + (turn if v83 <= -half_turn else 0.0)
+        q2_mmp = (turn if -v84 <= -half_turn else 0.0) - v84
+        v87 = angle12 - offset6
+        v88 = offset6 + angle12
+        v89 = angle13 - offset6
+        v90 = offset6 + angle13
+        q6_ppp = v87 + (turn if v87 <= -half_turn else 0.0)
+        q6_ppm = (turn if -v88 <= -half_turn else 0.0) - v88
+        q6_mpp = v89 + (turn if v89 <= -half_turn else 0.0)
+        q6_mpm = (turn if -v90 <= -half_turn else 0.0) - v90
+        v93 = abs(angle3) - high5
+        v94 = abs(q5_ppm) - high5
+        v95 = abs(angle4) - high5
+        v96 = abs(q5_mpm) - high5
+        v97 = abs(q6_ppp) - high6
+        v98 = abs(q6_ppm) - high6
+        v99 = abs(q6_mpp) - high6
+        v100 = abs(q6_mpm) - high6
+        v101 = abs(angle5) - high7
+        v102 = abs(q7_ppm) - high7
+        v103 = abs(angle6) - high7
+        v104 = abs(q7_mpm) - high7
+        v105 = max(abs(angle1) - high3, max(abs(q2_ppp) - high2, max(v91, abs(q1_ppp) - high1)))
+        v106 = max(abs(q3_pmp) - high3, max(abs(q2_pmp) - high2, max(v91, abs(q1_pmp) - high1)))
+        v107 = max(abs(angle2) - high3, max(abs(q2_mpp) - high2, max(v92, abs(q1_mpp) - high1)))
+        v108 = max(abs(q3_mmp) - high3, max(abs(q2_mmp) - high2, max(v92, abs(q1_mmp) - high1)))
+        outside_ppp = 0.0 < max(v101, max(v97, max(v93, v105)))
+        outside_ppm = 0.0 < max(v102, max(v98, max(v94, v105)))
+        outside_pmp = 0.0 < max(v101, max(v97, max(v93, v106)))
+        outside_pmm = 0.0 < max(v102, max(v98, max(v94, v106)))
+        outside_mpp = 0.0 < max(v103, max(v99, max(v95, v107)))
+        outside_mpm = 0.0 < max(v104, max(v100, max(v96, v107)))
+        outside_mmp = 0.0 < max(v103, max(v99, max(v95, v108)))
+        outside_mmm = 0.0 < max(v104, max(v100, max(v96, v108)))
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, q2_ppp, angle1
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q4_ppp, angle3, q6_ppp
+        rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = angle5, q5_ppm, q6_ppm
+        rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = q7_ppm, q1_pmp, q2_pmp
+        rows[12 * w + k], rows[13 * w + k], rows[14 * w + k] = q3_pmp, q1_mpp, q2_mpp
+        rows[15 * w + k], rows[16 * w + k], rows[17 * w + k] = angle2, q4_mpp, angle4
+        rows[18 * w + k], rows[19 * w + k], rows[20 * w + k] = q6_mpp, angle6, q5_mpm
+        rows[21 * w + k], rows[22 * w + k], rows[23 * w + k] = q6_mpm, q7_mpm, q1_mmp
+        rows[24 * w + k], rows[25 * w + k] = q2_mmp, q3_mmp
+        rows[26 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_ppp else OK)
+        )
+        rows[27 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_ppm else OK)
+        )
+        rows[28 * w + k] = (
+            UNREACHABLE if q1_pmp != q1_pmp else (OUT_OF_LIMITS if outside_pmp else OK)
+        )
+        rows[29 * w + k] = (
+            UNREACHABLE if q1_pmp != q1_pmp else (OUT_OF_LIMITS if outside_pmm else OK)
+        )
+        rows[30 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mpp else OK)
+        )
+        rows[31 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mpm else OK)
+        )
+        rows[32 * w + k] = (
+            UNREACHABLE if q1_mmp != q1_mmp else (OUT_OF_LIMITS if outside_mmp else OK)
+        )
+        rows[33 * w + k] = (
+            UNREACHABLE if q1_mmp != q1_mmp else (OUT_OF_LIMITS if outside_mmm else OK)
+        )
 
 
-@_jit
-def _whole(pose, q_free, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(8):
-        status[row] = UNREACHABLE
-        for i in range(7):
-            q[row, i] = math.nan
-    _solve(pose, q_free, seed, q, status)
-    _choose(pose, q_free, seed, q, status)
-    count = 0
-    for row in range(8):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(7):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], q[row, i])
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _regular(pose, q_free, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
-
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
-    """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
-    room = carray(_room(32), 32)
-
-    # theta4, type 2: the squared length of column 4 of U1 A7^-1
-    wx = T14 - d7 * T13
-    wy = T24 - d7 * T23
-    v1 = T34 - d7 * T33 - d1
-    V4 = wx * wx + wy * wy + v1 * v1
-    D4 = (longest4 - V4) * (V4 - shortest4)
-    v2 = k1 * (V4 - k2)
-    v3 = k3 * v2
-    v4 = k1 * math.sqrt(D4)
-    v5 = k3 * v4
-
-    # shoulder, its rotation, from the arm angle and theta4
-    v6 = math.sqrt(V4) * (1.0 / V4)
-    gx = wx * v6
-    gy = wy * v6
-    gz = v1 * v6
-    v7 = gy * gy + gx * gx
-    upright = v7 <= m2
-    v8 = 1.0 / (1.0 if upright else math.sqrt(v7))
-    v9 = 0.0 if upright else gy * v8
-    v10 = 1.0 if upright else -(gx * v8)
-    v11 = gz * v10
-    v12 = gz * v9
-    v13 = d5 * v5
-    v14 = d3 + d5 * v3
-    v15 = v14 * v14 + v13 * v13
-    arm_ = math.sqrt(v15)
-    v16 = 1.0 / v15
-    v17 = arm_ * v16
-    v18 = v13 * v17
-    v19 = v14 * v17
-    v20 = d5 * (d3 * v5)
-    side_p = -1.0 if -v20 < -straight_limit else 1.0
-    side_m = -1.0 if v20 < -straight_limit else 1.0
-    v21 = v19 * side_p
-    v22 = v19 * side_m
-    v23 = v18 * side_p
-    v24 = v18 * side_m
-    v25 = gx * v18
-    v26 = gy * v18
-    v27 = gy * v19
-
-    # theta1, type 2: B1[3, 2]
-    v28 = gx * v19
-
-    # theta2, type 3: B1[2, 2] and B1[1, 2]
-    v34 = gz * v19
-
-    # theta5, type 2: U5[3, 3]
-    v50 = arm_ * (v16 * (gz * (T33 * v14)))
-    v51 = T33 * v13
-
-    # theta7, type 3: U5[3, 2] and U5[3, 1]
-    v65 = arm_ * (v16 * (gz * (v14 * T32)))
-    v72 = arm_ * (v16 * (gz * (v14 * T31)))
-    v73 = v13 * T31
-    v76 = v13 * T32
-    sin_psi = math.sin(q_free[0])
-    cos_psi = math.cos(q_free[0])
-    angle11 = _atan2(-v4, -v2)
-
-    # shoulder, its rotation, from the arm angle and theta4
-    uz = cos_psi * (gy * v9 - gx * v10)
-    ux = v11 * cos_psi + v9 * sin_psi
-    uy = v10 * sin_psi - v12 * cos_psi
-    nx = v9 * cos_psi - v11 * sin_psi
-    ny = v10 * cos_psi + v12 * sin_psi
-    b22_p = v27 - uy * v23
-    b22_m = v27 + uy * v24
-
-    # theta1, type 2: B1[3, 2]
-    X1_p = ux * v23 - v28
-    v29 = v28 + ux * v24
-    v30 = X1_p * X1_p + b22_p * b22_p
-    v31 = v29 * v29 + b22_m * b22_m
-    w1_p = math.sqrt(v30)
-    w1_m = math.sqrt(v31)
-    v32 = 1.0 / v30
-    v33 = 1.0 / v31
-
-    # theta2, type 3: B1[2, 2] and B1[1, 2]
-    c2_p = uz * v23 - v34
-    v35 = v34 + uz * v24
-
-    # theta3, type 3: B1[3, 1] and B1[3, 3]
-    v36 = v32 * (b22_p * (v25 + ux * v21) + X1_p * (v26 + uy * v21))
-    v37 = v33 * (b22_m * (ux * v22 - v25) - v29 * (uy * v22 - v26))
-    v38 = w1_p * v36
-    v39 = w1_m * v37
-    v40 = v32 * (b22_p * (nx * side_p) + X1_p * (ny * side_p))
-    v41 = v33 * (b22_m * (nx * side_m) - v29 * (ny * side_m))
-    v42 = w1_p * v40
-    v43 = w1_m * v41
-
-    # theta5, type 2: U5[3, 3]
-    v44 = w1_p * (v32 * (T23 * b22_p - T13 * X1_p))
-    v45 = w1_m * (v33 * (T23 * b22_m + T13 * v29))
-    v46 = c2_p * v44 + T33 * w1_p
-    v47 = T33 * w1_m - v35 * v45
-    v48 = w1_p * (v32 * (T13 * b22_p + T23 * X1_p))
-    v49 = w1_m * (v33 * (T13 * b22_m - T23 * v29))
-    v52 = w1_p * v44 - (uz * (arm_ * (v16 * (side_p * v51))) - v50)
-    v53 = w1_m * v45 + (v50 + uz * (arm_ * (v16 * (side_m * v51))))
-    X5_p = v5 * v52 - (v42 * (v3 * v46) + v38 * (v3 * v48))
-    v54 = v5 * v53 + (v43 * (v3 * v47) + v39 * (v3 * v49))
-    Y5_p = v42 * v48 - v38 * v46
-    Y5_m = v43 * v49 - v39 * v47
-    v55 = X5_p * X5_p + Y5_p * Y5_p
-    v56 = v54 * v54 + Y5_m * Y5_m
-    w5_p = math.sqrt(v55)
-    w5_m = math.sqrt(v56)
-    factor5_p = w5_p * (1.0 / v55)
-    factor5_m = w5_m * (1.0 / v56)
-    v57 = X5_p * factor5_p
-    v58 = v54 * factor5_m
-    s5_p = Y5_p * factor5_p
-    s5_m = Y5_m * factor5_m
-
-    # theta7, type 3: U5[3, 2] and U5[3, 1]
-    v59 = w1_p * (v32 * (b22_p * T12 + X1_p * T22))
-    v60 = w1_m * (v33 * (b22_m * T12 - v29 * T22))
-    v61 = w1_p * (v32 * (b22_p * T22 - X1_p * T12))
-    v62 = w1_m * (v33 * (b22_m * T22 + v29 * T12))
-    v63 = c2_p * v61 + w1_p * T32
-    v64 = w1_m * T32 - v35 * v62
-    v66 = w1_p * (v32 * (b22_p * T11 + X1_p * T21))
-    v67 = w1_m * (v33 * (b22_m * T11 - v29 * T21))
-    v68 = w1_p * (v32 * (b22_p * T21 - X1_p * T11))
-    v69 = w1_m * (v33 * (b22_m * T21 + v29 * T11))
-    v70 = c2_p * v68 + w1_p * T31
-    v71 = w1_m * T31 - v35 * v69
-    v74 = (
-        v57 * (v42 * v66 - v38 * v70) - s5_p * (v5 * (w1_p * v68 - (uz * (arm_ * (v16 * (side_p *
-        v73))) - v72)) - (v42 * (v3 * v70) + v38 * (v3 * v66)))
-    )
-    v75 = (
-        s5_m * (v5 * (w1_m * v69 + (v72 + uz * (arm_ * (v16 * (side_m * v73))))) + (v43 * (v3 * v71)
-        + v39 * (v3 * v67))) - v58 * (v43 * v67 - v39 * v71)
-    )
-
-    # joint values
-    v85 = angle11 - offset4
-    v86 = offset4 + angle11
-    q4_ppp = v85 + (turn if v85 <= -half_turn else 0.0)
-    q4_mpp = (turn if -v86 <= -half_turn else 0.0) - v86
-    v91 = abs(q4_ppp) - high4
-    v92 = abs(q4_mpp) - high4
-
-    # a joint is free, branches meet, or rounding tells what is beyond a limit
-    if v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3:
-        return False
-
-    # angles, side by side
-    room[0] = -v36
-    room[1] = -v37
-    room[2] = Y5_p
-    room[3] = Y5_m
-    room[4] = v74
-    room[5] = v75
-    room[6] = b22_p
-    room[7] = b22_m
-    room[8] = w1_p
-    room[9] = w1_m
-    room[10] = w5_p
-    room[11] = w5_m
-    room[16] = -v40
-    room[17] = -v41
-    room[18] = -X5_p
-    room[19] = v54
-    room[20] = (
-        v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 - (uz * (arm_ * (v16 * (side_p *
-        v76))) - v65)) - (v42 * (v3 * v63) + v38 * (v3 * v59)))
-    )
-    room[21] = (
-        s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm_ * (v16 * (side_m * v76))))) + (v43 * (v3 * v64)
-        + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64)
-    )
-    room[22] = -X1_p
-    room[23] = v29
-    room[24] = c2_p
-    room[25] = -v35
-    room[26] = -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48)))
-    room[27] = v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53
-    for k in range(12, 16):
-        room[k] = room[k + 16] = 1.0
-    for k in range(16):
-        room[k] = _atan2(room[k], room[k + 16])
-    angle1 = room[0]
-    angle2 = room[1]
-    angle3 = room[2]
-    angle4 = room[3]
-    angle5 = room[4]
-    angle6 = room[5]
-    angle7 = room[6]
-    angle8 = room[7]
-    angle9 = room[8]
-    angle10 = room[9]
-    angle12 = room[10]
-    angle13 = room[11]
-
-    # theta3, type 3: B1[3, 1] and B1[3, 3]
-    q3_pmp = angle1 - math.copysign(half_turn, -v36)
-    q3_mmp = angle2 - math.copysign(half_turn, -v37)
-
-    # theta5, type 2: U5[3, 3]
-    q5_ppm = angle3 - math.copysign(half_turn, Y5_p)
-    q5_mpm = angle4 - math.copysign(half_turn, Y5_m)
-
-    # theta7, type 3: U5[3, 2] and U5[3, 1]
-    q7_ppm = angle5 - math.copysign(half_turn, v74)
-    q7_mpm = angle6 - math.copysign(half_turn, v75)
-
-    # joint values
-    v77 = angle7 - offset1
-    v78 = angle7 - math.copysign(half_turn, b22_p) - offset1
-    v79 = angle8 - offset1
-    v80 = angle8 - math.copysign(half_turn, b22_m) - offset1
-    q1_ppp = v77 + (turn if v77 <= -half_turn else 0.0)
-    q1_pmp = v78 + (turn if v78 <= -half_turn else 0.0)
-    q1_mpp = v79 + (turn if v79 <= -half_turn else 0.0)
-    q1_mmp = v80 + (turn if v80 <= -half_turn else 0.0)
-    v81 = angle9 - offset2
-    v82 = offset2 + angle9
-    v83 = angle10 - offset2
-    v84 = offset2 + angle10
-    q2_ppp = v81 + (turn if v81 <= -half_turn else 0.0)
-    q2_pmp = (turn if -v82 <= -half_turn else 0.0) - v82
-    q2_mpp = v83 + (turn if v83 <= -half_turn else 0.0)
-    q2_mmp = (turn if -v84 <= -half_turn else 0.0) - v84
-    v87 = angle12 - offset6
-    v88 = offset6 + angle12
-    v89 = angle13 - offset6
-    v90 = offset6 + angle13
-    q6_ppp = v87 + (turn if v87 <= -half_turn else 0.0)
-    q6_ppm = (turn if -v88 <= -half_turn else 0.0) - v88
-    q6_mpp = v89 + (turn if v89 <= -half_turn else 0.0)
-    q6_mpm = (turn if -v90 <= -half_turn else 0.0) - v90
-    v93 = abs(angle3) - high5
-    v94 = abs(q5_ppm) - high5
-    v95 = abs(angle4) - high5
-    v96 = abs(q5_mpm) - high5
-    v97 = abs(q6_ppp) - high6
-    v98 = abs(q6_ppm) - high6
-    v99 = abs(q6_mpp) - high6
-    v100 = abs(q6_mpm) - high6
-    v101 = abs(angle5) - high7
-    v102 = abs(q7_ppm) - high7
-    v103 = abs(angle6) - high7
-    v104 = abs(q7_mpm) - high7
-    v105 = max(abs(angle1) - high3, max(abs(q2_ppp) - high2, max(v91, abs(q1_ppp) - high1)))
-    v106 = max(abs(q3_pmp) - high3, max(abs(q2_pmp) - high2, max(v91, abs(q1_pmp) - high1)))
-    v107 = max(abs(angle2) - high3, max(abs(q2_mpp) - high2, max(v92, abs(q1_mpp) - high1)))
-    v108 = max(abs(q3_mmp) - high3, max(abs(q2_mmp) - high2, max(v92, abs(q1_mmp) - high1)))
-    outside_ppp = 0.0 < max(v101, max(v97, max(v93, v105)))
-    outside_ppm = 0.0 < max(v102, max(v98, max(v94, v105)))
-    outside_pmp = 0.0 < max(v101, max(v97, max(v93, v106)))
-    outside_pmm = 0.0 < max(v102, max(v98, max(v94, v106)))
-    outside_mpp = 0.0 < max(v103, max(v99, max(v95, v107)))
-    outside_mpm = 0.0 < max(v104, max(v100, max(v96, v107)))
-    outside_mmp = 0.0 < max(v103, max(v99, max(v95, v108)))
-    outside_mmm = 0.0 < max(v104, max(v100, max(v96, v108)))
-
-    q[0, 0] = q1_ppp
-    q[0, 1] = q2_ppp
-    q[0, 2] = angle1
-    q[0, 3] = q4_ppp
-    q[0, 4] = angle3
-    q[0, 5] = q6_ppp
-    q[0, 6] = angle5
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
-    q[1, 0] = q1_ppp
-    q[1, 1] = q2_ppp
-    q[1, 2] = angle1
-    q[1, 3] = q4_ppp
-    q[1, 4] = q5_ppm
-    q[1, 5] = q6_ppm
-    q[1, 6] = q7_ppm
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
-    q[2, 0] = q1_pmp
-    q[2, 1] = q2_pmp
-    q[2, 2] = q3_pmp
-    q[2, 3] = q4_ppp
-    q[2, 4] = angle3
-    q[2, 5] = q6_ppp
-    q[2, 6] = angle5
-    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
-    q[3, 0] = q1_pmp
-    q[3, 1] = q2_pmp
-    q[3, 2] = q3_pmp
-    q[3, 3] = q4_ppp
-    q[3, 4] = q5_ppm
-    q[3, 5] = q6_ppm
-    q[3, 6] = q7_ppm
-    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
-    q[4, 0] = q1_mpp
-    q[4, 1] = q2_mpp
-    q[4, 2] = angle2
-    q[4, 3] = q4_mpp
-    q[4, 4] = angle4
-    q[4, 5] = q6_mpp
-    q[4, 6] = angle6
-    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
-    q[5, 0] = q1_mpp
-    q[5, 1] = q2_mpp
-    q[5, 2] = angle2
-    q[5, 3] = q4_mpp
-    q[5, 4] = q5_mpm
-    q[5, 5] = q6_mpm
-    q[5, 6] = q7_mpm
-    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
-    q[6, 0] = q1_mmp
-    q[6, 1] = q2_mmp
-    q[6, 2] = q3_mmp
-    q[6, 3] = q4_mpp
-    q[6, 4] = angle4
-    q[6, 5] = q6_mpp
-    q[6, 6] = angle6
-    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
-    q[7, 0] = q1_mmp
-    q[7, 1] = q2_mmp
-    q[7, 2] = q3_mmp
-    q[7, 3] = q4_mpp
-    q[7, 4] = q5_mpm
-    q[7, 5] = q6_mpm
-    q[7, 6] = q7_mpm
-    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
-    return True
-
-
-@_merged
-def _into(T, q_free, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (8, 7) or status.shape != (8,):
-        raise ValueError("T, q and status must have shapes (4, 4), (8, 7), (8,)")
-    if q_free.shape != (1,):
-        raise ValueError("q_free must have shape (1,)")
-    valid, pose = _read(T, q_free)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q_free, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, q_free, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [1440, 1456, 1472, 1488, 1504, 1520, 1536],
-    [1440, 1456, 1472, 1488, 1552, 1568, 1584],
-    [1600, 1616, 1632, 1488, 1504, 1520, 1536],
-    [1600, 1616, 1632, 1488, 1552, 1568, 1584],
-    [1648, 1664, 1680, 1696, 1712, 1728, 1744],
-    [1648, 1664, 1680, 1696, 1760, 1776, 1792],
-    [1808, 1824, 1840, 1696, 1712, 1728, 1744],
-    [1808, 1824, 1840, 1696, 1760, 1776, 1792],
+    [0, 1, 2, 3, 4, 5, 6],
+    [0, 1, 2, 3, 7, 8, 9],
+    [10, 11, 12, 3, 4, 5, 6],
+    [10, 11, 12, 3, 7, 8, 9],
+    [13, 14, 15, 16, 17, 18, 19],
+    [13, 14, 15, 16, 20, 21, 22],
+    [23, 24, 25, 16, 17, 18, 19],
+    [23, 24, 25, 16, 20, 21, 22],
 ])
-_KINDS = np.array([1856, 1872, 1888, 1904, 1920, 1936, 1952, 1968])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q_free, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(1984), 1984)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-            for i in range(1):
-                work[(16 + i) * 16 + k] = q_free[first + k, i]
-        for k in range(16):
-            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
-            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
-            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
-            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-            xy = x0 * y0 + x1 * y1 + x2 * y2
-            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
-            miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
-                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k] + work[256 + k])
-            )
-            exact = miss <= 1e-24
-            work[272 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T13 = work[32 + k]
-            T14 = work[48 + k]
-            T23 = work[96 + k]
-            T24 = work[112 + k]
-            T31 = work[128 + k]
-            T32 = work[144 + k]
-            T33 = work[160 + k]
-            T34 = work[176 + k]
-            given1 = work[256 + k]
-            wx = T14 - d7 * T13
-            wy = T24 - d7 * T23
-            v1 = T34 - d7 * T33 - d1
-            V4 = wx * wx + wy * wy + v1 * v1
-            D4 = (longest4 - V4) * (V4 - shortest4)
-            v2 = k1 * (V4 - k2)
-            v3 = k3 * v2
-            v4 = k1 * math.sqrt(D4)
-            v5 = k3 * v4
-            v6 = math.sqrt(V4) * (1.0 / V4)
-            gx = wx * v6
-            gy = wy * v6
-            gz = v1 * v6
-            v7 = gy * gy + gx * gx
-            upright = v7 <= m2
-            v8 = 1.0 / (1.0 if upright else math.sqrt(v7))
-            v9 = 0.0 if upright else gy * v8
-            v10 = 1.0 if upright else -(gx * v8)
-            v11 = gz * v10
-            v12 = gz * v9
-            v13 = d5 * v5
-            v14 = d3 + d5 * v3
-            v15 = v14 * v14 + v13 * v13
-            arm_ = math.sqrt(v15)
-            v16 = 1.0 / v15
-            v17 = arm_ * v16
-            v18 = v13 * v17
-            v19 = v14 * v17
-            v20 = d5 * (d3 * v5)
-            side_p = -1.0 if -v20 < -straight_limit else 1.0
-            side_m = -1.0 if v20 < -straight_limit else 1.0
-            v21 = v19 * side_p
-            v22 = v19 * side_m
-            v23 = v18 * side_p
-            v24 = v18 * side_m
-            v25 = gx * v18
-            v26 = gy * v18
-            v27 = gy * v19
-            v28 = gx * v19
-            v34 = gz * v19
-            v50 = arm_ * (v16 * (gz * (T33 * v14)))
-            v51 = T33 * v13
-            v65 = arm_ * (v16 * (gz * (v14 * T32)))
-            v72 = arm_ * (v16 * (gz * (v14 * T31)))
-            v73 = v13 * T31
-            v76 = v13 * T32
-            work[288 + k] = D4
-            work[304 + k] = v3
-            work[320 + k] = v5
-            work[336 + k] = gx
-            work[352 + k] = gy
-            work[368 + k] = v9
-            work[384 + k] = v10
-            work[400 + k] = v11
-            work[416 + k] = v12
-            work[432 + k] = arm_
-            work[448 + k] = v16
-            work[464 + k] = side_p
-            work[480 + k] = side_m
-            work[496 + k] = v21
-            work[512 + k] = v22
-            work[528 + k] = v23
-            work[544 + k] = v24
-            work[560 + k] = v25
-            work[576 + k] = v26
-            work[592 + k] = v27
-            work[608 + k] = v28
-            work[624 + k] = v34
-            work[640 + k] = v50
-            work[656 + k] = v51
-            work[672 + k] = v65
-            work[688 + k] = v72
-            work[704 + k] = v73
-            work[720 + k] = v76
-            work[736 + k] = given1
-            work[752 + k] = given1
-            work[768 + k] = -v4
-            work[784 + k] = -v2
-        for k in range(736, 752):
-            work[k] = math.sin(work[k])
-        for k in range(752, 768):
-            work[k] = math.cos(work[k])
-        for k in range(768, 784):
-            work[k] = _atan2(work[k], work[k + 16])
-        for k in range(0, 16):
-            T11 = work[0 + k]
-            T12 = work[16 + k]
-            T13 = work[32 + k]
-            T21 = work[64 + k]
-            T22 = work[80 + k]
-            T23 = work[96 + k]
-            T31 = work[128 + k]
-            T32 = work[144 + k]
-            T33 = work[160 + k]
-            v3 = work[304 + k]
-            v5 = work[320 + k]
-            gx = work[336 + k]
-            gy = work[352 + k]
-            v9 = work[368 + k]
-            v10 = work[384 + k]
-            v11 = work[400 + k]
-            v12 = work[416 + k]
-            arm_ = work[432 + k]
-            v16 = work[448 + k]
-            side_p = work[464 + k]
-            side_m = work[480 + k]
-            v21 = work[496 + k]
-            v22 = work[512 + k]
-            v23 = work[528 + k]
-            v24 = work[544 + k]
-            v25 = work[560 + k]
-            v26 = work[576 + k]
-            v27 = work[592 + k]
-            v28 = work[608 + k]
-            v34 = work[624 + k]
-            v50 = work[640 + k]
-            v51 = work[656 + k]
-            v65 = work[672 + k]
-            v72 = work[688 + k]
-            v73 = work[704 + k]
-            v76 = work[720 + k]
-            sin_psi = work[736 + k]
-            cos_psi = work[752 + k]
-            angle11 = work[768 + k]
-            uz = cos_psi * (gy * v9 - gx * v10)
-            ux = v11 * cos_psi + v9 * sin_psi
-            uy = v10 * sin_psi - v12 * cos_psi
-            nx = v9 * cos_psi - v11 * sin_psi
-            ny = v10 * cos_psi + v12 * sin_psi
-            b22_p = v27 - uy * v23
-            b22_m = v27 + uy * v24
-            X1_p = ux * v23 - v28
-            v29 = v28 + ux * v24
-            v30 = X1_p * X1_p + b22_p * b22_p
-            v31 = v29 * v29 + b22_m * b22_m
-            w1_p = math.sqrt(v30)
-            w1_m = math.sqrt(v31)
-            v32 = 1.0 / v30
-            v33 = 1.0 / v31
-            c2_p = uz * v23 - v34
-            v35 = v34 + uz * v24
-            v36 = v32 * (b22_p * (v25 + ux * v21) + X1_p * (v26 + uy * v21))
-            v37 = v33 * (b22_m * (ux * v22 - v25) - v29 * (uy * v22 - v26))
-            v38 = w1_p * v36
-            v39 = w1_m * v37
-            v40 = v32 * (b22_p * (nx * side_p) + X1_p * (ny * side_p))
-            v41 = v33 * (b22_m * (nx * side_m) - v29 * (ny * side_m))
-            v42 = w1_p * v40
-            v43 = w1_m * v41
-            v44 = w1_p * (v32 * (T23 * b22_p - T13 * X1_p))
-            v45 = w1_m * (v33 * (T23 * b22_m + T13 * v29))
-            v46 = c2_p * v44 + T33 * w1_p
-            v47 = T33 * w1_m - v35 * v45
-            v48 = w1_p * (v32 * (T13 * b22_p + T23 * X1_p))
-            v49 = w1_m * (v33 * (T13 * b22_m - T23 * v29))
-            v52 = w1_p * v44 - (uz * (arm_ * (v16 * (side_p * v51))) - v50)
-            v53 = w1_m * v45 + (v50 + uz * (arm_ * (v16 * (side_m * v51))))
-            X5_p = v5 * v52 - (v42 * (v3 * v46) + v38 * (v3 * v48))
-            v54 = v5 * v53 + (v43 * (v3 * v47) + v39 * (v3 * v49))
-            Y5_p = v42 * v48 - v38 * v46
-            Y5_m = v43 * v49 - v39 * v47
-            v55 = X5_p * X5_p + Y5_p * Y5_p
-            v56 = v54 * v54 + Y5_m * Y5_m
-            w5_p = math.sqrt(v55)
-            w5_m = math.sqrt(v56)
-            factor5_p = w5_p * (1.0 / v55)
-            factor5_m = w5_m * (1.0 / v56)
-            v57 = X5_p * factor5_p
-            v58 = v54 * factor5_m
-            s5_p = Y5_p * factor5_p
-            s5_m = Y5_m * factor5_m
-            v59 = w1_p * (v32 * (b22_p * T12 + X1_p * T22))
-            v60 = w1_m * (v33 * (b22_m * T12 - v29 * T22))
-            v61 = w1_p * (v32 * (b22_p * T22 - X1_p * T12))
-            v62 = w1_m * (v33 * (b22_m * T22 + v29 * T12))
-            v63 = c2_p * v61 + w1_p * T32
-            v64 = w1_m * T32 - v35 * v62
-            v66 = w1_p * (v32 * (b22_p * T11 + X1_p * T21))
-            v67 = w1_m * (v33 * (b22_m * T11 - v29 * T21))
-            v68 = w1_p * (v32 * (b22_p * T21 - X1_p * T11))
-            v69 = w1_m * (v33 * (b22_m * T21 + v29 * T11))
-            v70 = c2_p * v68 + w1_p * T31
-            v71 = w1_m * T31 - v35 * v69
-            v74 = (
-                v57 * (v42 * v66 - v38 * v70) - s5_p * (v5 * (w1_p * v68 - (uz * (arm_ * (v16 *
-                (side_p * v73))) - v72)) - (v42 * (v3 * v70) + v38 * (v3 * v66)))
-            )
-            v75 = (
-                s5_m * (v5 * (w1_m * v69 + (v72 + uz * (arm_ * (v16 * (side_m * v73))))) + (v43 *
-                (v3 * v71) + v39 * (v3 * v67))) - v58 * (v43 * v67 - v39 * v71)
-            )
-            v85 = angle11 - offset4
-            v86 = offset4 + angle11
-            q4_ppp = v85 + (turn if v85 <= -half_turn else 0.0)
-            q4_mpp = (turn if -v86 <= -half_turn else 0.0) - v86
-            v91 = abs(q4_ppp) - high4
-            v92 = abs(q4_mpp) - high4
-            work[800 + k] = b22_p
-            work[816 + k] = b22_m
-            work[832 + k] = v30
-            work[848 + k] = v31
-            work[864 + k] = v36
-            work[880 + k] = v37
-            work[896 + k] = Y5_p
-            work[912 + k] = Y5_m
-            work[928 + k] = v55
-            work[944 + k] = v56
-            work[960 + k] = v74
-            work[976 + k] = v75
-            work[992 + k] = q4_ppp
-            work[1008 + k] = q4_mpp
-            work[1024 + k] = v91
-            work[1040 + k] = v92
-            work[1056 + k] = -v36
-            work[1072 + k] = -v37
-            work[1088 + k] = Y5_p
-            work[1104 + k] = Y5_m
-            work[1120 + k] = v74
-            work[1136 + k] = v75
-            work[1152 + k] = b22_p
-            work[1168 + k] = b22_m
-            work[1184 + k] = w1_p
-            work[1200 + k] = w1_m
-            work[1216 + k] = w5_p
-            work[1232 + k] = w5_m
-            work[1248 + k] = -v40
-            work[1264 + k] = -v41
-            work[1280 + k] = -X5_p
-            work[1296 + k] = v54
-            work[1312 + k] = (
-                v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 - (uz * (arm_ * (v16 *
-                (side_p * v76))) - v65)) - (v42 * (v3 * v63) + v38 * (v3 * v59)))
-            )
-            work[1328 + k] = (
-                s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm_ * (v16 * (side_m * v76))))) + (v43 *
-                (v3 * v64) + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64)
-            )
-            work[1344 + k] = -X1_p
-            work[1360 + k] = v29
-            work[1376 + k] = c2_p
-            work[1392 + k] = -v35
-            work[1408 + k] = -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48)))
-            work[1424 + k] = v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53
-        for k in range(1056, 1248):
-            work[k] = _atan2(work[k], work[k + 192])
-        for k in range(0, 16):
-            D4 = work[288 + k]
-            b22_p = work[800 + k]
-            b22_m = work[816 + k]
-            v30 = work[832 + k]
-            v31 = work[848 + k]
-            v36 = work[864 + k]
-            v37 = work[880 + k]
-            Y5_p = work[896 + k]
-            Y5_m = work[912 + k]
-            v55 = work[928 + k]
-            v56 = work[944 + k]
-            v74 = work[960 + k]
-            v75 = work[976 + k]
-            q4_ppp = work[992 + k]
-            q4_mpp = work[1008 + k]
-            v91 = work[1024 + k]
-            v92 = work[1040 + k]
-            angle1 = work[1056 + k]
-            angle2 = work[1072 + k]
-            angle3 = work[1088 + k]
-            angle4 = work[1104 + k]
-            angle5 = work[1120 + k]
-            angle6 = work[1136 + k]
-            angle7 = work[1152 + k]
-            angle8 = work[1168 + k]
-            angle9 = work[1184 + k]
-            angle10 = work[1200 + k]
-            angle12 = work[1216 + k]
-            angle13 = work[1232 + k]
-            q3_pmp = angle1 - math.copysign(half_turn, -v36)
-            q3_mmp = angle2 - math.copysign(half_turn, -v37)
-            q5_ppm = angle3 - math.copysign(half_turn, Y5_p)
-            q5_mpm = angle4 - math.copysign(half_turn, Y5_m)
-            q7_ppm = angle5 - math.copysign(half_turn, v74)
-            q7_mpm = angle6 - math.copysign(half_turn, v75)
-            v77 = angle7 - offset1
-            v78 = angle7 - math.copysign(half_turn, b22_p) - offset1
-            v79 = angle8 - offset1
-            v80 = angle8 - math.copysign(half_turn, b22_m) - offset1
-            q1_ppp = v77 + (turn if v77 <= -half_turn else 0.0)
-            q1_pmp = v78 + (turn if v78 <= -half_turn else 0.0)
-            q1_mpp = v79 + (turn if v79 <= -half_turn else 0.0)
-            q1_mmp = v80 + (turn if v80 <= -half_turn else 0.0)
-            v81 = angle9 - offset2
-            v82 = offset2 + angle9
-            v83 = angle10 - offset2
-            v84 = offset2 + angle10
-            q2_ppp = v81 + (turn if v81 <= -half_turn else 0.0)
-            q2_pmp = (turn if -v82 <= -half_turn else 0.0) - v82
-            q2_mpp = v83 + (turn if v83 <= -half_turn else 0.0)
-            q2_mmp = (turn if -v84 <= -half_turn else 0.0) - v84
-            v87 = angle12 - offset6
-            v88 = offset6 + angle12
-            v89 = angle13 - offset6
-            v90 = offset6 + angle13
-            q6_ppp = v87 + (turn if v87 <= -half_turn else 0.0)
-            q6_ppm = (turn if -v88 <= -half_turn else 0.0) - v88
-            q6_mpp = v89 + (turn if v89 <= -half_turn else 0.0)
-            q6_mpm = (turn if -v90 <= -half_turn else 0.0) - v90
-            v93 = abs(angle3) - high5
-            v94 = abs(q5_ppm) - high5
-            v95 = abs(angle4) - high5
-            v96 = abs(q5_mpm) - high5
-            v97 = abs(q6_ppp) - high6
-            v98 = abs(q6_ppm) - high6
-            v99 = abs(q6_mpp) - high6
-            v100 = abs(q6_mpm) - high6
-            v101 = abs(angle5) - high7
-            v102 = abs(q7_ppm) - high7
-            v103 = abs(angle6) - high7
-            v104 = abs(q7_mpm) - high7
-            v105 = max(abs(angle1) - high3, max(abs(q2_ppp) - high2, max(v91, abs(q1_ppp) - high1)))
-            v106 = max(abs(q3_pmp) - high3, max(abs(q2_pmp) - high2, max(v91, abs(q1_pmp) - high1)))
-            v107 = max(abs(angle2) - high3, max(abs(q2_mpp) - high2, max(v92, abs(q1_mpp) - high1)))
-            v108 = max(abs(q3_mmp) - high3, max(abs(q2_mmp) - high2, max(v92, abs(q1_mmp) - high1)))
-            outside_ppp = 0.0 < max(v101, max(v97, max(v93, v105)))
-            outside_ppm = 0.0 < max(v102, max(v98, max(v94, v105)))
-            outside_pmp = 0.0 < max(v101, max(v97, max(v93, v106)))
-            outside_pmm = 0.0 < max(v102, max(v98, max(v94, v106)))
-            outside_mpp = 0.0 < max(v103, max(v99, max(v95, v107)))
-            outside_mpm = 0.0 < max(v104, max(v100, max(v96, v107)))
-            outside_mmp = 0.0 < max(v103, max(v99, max(v95, v108)))
-            outside_mmm = 0.0 < max(v104, max(v100, max(v96, v108)))
-            _1440 = q1_ppp
-            work[1440 + k] = _1440
-            _1456 = q2_ppp
-            work[1456 + k] = _1456
-            _1472 = angle1
-            work[1472 + k] = _1472
-            _1488 = q4_ppp
-            work[1488 + k] = _1488
-            _1504 = angle3
-            work[1504 + k] = _1504
-            _1520 = q6_ppp
-            work[1520 + k] = _1520
-            _1536 = angle5
-            work[1536 + k] = _1536
-            _1552 = q5_ppm
-            work[1552 + k] = _1552
-            _1568 = q6_ppm
-            work[1568 + k] = _1568
-            _1584 = q7_ppm
-            work[1584 + k] = _1584
-            _1600 = q1_pmp
-            work[1600 + k] = _1600
-            _1616 = q2_pmp
-            work[1616 + k] = _1616
-            _1632 = q3_pmp
-            work[1632 + k] = _1632
-            _1648 = q1_mpp
-            work[1648 + k] = _1648
-            _1664 = q2_mpp
-            work[1664 + k] = _1664
-            _1680 = angle2
-            work[1680 + k] = _1680
-            _1696 = q4_mpp
-            work[1696 + k] = _1696
-            _1712 = angle4
-            work[1712 + k] = _1712
-            _1728 = q6_mpp
-            work[1728 + k] = _1728
-            _1744 = angle6
-            work[1744 + k] = _1744
-            _1760 = q5_mpm
-            work[1760 + k] = _1760
-            _1776 = q6_mpm
-            work[1776 + k] = _1776
-            _1792 = q7_mpm
-            work[1792 + k] = _1792
-            _1808 = q1_mmp
-            work[1808 + k] = _1808
-            _1824 = q2_mmp
-            work[1824 + k] = _1824
-            _1840 = q3_mmp
-            work[1840 + k] = _1840
-            work[1856 + k] = (
-                UNREACHABLE if _1440 != _1440 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[1872 + k] = (
-                UNREACHABLE if _1440 != _1440 else (OUT_OF_LIMITS if outside_ppm else OK)
-            )
-            work[1888 + k] = (
-                UNREACHABLE if _1600 != _1600 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
-            work[1904 + k] = (
-                UNREACHABLE if _1600 != _1600 else (OUT_OF_LIMITS if outside_pmm else OK)
-            )
-            work[1920 + k] = (
-                UNREACHABLE if _1648 != _1648 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
-            work[1936 + k] = (
-                UNREACHABLE if _1648 != _1648 else (OUT_OF_LIMITS if outside_mpm else OK)
-            )
-            work[1952 + k] = (
-                UNREACHABLE if _1808 != _1808 else (OUT_OF_LIMITS if outside_mmp else OK)
-            )
-            work[1968 + k] = (
-                UNREACHABLE if _1808 != _1808 else (OUT_OF_LIMITS if outside_mmm else OK)
-            )
-            work[272 + k] = (
-                1.0 if v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3 else
-                work[272 + k]
-            )
-        for k in range(first, first + count):
-            if work[272 + k - first] != 0.0:
-                _unseeded(T[k], q_free[k], q[k], status[k])
-                continue
-            for row in range(8):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(7):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 58, 36, _PLACES),
         kinematics=(fk, jacobian, arm_angle),
         given=1,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the arm angle not finite",
             "no_row": "the pose is out of reach",
-            "allocates": "only where a free joint can't keep the seed's value",
+            "allocates": "only where a pose is singular or rounded",
             "given": "The arm angle [rad]",
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

@@ -27,17 +27,10 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
-_read_rows = _runtime("pose").read_pose
 _of_joints = _runtime("entry").of_joints(_HOW, 4)
 
 NAME = "kuka_kr40pa"
@@ -89,16 +82,25 @@ m4 = 0.625  # a coefficient of Y1_2
 m5 = 1e-24  # exact_slack^2
 m6 = 4.839999999999998e-24  # exact_slack1^2 [m^2]
 m7 = 1.452e-09  # 3 * pose_slack1^2 [m^2]
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0),
+        fan_steps=(),
+        rows=2,
+        directions='rotation',
+        miss_weights=(0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0),
+        size=2.1999999999999997,
+        entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
+        steps=('regular', 'completes', 'follows seed'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -203,50 +205,105 @@ def jacobian(q):
     return J
 
 
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
+
+    # theta234, type 3: U0[3, 3] and U0[3, 1]
+    w234 = math.sqrt(T31 * T31 + T33 * T33)
+    short234 = w234 <= free_limit
+    factor234 = 1.0 / (1.0 if short234 else w234)
+    c234 = T33 * factor234
+    v1 = T31 * factor234
+    theta234 = _atan2(-v1, c234)
+
+    # theta1, type 3: U0[1, 2] and U0[2, 2]
+    w1 = math.sqrt(T12 * T12 + T22 * T22)
+    short1 = w1 <= free_limit
+    v2 = 1.0 / (1.0 if short1 else w1)
+    c1 = T22 * v2
+    v3 = T12 * v2
+    q1 = _atan2(-v3, c1)
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    v4 = v1 * a4
+    Z1_3 = T34 - d1 - v4
+    v5 = a1 + c234 * a4
+    Z2_3 = c1 * T14 - v3 * T24 - v5
+    N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+    K3 = N3 - k1
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    apart3 = shortest3_apart < N3 and N3 < longest3_apart
+    if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+        return  # out of reach
+    w3 = math.sqrt(D3 if apart3 else 0.0)
+    c3 = K3 * k2
+
+    # theta2, type 3: U1[1, 4] and U1[2, 4]
+    Y1_2 = a2 + a3 * c3
+    v7 = Z1_3 * Y1_2
+    v9 = Z2_3 * Y1_2
+
+    # is the pose one that the arm can take?
+    v11 = d1 + v4
+    if (
+        not (abs(T33 - c234) <= doubtful_slack and abs(T31 - v1) <= doubtful_slack and abs(T23 - v1
+        * v3) <= doubtful_slack and abs(T21 + c234 * v3) <= doubtful_slack and abs(T11 - c234 * c1)
+        <= doubtful_slack and abs(T13 + v1 * c1) <= doubtful_slack)
+    ):
+        return  # the arm can't take this pose
+
+    for i1 in range(2):  # elbow+, elbow-
+        e1 = 1.0 - 2.0 * i1
+        # theta3
+        if e1 < 0.0 and not apart3:
+            continue  # both signs give the same
+        s3 = w3 * e1 * k2
+        q3 = _atan2(s3, c3)
+
+        # theta2
+        v6 = a3 * s3
+        v8 = Z2_3 * v6 + v7
+        C2 = v9 - Z1_3 * v6
+        w2 = math.sqrt(v8 * v8 + C2 * C2)
+        free2 = w2 <= free_limit_squared2
+        factor2 = 1.0 / (1.0 if free2 else w2)
+        c2 = math.cos(seed[1]) if free2 else C2 * factor2
+        s2 = math.sin(seed[1]) if free2 else -(v8 * factor2)
+        q2 = _atan2(s2, c2)
+
+        # is the pose one that the arm can take?
+        c23 = c3 * c2 - s3 * s2
+        s23 = c3 * s2 + s3 * c2
+        v10 = a3 * c23 + (v5 + a2 * c2)
+        if (
+            not (abs(T34 + (a3 * s23 + (a2 * s2 - v11))) <= doubtful_slack1 and abs(T14 - c1 * v10)
+            <= doubtful_slack1 and abs(T24 + v3 * v10) <= doubtful_slack1)
+        ):
+            continue  # the arm can't take this pose
+
+        # joint values
+        q4 = _wrap(theta234 - (q3 + q2))
+        row = i1
+        q[row, 0] = q1
+        q[row, 1] = q2
+        q[row, 2] = q3
+        q[row, 3] = q4
+        status[row] = FREE_JOINT if free2 else OK
+
+
+_inner, _apart = _HOW.inner, _HOW.apart
+_room, carray = _runtime("jit").room, _runtime("jit").carray
+_CLOSE = _status.CLOSE
+_measured, _refined = _runtime("refine").missed_by, _runtime("refine").refine
+_robot = _HOW.addresses("_solve", "fk", "jacobian", None)
+
+
 @_inner
 def _missed_by(pose, q):
     """By how much joint values miss the entries that count: the root of the sum of squares."""
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    v3 = s2 * c3 + c2 * s3
-    v4 = v1 * c3 + x2_x * s3
-    v5 = v2 * c3 + x2_y * s3
-    y3_z = s2 * s3 - c2 * c3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - v4 * s4
-    x4_y = x3_y * c4 - v5 * s4
-    x4_z = y3_z * s4 - v3 * c4
-    miss = 0.0
-    off = x4_x - pose[0]
-    miss += (1.0 * off) ** 2
-    off = v4 * c4 + x3_x * s4 - pose[2]
-    miss += (1.0 * off) ** 2
-    off = c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 - pose[3]
-    miss += (0.4545454545454546 * off) ** 2
-    off = x4_y - pose[4]
-    miss += (1.0 * off) ** 2
-    off = v5 * c4 + x3_y * s4 - pose[6]
-    miss += (1.0 * off) ** 2
-    off = s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 - pose[7]
-    miss += (0.4545454545454546 * off) ** 2
-    off = x4_z - pose[8]
-    miss += (1.0 * off) ** 2
-    off = -(y3_z * c4 + v3 * s4) - pose[10]
-    miss += (1.0 * off) ** 2
-    off = d1 - s2 * a2 - v3 * a3 + x4_z * a4 - pose[11]
-    miss += (0.4545454545454546 * off) ** 2
-    return math.sqrt(miss)
+    return _measured(_ARM, _robot(), pose, q)
 
 
 # The joints that are solved for, and whether they turn; what a step of one means, in rad or
@@ -507,213 +564,6 @@ def _tighten(pose, q, status):
             q[row, i] = rows[row, i] if held[row] else math.nan
 
 
-@_inner
-def _solve(pose, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others."""
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
-
-    # theta234, type 3: U0[3, 3] and U0[3, 1]
-    w234 = math.sqrt(T31 * T31 + T33 * T33)
-    short234 = w234 <= free_limit
-    factor234 = 1.0 / (1.0 if short234 else w234)
-    c234 = T33 * factor234
-    v1 = T31 * factor234
-    theta234 = _atan2(-v1, c234)
-
-    # theta1, type 3: U0[1, 2] and U0[2, 2]
-    w1 = math.sqrt(T12 * T12 + T22 * T22)
-    short1 = w1 <= free_limit
-    v2 = 1.0 / (1.0 if short1 else w1)
-    c1 = T22 * v2
-    v3 = T12 * v2
-    q1 = _atan2(-v3, c1)
-
-    # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v4 = v1 * a4
-    Z1_3 = T34 - d1 - v4
-    v5 = a1 + c234 * a4
-    Z2_3 = c1 * T14 - v3 * T24 - v5
-    N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-    K3 = N3 - k1
-    D3 = (longest3 - N3) * (N3 - shortest3)
-    apart3 = shortest3_apart < N3 and N3 < longest3_apart
-    if not (shortest3_reach <= N3 and N3 <= longest3_reach):
-        return  # out of reach
-    w3 = math.sqrt(D3 if apart3 else 0.0)
-    c3 = K3 * k2
-
-    # theta2, type 3: U1[1, 4] and U1[2, 4]
-    Y1_2 = a2 + a3 * c3
-    v7 = Z1_3 * Y1_2
-    v9 = Z2_3 * Y1_2
-
-    # is the pose one that the arm can take?
-    v11 = d1 + v4
-    if (
-        not (abs(T33 - c234) <= doubtful_slack and abs(T31 - v1) <= doubtful_slack and abs(T23 - v1
-        * v3) <= doubtful_slack and abs(T21 + c234 * v3) <= doubtful_slack and abs(T11 - c234 * c1)
-        <= doubtful_slack and abs(T13 + v1 * c1) <= doubtful_slack)
-    ):
-        return  # the arm can't take this pose
-
-    for i1 in range(2):  # elbow+, elbow-
-        e1 = 1.0 - 2.0 * i1
-        # theta3
-        if e1 < 0.0 and not apart3:
-            continue  # both signs give the same
-        s3 = w3 * e1 * k2
-        q3 = _atan2(s3, c3)
-
-        # theta2
-        v6 = a3 * s3
-        v8 = Z2_3 * v6 + v7
-        C2 = v9 - Z1_3 * v6
-        w2 = math.sqrt(v8 * v8 + C2 * C2)
-        free2 = w2 <= free_limit_squared2
-        factor2 = 1.0 / (1.0 if free2 else w2)
-        c2 = math.cos(seed[1]) if free2 else C2 * factor2
-        s2 = math.sin(seed[1]) if free2 else -(v8 * factor2)
-        q2 = _atan2(s2, c2)
-
-        # is the pose one that the arm can take?
-        c23 = c3 * c2 - s3 * s2
-        s23 = c3 * s2 + s3 * c2
-        v10 = a3 * c23 + (v5 + a2 * c2)
-        if (
-            not (abs(T34 + (a3 * s23 + (a2 * s2 - v11))) <= doubtful_slack1 and abs(T14 - c1 * v10)
-            <= doubtful_slack1 and abs(T24 + v3 * v10) <= doubtful_slack1)
-        ):
-            continue  # the arm can't take this pose
-
-        # joint values
-        q4 = _wrap(theta234 - (q3 + q2))
-        row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
-        q[row, 3] = q4
-        status[row] = FREE_JOINT if free2 else OK
-
-
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
-
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
-    """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
-
-
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
-
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 10)), np.zeros(6)
-    for i in range(6):
-        for j in range(4):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 4 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(10):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(10):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(10):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(4):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
-
-
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
-
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(4):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(4)
-    held, x, settled = np.zeros(4, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(4):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(4)
-    for i in range(4):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(4):
-        q[i] = values[i]
-    return settled
-
-
 # Between which values starts lie.
 _SPAN_LOW = np.array([
     -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
@@ -760,8 +610,8 @@ def _descend(T, q, u):
     return least
 
 
-@_apart("int64(UniTuple(float64, 12), float64[::1], int64, float64[::1])")
-def _sought(pose, seed, least, q):
+@_apart("int64(UniTuple(float64, 12), float64[::1], float64[::1], int64, float64[::1])")
+def _sought(pose, q_free, seed, least, q):
     """Joint values that serve, into q, if there are some with less wrong than `least`; what is.
 
     Nothing is 0, 1 that they are beyond limits, 2 that they are not exact, 4 that there are none.
@@ -794,7 +644,7 @@ def _sought(pose, seed, least, q):
 
 
 @_inner
-def _seek(pose, seed, begun, q, status):
+def _seek(pose, q_free, seed, begun, q, status):
     """The same into a row, if there is none, or only such as fit a pose that has been rounded."""
     before, chosen = 4, -1
     T, exact = _upper_rows(pose), _exactness(pose)
@@ -811,7 +661,7 @@ def _seek(pose, seed, begun, q, status):
     if before == 0 or (before < 4 and chosen < 0):
         return
     found = np.empty(4)
-    least = _sought(pose, seed.copy(), before, found)
+    least = _sought(pose, q_free.copy(), seed.copy(), before, found)
     if least == before:
         return
     for row in range(2):
@@ -820,388 +670,139 @@ def _seek(pose, seed, begun, q, status):
             q[row, i] = found[i] if row == begun else math.nan
 
 
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(4), np.empty(4), 0, math.inf
-    nearest = 0.001
-    for i in range(4):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
-        return
-    for row in range(2 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(4):
-            q[place, i] = x[i]
-
-
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(2):
-        status[row] = UNREACHABLE
-        for i in range(4):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    begun = 0  # the first row that was not out of reach: here equations may have ended all
-    for row in range(2 - 1, -1, -1):
-        if status[row] != UNREACHABLE:
-            begun = row
+@_apart(_arms.COMPLETES)
+def _complete(pose, q_free, seed, begun, q, status):
+    """Works on all rows where roots nearly meet or rows miss the pose, and looks for lost ones."""
     _tighten(pose, q, status)
-    _seek(pose, seed, begun, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(2):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(4):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
+    if begun >= 0:
+        _seek(pose, q_free, seed, begun, q, status)
 
 
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
-    room = carray(_room(16), 16)
+    for k in range(w):
+        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T33, T34 = kept[8 * w + k], kept[10 * w + k], kept[11 * w + k]
 
-    # theta234, type 3: U0[3, 3] and U0[3, 1]
-    v1 = T31 * T31 + T33 * T33
-    factor234 = math.sqrt(v1) * (1.0 / v1)
+        # theta234, type 3: U0[3, 3] and U0[3, 1]
+        v1 = T31 * T31 + T33 * T33
+        factor234 = math.sqrt(v1) * (1.0 / v1)
 
-    # theta1, type 3: U0[1, 2] and U0[2, 2]
-    v2 = T12 * T12 + T22 * T22
-    v3 = math.sqrt(v2) * (1.0 / v2)
-    c1 = T22 * v3
-    v4 = T12 * v3
+        # theta1, type 3: U0[1, 2] and U0[2, 2]
+        v2 = T12 * T12 + T22 * T22
+        v3 = math.sqrt(v2) * (1.0 / v2)
+        c1 = T22 * v3
+        v4 = T12 * v3
 
-    # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v5 = factor234 * (a4 * T31)
-    Z1_3 = T34 - d1 - v5
-    v6 = a1 + factor234 * (a4 * T33)
-    Z2_3 = c1 * T14 - v4 * T24 - v6
-    N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-    D3 = (longest3 - N3) * (N3 - shortest3)
-    w3 = math.sqrt(D3)
+        # theta3, type 8: U1[2, 4] and U1[1, 4]
+        v5 = factor234 * (a4 * T31)
+        Z1_3 = T34 - d1 - v5
+        v6 = a1 + factor234 * (a4 * T33)
+        Z2_3 = c1 * T14 - v4 * T24 - v6
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3)
 
-    # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v7 = w3 * (m4 * Z2_3)
-    v8 = w3 * (m4 * -Z2_3)
-    v9 = m4 * (Z1_3 * N3)
-    v10 = v7 + v9
-    v11 = v8 + v9
-    v12 = m4 * (Z2_3 * N3)
-    factor2 = 1.0 / N3
-    v13 = m4 * (N3 * -Z1_3)
+        # theta2, type 3: U1[1, 4] and U1[2, 4]
+        v7 = w3 * (m4 * Z2_3)
+        v8 = w3 * (m4 * -Z2_3)
+        v9 = m4 * (Z1_3 * N3)
+        v10 = v7 + v9
+        v11 = v8 + v9
+        v12 = m4 * (Z2_3 * N3)
+        factor2 = 1.0 / N3
+        v13 = m4 * (N3 * -Z1_3)
 
-    # is the pose one that the arm can take?
-    v14 = v6 + Z2_3
-    v15 = d1 + v5
-    v16 = T23 - factor234 * (T31 * v4)
-    v17 = T21 + factor234 * (T33 * v4)
-    v18 = T11 - factor234 * (T33 * c1)
-    v19 = T13 + factor234 * (T31 * c1)
-    v20 = v1 - 1.0
-    v21 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
-    v22 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
-    v23 = T14 - c1 * v14
-    v24 = T24 + v4 * v14
-    v25 = v23 * v23
-    v26 = v24 * v24
-    v27 = v26 + (v25 + v21 * v21)
-    v28 = v26 + (v25 + v22 * v22)
+        # is the pose one that the arm can take?
+        v14 = v6 + Z2_3
+        v15 = d1 + v5
+        v16 = T23 - factor234 * (T31 * v4)
+        v17 = T21 + factor234 * (T33 * v4)
+        v18 = T11 - factor234 * (T33 * c1)
+        v19 = T13 + factor234 * (T31 * c1)
+        v20 = v1 - 1.0
+        v21 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
+        v22 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
+        v23 = T14 - c1 * v14
+        v24 = T24 + v4 * v14
+        v25 = v23 * v23
+        v26 = v24 * v24
+        v27 = v26 + (v25 + v21 * v21)
+        v28 = v26 + (v25 + v22 * v22)
 
-    # joint values
-    v31 = math.sqrt(-1.0)
-    v32 = 0.0 if v27 <= m6 else v31
-    v33 = 0.0 if v28 <= m6 else v31
+        # joint values
+        v31 = math.sqrt(-1.0)
+        v32 = 0.0 if v27 <= m6 else v31
+        v33 = 0.0 if v28 <= m6 else v31
 
-    # a joint is free, or branches meet
-    if (
-        (-m2 <= D3 and D3 <= m3) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 < v16 * v16 + v17 *
-        v17 + v18 * v18 + v19 * v19 + v20 * v20 or (m6 < v27 and v27 <= m7) or (m6 < v28 and v28 <=
-        m7)
-    ):
-        return False
+        # a joint is free, or branches meet
+        kept[16 * w + k] = (
+            1.0 if (-m2 <= D3 and D3 <= m3) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 < v16 *
+            v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20 or (m6 < v27 and v27 <= m7) or (m6 <
+            v28 and v28 <= m7) else kept[16 * w + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], turns[0 * w + k] = w3, v32, v33, -T31
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = w3, -v10, -v11
+        turns[4 * w + k], turns[8 * w + k], turns[9 * w + k] = -T12, T33, N3 - k1
+        turns[10 * w + k], turns[11 * w + k] = v12 - w3 * (m4 * Z1_3), v12 - w3 * (m4 * -Z1_3)
+        turns[12 * w + k] = T22
+    if w == 1 and kept[16] != 0.0:
+        return
+    end = 8 if w == 1 else 5 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(5 * w, end):
+        turns[k] = turns[k + 8 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 8 * w])
+    for k in range(w):
+        w3, v32, v33 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5 = turns[3 * w + k], turns[4 * w + k]
 
-    # angles, side by side
-    room[0] = -T31
-    room[1] = w3
-    room[2] = -v10
-    room[3] = -v11
-    room[4] = -T12
-    room[8] = T33
-    room[9] = N3 - k1
-    room[10] = v12 - w3 * (m4 * Z1_3)
-    room[11] = v12 - w3 * (m4 * -Z1_3)
-    room[12] = T22
-    for k in range(5, 8):
-        room[k] = room[k + 8] = 1.0
-    for k in range(8):
-        room[k] = _atan2(room[k], room[k + 8])
-    angle1 = room[0]
-    angle2 = room[1]
-    angle3 = room[2]
-    angle4 = room[3]
-    angle5 = room[4]
+        # joint values
+        v29 = angle1 - (angle2 + angle3)
+        v30 = angle1 - (angle4 - angle2)
+        v34 = angle5 + (w3 - w3)
+        q1_p = v32 + v34
+        q1_m = v33 + v34
+        q2_p = angle3 + v32
+        q2_m = angle4 + v33
+        q3_p = angle2 + v32
+        q3_m = v33 - angle2
+        q4_p = v32 + (v29 + (turn if v29 <= -half_turn else (-turn if half_turn < v29 else 0.0)))
+        q4_m = v33 + (v30 + (turn if v30 <= -half_turn else (-turn if half_turn < v30 else 0.0)))
 
-    # joint values
-    v29 = angle1 - (angle2 + angle3)
-    v30 = angle1 - (angle4 - angle2)
-    v34 = angle5 + (w3 - w3)
-    q1_p = v32 + v34
-    q1_m = v33 + v34
-    q2_p = angle3 + v32
-    q2_m = angle4 + v33
-    q3_p = angle2 + v32
-    q3_m = v33 - angle2
-    q4_p = v32 + (v29 + (turn if v29 <= -half_turn else (-turn if half_turn < v29 else 0.0)))
-    q4_m = v33 + (v30 + (turn if v30 <= -half_turn else (-turn if half_turn < v30 else 0.0)))
-
-    q[0, 0] = q1_p
-    q[0, 1] = q2_p
-    q[0, 2] = q3_p
-    q[0, 3] = q4_p
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = q1_m
-    q[1, 1] = q2_m
-    q[1, 2] = q3_m
-    q[1, 3] = q4_m
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    return True
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k], rows[3 * w + k] = q1_p, q2_p, q3_p, q4_p
+        rows[4 * w + k], rows[5 * w + k], rows[6 * w + k], rows[7 * w + k] = q1_m, q2_m, q3_m, q4_m
+        rows[8 * w + k] = UNREACHABLE if q1_p != q1_p else OK
+        rows[9 * w + k] = UNREACHABLE if q1_m != q1_m else OK
 
 
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
-        raise ValueError("T, q and status must have shapes (4, 4), (2, 4), (2,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(2):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [640, 656, 672, 688],
-    [704, 720, 736, 752],
+    [0, 1, 2, 3],
+    [4, 5, 6, 7],
 ])
-_KINDS = np.array([768, 784])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(800), 800)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
-            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
-            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
-            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-            xy = x0 * y0 + x1 * y1 + x2 * y2
-            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
-            miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
-                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
-            )
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T11 = work[0 + k]
-            T12 = work[16 + k]
-            T13 = work[32 + k]
-            T14 = work[48 + k]
-            T21 = work[64 + k]
-            T22 = work[80 + k]
-            T23 = work[96 + k]
-            T24 = work[112 + k]
-            T31 = work[128 + k]
-            T33 = work[160 + k]
-            T34 = work[176 + k]
-            v1 = T31 * T31 + T33 * T33
-            factor234 = math.sqrt(v1) * (1.0 / v1)
-            v2 = T12 * T12 + T22 * T22
-            v3 = math.sqrt(v2) * (1.0 / v2)
-            c1 = T22 * v3
-            v4 = T12 * v3
-            v5 = factor234 * (a4 * T31)
-            Z1_3 = T34 - d1 - v5
-            v6 = a1 + factor234 * (a4 * T33)
-            Z2_3 = c1 * T14 - v4 * T24 - v6
-            N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-            D3 = (longest3 - N3) * (N3 - shortest3)
-            w3 = math.sqrt(D3)
-            v7 = w3 * (m4 * Z2_3)
-            v8 = w3 * (m4 * -Z2_3)
-            v9 = m4 * (Z1_3 * N3)
-            v10 = v7 + v9
-            v11 = v8 + v9
-            v12 = m4 * (Z2_3 * N3)
-            factor2 = 1.0 / N3
-            v13 = m4 * (N3 * -Z1_3)
-            v14 = v6 + Z2_3
-            v15 = d1 + v5
-            v16 = T23 - factor234 * (T31 * v4)
-            v17 = T21 + factor234 * (T33 * v4)
-            v18 = T11 - factor234 * (T33 * c1)
-            v19 = T13 + factor234 * (T31 * c1)
-            v20 = v1 - 1.0
-            v21 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
-            v22 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
-            v23 = T14 - c1 * v14
-            v24 = T24 + v4 * v14
-            v25 = v23 * v23
-            v26 = v24 * v24
-            v27 = v26 + (v25 + v21 * v21)
-            v28 = v26 + (v25 + v22 * v22)
-            v31 = math.sqrt(-1.0)
-            v32 = 0.0 if v27 <= m6 else v31
-            v33 = 0.0 if v28 <= m6 else v31
-            work[272 + k] = v2
-            work[288 + k] = N3
-            work[304 + k] = D3
-            work[320 + k] = w3
-            work[336 + k] = v16
-            work[352 + k] = v17
-            work[368 + k] = v18
-            work[384 + k] = v19
-            work[400 + k] = v20
-            work[416 + k] = v27
-            work[432 + k] = v28
-            work[448 + k] = v32
-            work[464 + k] = v33
-            work[480 + k] = -T31
-            work[496 + k] = w3
-            work[512 + k] = -v10
-            work[528 + k] = -v11
-            work[544 + k] = -T12
-            work[560 + k] = T33
-            work[576 + k] = N3 - k1
-            work[592 + k] = v12 - w3 * (m4 * Z1_3)
-            work[608 + k] = v12 - w3 * (m4 * -Z1_3)
-            work[624 + k] = T22
-        for k in range(480, 560):
-            work[k] = _atan2(work[k], work[k + 80])
-        for k in range(0, 16):
-            v2 = work[272 + k]
-            N3 = work[288 + k]
-            D3 = work[304 + k]
-            w3 = work[320 + k]
-            v16 = work[336 + k]
-            v17 = work[352 + k]
-            v18 = work[368 + k]
-            v19 = work[384 + k]
-            v20 = work[400 + k]
-            v27 = work[416 + k]
-            v28 = work[432 + k]
-            v32 = work[448 + k]
-            v33 = work[464 + k]
-            angle1 = work[480 + k]
-            angle2 = work[496 + k]
-            angle3 = work[512 + k]
-            angle4 = work[528 + k]
-            angle5 = work[544 + k]
-            v29 = angle1 - (angle2 + angle3)
-            v30 = angle1 - (angle4 - angle2)
-            v34 = angle5 + (w3 - w3)
-            q1_p = v32 + v34
-            q1_m = v33 + v34
-            q2_p = angle3 + v32
-            q2_m = angle4 + v33
-            q3_p = angle2 + v32
-            q3_m = v33 - angle2
-            q4_p = (
-                v32 + (v29 + (turn if v29 <= -half_turn else (-turn if half_turn < v29 else 0.0)))
-            )
-            q4_m = (
-                v33 + (v30 + (turn if v30 <= -half_turn else (-turn if half_turn < v30 else 0.0)))
-            )
-            _640 = q1_p
-            work[640 + k] = _640
-            _656 = q2_p
-            work[656 + k] = _656
-            _672 = q3_p
-            work[672 + k] = _672
-            _688 = q4_p
-            work[688 + k] = _688
-            _704 = q1_m
-            work[704 + k] = _704
-            _720 = q2_m
-            work[720 + k] = _720
-            _736 = q3_m
-            work[736 + k] = _736
-            _752 = q4_m
-            work[752 + k] = _752
-            work[768 + k] = UNREACHABLE if _640 != _640 else OK
-            work[784 + k] = UNREACHABLE if _704 != _704 else OK
-            work[256 + k] = (
-                1.0 if (-m2 <= D3 and D3 <= m3) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 <
-                v16 * v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20 or (m6 < v27 and v27 <=
-                m7) or (m6 < v28 and v28 <= m7) else work[256 + k]
-            )
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(2):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(4):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", "_complete"),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 20, 16, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach, or one that 4 joints can't take",
@@ -1209,6 +810,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

@@ -27,15 +27,8 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
-_read_rows = _runtime("pose").read_pose
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _of_joints = _runtime("entry").of_joints(_HOW, 6)
 
 NAME = "manseur_doty"
@@ -83,16 +76,23 @@ ca2 = 0.9998476951563913  # cosine of twist 2
 sa2 = 0.01745240643728351  # sine of twist 2
 d3 = 0.2  # joint offset 3 [m]
 a4 = 1.5  # link length 4 [m]
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(),
+        rows=16,
+        directions='rotation',
+        miss_weights=(0.3333, 0.3333, 0.3333, 1.0, 1.0, 1.0),
+        size=3.0,
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -254,43 +254,41 @@ def jacobian(q):
     return J
 
 
-_arms = import_module(f"{_FOLDER}.dhgen_runtime.numerical.arm")
+_joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
-_WHOLE = _arms.Arm(
+_LINKS = _joints.Arm(
     rows=16,
     size=3.0,
     coordinates=(0, 1, 2),
     directions='rotation',
     joints=(
-        _arms.Joint(place=0),
-        _arms.Joint(place=1),
-        _arms.Joint(place=2),
-        _arms.Joint(place=3),
-        _arms.Joint(place=4),
-        _arms.Joint(place=5),
+        _joints.Joint(place=0),
+        _joints.Joint(place=1),
+        _joints.Joint(place=2),
+        _joints.Joint(place=3),
+        _joints.Joint(place=4),
+        _joints.Joint(place=5),
     ),
     base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
     chain=(
-        _arms.ChainJoint((1.0, 0.0, 0.0, 0.3, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0)),
-        _arms.ChainJoint((
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.3, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0)),
+        _joints.ChainJoint((
             1.0, 0.0, 0.0, 1.0, 0.0, 0.9998476951563913, -0.01745240643728351, 0.0, 0.0,
             0.01745240643728351, 0.9998476951563913, 0.0,
         )),
-        _arms.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.2)),
-        _arms.ChainJoint((
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.2)),
+        _joints.ChainJoint((
             1.0, 0.0, 0.0, 1.5, 0.0, 0.9998476951563913, -0.01745240643728351, 0.0, 0.0,
             0.01745240643728351, 0.9998476951563913, 0.0,
         )),
-        _arms.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0)),
-        _arms.ChainJoint((
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0)),
+        _joints.ChainJoint((
             1.0, 0.0, 0.0, 0.0, 0.0, 0.9998476951563913, -0.01745240643728351, 0.0, 0.0,
             0.01745240643728351, 0.9998476951563913, 0.0,
         )),
     ),
 )
-_loops = import_module(f"{_FOLDER}.dhgen_runtime.general.arm")
-_solver = import_module(f"{_FOLDER}.dhgen_runtime.general.rows")
-_compiled = import_module(f"{_FOLDER}.dhgen_runtime.general.compiled")
+_loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
     size=1.438108007528137,
@@ -336,22 +334,16 @@ _LOOP = _loops.Loop(
         _loops.Formulation(joints=(5, 4, 3, 2, 1, 0), sign=-1.0),
     ),
 )
-_ARM = _loops.general_numbers(_WHOLE, _LOOP)
+_NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
+_all_joints = _runtime("general.rows").all_joints
 _NO_FREE = np.zeros(0)
-_solved_whole = _solver.all_joints
 
 
-@_inner
-def _all_joints(pose, seed):
-    """All solutions, which rows hold one, and where a joint was indeterminate."""
-    return _solved_whole(_ARM, pose, _NO_FREE, seed)
-
-
-@_inner
-def _solve(pose, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     # all joints: the general 6R loop
-    solution_roots, solution_found, solution_chosen = _all_joints(pose, seed)
+    solution_roots, solution_found, solution_chosen = _all_joints(_NUMBERS, pose, _NO_FREE, seed)
 
     for i1 in range(16):  # root1 to root16
         q1 = solution_roots[i1, 0]
@@ -375,59 +367,18 @@ def _solve(pose, seed, q, status):
         status[row] = FREE_JOINT if chosen else OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
-
-
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(16):
-        status[row] = UNREACHABLE
-        for i in range(6):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    count = 0
-    for row in range(16):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(6):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], q[row, i])
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (16, 6) or status.shape != (16,):
-        raise ValueError("T, q and status must have shapes (4, 4), (16, 6), (16,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    return _whole(pose, seed, q, status)
-
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=None,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=None,
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart, _compiled.compile_apart),
+        apart=(_whole.compile_apart,),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach",

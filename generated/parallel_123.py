@@ -27,17 +27,12 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
-_read_rows = _runtime("pose").read_pose
+_circle = _runtime("circle_roots")
+_circle_roots = _circle.circle_roots
 _of_joints = _runtime("entry").of_joints(_HOW, 6)
 
 NAME = "parallel_123"
@@ -121,130 +116,36 @@ k18 = 0.55  # d4 * 2 + d5 [m]
 k19 = 0.25980762113533157  # d5 * sqrt3 [m]
 f1 = 0.23  # d1 + d2 + d3 [m]
 g1 = 0.23  # d1 + d2 + d3 [m]
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(
+            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
+            0.09817477042468103, 0.09817477042468103,
+        ),
+        rows=8,
+        directions='rotation',
+        miss_weights=(0.625, 0.625, 0.625, 1.0, 1.0, 1.0),
+        size=1.5999999999999999,
+        entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
+        steps=('retries', 'completes', 'merges', 'follows seed'),
+        choosable=(5, 2, 1, 0),
+        cuts=52,
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 
 
-
-
-@_inner
-def _horner(p0, p1, p2, p3, p4, t):
-    return (((p4 * t + p3) * t + p2) * t + p1) * t + p0
-
-
-@_inner
-def _bracketed(p0, p1, p2, p3, p4, low, high, at_low):
-    """The root between two points with values of unlike sign."""
-    t = 0.5 * (low + high)
-    for _ in range(100):
-        value = _horner(p0, p1, p2, p3, p4, t)
-        slope = ((4.0 * p4 * t + 3.0 * p3) * t + 2.0 * p2) * t + p1
-        if (value < 0.0) == (at_low < 0.0):
-            low = t
-        else:
-            high = t
-        following = t - value / slope if slope != 0.0 else low
-        if not low < following < high:
-            following = 0.5 * (low + high)
-        if abs(following - t) <= 2e-16 * abs(t):
-            return following
-        t = following
-    return t
-
-
-@_inner
-def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
-    """Roots, into `found`, of a polynomial that is monotone between neighbouring edges."""
-    roots = 0
-    before, at_before = edges[0], _horner(p0, p1, p2, p3, p4, edges[0])
-    for k in range(1, count):
-        edge = edges[k]
-        value = _horner(p0, p1, p2, p3, p4, edge)
-        size = 1.0 + edge * edge
-        if k < count - 1 and abs(value) <= tolerance * size * size:
-            value = 0.0
-        if at_before * value < 0.0:
-            found[roots] = _bracketed(p0, p1, p2, p3, p4, before, edge, at_before)
-            roots += 1
-        elif value == 0.0 and k < count - 1:
-            found[roots] = edge
-            roots += 1
-        before, at_before = edge, value
-    return roots
-
-
-@_inner
-def _circle_roots(a0, a1, b1, a2, b2, rounding, moved):
-    """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
-
-    Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
-    leading coefficient; its roots lie between those of its derivative, those between the
-    roots of the second derivative. Second comes which are close, where the slope is small: one may
-    stand for two, or has another beside it. Rounding may add so much to values. All roots are moved
-    by an angle in the end.
-    """
-    x, close = np.full(4, math.nan), np.zeros(4, np.bool_)
-    size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
-    if not (size > 0.0 and math.isfinite(size)):
-        return x, close
-    best, apart = -1.0, 0.0
-    for k in range(16):
-        at = turn * k / 16
-        c, s = math.cos(at), math.sin(at)
-        value = abs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s)
-        if value > best:
-            best, apart = value, at
-    c, s = -math.cos(apart), -math.sin(apart)
-    u1, v1 = a1 * c + b1 * s, b1 * c - a1 * s
-    c2, s2 = c * c - s * s, 2.0 * c * s
-    u2, v2 = a2 * c2 + b2 * s2, b2 * c2 - a2 * s2
-    lead = a0 - u1 + u2
-    p0, p1 = (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead
-    p2, p3 = 2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead
-    bound = 1.0 + max(abs(p0), abs(p1), abs(p2), abs(p3))
-    edges, extrema = np.empty(5), np.empty(4)
-    half = 0.25 * p3
-    square = half * half - p2 / 6.0
-    count = 0
-    edges[0] = -bound
-    if square > 0.0:
-        edges[1], edges[2] = -half - math.sqrt(square), -half + math.sqrt(square)
-        count = 2
-    edges[count + 1] = bound
-    count = _between(p1, 2.0 * p2, 3.0 * p3, 4.0, 0.0, edges, count + 2, 0.0, extrema)
-    for k in range(count):
-        edges[k + 1] = extrema[k]
-    edges[count + 1] = bound
-    tolerance = (1e-13 * size + rounding) / abs(lead)
-    count = _between(p0, p1, p2, p3, 1.0, edges, count + 2, tolerance, x)
-    for k in range(count):
-        at = apart + 0.5 * turn + 2.0 * math.atan(x[k])
-        c, s = math.cos(at), math.sin(at)
-        slope = b1 * c - a1 * s + 2.0 * b2 * (c * c - s * s) - 4.0 * a2 * c * s
-        flat = abs(slope) <= 0.0001 * size
-        if not flat:
-            at -= (a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s) / slope
-        at -= turn * math.ceil(at / turn - 0.5)
-        place = k
-        while place > 0 and x[place - 1] > at:
-            x[place], close[place] = x[place - 1], close[place - 1]
-            place -= 1
-        x[place], close[place] = at, flat
-    for k in range(4):
-        x[k] += moved
-    return x, close
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
@@ -400,83 +301,225 @@ def jacobian(q):
     return J
 
 
-_CLOSE = 64  # roots nearly meet: the row may stand between two solutions
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta6, type 9: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3]
+    R1_6 = T31 * a6 + (T33 * k3 + (k4 - T34))
+    R1c6 = T31 * a5 + sa5 * (T32 * d5)
+    R1s6 = T31 * k5 - T32 * a5
+    v1 = T33 * ca5
+    v2 = T32 * sa5
+    v3 = T31 * sa5
+    v4 = a4 * v1
+    v5 = a4 * v2
+    v6 = a4 * v3
+    v7 = k2 * R1_6
+    v8 = k2 * R1c6
+    v9 = k2 * R1s6
+    v10 = v5 * v5
+    v11 = v6 * v6
+    v12 = 2.0 * v4
+    v13 = v8 * v8
+    v14 = v9 * v9
+    v15 = 2.0 * v7
+    v16 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14))
+    v17 = v5 * v12 + v8 * v15
+    v18 = v6 * v12 + v9 * v15
+    v19 = k1 * (v10 - v11) + k1 * (v13 - v14)
+    v20 = v5 * v6 + v8 * v9
+    v21 = v16 - k6
+    v22 = abs(v21) + abs(v17) + abs(v18) + abs(v19) + abs(v20)
+    free6 = v22 <= free_limit2
+    v23 = square_rounding * (v16 + k6)
+    x6_roots, x6_close = _circle_roots(1.0 if free6 else v21, -1.0 if free6 else v17, 0.0 if free6
+        else v18, 0.0 if free6 else v19, 0.0 if free6 else v20, v23, moved)
+    v26 = math.cos(seed[5]) * math.cos(seed[5]) - math.sin(seed[5]) * math.sin(seed[5])
+    v27 = 2.0 * (math.cos(seed[5]) * math.sin(seed[5]))
+    v28 = 2.0 * v20
+    v29 = 2.0 * v19
+    v31 = v22 * near_limit
+    v32 = v26 * v28 + (v18 * math.cos(seed[5]) - v17 * math.sin(seed[5])) - v27 * v29
+    v33 = (
+        abs(v21 + (v20 * v27 + (v19 * v26 + (v17 * math.cos(seed[5]) + v18 * math.sin(seed[5])))))
+        <= v23 + v22 * double_root
+    )
+
+    # theta123, type 3: U0 (A5 A6)^-1 [2, 3] and U0 (A5 A6)^-1 [1, 3]
+    v35 = sa5 * T22
+    v36 = sa5 * T21
+    v37 = ca5 * T23
+    v38 = sa5 * T12
+    v39 = sa5 * T11
+    v40 = ca5 * T13
+    v41 = seed[0] + seed[1] + seed[2]
+
+    # theta5, type 3: U3[3, 3] and U4[1, 3]
+    v42 = 2.0 * T23
+    v43 = 2.0 * T13
+
+    # theta2, type 8: U0[1, 4] and U0[2, 4]
+    v55 = 2.0 * T14
+    v56 = 2.0 * T24
+
+    # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
+    wy = T24 - a6 * T21 - d6 * T23
+    v58 = 2.0 * wy
+    wx = T14 - a6 * T11 - d6 * T13
+    v59 = 2.0 * wx
+
+    for i1 in range(4):  # root1, root2, root3, root4
+        x6 = x6_roots[i1]
+        # theta6
+        if not (x6 <= 4.0):
+            continue  # out of reach
+        v24 = math.cos(x6)
+        v25 = math.sin(x6)
+        v30 = (v24 * v24 - v25 * v25) * v28 + (v18 * v24 - v17 * v25) - 2.0 * (v24 * v25) * v29
+        near6 = abs(v30) <= v31
+        same6 = (
+            -(double_root * (v22 * v22)) <= v30 * v32 and 0.0 < v24 * math.cos(seed[5]) + v25 *
+            math.sin(seed[5]) and abs(v24 * math.sin(seed[5]) - v25 * math.cos(seed[5])) <=
+            near_limit and near6 and v33
+        )
+        v34 = seed[5] if same6 else x6
+        q6 = seed[5] if free6 else v34
+        c6 = math.cos(q6)
+        s6 = math.sin(q6)
+
+        # theta4, type 3: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3]
+        s4 = k2 * (R1_6 + (R1c6 * c6 + R1s6 * s6)) * k7
+        c4 = a4 * (v1 + (v2 * c6 + v3 * s6)) * k7
+        q4 = _atan2(s4, c4)
+
+        # theta123
+        X1_123 = k1 * (sqrt3 * s4)
+        Z1_123 = c6 * v35 + s6 * v36 + v37
+        Z2_123 = c6 * v38 + s6 * v39 + v40
+        S123 = X1_123 * Z1_123 + k1 * Z2_123
+        C123 = X1_123 * Z2_123 - k1 * Z1_123
+        w123 = math.sqrt(S123 * S123 + C123 * C123)
+        free123 = w123 <= free_limit_squared
+        near123 = w123 <= near_limit_squared
+        factor123 = 1.0 / (1.0 if free123 else w123)
+        c123 = math.cos(v41) if free123 else C123 * factor123
+        s123 = math.sin(v41) if free123 else S123 * factor123
+        theta123 = _atan2(s123, c123)
+
+        # theta5
+        s5 = k8 * (c123 * (c4 * T13) + s123 * (c4 * T23) + T33 * s4) * k9
+        v44 = sa5 * (k1 * (s123 * v43 - c123 * v42 - ca5)) * k9
+        q5 = _atan2(s5, -v44)
+
+        # theta2
+        v45 = a5 + a6 * c6
+        v46 = s6 * k10 - k11
+        v47 = c4 * (2.0 * v45) + s4 * -v46
+        v48 = sqrt3 * v46
+        v49 = c4 * (2.0 * v46) + s4 * v45
+        v50 = sqrt3 * v45
+        v51 = c4 * k12
+        v52 = s6 * k13
+        v53 = k12 + (v51 + s4 * (sqrt3 * (v52 + k14)))
+        v54 = v52 + k15
+        Z1_2 = (
+            k1 * (v44 * (c123 * v47 + s123 * v48) + s5 * (c123 * v49 - s123 * v50) + (v55 - (c123 *
+            v53 + s123 * v54)))
+        )
+        Z2_2 = (
+            k1 * (s5 * (c123 * v50 + s123 * v49) - v44 * (c123 * v48 - s123 * v47) + (c123 * v54 -
+            s123 * v53 + v56))
+        )
+        N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
+        K2 = N2 - k16
+        D2 = (longest2 - N2) * (N2 - shortest2)
+        apart2 = shortest2_apart < N2 and N2 < longest2_apart
+        if not (shortest2_reach <= N2 and N2 <= longest2_reach):
+            if near6:
+                status[2 * i1] = _status.NEARLY + 6
+                q[2 * i1, 0] = D2
+                q[2 * i1, 1] = v34
+            if free6:
+                status[2 * i1] = _status.LOST + 6
+                q[2 * i1, 0] = D2
+            if free123:
+                status[2 * i1] = _status.LOST + 1
+                q[2 * i1, 0] = D2
+            if free123:
+                status[2 * i1] = _status.LOST + 2
+                q[2 * i1, 0] = D2
+            if free123:
+                status[2 * i1] = _status.LOST + 3
+                q[2 * i1, 0] = D2
+            continue  # out of reach
+        w2 = math.sqrt(D2 if apart2 else 0.0)
+        c2 = K2 * k17
+
+        # theta1
+        X1_1 = a1 + a2 * c2
+        v57 = k12 + (v51 + s4 * k19)
+        Z1_1 = (
+            k1 * (v44 * (2.0 * (a5 * (c4 * s123))) + s5 * (a5 * (sqrt3 * c123 + s4 * s123)) + (c123
+            * k18 - s123 * v57 + v58))
+        )
+        Z2_1 = (
+            k1 * (v44 * (2.0 * (a5 * (c4 * c123))) + s5 * (a5 * (s4 * c123 - sqrt3 * s123)) + (v59 -
+            (c123 * v57 + s123 * k18)))
+        )
+        v60 = X1_1 * Z1_1
+        v61 = X1_1 * Z2_1
+
+        for i2 in range(2):  # right, left
+            e2 = 1.0 - 2.0 * i2
+            # theta2
+            if (
+                e2 < 0.0 and (not apart2 or (near6 and not (shortest2_clear < N2 and N2 <
+                longest2_clear)))
+            ):
+                continue  # both signs give the same
+            s2 = w2 * e2 * k17
+            q2 = _atan2(s2, c2)
+
+            # theta1
+            Y1_1 = a2 * s2
+            S1 = v60 - Y1_1 * Z2_1
+            C1 = v61 + Y1_1 * Z1_1
+            w1 = math.sqrt(S1 * S1 + C1 * C1)
+            free1 = w1 <= free_limit_squared2
+            near1 = w1 <= near_limit_squared2
+            factor1 = 1.0 / (1.0 if free1 else w1)
+            c1 = math.cos(seed[0]) if free1 else C1 * factor1
+            s1 = math.sin(seed[0]) if free1 else S1 * factor1
+            q1 = _atan2(s1, c1)
+
+            # joint values
+            q3 = _wrap(theta123 - (q2 + q1))
+            row = 2 * i1 + i2
+            q[row, 0] = q1
+            q[row, 1] = q2
+            q[row, 2] = q3
+            q[row, 3] = q4
+            q[row, 4] = q5
+            q[row, 5] = q6
+            status[row] = (
+                FREE_JOINT if free123 or free1 or free6 else _status.CLOSE if x6_close[i1] or near6
+                or near123 or near1 else OK
+            )
 
 
-_LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
-_NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
+_inner, _apart = _HOW.inner, _HOW.apart
+_room, carray = _runtime("jit").room, _runtime("jit").carray
+_CLOSE = _status.CLOSE
+_measured, _refined = _runtime("refine").missed_by, _runtime("refine").refine
+_robot = _HOW.addresses("_solve", "fk", "jacobian", None)
 
 
 @_inner
 def _missed_by(pose, q):
     """By how much joint values miss the entries that count: the root of the sum of squares."""
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - x2_y * s3
-    x3_y = x2_y * c3 + x2_x * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4
-    x4_y = x3_y * c4
-    v1 = x3_x * s4
-    v2 = x3_y * s4
-    y4_z = c4 * k1
-    y4_x = x3_y * k2 - v1 * k1
-    y4_y = -x3_x * k2 - v2 * k1
-    v3 = c4 * k2
-    z4_x = v1 * k2 + x3_y * k1
-    z4_y = v2 * k2 + -x3_x * k1
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + y4_x * s5
-    x5_y = x4_y * c5 + y4_y * s5
-    x5_z = s4 * c5 + y4_z * s5
-    v4 = y4_x * c5 - x4_x * s5
-    v5 = y4_y * c5 - x4_y * s5
-    v6 = y4_z * c5 - s4 * s5
-    y5_x = v4 * ca5 + z4_x * sa5
-    y5_y = v5 * ca5 + z4_y * sa5
-    y5_z = v6 * ca5 - v3 * sa5
-    z5_x = z4_x * ca5 - v4 * sa5
-    z5_y = z4_y * ca5 - v5 * sa5
-    v7 = v6 * sa5 + v3 * ca5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    x6_x = x5_x * c6 + y5_x * s6
-    x6_y = x5_y * c6 + y5_y * s6
-    x6_z = x5_z * c6 + y5_z * s6
-    miss = 0.0
-    off = x6_x - pose[0]
-    miss += (1.0 * off) ** 2
-    off = z5_x - pose[2]
-    miss += (1.0 * off) ** 2
-    off = (
-        c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 + x3_y * d4 + x5_x * a5 + z4_x * d5 + x6_x * a6
-        + z5_x * d6 - pose[3]
-    )
-    miss += (0.625 * off) ** 2
-    off = x6_y - pose[4]
-    miss += (1.0 * off) ** 2
-    off = z5_y - pose[6]
-    miss += (1.0 * off) ** 2
-    off = (
-        s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 + -x3_x * d4 + x5_y * a5 + z4_y * d5 + x6_y * a6
-        + z5_y * d6 - pose[7]
-    )
-    miss += (0.625 * off) ** 2
-    off = x6_z - pose[8]
-    miss += (1.0 * off) ** 2
-    off = -v7 - pose[10]
-    miss += (1.0 * off) ** 2
-    off = f1 + s4 * a4 + x5_z * a5 - v3 * d5 + x6_z * a6 - v7 * d6 - pose[11]
-    miss += (0.625 * off) ** 2
-    return math.sqrt(miss)
+    return _measured(_ARM, _robot(), pose, q)
 
 
 # The joints that are solved for, and whether they turn; what a step of one means, in rad or
@@ -786,408 +829,6 @@ def _tighten(pose, q, status):
 
 
 @_inner
-def _solve(pose, seed, moved, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-
-    The first value of a row that is _LOST says how far it is from a solution (negative).
-    """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
-
-    # theta6, type 9: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3]
-    R1_6 = T31 * a6 + (T33 * k3 + (k4 - T34))
-    R1c6 = T31 * a5 + sa5 * (T32 * d5)
-    R1s6 = T31 * k5 - T32 * a5
-    v1 = T33 * ca5
-    v2 = T32 * sa5
-    v3 = T31 * sa5
-    v4 = a4 * v1
-    v5 = a4 * v2
-    v6 = a4 * v3
-    v7 = k2 * R1_6
-    v8 = k2 * R1c6
-    v9 = k2 * R1s6
-    v10 = v5 * v5
-    v11 = v6 * v6
-    v12 = 2.0 * v4
-    v13 = v8 * v8
-    v14 = v9 * v9
-    v15 = 2.0 * v7
-    v16 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14))
-    v17 = v5 * v12 + v8 * v15
-    v18 = v6 * v12 + v9 * v15
-    v19 = k1 * (v10 - v11) + k1 * (v13 - v14)
-    v20 = v5 * v6 + v8 * v9
-    v21 = v16 - k6
-    v22 = abs(v21) + abs(v17) + abs(v18) + abs(v19) + abs(v20)
-    free6 = v22 <= free_limit2
-    v23 = square_rounding * (v16 + k6)
-    x6_roots, x6_close = _circle_roots(1.0 if free6 else v21, -1.0 if free6 else v17, 0.0 if free6
-        else v18, 0.0 if free6 else v19, 0.0 if free6 else v20, v23, moved)
-    v26 = math.cos(seed[5]) * math.cos(seed[5]) - math.sin(seed[5]) * math.sin(seed[5])
-    v27 = 2.0 * (math.cos(seed[5]) * math.sin(seed[5]))
-    v28 = 2.0 * v20
-    v29 = 2.0 * v19
-    v31 = v22 * near_limit
-    v32 = v26 * v28 + (v18 * math.cos(seed[5]) - v17 * math.sin(seed[5])) - v27 * v29
-    v33 = (
-        abs(v21 + (v20 * v27 + (v19 * v26 + (v17 * math.cos(seed[5]) + v18 * math.sin(seed[5])))))
-        <= v23 + v22 * double_root
-    )
-
-    # theta123, type 3: U0 (A5 A6)^-1 [2, 3] and U0 (A5 A6)^-1 [1, 3]
-    v35 = sa5 * T22
-    v36 = sa5 * T21
-    v37 = ca5 * T23
-    v38 = sa5 * T12
-    v39 = sa5 * T11
-    v40 = ca5 * T13
-    v41 = seed[0] + seed[1] + seed[2]
-
-    # theta5, type 3: U3[3, 3] and U4[1, 3]
-    v42 = 2.0 * T23
-    v43 = 2.0 * T13
-
-    # theta2, type 8: U0[1, 4] and U0[2, 4]
-    v55 = 2.0 * T14
-    v56 = 2.0 * T24
-
-    # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
-    wy = T24 - a6 * T21 - d6 * T23
-    v58 = 2.0 * wy
-    wx = T14 - a6 * T11 - d6 * T13
-    v59 = 2.0 * wx
-
-    for i1 in range(4):  # root1, root2, root3, root4
-        x6 = x6_roots[i1]
-        # theta6
-        if not (x6 <= 4.0):
-            continue  # out of reach
-        v24 = math.cos(x6)
-        v25 = math.sin(x6)
-        v30 = (v24 * v24 - v25 * v25) * v28 + (v18 * v24 - v17 * v25) - 2.0 * (v24 * v25) * v29
-        near6 = abs(v30) <= v31
-        same6 = (
-            -(double_root * (v22 * v22)) <= v30 * v32 and 0.0 < v24 * math.cos(seed[5]) + v25 *
-            math.sin(seed[5]) and abs(v24 * math.sin(seed[5]) - v25 * math.cos(seed[5])) <=
-            near_limit and near6 and v33
-        )
-        v34 = seed[5] if same6 else x6
-        q6 = seed[5] if free6 else v34
-        c6 = math.cos(q6)
-        s6 = math.sin(q6)
-
-        # theta4, type 3: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3]
-        s4 = k2 * (R1_6 + (R1c6 * c6 + R1s6 * s6)) * k7
-        c4 = a4 * (v1 + (v2 * c6 + v3 * s6)) * k7
-        q4 = _atan2(s4, c4)
-
-        # theta123
-        X1_123 = k1 * (sqrt3 * s4)
-        Z1_123 = c6 * v35 + s6 * v36 + v37
-        Z2_123 = c6 * v38 + s6 * v39 + v40
-        S123 = X1_123 * Z1_123 + k1 * Z2_123
-        C123 = X1_123 * Z2_123 - k1 * Z1_123
-        w123 = math.sqrt(S123 * S123 + C123 * C123)
-        free123 = w123 <= free_limit_squared
-        near123 = w123 <= near_limit_squared
-        factor123 = 1.0 / (1.0 if free123 else w123)
-        c123 = math.cos(v41) if free123 else C123 * factor123
-        s123 = math.sin(v41) if free123 else S123 * factor123
-        theta123 = _atan2(s123, c123)
-
-        # theta5
-        s5 = k8 * (c123 * (c4 * T13) + s123 * (c4 * T23) + T33 * s4) * k9
-        v44 = sa5 * (k1 * (s123 * v43 - c123 * v42 - ca5)) * k9
-        q5 = _atan2(s5, -v44)
-
-        # theta2
-        v45 = a5 + a6 * c6
-        v46 = s6 * k10 - k11
-        v47 = c4 * (2.0 * v45) + s4 * -v46
-        v48 = sqrt3 * v46
-        v49 = c4 * (2.0 * v46) + s4 * v45
-        v50 = sqrt3 * v45
-        v51 = c4 * k12
-        v52 = s6 * k13
-        v53 = k12 + (v51 + s4 * (sqrt3 * (v52 + k14)))
-        v54 = v52 + k15
-        Z1_2 = (
-            k1 * (v44 * (c123 * v47 + s123 * v48) + s5 * (c123 * v49 - s123 * v50) + (v55 - (c123 *
-            v53 + s123 * v54)))
-        )
-        Z2_2 = (
-            k1 * (s5 * (c123 * v50 + s123 * v49) - v44 * (c123 * v48 - s123 * v47) + (c123 * v54 -
-            s123 * v53 + v56))
-        )
-        N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
-        K2 = N2 - k16
-        D2 = (longest2 - N2) * (N2 - shortest2)
-        apart2 = shortest2_apart < N2 and N2 < longest2_apart
-        if not (shortest2_reach <= N2 and N2 <= longest2_reach):
-            if near6:
-                status[2 * i1] = _NEARLY + 6
-                q[2 * i1, 0] = D2
-                q[2 * i1, 1] = v34
-            if free6:
-                status[2 * i1] = _LOST + 6
-                q[2 * i1, 0] = D2
-            if free123:
-                status[2 * i1] = _LOST + 1
-                q[2 * i1, 0] = D2
-            if free123:
-                status[2 * i1] = _LOST + 2
-                q[2 * i1, 0] = D2
-            if free123:
-                status[2 * i1] = _LOST + 3
-                q[2 * i1, 0] = D2
-            continue  # out of reach
-        w2 = math.sqrt(D2 if apart2 else 0.0)
-        c2 = K2 * k17
-
-        # theta1
-        X1_1 = a1 + a2 * c2
-        v57 = k12 + (v51 + s4 * k19)
-        Z1_1 = (
-            k1 * (v44 * (2.0 * (a5 * (c4 * s123))) + s5 * (a5 * (sqrt3 * c123 + s4 * s123)) + (c123
-            * k18 - s123 * v57 + v58))
-        )
-        Z2_1 = (
-            k1 * (v44 * (2.0 * (a5 * (c4 * c123))) + s5 * (a5 * (s4 * c123 - sqrt3 * s123)) + (v59 -
-            (c123 * v57 + s123 * k18)))
-        )
-        v60 = X1_1 * Z1_1
-        v61 = X1_1 * Z2_1
-
-        for i2 in range(2):  # right, left
-            e2 = 1.0 - 2.0 * i2
-            # theta2
-            if (
-                e2 < 0.0 and (not apart2 or (near6 and not (shortest2_clear < N2 and N2 <
-                longest2_clear)))
-            ):
-                continue  # both signs give the same
-            s2 = w2 * e2 * k17
-            q2 = _atan2(s2, c2)
-
-            # theta1
-            Y1_1 = a2 * s2
-            S1 = v60 - Y1_1 * Z2_1
-            C1 = v61 + Y1_1 * Z1_1
-            w1 = math.sqrt(S1 * S1 + C1 * C1)
-            free1 = w1 <= free_limit_squared2
-            near1 = w1 <= near_limit_squared2
-            factor1 = 1.0 / (1.0 if free1 else w1)
-            c1 = math.cos(seed[0]) if free1 else C1 * factor1
-            s1 = math.sin(seed[0]) if free1 else S1 * factor1
-            q1 = _atan2(s1, c1)
-
-            # joint values
-            q3 = _wrap(theta123 - (q2 + q1))
-            row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
-            q[row, 3] = q4
-            q[row, 4] = q5
-            q[row, 5] = q6
-            status[row] = (
-                FREE_JOINT if free123 or free1 or free6 else _CLOSE if x6_close[i1] or near6 or
-                near123 or near1 else OK
-            )
-
-
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
-
-
-@_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % turn, angle)
-
-
-_CHOOSABLE = (5, 2, 1, 0,)  # joints, from 0, that may be free
-
-
-@_inner
-def _serves(search, q, status):
-    """Whether a row was solved, as exactly as poses may be rounded."""
-    return status[search[0]] != UNREACHABLE and status[search[0]] < _LOST
-
-
-@_inner
-def _shortfall(pose, row, q, status):
-    """How far a row is from a solution: 0 if it is solved.
-    """
-    if status[row] >= _LOST:
-        return q[row, 0]
-    return -math.inf if status[row] == UNREACHABLE else 0.0
-
-
-@_inner
-def _attempt(pose, seed, search, moved, q, status):
-    """Solves with a joint moved: 0 if it serves, else less.
-
-    A search is a row, the joint that had been chosen, whether limits count, and by how much roots
-    are moved.
-    """
-    row, joint = search[0], search[1]
-    for i in range(8):
-        status[i] = UNREACHABLE
-    kept = seed[joint]
-    seed[joint] = kept + moved
-    _solve(pose, seed, search[3], q, status)
-    seed[joint] = kept
-    return _shortfall(pose, row, q, status)
-
-
-@_inner
-def _peak(pose, seed, search, low, high, q, status):
-    """Golden section for the move between low and high that comes nearest, or one that serves."""
-    for _ in range(52):
-        third = 0.3819660112501051 * (high - low)
-        left = _attempt(pose, seed, search, low + third, q, status)
-        right = _attempt(pose, seed, search, high - third, q, status)
-        if left == 0.0 or right == 0.0:
-            return low + third if left == 0.0 else high - third
-        if left >= right:
-            high -= third
-        else:
-            low += third
-    return low
-
-
-@_inner
-def _summit(pose, seed, search, low, high, q, status):
-    """A move between low and high that serves; NaN if there is none."""
-    top = _peak(pose, seed, search, low, high, q, status)
-    if _attempt(pose, seed, search, top, q, status) == 0.0:
-        return top
-    # beside a place where the branches meet, this one has no solution of its own
-    for moved in (top - 1e-09, top + 1e-09):
-        if math.isinf(_attempt(pose, seed, search, moved, q, status)):
-            return math.nan
-    _attempt(pose, seed, search, top, q, status)
-    return top if _serves(search, q, status) else math.nan
-
-
-@_inner
-def _serving(pose, seed, search, q, status):
-    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
-
-    A fan of values shows where it serves or nearly so, golden section finds what lies between two
-    of them, bisection the end that is nearest to the seed; of two that are equally near the lower
-    one.
-    """
-    if _attempt(pose, seed, search, 0.0, q, status) == 0.0:
-        return 0.0
-    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
-    after = _attempt(pose, seed, search, -32.0 * step, q, status)
-    for k in range(-32, 32 + 1):
-        before, here = here, after
-        after = _attempt(pose, seed, search, (k + 1) * step, q, status)
-        outer = k * step
-        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
-        if here < 0.0 and here >= before and here > after:
-            low, high = outer - step, outer + step
-            outer = _summit(pose, seed, search, low, high, q, status)
-            if math.isnan(outer):
-                continue
-        elif here < 0.0 or (before if k > 0 else after) == 0.0:
-            continue
-        for _ in range(52):
-            middle = 0.5 * (inner + outer)
-            if _attempt(pose, seed, search, middle, q, status) == 0.0:
-                outer = middle
-            else:
-                inner = middle
-        if not abs(outer) >= abs(nearest) - 1e-09:
-            nearest = outer
-    return nearest
-
-
-@_inner
-def _serving_digits(pose, seed, search, q, status):
-    """The same for a joint that is nearly free: its angle is known to few digits.
-
-    Also where the arm just reaches (an elbow that is stretched). As long as the angle is right up
-    to rounding of what it was taken from, `_solve` takes it as it would take its own.
-    """
-    before, past = np.full(2, -math.inf), np.zeros(2)
-    moved = 1e-15
-    while moved < 0.1:
-        for way in range(2):
-            there = -moved if way else moved
-            here = _attempt(pose, seed, search, there, q, status)
-            if here == 0.0:
-                return there
-            if here < 2.0 * before[way] and past[way] == 0.0:
-                past[way] = 1.0
-                low = 0.25 * there
-                top = _summit(pose, seed, search, low, there, q, status)
-                if not math.isnan(top):
-                    return top
-            before[way] = here
-        moved *= 2.0
-    return math.nan
-
-
-@_inner
-def _choose_again(pose, given, row, q, status):
-    """A free joint took the seed's value, and then the arm could not reach.
-
-    The joint takes the nearest value that serves.
-    """
-    nearly = status[row] > _NEARLY
-    search = row, status[row] - (_NEARLY if nearly else _LOST) - 1, False, 0.0
-    seed, trial, result = given.copy(), q.copy(), status.copy()
-    if nearly:
-        seed[search[1]] = q[row, 1]
-        moved = _serving_digits(pose, seed, search, trial, result)
-    else:
-        seed[search[1]] = _without_turns(seed[search[1]])
-        moved = _serving(pose, seed, search, trial, result)
-    _attempt(pose, seed, search, moved, trial, result)
-    served = not math.isnan(moved) and _serves(search, trial, result)
-    status[row] = result[row] if served else UNREACHABLE
-    for i in range(6):
-        q[row, i] = trial[row, i] if served else math.nan
-
-
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
-def _other_choices(pose, seed, q, status):
-    """Other values for free joints, in rows that the seed's do not serve."""
-    for row in range(8):
-        if status[row] >= _LOST:
-            _choose_again(pose, seed, row, q, status)
-
-
-@_inner
-def _choose(pose, seed, q, status):
-    """The same where there is a row that needs it."""
-    served = True
-    for row in range(8):
-        served = served and status[row] < _LOST
-    if served:
-        return
-    # arrays of the caller may have any layout
-    values, rows, kinds = np.empty(6), np.empty((8, 6)), np.empty(8, np.uint8)
-    for row in range(8):
-        kinds[row] = status[row]
-        for i in range(6):
-            values[i], rows[row, i] = seed[i], q[row, i]
-    _other_choices(pose, values, rows, kinds)
-    for row in range(8):
-        status[row] = kinds[row]
-        for i in range(6):
-            q[row, i] = rows[row, i]
-
-
-@_inner
 def _solves(T, steps, exact, q):
     """Whether joint values are a solution.
 
@@ -1216,11 +857,11 @@ def _keep(known, count, q):
 
 
 @_inner
-def _leads(pose, T, seed, angle, row, exact, end):
+def _leads(pose, T, q_free, seed, angle, row, exact, end):
     """Whether the row of a root that is moved leads to a solution, and to which."""
     q, kind = np.empty((8, 6)), np.empty(8, np.uint8)
     kind[:] = UNREACHABLE
-    _solve(pose, seed, angle, q, kind)
+    _solve(pose, q_free, seed, angle, q, kind)
     if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
         return False
     _take(end, q[row])
@@ -1230,8 +871,8 @@ def _leads(pose, T, seed, angle, row, exact, end):
 _BESIDE = (3.0517578125e-05, -3.0517578125e-05, 3.814697265625e-06, -3.814697265625e-06, 4.76837158203125e-07, -4.76837158203125e-07, 5.960464477539063e-08, -5.960464477539063e-08, 7.450580596923828e-09, -7.450580596923828e-09, 9.313225746154785e-10, -9.313225746154785e-10, 1.1641532182693481e-10, -1.1641532182693481e-10, 1.4551915228366852e-11, -1.4551915228366852e-11, 1.8189894035458565e-12, -1.8189894035458565e-12)
 
 
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
-def _beside(pose, seed, q, status):
+@_apart("void(UniTuple(float64, 12), float64[::1], float64[::1], float64[:, ::1], uint8[::1])")
+def _beside(pose, q_free, seed, q, status):
     """Solutions for the rows that stand between two of them, which are known by no more than that.
 
     Steps from a row lead to one; the root of the other is as far from it on the other side. A row may
@@ -1245,7 +886,7 @@ def _beside(pose, seed, q, status):
     kind[:] = UNREACHABLE
     away = seed.copy()
     away[5] += 2.0
-    _solve(pose, away, 0.0, own, kind)
+    _solve(pose, q_free, away, 0.0, own, kind)
     for row in range(8):
         if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
             _take(own[row], q[row])
@@ -1264,7 +905,7 @@ def _beside(pose, seed, q, status):
         # long steps may lead to solutions of other roots, which are known
         found = _solves(T, 72, exact, end) and _is_new(known, others, end)
         for angle in _BESIDE:
-            if found or not _leads(pose, T, away, angle, row, exact, end):
+            if found or not _leads(pose, T, q_free, away, angle, row, exact, end):
                 continue
             found = _is_new(known, others, end)
         if not found:
@@ -1275,7 +916,7 @@ def _beside(pose, seed, q, status):
         off += end[5] - own[row, 5]
         off -= 6.283185307179586 * math.ceil(off / 6.283185307179586 - 0.5)
         for part in (0.0, -1.0, -2.0, -0.5, -4.0):  # of the way to the one that is known
-            if not _leads(pose, T, away, part * off, row, exact, other):
+            if not _leads(pose, T, q_free, away, part * off, row, exact, other):
                 continue
             if _is_new(known, others, other) and _gap_between(end, other) >= 0.001:
                 count = _keep(known, count, other)
@@ -1295,7 +936,7 @@ def _beside(pose, seed, q, status):
 
 
 @_inner
-def _both_sides(pose, seed, q, status):
+def _both_sides(pose, q_free, seed, q, status):
     """Solutions for the rows of roots that nearly meet, which may stand between two."""
     close = False
     for row in range(8):
@@ -1303,122 +944,11 @@ def _both_sides(pose, seed, q, status):
     if not close:
         return
     rows, kinds = q.copy(), status.copy()
-    _beside(pose, seed.copy(), rows, kinds)
+    _beside(pose, q_free.copy(), seed.copy(), rows, kinds)
     for row in range(8):
         status[row] = kinds[row]
         for i in range(6):
             q[row, i] = rows[row, i]
-
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.625, 0.625, 0.625, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
-    """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
-
-
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
-
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
-    for i in range(6):
-        for j in range(6):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 6 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(12):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(12):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(12):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
-
-
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
-
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(6):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(6)
-    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(6):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(6)
-    for i in range(6):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(6):
-        q[i] = values[i]
-    return settled
 
 
 # Between which values starts lie.
@@ -1471,8 +1001,8 @@ def _descend(T, q, u):
     return least
 
 
-@_apart("int64(UniTuple(float64, 12), float64[::1], int64, float64[::1])")
-def _sought(pose, seed, least, q):
+@_apart("int64(UniTuple(float64, 12), float64[::1], float64[::1], int64, float64[::1])")
+def _sought(pose, q_free, seed, least, q):
     """Joint values that serve, into q, if there are some with less wrong than `least`; what is.
 
     Nothing is 0, 1 that they are beyond limits, 2 that they are not exact, 4 that there are none.
@@ -1505,7 +1035,7 @@ def _sought(pose, seed, least, q):
 
 
 @_inner
-def _seek(pose, seed, begun, q, status):
+def _seek(pose, q_free, seed, begun, q, status):
     """The same into a row, if there is none."""
     before, chosen = 4, -1
     for row in range(8 - 1, -1, -1):
@@ -1517,7 +1047,7 @@ def _seek(pose, seed, begun, q, status):
     if before == 0 or (before < 4 and chosen < 0):
         return
     found = np.empty(6)
-    least = _sought(pose, seed.copy(), before, found)
+    least = _sought(pose, q_free.copy(), seed.copy(), before, found)
     if least == before:
         return
     for row in range(8):
@@ -1526,122 +1056,27 @@ def _seek(pose, seed, begun, q, status):
             q[row, i] = found[i] if row == begun else math.nan
 
 
-@_apart("boolean(UniTuple(float64, 12), float64[::1])")
-def _are_one(T, half):
-    """Whether rounding alone tells two solutions that lie to both sides of joint values.
-
-    Half way the arm is singular, and what steps in all other directions leave of the miss is how far
-    the pose is from one at which both meet.
-    """
-    held = np.zeros(6, np.bool_)
-    for _ in range(3):
-        _add_step(held, 1e-13, _miss(T, half)[0], half)
-    return _miss(T, half)[1] <= 1e-14
-
-
-@_inner
-def _tell_once(pose, q, status):
-    """Ends rows that rounding alone tells from earlier ones.
-
-    Where an earlier angle is good to fewer digits than usual branches that meet come out apart.
-    """
-    half = np.empty(6)
-    for row in range(1, 8):
-        for k in range(row):
-            if status[row] == UNREACHABLE or status[k] == UNREACHABLE:
-                continue
-            if _half_way(q[k], q[row], half) < 0.001 and _are_one(pose, half):
-                status[row] = UNREACHABLE
-                for i in range(6):
-                    q[row, i] = math.nan
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    nearest = 0.001
-    for i in range(6):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
-        return
-    for row in range(8 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
-
-
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(8):
-        status[row] = UNREACHABLE
-        for i in range(6):
-            q[row, i] = math.nan
-    _solve(pose, seed, 0.0, q, status)
-    begun = -1  # the first row that was not simply out of reach
-    for row in range(8 - 1, -1, -1):
-        if status[row] != UNREACHABLE:
-            begun = row
-    _choose(pose, seed, q, status)
-    _both_sides(pose, seed, q, status)
+@_apart(_arms.COMPLETES)
+def _complete(pose, q_free, seed, begun, q, status):
+    """Works on all rows where roots nearly meet or rows miss the pose, and looks for lost ones."""
+    _both_sides(pose, q_free, seed, q, status)
     _tighten(pose, q, status)
     if begun >= 0:
-        _seek(pose, seed, begun, q, status)
-    _tell_once(pose, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(8):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(6):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
+        _seek(pose, q_free, seed, begun, q, status)
 
 
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must have shapes (4, 4), (8, 6), (8,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    return _whole(pose, seed, q, status)
-
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=None,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", "_complete"),
+        task="pose",
+        counted=(True, True, True),
+        formulas=None,
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(_circle.OWN.compile_apart,),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach",

@@ -26,17 +26,10 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
-_read_rows = _runtime("pose").read_pose
 _of_joints = _runtime("entry").of_joints(_HOW, 4)
 
 NAME = "phantomx"
@@ -87,16 +80,25 @@ m4 = 0.004761904761904762  # a coefficient of S2
 m5 = 1e-24  # exact_slack^2
 m6 = 1.2602500000000002e-19  # exact_slack1^2 [mm^2]
 m7 = 3.780750000000001e-05  # 3 * pose_slack1^2 [mm^2]
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0),
+        fan_steps=(),
+        rows=2,
+        directions='rotation',
+        miss_weights=(0.002817, 0.002817, 0.002817, 1.0, 1.0, 1.0),
+        size=355.0,
+        entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
+        steps=('regular', 'completes', 'follows seed'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -201,51 +203,107 @@ def jacobian(q):
     return J
 
 
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    _, T12, T13, T14, _, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 3: U0[1, 3] and U0[2, 3]
+    w1 = math.sqrt(T12 * T12 + T22 * T22)
+    short1 = w1 <= free_limit
+    v1 = 1.0 / (1.0 if short1 else w1)
+    v2 = T22 * v1
+    s1 = T12 * v1
+    q1 = _atan2(s1, -v2)
+
+    # theta2m3m4, type 3: U0[3, 2] and U0[3, 1]
+    w2m3m4 = math.sqrt(T33 * T33 + T31 * T31)
+    short2m3m4 = w2m3m4 <= free_limit
+    factor2m3m4 = 1.0 / (1.0 if short2m3m4 else w2m3m4)
+    v3 = T31 * factor2m3m4
+    s2m3m4 = T33 * factor2m3m4
+    theta2m3m4 = _atan2(s2m3m4, -v3)
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    v4 = s2m3m4 * a4
+    Z1_3 = T34 - d1 - v4
+    v5 = v3 * a4
+    Z2_3 = s1 * T24 - v2 * T14 - v5
+    N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+    K3 = N3 - k1
+    D3 = (longest3 - N3) * (N3 - shortest3)
+    apart3 = shortest3_apart < N3 and N3 < longest3_apart
+    if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+        return  # out of reach
+    w3 = math.sqrt(D3 if apart3 else 0.0)
+    c3 = K3 * k2
+
+    # theta2, type 3: U1[1, 4] and U1[2, 4]
+    X2_2 = a2 + a3 * c3
+    v7 = Z1_3 * X2_2
+    v8 = Z2_3 * X2_2
+    v10 = seed[1] + offset2
+
+    # is the pose one that the arm can take?
+    v12 = d1 + v4
+    if (
+        not (abs(T32) <= doubtful_slack and abs(s2m3m4 - T33) <= doubtful_slack and abs(T22 - v2) <=
+        doubtful_slack and abs(s1 * v3 - T23) <= doubtful_slack and abs(T13 + v2 * v3) <=
+        doubtful_slack and abs(T12 - s1) <= doubtful_slack)
+    ):
+        return  # the arm can't take this pose
+
+    for i1 in range(2):  # elbow+, elbow-
+        e1 = 1.0 - 2.0 * i1
+        # theta3
+        if e1 < 0.0 and not apart3:
+            continue  # both signs give the same
+        s3 = w3 * e1 * k2
+        q3 = _atan2(s3, c3)
+
+        # theta2
+        v6 = a3 * s3
+        S2 = v7 - Z2_3 * v6
+        v9 = Z1_3 * v6 + v8
+        w2 = math.sqrt(S2 * S2 + v9 * v9)
+        free2 = w2 <= free_limit_squared2
+        factor2 = 1.0 / (1.0 if free2 else w2)
+        c2 = math.cos(v10) if free2 else -(v9 * factor2)
+        s2 = math.sin(v10) if free2 else S2 * factor2
+        theta2 = _atan2(s2, c2)
+
+        # is the pose one that the arm can take?
+        c2m3 = c3 * c2 + s3 * s2
+        s2m3 = c3 * s2 - s3 * c2
+        v11 = a3 * c2m3 + (a2 * c2 - v5)
+        if (
+            not (abs(T34 - (a3 * s2m3 + (a2 * s2 + v12))) <= doubtful_slack1 and abs(T14 - v2 * v11)
+            <= doubtful_slack1 and abs(T24 + s1 * v11) <= doubtful_slack1)
+        ):
+            continue  # the arm can't take this pose
+
+        # joint values
+        q2 = _wrap(theta2 - offset2)
+        q4 = _wrap(theta2 - q3 - theta2m3m4)
+        row = i1
+        q[row, 0] = q1
+        q[row, 1] = q2
+        q[row, 2] = q3
+        q[row, 3] = q4
+        status[row] = FREE_JOINT if free2 else OK
+
+
+_inner, _apart = _HOW.inner, _HOW.apart
+_room, carray = _runtime("jit").room, _runtime("jit").carray
+_CLOSE = _status.CLOSE
+_measured, _refined = _runtime("refine").missed_by, _runtime("refine").refine
+_robot = _HOW.addresses("_solve", "fk", "jacobian", None)
+
+
 @_inner
 def _missed_by(pose, q):
     """By how much joint values miss the entries that count: the root of the sum of squares."""
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    y2_x = c1 * s2
-    y2_y = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = c2 * s3 - s2 * c3
-    y3_x = y2_x * c3 - x2_x * s3
-    y3_y = y2_y * c3 - x2_y * s3
-    y3_z = c2 * c3 + s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + y3_x * s4
-    x4_y = x3_y * c4 + y3_y * s4
-    x4_z = x3_z * c4 + y3_z * s4
-    miss = 0.0
-    off = x3_x * s4 - y3_x * c4 - pose[0]
-    miss += (1.0 * off) ** 2
-    off = -x4_x - pose[2]
-    miss += (1.0 * off) ** 2
-    off = -(x2_x * a2 + x3_x * a3 + x4_x * a4) - pose[3]
-    miss += (0.0028169014084507044 * off) ** 2
-    off = x3_y * s4 - y3_y * c4 - pose[4]
-    miss += (1.0 * off) ** 2
-    off = -x4_y - pose[6]
-    miss += (1.0 * off) ** 2
-    off = -(x2_y * a2 + x3_y * a3 + x4_y * a4) - pose[7]
-    miss += (0.0028169014084507044 * off) ** 2
-    off = x3_z * s4 - y3_z * c4 - pose[8]
-    miss += (1.0 * off) ** 2
-    off = -x4_z - pose[10]
-    miss += (1.0 * off) ** 2
-    off = d1 + s2 * a2 - x3_z * a3 - x4_z * a4 - pose[11]
-    miss += (0.0028169014084507044 * off) ** 2
-    return math.sqrt(miss)
+    return _measured(_ARM, _robot(), pose, q)
 
 
 # The joints that are solved for, and whether they turn; what a step of one means, in rad or
@@ -506,215 +564,6 @@ def _tighten(pose, q, status):
             q[row, i] = rows[row, i] if held[row] else math.nan
 
 
-@_inner
-def _solve(pose, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others."""
-    _, T12, T13, T14, _, T22, T23, T24, T31, T32, T33, T34 = pose
-
-    # theta1, type 3: U0[1, 3] and U0[2, 3]
-    w1 = math.sqrt(T12 * T12 + T22 * T22)
-    short1 = w1 <= free_limit
-    v1 = 1.0 / (1.0 if short1 else w1)
-    v2 = T22 * v1
-    s1 = T12 * v1
-    q1 = _atan2(s1, -v2)
-
-    # theta2m3m4, type 3: U0[3, 2] and U0[3, 1]
-    w2m3m4 = math.sqrt(T33 * T33 + T31 * T31)
-    short2m3m4 = w2m3m4 <= free_limit
-    factor2m3m4 = 1.0 / (1.0 if short2m3m4 else w2m3m4)
-    v3 = T31 * factor2m3m4
-    s2m3m4 = T33 * factor2m3m4
-    theta2m3m4 = _atan2(s2m3m4, -v3)
-
-    # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v4 = s2m3m4 * a4
-    Z1_3 = T34 - d1 - v4
-    v5 = v3 * a4
-    Z2_3 = s1 * T24 - v2 * T14 - v5
-    N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-    K3 = N3 - k1
-    D3 = (longest3 - N3) * (N3 - shortest3)
-    apart3 = shortest3_apart < N3 and N3 < longest3_apart
-    if not (shortest3_reach <= N3 and N3 <= longest3_reach):
-        return  # out of reach
-    w3 = math.sqrt(D3 if apart3 else 0.0)
-    c3 = K3 * k2
-
-    # theta2, type 3: U1[1, 4] and U1[2, 4]
-    X2_2 = a2 + a3 * c3
-    v7 = Z1_3 * X2_2
-    v8 = Z2_3 * X2_2
-    v10 = seed[1] + offset2
-
-    # is the pose one that the arm can take?
-    v12 = d1 + v4
-    if (
-        not (abs(T32) <= doubtful_slack and abs(s2m3m4 - T33) <= doubtful_slack and abs(T22 - v2) <=
-        doubtful_slack and abs(s1 * v3 - T23) <= doubtful_slack and abs(T13 + v2 * v3) <=
-        doubtful_slack and abs(T12 - s1) <= doubtful_slack)
-    ):
-        return  # the arm can't take this pose
-
-    for i1 in range(2):  # elbow+, elbow-
-        e1 = 1.0 - 2.0 * i1
-        # theta3
-        if e1 < 0.0 and not apart3:
-            continue  # both signs give the same
-        s3 = w3 * e1 * k2
-        q3 = _atan2(s3, c3)
-
-        # theta2
-        v6 = a3 * s3
-        S2 = v7 - Z2_3 * v6
-        v9 = Z1_3 * v6 + v8
-        w2 = math.sqrt(S2 * S2 + v9 * v9)
-        free2 = w2 <= free_limit_squared2
-        factor2 = 1.0 / (1.0 if free2 else w2)
-        c2 = math.cos(v10) if free2 else -(v9 * factor2)
-        s2 = math.sin(v10) if free2 else S2 * factor2
-        theta2 = _atan2(s2, c2)
-
-        # is the pose one that the arm can take?
-        c2m3 = c3 * c2 + s3 * s2
-        s2m3 = c3 * s2 - s3 * c2
-        v11 = a3 * c2m3 + (a2 * c2 - v5)
-        if (
-            not (abs(T34 - (a3 * s2m3 + (a2 * s2 + v12))) <= doubtful_slack1 and abs(T14 - v2 * v11)
-            <= doubtful_slack1 and abs(T24 + s1 * v11) <= doubtful_slack1)
-        ):
-            continue  # the arm can't take this pose
-
-        # joint values
-        q2 = _wrap(theta2 - offset2)
-        q4 = _wrap(theta2 - q3 - theta2m3m4)
-        row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
-        q[row, 3] = q4
-        status[row] = FREE_JOINT if free2 else OK
-
-
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
-
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.002817, 0.002817, 0.002817, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
-    """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
-
-
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
-
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 10)), np.zeros(6)
-    for i in range(6):
-        for j in range(4):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 4 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(10):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(10):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(10):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(4):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
-
-
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
-
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(4):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(4)
-    held, x, settled = np.zeros(4, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(4):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(4)
-    for i in range(4):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(4):
-        q[i] = values[i]
-    return settled
-
-
 # Between which values starts lie.
 _SPAN_LOW = np.array([
     -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
@@ -761,8 +610,8 @@ def _descend(T, q, u):
     return least
 
 
-@_apart("int64(UniTuple(float64, 12), float64[::1], int64, float64[::1])")
-def _sought(pose, seed, least, q):
+@_apart("int64(UniTuple(float64, 12), float64[::1], float64[::1], int64, float64[::1])")
+def _sought(pose, q_free, seed, least, q):
     """Joint values that serve, into q, if there are some with less wrong than `least`; what is.
 
     Nothing is 0, 1 that they are beyond limits, 2 that they are not exact, 4 that there are none.
@@ -795,7 +644,7 @@ def _sought(pose, seed, least, q):
 
 
 @_inner
-def _seek(pose, seed, begun, q, status):
+def _seek(pose, q_free, seed, begun, q, status):
     """The same into a row, if there is none, or only such as fit a pose that has been rounded."""
     before, chosen = 4, -1
     T, exact = _upper_rows(pose), _exactness(pose)
@@ -812,7 +661,7 @@ def _seek(pose, seed, begun, q, status):
     if before == 0 or (before < 4 and chosen < 0):
         return
     found = np.empty(4)
-    least = _sought(pose, seed.copy(), before, found)
+    least = _sought(pose, q_free.copy(), seed.copy(), before, found)
     if least == before:
         return
     for row in range(2):
@@ -821,385 +670,139 @@ def _seek(pose, seed, begun, q, status):
             q[row, i] = found[i] if row == begun else math.nan
 
 
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(4), np.empty(4), 0, math.inf
-    nearest = 0.001
-    for i in range(4):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
-        return
-    for row in range(2 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(4):
-            q[place, i] = x[i]
-
-
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(2):
-        status[row] = UNREACHABLE
-        for i in range(4):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    begun = 0  # the first row that was not out of reach: here equations may have ended all
-    for row in range(2 - 1, -1, -1):
-        if status[row] != UNREACHABLE:
-            begun = row
+@_apart(_arms.COMPLETES)
+def _complete(pose, q_free, seed, begun, q, status):
+    """Works on all rows where roots nearly meet or rows miss the pose, and looks for lost ones."""
     _tighten(pose, q, status)
-    _seek(pose, seed, begun, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(2):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(4):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
+    if begun >= 0:
+        _seek(pose, q_free, seed, begun, q, status)
 
 
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    _, T12, T13, T14, _, T22, T23, T24, T31, T32, T33, T34 = pose
-    room = carray(_room(16), 16)
+    for k in range(w):
+        T12, T13, T14, T22 = kept[1 * w + k], kept[2 * w + k], kept[3 * w + k], kept[5 * w + k]
+        T23, T24, T31, T32 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k], kept[9 * w + k]
+        T33, T34 = kept[10 * w + k], kept[11 * w + k]
 
-    # theta1, type 3: U0[1, 3] and U0[2, 3]
-    v1 = T12 * T12 + T22 * T22
-    v2 = math.sqrt(v1) * (1.0 / v1)
-    v3 = T22 * v2
-    s1 = T12 * v2
+        # theta1, type 3: U0[1, 3] and U0[2, 3]
+        v1 = T12 * T12 + T22 * T22
+        v2 = math.sqrt(v1) * (1.0 / v1)
+        v3 = T22 * v2
+        s1 = T12 * v2
 
-    # theta2m3m4, type 3: U0[3, 2] and U0[3, 1]
-    v4 = T33 * T33 + T31 * T31
-    factor2m3m4 = math.sqrt(v4) * (1.0 / v4)
+        # theta2m3m4, type 3: U0[3, 2] and U0[3, 1]
+        v4 = T33 * T33 + T31 * T31
+        factor2m3m4 = math.sqrt(v4) * (1.0 / v4)
 
-    # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v5 = factor2m3m4 * (a4 * T33)
-    Z1_3 = T34 - d1 - v5
-    v6 = factor2m3m4 * (a4 * T31)
-    Z2_3 = s1 * T24 - v3 * T14 - v6
-    N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-    D3 = (longest3 - N3) * (N3 - shortest3)
-    w3 = math.sqrt(D3)
+        # theta3, type 8: U1[2, 4] and U1[1, 4]
+        v5 = factor2m3m4 * (a4 * T33)
+        Z1_3 = T34 - d1 - v5
+        v6 = factor2m3m4 * (a4 * T31)
+        Z2_3 = s1 * T24 - v3 * T14 - v6
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3)
 
-    # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v7 = w3 * (m4 * Z2_3)
-    v8 = w3 * (m4 * -Z2_3)
-    v9 = m4 * (Z1_3 * N3)
-    S2_p = v9 - v7
-    S2_m = v9 - v8
-    v10 = m4 * (Z2_3 * N3)
-    factor2 = 1.0 / N3
+        # theta2, type 3: U1[1, 4] and U1[2, 4]
+        v7 = w3 * (m4 * Z2_3)
+        v8 = w3 * (m4 * -Z2_3)
+        v9 = m4 * (Z1_3 * N3)
+        S2_p = v9 - v7
+        S2_m = v9 - v8
+        v10 = m4 * (Z2_3 * N3)
+        factor2 = 1.0 / N3
 
-    # is the pose one that the arm can take?
-    v11 = -Z2_3 - v6
-    v12 = d1 + v5
-    v13 = T33 * factor2m3m4 - T33
-    v14 = factor2m3m4 * (s1 * T31) - T23
-    v15 = T13 + factor2m3m4 * (v3 * T31)
-    v16 = v1 - 1.0
-    v17 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
-    v18 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
-    v19 = T14 - v3 * v11
-    v20 = T24 + s1 * v11
-    v21 = v19 * v19
-    v22 = v20 * v20
-    v23 = v22 + (v21 + v17 * v17)
-    v24 = v22 + (v21 + v18 * v18)
+        # is the pose one that the arm can take?
+        v11 = -Z2_3 - v6
+        v12 = d1 + v5
+        v13 = T33 * factor2m3m4 - T33
+        v14 = factor2m3m4 * (s1 * T31) - T23
+        v15 = T13 + factor2m3m4 * (v3 * T31)
+        v16 = v1 - 1.0
+        v17 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
+        v18 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
+        v19 = T14 - v3 * v11
+        v20 = T24 + s1 * v11
+        v21 = v19 * v19
+        v22 = v20 * v20
+        v23 = v22 + (v21 + v17 * v17)
+        v24 = v22 + (v21 + v18 * v18)
 
-    # joint values
-    v29 = math.sqrt(-1.0)
-    v30 = 0.0 if v23 <= m6 else v29
-    v31 = 0.0 if v24 <= m6 else v29
+        # joint values
+        v29 = math.sqrt(-1.0)
+        v30 = 0.0 if v23 <= m6 else v29
+        v31 = 0.0 if v24 <= m6 else v29
 
-    # a joint is free, or branches meet
-    if (
-        (-m2 <= D3 and D3 <= m3) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 < T32 * T32 + v13 *
-        v13 + v14 * v14 + v15 * v15 + v16 * v16 or (m6 < v23 and v23 <= m7) or (m6 < v24 and v24 <=
-        m7)
-    ):
-        return False
+        # a joint is free, or branches meet
+        kept[16 * w + k] = (
+            1.0 if (-m2 <= D3 and D3 <= m3) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 < T32 *
+            T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16 or (m6 < v23 and v23 <= m7) or (m6 <
+            v24 and v24 <= m7) else kept[16 * w + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], turns[0 * w + k] = w3, v30, v31, T33
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = w3, S2_p, S2_m, T12
+        turns[8 * w + k], turns[9 * w + k] = -T31, N3 - k1
+        turns[10 * w + k], turns[11 * w + k] = -(v10 + w3 * (m4 * Z1_3)), -(v10 + w3 * (m4 * -Z1_3))
+        turns[12 * w + k] = -T22
+    if w == 1 and kept[16] != 0.0:
+        return
+    end = 8 if w == 1 else 5 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(5 * w, end):
+        turns[k] = turns[k + 8 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 8 * w])
+    for k in range(w):
+        w3, v30, v31 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5 = turns[3 * w + k], turns[4 * w + k]
 
-    # angles, side by side
-    room[0] = T33
-    room[1] = w3
-    room[2] = S2_p
-    room[3] = S2_m
-    room[4] = T12
-    room[8] = -T31
-    room[9] = N3 - k1
-    room[10] = -(v10 + w3 * (m4 * Z1_3))
-    room[11] = -(v10 + w3 * (m4 * -Z1_3))
-    room[12] = -T22
-    for k in range(5, 8):
-        room[k] = room[k + 8] = 1.0
-    for k in range(8):
-        room[k] = _atan2(room[k], room[k + 8])
-    angle1 = room[0]
-    angle2 = room[1]
-    angle3 = room[2]
-    angle4 = room[3]
-    angle5 = room[4]
+        # joint values
+        v25 = angle3 - offset2
+        v26 = angle4 - offset2
+        v27 = angle3 - angle2 - angle1
+        v28 = angle2 + angle4 - angle1
+        v32 = angle5 + (w3 - w3)
+        q1_p = v30 + v32
+        q1_m = v31 + v32
+        q2_p = v30 + (v25 + (turn if v25 <= -half_turn else 0.0))
+        q2_m = v31 + (v26 + (turn if v26 <= -half_turn else 0.0))
+        q3_p = angle2 + v30
+        q3_m = v31 - angle2
+        q4_p = v30 + (v27 + (turn if v27 <= -half_turn else (-turn if half_turn < v27 else 0.0)))
+        q4_m = v31 + (v28 + (turn if v28 <= -half_turn else (-turn if half_turn < v28 else 0.0)))
 
-    # joint values
-    v25 = angle3 - offset2
-    v26 = angle4 - offset2
-    v27 = angle3 - angle2 - angle1
-    v28 = angle2 + angle4 - angle1
-    v32 = angle5 + (w3 - w3)
-    q1_p = v30 + v32
-    q1_m = v31 + v32
-    q2_p = v30 + (v25 + (turn if v25 <= -half_turn else 0.0))
-    q2_m = v31 + (v26 + (turn if v26 <= -half_turn else 0.0))
-    q3_p = angle2 + v30
-    q3_m = v31 - angle2
-    q4_p = v30 + (v27 + (turn if v27 <= -half_turn else (-turn if half_turn < v27 else 0.0)))
-    q4_m = v31 + (v28 + (turn if v28 <= -half_turn else (-turn if half_turn < v28 else 0.0)))
-
-    q[0, 0] = q1_p
-    q[0, 1] = q2_p
-    q[0, 2] = q3_p
-    q[0, 3] = q4_p
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = q1_m
-    q[1, 1] = q2_m
-    q[1, 2] = q3_m
-    q[1, 3] = q4_m
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    return True
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k], rows[3 * w + k] = q1_p, q2_p, q3_p, q4_p
+        rows[4 * w + k], rows[5 * w + k], rows[6 * w + k], rows[7 * w + k] = q1_m, q2_m, q3_m, q4_m
+        rows[8 * w + k] = UNREACHABLE if q1_p != q1_p else OK
+        rows[9 * w + k] = UNREACHABLE if q1_m != q1_m else OK
 
 
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
-        raise ValueError("T, q and status must have shapes (4, 4), (2, 4), (2,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(2):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [624, 640, 656, 672],
-    [688, 704, 720, 736],
+    [0, 1, 2, 3],
+    [4, 5, 6, 7],
 ])
-_KINDS = np.array([752, 768])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(784), 784)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
-            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
-            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
-            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-            xy = x0 * y0 + x1 * y1 + x2 * y2
-            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
-            miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
-                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
-            )
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T12 = work[16 + k]
-            T13 = work[32 + k]
-            T14 = work[48 + k]
-            T22 = work[80 + k]
-            T23 = work[96 + k]
-            T24 = work[112 + k]
-            T31 = work[128 + k]
-            T33 = work[160 + k]
-            T34 = work[176 + k]
-            v1 = T12 * T12 + T22 * T22
-            v2 = math.sqrt(v1) * (1.0 / v1)
-            v3 = T22 * v2
-            s1 = T12 * v2
-            v4 = T33 * T33 + T31 * T31
-            factor2m3m4 = math.sqrt(v4) * (1.0 / v4)
-            v5 = factor2m3m4 * (a4 * T33)
-            Z1_3 = T34 - d1 - v5
-            v6 = factor2m3m4 * (a4 * T31)
-            Z2_3 = s1 * T24 - v3 * T14 - v6
-            N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-            D3 = (longest3 - N3) * (N3 - shortest3)
-            w3 = math.sqrt(D3)
-            v7 = w3 * (m4 * Z2_3)
-            v8 = w3 * (m4 * -Z2_3)
-            v9 = m4 * (Z1_3 * N3)
-            S2_p = v9 - v7
-            S2_m = v9 - v8
-            v10 = m4 * (Z2_3 * N3)
-            factor2 = 1.0 / N3
-            v11 = -Z2_3 - v6
-            v12 = d1 + v5
-            v13 = T33 * factor2m3m4 - T33
-            v14 = factor2m3m4 * (s1 * T31) - T23
-            v15 = T13 + factor2m3m4 * (v3 * T31)
-            v16 = v1 - 1.0
-            v17 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
-            v18 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
-            v19 = T14 - v3 * v11
-            v20 = T24 + s1 * v11
-            v21 = v19 * v19
-            v22 = v20 * v20
-            v23 = v22 + (v21 + v17 * v17)
-            v24 = v22 + (v21 + v18 * v18)
-            v29 = math.sqrt(-1.0)
-            v30 = 0.0 if v23 <= m6 else v29
-            v31 = 0.0 if v24 <= m6 else v29
-            work[272 + k] = v4
-            work[288 + k] = N3
-            work[304 + k] = D3
-            work[320 + k] = w3
-            work[336 + k] = v13
-            work[352 + k] = v14
-            work[368 + k] = v15
-            work[384 + k] = v16
-            work[400 + k] = v23
-            work[416 + k] = v24
-            work[432 + k] = v30
-            work[448 + k] = v31
-            work[464 + k] = T33
-            work[480 + k] = w3
-            work[496 + k] = S2_p
-            work[512 + k] = S2_m
-            work[528 + k] = T12
-            work[544 + k] = -T31
-            work[560 + k] = N3 - k1
-            work[576 + k] = -(v10 + w3 * (m4 * Z1_3))
-            work[592 + k] = -(v10 + w3 * (m4 * -Z1_3))
-            work[608 + k] = -T22
-        for k in range(464, 544):
-            work[k] = _atan2(work[k], work[k + 80])
-        for k in range(0, 16):
-            T32 = work[144 + k]
-            v4 = work[272 + k]
-            N3 = work[288 + k]
-            D3 = work[304 + k]
-            w3 = work[320 + k]
-            v13 = work[336 + k]
-            v14 = work[352 + k]
-            v15 = work[368 + k]
-            v16 = work[384 + k]
-            v23 = work[400 + k]
-            v24 = work[416 + k]
-            v30 = work[432 + k]
-            v31 = work[448 + k]
-            angle1 = work[464 + k]
-            angle2 = work[480 + k]
-            angle3 = work[496 + k]
-            angle4 = work[512 + k]
-            angle5 = work[528 + k]
-            v25 = angle3 - offset2
-            v26 = angle4 - offset2
-            v27 = angle3 - angle2 - angle1
-            v28 = angle2 + angle4 - angle1
-            v32 = angle5 + (w3 - w3)
-            q1_p = v30 + v32
-            q1_m = v31 + v32
-            q2_p = v30 + (v25 + (turn if v25 <= -half_turn else 0.0))
-            q2_m = v31 + (v26 + (turn if v26 <= -half_turn else 0.0))
-            q3_p = angle2 + v30
-            q3_m = v31 - angle2
-            q4_p = (
-                v30 + (v27 + (turn if v27 <= -half_turn else (-turn if half_turn < v27 else 0.0)))
-            )
-            q4_m = (
-                v31 + (v28 + (turn if v28 <= -half_turn else (-turn if half_turn < v28 else 0.0)))
-            )
-            _624 = q1_p
-            work[624 + k] = _624
-            _640 = q2_p
-            work[640 + k] = _640
-            _656 = q3_p
-            work[656 + k] = _656
-            _672 = q4_p
-            work[672 + k] = _672
-            _688 = q1_m
-            work[688 + k] = _688
-            _704 = q2_m
-            work[704 + k] = _704
-            _720 = q3_m
-            work[720 + k] = _720
-            _736 = q4_m
-            work[736 + k] = _736
-            work[752 + k] = UNREACHABLE if _624 != _624 else OK
-            work[768 + k] = UNREACHABLE if _688 != _688 else OK
-            work[256 + k] = (
-                1.0 if (-m2 <= D3 and D3 <= m3) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 <
-                T32 * T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16 or (m6 < v23 and v23 <=
-                m7) or (m6 < v24 and v24 <= m7) else work[256 + k]
-            )
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(2):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(4):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", "_complete"),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 20, 16, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach, or one that 4 joints can't take",
@@ -1207,6 +810,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

@@ -26,16 +26,9 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
-_read_rows = _runtime("pose").read_pose
 _of_joints = _runtime("entry").of_joints(_HOW, 6)
 
 NAME = "puma"
@@ -97,16 +90,24 @@ m4 = 1.276499302638241e-15  # doubt_limit_squared2^2 [m^4]
 m5 = 3.105217997900075  # a coefficient of c23
 m6 = 2.3158869847151458  # a coefficient of s23
 m7 = 9.999999999999999e-09  # doubt_limit^2
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(),
+        rows=8,
+        directions='rotation',
+        miss_weights=(0.529, 0.529, 0.529, 1.0, 1.0, 1.0),
+        size=1.8901886257889609,
+        steps=('regular', 'merges', 'refines', 'follows seed'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -260,8 +261,8 @@ def jacobian(q):
     return J
 
 
-@_inner
-def _solve(pose, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
@@ -380,816 +381,213 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.529, 0.529, 0.529, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
+    for k in range(w):
+        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
+        # theta1, type 2: U1[1, 4]
+        t24 = T24 + D3 * T21 + k1 * T23
+        t14 = T14 + D3 * T11 + k1 * T13
+        N1 = t24 * t24 + t14 * t14
+        D1 = N1 - k2
+        w1 = math.sqrt(D1)
+        v1 = w1 - w1
+        inverse1 = 1.0 / N1
+        v2 = inverse1 * (D3 * t14)
+        v3 = w1 * (t24 * inverse1)
+        c1_p = v2 + v3
+        c1_m = v2 - v3
+        v4 = inverse1 * (D3 * t24)
+        v5 = w1 * (t14 * inverse1)
+        s1_p = v4 - v5
+        s1_m = v4 + v5
 
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
+        # theta3, type 8: U1[3, 4] and U1[2, 4]
+        t34 = T34 + D3 * T31 + k1 * T33
+        N3 = D1 + t34 * t34
+        D3_ = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_)
+        v6 = w3 - w3
 
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
-    for i in range(6):
-        for j in range(6):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 6 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(12):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(12):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(12):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
+        # theta2, type 3: U1[3, 4] and U1[2, 4]
+        v7 = w3 * (m3 * t34)
+        v8 = m3 * (w1 * N3)
+        v9 = v7 + v8
+        v10 = v8 - v7
+        v11 = m3 * (t34 * N3)
+        v12 = w3 * (m3 * w1)
+        C2_pp = v11 - v12
+        C2_pm = v11 + v12
+        v13 = v9 * v9 + C2_pp * C2_pp
+        v14 = C2_pm * C2_pm
+        v15 = v10 * v10 + v14
+        v16 = v14 + -v10 * -v10
+        factor2_pp = math.sqrt(v13) * (1.0 / v13)
+        factor2_pm = math.sqrt(v15) * (1.0 / v15)
+        factor2_mp = math.sqrt(v16) * (1.0 / v16)
 
+        # theta4, type 2: U4[1, 3]
+        v17 = m5 * N3
+        v18 = m3 - v17
+        v19 = v17 - m6
+        v20 = w1 * (N3 * (v18 + v19))
+        s23_pp = v7 + v20
+        s23_pm = v20 - v7
+        v21 = w1 * (N3 * (-v18 + -v19))
+        s23_mp = v7 + v21
+        s23_mm = v21 - v7
+        v22 = T13 * s1_p - T23 * c1_p
+        v23 = T13 * s1_m - T23 * c1_m
+        X4_pp = C2_pm * v22 - T33 * s23_pp
+        X4_pm = C2_pp * v22 - T33 * s23_pm
+        X4_mp = C2_pp * v23 - T33 * s23_mp
+        X4_mm = C2_pm * v23 - T33 * s23_mm
+        v24 = T13 * c1_p + T23 * s1_p
+        v25 = T13 * c1_m + T23 * s1_m
+        v26 = v24 * v24
+        v27 = v25 * v25
+        v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
+        v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
+        v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
+        v31 = v27 + factor2_pp * (X4_mm * (factor2_pp * X4_mm))
+        v32 = math.copysign(half_turn, -v24)
+        v33 = math.copysign(half_turn, -v25)
 
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
+        # theta5, type 3: U4[3, 3] and U4[2, 3]
+        v34 = T33 * C2_pm
+        v35 = T33 * C2_pp
 
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(6):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
+        # theta6, type 3: U4[1, 2] and U4[1, 1]
+        v36 = c1_p * T12 + s1_p * T22
+        v37 = c1_m * T12 + s1_m * T22
+        v38 = s1_p * T12 - c1_p * T22
+        v39 = s1_m * T12 - c1_m * T22
+        v40 = T11 * c1_p + T21 * s1_p
+        v41 = T11 * c1_m + T21 * s1_m
+        v42 = T11 * s1_p - T21 * c1_p
+        v43 = T11 * s1_m - T21 * c1_m
+        v44 = v24 * (s23_pp * T32 - C2_pm * v38) - -X4_pp * v36
+        v45 = v24 * (s23_pm * T32 - C2_pp * v38) - -X4_pm * v36
+        v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37
+        v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(6)
-    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(6):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(6)
-    for i in range(6):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(6):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _lead(pose, q, status):
-    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
-    for row in range(8):
-        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
-            continue
-        if not _settle(pose, 1e-12, 0.15, q[row]):
-            status[row] = UNREACHABLE
-            for i in range(6):
-                q[row, i] = math.nan
-
-
-@_apart("boolean(UniTuple(float64, 12), float64[::1])")
-def _are_one(T, half):
-    """Whether rounding alone tells two solutions that lie to both sides of joint values.
-
-    Half way the arm is singular, and what steps in all other directions leave of the miss is how far
-    the pose is from one at which both meet.
-    """
-    held = np.zeros(6, np.bool_)
-    for _ in range(3):
-        _add_step(held, 1e-13, _miss(T, half)[0], half)
-    return _miss(T, half)[1] <= 1e-14
-
-
-@_inner
-def _tell_once(pose, q, status):
-    """Ends rows that rounding alone tells from earlier ones.
-
-    Where an earlier angle is good to fewer digits than usual branches that meet come out apart.
-    """
-    half = np.empty(6)
-    for row in range(1, 8):
-        for k in range(row):
-            if status[row] == UNREACHABLE or status[k] == UNREACHABLE:
-                continue
-            if _half_way(q[k], q[row], half) < 0.001 and _are_one(pose, half):
-                status[row] = UNREACHABLE
-                for i in range(6):
-                    q[row, i] = math.nan
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    nearest = 0.001
-    for i in range(6):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
+        # a joint is free, or branches meet
+        kept[16 * w + k] = (
+            1.0 if v31 <= m7 or v30 <= m7 or v16 <= m4 or v29 <= m7 or v15 <= m4 or v28 <= m7 or
+            abs(D1) <= m1 or abs(D3_ * (k5 * w1)) <= m2 or v13 <= m4 else kept[16 * w + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = v1, v6, v32, v33
+        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v44, v45, v46, v47
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = w3, -v9, -v10, v10
+        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = v9, -v24, -v24
+        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = -v25, -v25, -math.sqrt(v28)
+        turns[10 * w + k], turns[11 * w + k] = -math.sqrt(v29), -math.sqrt(v30)
+        turns[12 * w + k], turns[13 * w + k], turns[14 * w + k] = -math.sqrt(v31), v44, v45
+        turns[15 * w + k], turns[16 * w + k], turns[17 * w + k] = v46, v47, s1_p
+        turns[18 * w + k], turns[24 * w + k], turns[25 * w + k] = s1_m, N3 - k6, C2_pp
+        turns[26 * w + k], turns[27 * w + k], turns[28 * w + k] = C2_pm, C2_pm, C2_pp
+        turns[29 * w + k], turns[30 * w + k] = factor2_pp * -X4_pp, factor2_pm * -X4_pm
+        turns[31 * w + k], turns[32 * w + k] = factor2_mp * -X4_mp, factor2_pp * -X4_mm
+        turns[33 * w + k] = factor2_pp * (v34 + s23_pp * v22)
+        turns[34 * w + k] = factor2_pm * (v35 + s23_pm * v22)
+        turns[35 * w + k] = factor2_mp * (v35 + s23_mp * v23)
+        turns[36 * w + k] = factor2_pp * (v34 + s23_mm * v23)
+        turns[37 * w + k] = -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm * v42)
+        turns[38 * w + k] = -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp * v42)
+        turns[39 * w + k] = -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp * v43)
+        turns[40 * w + k] = -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm * v43)
+        turns[41 * w + k], turns[42 * w + k] = c1_p, c1_m
+    if w == 1 and kept[16] != 0.0:
         return
-    for row in range(8 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
+    end = 24 if w == 1 else 19 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(19 * w, end):
+        turns[k] = turns[k + 24 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 24 * w])
+    for k in range(w):
+        v1, v6, v32, v33 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
+        v44, v45, v46, v47 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        angle19 = turns[18 * w + k]
+
+        # theta4, type 2: U4[1, 3]
+        q4_ppm = angle6 - v32
+        q4_pmm = angle7 - v32
+        q4_mpm = angle8 - v33
+        q4_mmm = angle9 - v33
+
+        # theta6, type 3: U4[1, 2] and U4[1, 1]
+        q6_ppm = angle14 - math.copysign(half_turn, v44)
+        q6_pmm = angle15 - math.copysign(half_turn, v45)
+        q6_mpm = angle16 - math.copysign(half_turn, v46)
+        q6_mmm = angle17 - math.copysign(half_turn, v47)
+
+        # joint values
+        q1_ppp = v6 + angle18
+        q1_mpp = v6 + angle19
+        q3_ppp = v1 + angle1
+        q3_pmp = v1 - angle1
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, angle2, q3_ppp
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle6, angle10, angle14
+        rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q4_ppm, -angle10, q6_ppm
+        rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = angle3, q3_pmp, angle7
+        rows[12 * w + k], rows[13 * w + k], rows[14 * w + k] = angle11, angle15, q4_pmm
+        rows[15 * w + k], rows[16 * w + k], rows[17 * w + k] = -angle11, q6_pmm, q1_mpp
+        rows[18 * w + k], rows[19 * w + k], rows[20 * w + k] = angle4, angle8, angle12
+        rows[21 * w + k], rows[22 * w + k], rows[23 * w + k] = angle16, q4_mpm, -angle12
+        rows[24 * w + k], rows[25 * w + k], rows[26 * w + k] = q6_mpm, angle5, angle9
+        rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = angle13, angle17, q4_mmm
+        rows[30 * w + k], rows[31 * w + k] = -angle13, q6_mmm
+        rows[32 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[33 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[37 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(8):
-        status[row] = UNREACHABLE
-        for i in range(6):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    _lead(pose, q, status)
-    _tell_once(pose, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(8):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(6):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
-
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
-    """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
-    room = carray(_room(48), 48)
-
-    # theta1, type 2: U1[1, 4]
-    t24 = T24 + D3 * T21 + k1 * T23
-    t14 = T14 + D3 * T11 + k1 * T13
-    N1 = t24 * t24 + t14 * t14
-    D1 = N1 - k2
-    w1 = math.sqrt(D1)
-    v1 = w1 - w1
-    inverse1 = 1.0 / N1
-    v2 = inverse1 * (D3 * t14)
-    v3 = w1 * (t24 * inverse1)
-    c1_p = v2 + v3
-    c1_m = v2 - v3
-    v4 = inverse1 * (D3 * t24)
-    v5 = w1 * (t14 * inverse1)
-    s1_p = v4 - v5
-    s1_m = v4 + v5
-
-    # theta3, type 8: U1[3, 4] and U1[2, 4]
-    t34 = T34 + D3 * T31 + k1 * T33
-    N3 = D1 + t34 * t34
-    D3_ = (longest3 - N3) * (N3 - shortest3)
-    w3 = math.sqrt(D3_)
-    v6 = w3 - w3
-
-    # theta2, type 3: U1[3, 4] and U1[2, 4]
-    v7 = w3 * (m3 * t34)
-    v8 = m3 * (w1 * N3)
-    v9 = v7 + v8
-    v10 = v8 - v7
-    v11 = m3 * (t34 * N3)
-    v12 = w3 * (m3 * w1)
-    C2_pp = v11 - v12
-    C2_pm = v11 + v12
-    v13 = v9 * v9 + C2_pp * C2_pp
-    v14 = C2_pm * C2_pm
-    v15 = v10 * v10 + v14
-    v16 = v14 + -v10 * -v10
-    factor2_pp = math.sqrt(v13) * (1.0 / v13)
-    factor2_pm = math.sqrt(v15) * (1.0 / v15)
-    factor2_mp = math.sqrt(v16) * (1.0 / v16)
-
-    # theta4, type 2: U4[1, 3]
-    v17 = m5 * N3
-    v18 = m3 - v17
-    v19 = v17 - m6
-    v20 = w1 * (N3 * (v18 + v19))
-    s23_pp = v7 + v20
-    s23_pm = v20 - v7
-    v21 = w1 * (N3 * (-v18 + -v19))
-    s23_mp = v7 + v21
-    s23_mm = v21 - v7
-    v22 = T13 * s1_p - T23 * c1_p
-    v23 = T13 * s1_m - T23 * c1_m
-    X4_pp = C2_pm * v22 - T33 * s23_pp
-    X4_pm = C2_pp * v22 - T33 * s23_pm
-    X4_mp = C2_pp * v23 - T33 * s23_mp
-    X4_mm = C2_pm * v23 - T33 * s23_mm
-    v24 = T13 * c1_p + T23 * s1_p
-    v25 = T13 * c1_m + T23 * s1_m
-    v26 = v24 * v24
-    v27 = v25 * v25
-    v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
-    v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
-    v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
-    v31 = v27 + factor2_pp * (X4_mm * (factor2_pp * X4_mm))
-    v32 = math.copysign(half_turn, -v24)
-    v33 = math.copysign(half_turn, -v25)
-
-    # theta5, type 3: U4[3, 3] and U4[2, 3]
-    v34 = T33 * C2_pm
-    v35 = T33 * C2_pp
-
-    # theta6, type 3: U4[1, 2] and U4[1, 1]
-    v36 = c1_p * T12 + s1_p * T22
-    v37 = c1_m * T12 + s1_m * T22
-    v38 = s1_p * T12 - c1_p * T22
-    v39 = s1_m * T12 - c1_m * T22
-    v40 = T11 * c1_p + T21 * s1_p
-    v41 = T11 * c1_m + T21 * s1_m
-    v42 = T11 * s1_p - T21 * c1_p
-    v43 = T11 * s1_m - T21 * c1_m
-    v44 = v24 * (s23_pp * T32 - C2_pm * v38) - -X4_pp * v36
-    v45 = v24 * (s23_pm * T32 - C2_pp * v38) - -X4_pm * v36
-    v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37
-    v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37
-
-    # a joint is free, or branches meet
-    if (
-        v31 <= m7 or v30 <= m7 or v16 <= m4 or v29 <= m7 or v15 <= m4 or v28 <= m7 or abs(D1) <= m1
-        or abs(D3_ * (k5 * w1)) <= m2 or v13 <= m4
-    ):
-        return False
-
-    # angles, side by side
-    room[0] = w3
-    room[1] = -v9
-    room[2] = -v10
-    room[3] = v10
-    room[4] = v9
-    room[5] = -v24
-    room[6] = -v24
-    room[7] = -v25
-    room[8] = -v25
-    room[9] = -math.sqrt(v28)
-    room[10] = -math.sqrt(v29)
-    room[11] = -math.sqrt(v30)
-    room[12] = -math.sqrt(v31)
-    room[13] = v44
-    room[14] = v45
-    room[15] = v46
-    room[16] = v47
-    room[17] = s1_p
-    room[18] = s1_m
-    room[24] = N3 - k6
-    room[25] = C2_pp
-    room[26] = C2_pm
-    room[27] = C2_pm
-    room[28] = C2_pp
-    room[29] = factor2_pp * -X4_pp
-    room[30] = factor2_pm * -X4_pm
-    room[31] = factor2_mp * -X4_mp
-    room[32] = factor2_pp * -X4_mm
-    room[33] = factor2_pp * (v34 + s23_pp * v22)
-    room[34] = factor2_pm * (v35 + s23_pm * v22)
-    room[35] = factor2_mp * (v35 + s23_mp * v23)
-    room[36] = factor2_pp * (v34 + s23_mm * v23)
-    room[37] = -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm * v42)
-    room[38] = -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp * v42)
-    room[39] = -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp * v43)
-    room[40] = -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm * v43)
-    room[41] = c1_p
-    room[42] = c1_m
-    for k in range(19, 24):
-        room[k] = room[k + 24] = 1.0
-    for k in range(24):
-        room[k] = _atan2(room[k], room[k + 24])
-    angle1 = room[0]
-    angle2 = room[1]
-    angle3 = room[2]
-    angle4 = room[3]
-    angle5 = room[4]
-    angle6 = room[5]
-    angle7 = room[6]
-    angle8 = room[7]
-    angle9 = room[8]
-    angle10 = room[9]
-    angle11 = room[10]
-    angle12 = room[11]
-    angle13 = room[12]
-    angle14 = room[13]
-    angle15 = room[14]
-    angle16 = room[15]
-    angle17 = room[16]
-    angle18 = room[17]
-    angle19 = room[18]
-
-    # theta4, type 2: U4[1, 3]
-    q4_ppm = angle6 - v32
-    q4_pmm = angle7 - v32
-    q4_mpm = angle8 - v33
-    q4_mmm = angle9 - v33
-
-    # theta6, type 3: U4[1, 2] and U4[1, 1]
-    q6_ppm = angle14 - math.copysign(half_turn, v44)
-    q6_pmm = angle15 - math.copysign(half_turn, v45)
-    q6_mpm = angle16 - math.copysign(half_turn, v46)
-    q6_mmm = angle17 - math.copysign(half_turn, v47)
-
-    # joint values
-    q1_ppp = v6 + angle18
-    q1_mpp = v6 + angle19
-    q3_ppp = v1 + angle1
-    q3_pmp = v1 - angle1
-
-    q[0, 0] = q1_ppp
-    q[0, 1] = angle2
-    q[0, 2] = q3_ppp
-    q[0, 3] = angle6
-    q[0, 4] = angle10
-    q[0, 5] = angle14
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = q1_ppp
-    q[1, 1] = angle2
-    q[1, 2] = q3_ppp
-    q[1, 3] = q4_ppm
-    q[1, 4] = -angle10
-    q[1, 5] = q6_ppm
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    q[2, 0] = q1_ppp
-    q[2, 1] = angle3
-    q[2, 2] = q3_pmp
-    q[2, 3] = angle7
-    q[2, 4] = angle11
-    q[2, 5] = angle15
-    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
-    q[3, 0] = q1_ppp
-    q[3, 1] = angle3
-    q[3, 2] = q3_pmp
-    q[3, 3] = q4_pmm
-    q[3, 4] = -angle11
-    q[3, 5] = q6_pmm
-    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
-    q[4, 0] = q1_mpp
-    q[4, 1] = angle4
-    q[4, 2] = q3_ppp
-    q[4, 3] = angle8
-    q[4, 4] = angle12
-    q[4, 5] = angle16
-    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
-    q[5, 0] = q1_mpp
-    q[5, 1] = angle4
-    q[5, 2] = q3_ppp
-    q[5, 3] = q4_mpm
-    q[5, 4] = -angle12
-    q[5, 5] = q6_mpm
-    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
-    q[6, 0] = q1_mpp
-    q[6, 1] = angle5
-    q[6, 2] = q3_pmp
-    q[6, 3] = angle9
-    q[6, 4] = angle13
-    q[6, 5] = angle17
-    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
-    q[7, 0] = q1_mpp
-    q[7, 1] = angle5
-    q[7, 2] = q3_pmp
-    q[7, 3] = q4_mmm
-    q[7, 4] = -angle13
-    q[7, 5] = q6_mmm
-    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
-    return True
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must have shapes (4, 4), (8, 6), (8,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [1168, 1184, 1200, 1216, 1232, 1248],
-    [1168, 1184, 1200, 1264, 1280, 1296],
-    [1168, 1312, 1328, 1344, 1360, 1376],
-    [1168, 1312, 1328, 1392, 1408, 1424],
-    [1440, 1456, 1200, 1472, 1488, 1504],
-    [1440, 1456, 1200, 1520, 1536, 1552],
-    [1440, 1568, 1328, 1584, 1600, 1616],
-    [1440, 1568, 1328, 1632, 1648, 1664],
+    [0, 1, 2, 3, 4, 5],
+    [0, 1, 2, 6, 7, 8],
+    [0, 9, 10, 11, 12, 13],
+    [0, 9, 10, 14, 15, 16],
+    [17, 18, 2, 19, 20, 21],
+    [17, 18, 2, 22, 23, 24],
+    [17, 25, 10, 26, 27, 28],
+    [17, 25, 10, 29, 30, 31],
 ])
-_KINDS = np.array([1680, 1696, 1712, 1728, 1744, 1760, 1776, 1792])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(1808), 1808)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
-            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
-            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
-            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-            xy = x0 * y0 + x1 * y1 + x2 * y2
-            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
-            miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
-                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
-            )
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T11 = work[0 + k]
-            T12 = work[16 + k]
-            T13 = work[32 + k]
-            T14 = work[48 + k]
-            T21 = work[64 + k]
-            T22 = work[80 + k]
-            T23 = work[96 + k]
-            T24 = work[112 + k]
-            T31 = work[128 + k]
-            T32 = work[144 + k]
-            T33 = work[160 + k]
-            T34 = work[176 + k]
-            t24 = T24 + D3 * T21 + k1 * T23
-            t14 = T14 + D3 * T11 + k1 * T13
-            N1 = t24 * t24 + t14 * t14
-            D1 = N1 - k2
-            w1 = math.sqrt(D1)
-            v1 = w1 - w1
-            inverse1 = 1.0 / N1
-            v2 = inverse1 * (D3 * t14)
-            v3 = w1 * (t24 * inverse1)
-            c1_p = v2 + v3
-            c1_m = v2 - v3
-            v4 = inverse1 * (D3 * t24)
-            v5 = w1 * (t14 * inverse1)
-            s1_p = v4 - v5
-            s1_m = v4 + v5
-            t34 = T34 + D3 * T31 + k1 * T33
-            N3 = D1 + t34 * t34
-            D3_ = (longest3 - N3) * (N3 - shortest3)
-            w3 = math.sqrt(D3_)
-            v6 = w3 - w3
-            v7 = w3 * (m3 * t34)
-            v8 = m3 * (w1 * N3)
-            v9 = v7 + v8
-            v10 = v8 - v7
-            v11 = m3 * (t34 * N3)
-            v12 = w3 * (m3 * w1)
-            C2_pp = v11 - v12
-            C2_pm = v11 + v12
-            v13 = v9 * v9 + C2_pp * C2_pp
-            v14 = C2_pm * C2_pm
-            v15 = v10 * v10 + v14
-            v16 = v14 + -v10 * -v10
-            factor2_pp = math.sqrt(v13) * (1.0 / v13)
-            factor2_pm = math.sqrt(v15) * (1.0 / v15)
-            factor2_mp = math.sqrt(v16) * (1.0 / v16)
-            v17 = m5 * N3
-            v18 = m3 - v17
-            v19 = v17 - m6
-            v20 = w1 * (N3 * (v18 + v19))
-            s23_pp = v7 + v20
-            s23_pm = v20 - v7
-            v21 = w1 * (N3 * (-v18 + -v19))
-            s23_mp = v7 + v21
-            s23_mm = v21 - v7
-            v22 = T13 * s1_p - T23 * c1_p
-            v23 = T13 * s1_m - T23 * c1_m
-            X4_pp = C2_pm * v22 - T33 * s23_pp
-            X4_pm = C2_pp * v22 - T33 * s23_pm
-            X4_mp = C2_pp * v23 - T33 * s23_mp
-            X4_mm = C2_pm * v23 - T33 * s23_mm
-            v24 = T13 * c1_p + T23 * s1_p
-            v25 = T13 * c1_m + T23 * s1_m
-            v26 = v24 * v24
-            v27 = v25 * v25
-            v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
-            v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
-            v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
-            v31 = v27 + factor2_pp * (X4_mm * (factor2_pp * X4_mm))
-            v32 = math.copysign(half_turn, -v24)
-            v33 = math.copysign(half_turn, -v25)
-            v34 = T33 * C2_pm
-            v35 = T33 * C2_pp
-            v36 = c1_p * T12 + s1_p * T22
-            v37 = c1_m * T12 + s1_m * T22
-            v38 = s1_p * T12 - c1_p * T22
-            v39 = s1_m * T12 - c1_m * T22
-            v40 = T11 * c1_p + T21 * s1_p
-            v41 = T11 * c1_m + T21 * s1_m
-            v42 = T11 * s1_p - T21 * c1_p
-            v43 = T11 * s1_m - T21 * c1_m
-            v44 = v24 * (s23_pp * T32 - C2_pm * v38) - -X4_pp * v36
-            v45 = v24 * (s23_pm * T32 - C2_pp * v38) - -X4_pm * v36
-            v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37
-            v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37
-            work[272 + k] = D1
-            work[288 + k] = w1
-            work[304 + k] = v1
-            work[320 + k] = D3_
-            work[336 + k] = v6
-            work[352 + k] = v13
-            work[368 + k] = v15
-            work[384 + k] = v16
-            work[400 + k] = v28
-            work[416 + k] = v29
-            work[432 + k] = v30
-            work[448 + k] = v31
-            work[464 + k] = v32
-            work[480 + k] = v33
-            work[496 + k] = v44
-            work[512 + k] = v45
-            work[528 + k] = v46
-            work[544 + k] = v47
-            work[560 + k] = w3
-            work[576 + k] = -v9
-            work[592 + k] = -v10
-            work[608 + k] = v10
-            work[624 + k] = v9
-            work[640 + k] = -v24
-            work[656 + k] = -v24
-            work[672 + k] = -v25
-            work[688 + k] = -v25
-            work[704 + k] = -math.sqrt(v28)
-            work[720 + k] = -math.sqrt(v29)
-            work[736 + k] = -math.sqrt(v30)
-            work[752 + k] = -math.sqrt(v31)
-            work[768 + k] = v44
-            work[784 + k] = v45
-            work[800 + k] = v46
-            work[816 + k] = v47
-            work[832 + k] = s1_p
-            work[848 + k] = s1_m
-            work[864 + k] = N3 - k6
-            work[880 + k] = C2_pp
-            work[896 + k] = C2_pm
-            work[912 + k] = C2_pm
-            work[928 + k] = C2_pp
-            work[944 + k] = factor2_pp * -X4_pp
-            work[960 + k] = factor2_pm * -X4_pm
-            work[976 + k] = factor2_mp * -X4_mp
-            work[992 + k] = factor2_pp * -X4_mm
-            work[1008 + k] = factor2_pp * (v34 + s23_pp * v22)
-            work[1024 + k] = factor2_pm * (v35 + s23_pm * v22)
-            work[1040 + k] = factor2_mp * (v35 + s23_mp * v23)
-            work[1056 + k] = factor2_pp * (v34 + s23_mm * v23)
-            work[1072 + k] = -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm * v42)
-            work[1088 + k] = -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp * v42)
-            work[1104 + k] = -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp * v43)
-            work[1120 + k] = -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm * v43)
-            work[1136 + k] = c1_p
-            work[1152 + k] = c1_m
-        for k in range(560, 864):
-            work[k] = _atan2(work[k], work[k + 304])
-        for k in range(0, 16):
-            D1 = work[272 + k]
-            w1 = work[288 + k]
-            v1 = work[304 + k]
-            D3_ = work[320 + k]
-            v6 = work[336 + k]
-            v13 = work[352 + k]
-            v15 = work[368 + k]
-            v16 = work[384 + k]
-            v28 = work[400 + k]
-            v29 = work[416 + k]
-            v30 = work[432 + k]
-            v31 = work[448 + k]
-            v32 = work[464 + k]
-            v33 = work[480 + k]
-            v44 = work[496 + k]
-            v45 = work[512 + k]
-            v46 = work[528 + k]
-            v47 = work[544 + k]
-            angle1 = work[560 + k]
-            angle2 = work[576 + k]
-            angle3 = work[592 + k]
-            angle4 = work[608 + k]
-            angle5 = work[624 + k]
-            angle6 = work[640 + k]
-            angle7 = work[656 + k]
-            angle8 = work[672 + k]
-            angle9 = work[688 + k]
-            angle10 = work[704 + k]
-            angle11 = work[720 + k]
-            angle12 = work[736 + k]
-            angle13 = work[752 + k]
-            angle14 = work[768 + k]
-            angle15 = work[784 + k]
-            angle16 = work[800 + k]
-            angle17 = work[816 + k]
-            angle18 = work[832 + k]
-            angle19 = work[848 + k]
-            q4_ppm = angle6 - v32
-            q4_pmm = angle7 - v32
-            q4_mpm = angle8 - v33
-            q4_mmm = angle9 - v33
-            q6_ppm = angle14 - math.copysign(half_turn, v44)
-            q6_pmm = angle15 - math.copysign(half_turn, v45)
-            q6_mpm = angle16 - math.copysign(half_turn, v46)
-            q6_mmm = angle17 - math.copysign(half_turn, v47)
-            q1_ppp = v6 + angle18
-            q1_mpp = v6 + angle19
-            q3_ppp = v1 + angle1
-            q3_pmp = v1 - angle1
-            _1168 = q1_ppp
-            work[1168 + k] = _1168
-            _1184 = angle2
-            work[1184 + k] = _1184
-            _1200 = q3_ppp
-            work[1200 + k] = _1200
-            _1216 = angle6
-            work[1216 + k] = _1216
-            _1232 = angle10
-            work[1232 + k] = _1232
-            _1248 = angle14
-            work[1248 + k] = _1248
-            _1264 = q4_ppm
-            work[1264 + k] = _1264
-            _1280 = -angle10
-            work[1280 + k] = _1280
-            _1296 = q6_ppm
-            work[1296 + k] = _1296
-            _1312 = angle3
-            work[1312 + k] = _1312
-            _1328 = q3_pmp
-            work[1328 + k] = _1328
-            _1344 = angle7
-            work[1344 + k] = _1344
-            _1360 = angle11
-            work[1360 + k] = _1360
-            _1376 = angle15
-            work[1376 + k] = _1376
-            _1392 = q4_pmm
-            work[1392 + k] = _1392
-            _1408 = -angle11
-            work[1408 + k] = _1408
-            _1424 = q6_pmm
-            work[1424 + k] = _1424
-            _1440 = q1_mpp
-            work[1440 + k] = _1440
-            _1456 = angle4
-            work[1456 + k] = _1456
-            _1472 = angle8
-            work[1472 + k] = _1472
-            _1488 = angle12
-            work[1488 + k] = _1488
-            _1504 = angle16
-            work[1504 + k] = _1504
-            _1520 = q4_mpm
-            work[1520 + k] = _1520
-            _1536 = -angle12
-            work[1536 + k] = _1536
-            _1552 = q6_mpm
-            work[1552 + k] = _1552
-            _1568 = angle5
-            work[1568 + k] = _1568
-            _1584 = angle9
-            work[1584 + k] = _1584
-            _1600 = angle13
-            work[1600 + k] = _1600
-            _1616 = angle17
-            work[1616 + k] = _1616
-            _1632 = q4_mmm
-            work[1632 + k] = _1632
-            _1648 = -angle13
-            work[1648 + k] = _1648
-            _1664 = q6_mmm
-            work[1664 + k] = _1664
-            work[1680 + k] = UNREACHABLE if _1168 != _1168 else OK
-            work[1696 + k] = UNREACHABLE if _1168 != _1168 else OK
-            work[1712 + k] = UNREACHABLE if _1168 != _1168 else OK
-            work[1728 + k] = UNREACHABLE if _1168 != _1168 else OK
-            work[1744 + k] = UNREACHABLE if _1440 != _1440 else OK
-            work[1760 + k] = UNREACHABLE if _1440 != _1440 else OK
-            work[1776 + k] = UNREACHABLE if _1440 != _1440 else OK
-            work[1792 + k] = UNREACHABLE if _1440 != _1440 else OK
-            work[256 + k] = (
-                1.0 if v31 <= m7 or v30 <= m7 or v16 <= m4 or v29 <= m7 or v15 <= m4 or v28 <= m7 or
-                abs(D1) <= m1 or abs(D3_ * (k5 * w1)) <= m2 or v13 <= m4 else work[256 + k]
-            )
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(8):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(6):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 25, 48, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach",
@@ -1197,6 +595,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

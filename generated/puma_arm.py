@@ -26,16 +26,9 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
-_read_rows = _runtime("pose").read_position
 _of_joints = _runtime("entry").of_joints(_HOW, 3)
 
 NAME = "puma_arm"
@@ -88,16 +81,24 @@ m1 = 5.119045780000291e-12  # 1000 * k3 [m^2]
 m2 = 2.2049387897563516e-11
 m3 = 1.1579434923575729  # a coefficient of X1_2
 m4 = 0.000477176933765627  # a coefficient of X1_2
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0),
+        fan_steps=(),
+        rows=4,
+        directions='none',
+        miss_weights=(0.5862, 0.5862, 0.5862, 0.0, 0.0, 0.0),
+        size=1.70578,
+        steps=('regular', 'merges', 'refines', 'follows seed'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -181,8 +182,8 @@ def jacobian(q):
     return J
 
 
-@_inner
-def _solve(pose, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
 
@@ -252,465 +253,103 @@ def _solve(pose, seed, q, status):
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.5862, 0.5862, 0.5862, 0.0, 0.0, 0.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    return e, math.sqrt(square)
+    for k in range(w):
+        T14, T24, T34 = kept[3 * w + k], kept[7 * w + k], kept[11 * w + k]
 
+        # theta1, type 2: U1[3, 4]
+        D1 = T14 * T14 + T24 * T24 - k1
+        w1 = math.sqrt(D1)
+        v1 = w1 - w1
+        v2 = d3 * T14
+        v3 = d3 * T24
+        v4 = T14 * w1
+        v5 = T24 * w1
 
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
+        # theta3, type 6: U1[2, 4] and U1[1, 4]
+        Z1_3 = T34 - d1
+        N3 = D1 + Z1_3 * Z1_3
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3)
+        v6 = w3 - w3
 
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 9)), np.zeros(6)
-    for i in range(6):
-        for j in range(3):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 3 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(9):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(9):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(9):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(3):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
+        # theta2, type 3: U1[2, 4] and U1[1, 4]
+        X1_2 = m3 * N3 - m4
+        v8 = Z1_3 * X1_2
+        v9 = w3 * (m3 * Z1_3)
+        v10 = w3 * (m3 * -Z1_3)
+        v11 = w1 * X1_2
+        v12 = w1 * -X1_2
+        v13 = w3 * (m3 * w1)
+        v14 = v8 - v13
+        v15 = v8 + v13
 
-
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
-
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(3):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(3)
-    held, x, settled = np.zeros(3, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(3):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(3)
-    for i in range(3):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(3):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _lead(pose, q, status):
-    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
-    for row in range(4):
-        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
-            continue
-        if not _settle(pose, 1e-12, 0.15, q[row]):
-            status[row] = UNREACHABLE
-            for i in range(3):
-                q[row, i] = math.nan
-
-
-@_apart("boolean(UniTuple(float64, 12), float64[::1])")
-def _are_one(T, half):
-    """Whether rounding alone tells two solutions that lie to both sides of joint values.
-
-    Half way the arm is singular, and what steps in all other directions leave of the miss is how far
-    the pose is from one at which both meet.
-    """
-    held = np.zeros(3, np.bool_)
-    for _ in range(3):
-        _add_step(held, 1e-13, _miss(T, half)[0], half)
-    return _miss(T, half)[1] <= 1e-14
-
-
-@_inner
-def _tell_once(pose, q, status):
-    """Ends rows that rounding alone tells from earlier ones.
-
-    Where an earlier angle is good to fewer digits than usual branches that meet come out apart.
-    """
-    half = np.empty(3)
-    for row in range(1, 4):
-        for k in range(row):
-            if status[row] == UNREACHABLE or status[k] == UNREACHABLE:
-                continue
-            if _half_way(q[k], q[row], half) < 0.001 and _are_one(pose, half):
-                status[row] = UNREACHABLE
-                for i in range(3):
-                    q[row, i] = math.nan
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(3), np.empty(3), 0, math.inf
-    nearest = 0.001
-    for i in range(3):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
+        # a joint is free, or branches meet
+        kept[16 * w + k] = 1.0 if abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 else kept[16 * w + k]
+        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k], turns[1 * w + k] = v1, v6, w3, v14
+        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = v15, v15, v14
+        turns[5 * w + k], turns[6 * w + k], turns[8 * w + k] = v2 + v5, v2 - v5, N3 - k7
+        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = v9 + v11, v10 + v11, v9 + v12
+        turns[12 * w + k], turns[13 * w + k], turns[14 * w + k] = v10 + v12, v4 - v3, -(v3 + v4)
+    if w == 1 and kept[16] != 0.0:
         return
-    for row in range(4 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(3):
-            q[place, i] = x[i]
+    end = 8 if w == 1 else 7 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(7 * w, end):
+        turns[k] = turns[k + 8 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 8 * w])
+    for k in range(w):
+        v1, v6, angle1 = kept[17 * w + k], kept[18 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
+        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+
+        # theta3, type 6: U1[2, 4] and U1[1, 4]
+        q3__p = angle1 - turn1
+        v7 = turn1 + angle1
+
+        # joint values
+        q1_pp = v6 + angle6
+        q1_mp = v6 + angle7
+        q3_pp = v1 + (q3__p + (turn if q3__p <= -half_turn else 0.0))
+        q3_pm = v1 + ((turn if -v7 <= -half_turn else 0.0) - v7)
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_pp, angle2, q3_pp
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle3, q3_pm, q1_mp
+        rows[6 * w + k], rows[7 * w + k] = angle4, angle5
+        rows[8 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
+        rows[9 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
+        rows[10 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
+        rows[11 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
 
 
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(4):
-        status[row] = UNREACHABLE
-        for i in range(3):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    _lead(pose, q, status)
-    _tell_once(pose, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(4):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(3):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
-
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
-    """
-    _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
-    room = carray(_room(16), 16)
-
-    # theta1, type 2: U1[3, 4]
-    D1 = T14 * T14 + T24 * T24 - k1
-    w1 = math.sqrt(D1)
-    v1 = w1 - w1
-    v2 = d3 * T14
-    v3 = d3 * T24
-    v4 = T14 * w1
-    v5 = T24 * w1
-
-    # theta3, type 6: U1[2, 4] and U1[1, 4]
-    Z1_3 = T34 - d1
-    N3 = D1 + Z1_3 * Z1_3
-    D3 = (longest3 - N3) * (N3 - shortest3)
-    w3 = math.sqrt(D3)
-    v6 = w3 - w3
-
-    # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2 = m3 * N3 - m4
-    v8 = Z1_3 * X1_2
-    v9 = w3 * (m3 * Z1_3)
-    v10 = w3 * (m3 * -Z1_3)
-    v11 = w1 * X1_2
-    v12 = w1 * -X1_2
-    v13 = w3 * (m3 * w1)
-    v14 = v8 - v13
-    v15 = v8 + v13
-
-    # a joint is free, or branches meet
-    if abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2:
-        return False
-
-    # angles, side by side
-    room[0] = w3
-    room[1] = v14
-    room[2] = v15
-    room[3] = v15
-    room[4] = v14
-    room[5] = v2 + v5
-    room[6] = v2 - v5
-    room[8] = N3 - k7
-    room[9] = v9 + v11
-    room[10] = v10 + v11
-    room[11] = v9 + v12
-    room[12] = v10 + v12
-    room[13] = v4 - v3
-    room[14] = -(v3 + v4)
-    for k in range(7, 8):
-        room[k] = room[k + 8] = 1.0
-    for k in range(8):
-        room[k] = _atan2(room[k], room[k + 8])
-    angle1 = room[0]
-    angle2 = room[1]
-    angle3 = room[2]
-    angle4 = room[3]
-    angle5 = room[4]
-    angle6 = room[5]
-    angle7 = room[6]
-
-    # theta3, type 6: U1[2, 4] and U1[1, 4]
-    q3__p = angle1 - turn1
-    v7 = turn1 + angle1
-
-    # joint values
-    q1_pp = v6 + angle6
-    q1_mp = v6 + angle7
-    q3_pp = v1 + (q3__p + (turn if q3__p <= -half_turn else 0.0))
-    q3_pm = v1 + ((turn if -v7 <= -half_turn else 0.0) - v7)
-
-    q[0, 0] = q1_pp
-    q[0, 1] = angle2
-    q[0, 2] = q3_pp
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = q1_pp
-    q[1, 1] = angle3
-    q[1, 2] = q3_pm
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    q[2, 0] = q1_mp
-    q[2, 1] = angle4
-    q[2, 2] = q3_pp
-    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
-    q[3, 0] = q1_mp
-    q[3, 1] = angle5
-    q[3, 2] = q3_pm
-    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
-    return True
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (4, 3) or status.shape != (4,):
-        raise ValueError("T, q and status must have shapes (4, 4), (4, 3), (4,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(4):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [576, 592, 608],
-    [576, 624, 640],
-    [656, 672, 608],
-    [656, 688, 640],
+    [0, 1, 2],
+    [0, 3, 4],
+    [5, 6, 2],
+    [5, 7, 4],
 ])
-_KINDS = np.array([704, 720, 736, 752])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(768), 768)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            miss = 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T14 = work[48 + k]
-            T24 = work[112 + k]
-            T34 = work[176 + k]
-            D1 = T14 * T14 + T24 * T24 - k1
-            w1 = math.sqrt(D1)
-            v1 = w1 - w1
-            v2 = d3 * T14
-            v3 = d3 * T24
-            v4 = T14 * w1
-            v5 = T24 * w1
-            Z1_3 = T34 - d1
-            N3 = D1 + Z1_3 * Z1_3
-            D3 = (longest3 - N3) * (N3 - shortest3)
-            w3 = math.sqrt(D3)
-            v6 = w3 - w3
-            X1_2 = m3 * N3 - m4
-            v8 = Z1_3 * X1_2
-            v9 = w3 * (m3 * Z1_3)
-            v10 = w3 * (m3 * -Z1_3)
-            v11 = w1 * X1_2
-            v12 = w1 * -X1_2
-            v13 = w3 * (m3 * w1)
-            v14 = v8 - v13
-            v15 = v8 + v13
-            work[272 + k] = D1
-            work[288 + k] = w1
-            work[304 + k] = v1
-            work[320 + k] = D3
-            work[336 + k] = v6
-            work[352 + k] = w3
-            work[368 + k] = v14
-            work[384 + k] = v15
-            work[400 + k] = v15
-            work[416 + k] = v14
-            work[432 + k] = v2 + v5
-            work[448 + k] = v2 - v5
-            work[464 + k] = N3 - k7
-            work[480 + k] = v9 + v11
-            work[496 + k] = v10 + v11
-            work[512 + k] = v9 + v12
-            work[528 + k] = v10 + v12
-            work[544 + k] = v4 - v3
-            work[560 + k] = -(v3 + v4)
-        for k in range(352, 464):
-            work[k] = _atan2(work[k], work[k + 112])
-        for k in range(0, 16):
-            D1 = work[272 + k]
-            w1 = work[288 + k]
-            v1 = work[304 + k]
-            D3 = work[320 + k]
-            v6 = work[336 + k]
-            angle1 = work[352 + k]
-            angle2 = work[368 + k]
-            angle3 = work[384 + k]
-            angle4 = work[400 + k]
-            angle5 = work[416 + k]
-            angle6 = work[432 + k]
-            angle7 = work[448 + k]
-            q3__p = angle1 - turn1
-            v7 = turn1 + angle1
-            q1_pp = v6 + angle6
-            q1_mp = v6 + angle7
-            q3_pp = v1 + (q3__p + (turn if q3__p <= -half_turn else 0.0))
-            q3_pm = v1 + ((turn if -v7 <= -half_turn else 0.0) - v7)
-            _576 = q1_pp
-            work[576 + k] = _576
-            _592 = angle2
-            work[592 + k] = _592
-            _608 = q3_pp
-            work[608 + k] = _608
-            _624 = angle3
-            work[624 + k] = _624
-            _640 = q3_pm
-            work[640 + k] = _640
-            _656 = q1_mp
-            work[656 + k] = _656
-            _672 = angle4
-            work[672 + k] = _672
-            _688 = angle5
-            work[688 + k] = _688
-            work[704 + k] = UNREACHABLE if _576 != _576 else OK
-            work[720 + k] = UNREACHABLE if _576 != _576 else OK
-            work[736 + k] = UNREACHABLE if _656 != _656 else OK
-            work[752 + k] = UNREACHABLE if _656 != _656 else OK
-            work[256 + k] = 1.0 if abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 else work[256 + k]
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(4):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(3):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="position",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 19, 16, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite",
             "no_row": "the pose is out of reach",
@@ -718,6 +357,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

@@ -26,16 +26,9 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
-_read_rows = _runtime("pose").read_position
 _of_joints = _runtime("entry").of_joints(_HOW, 3)
 
 NAME = "rpp"
@@ -63,17 +56,24 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 d1 = 0.5  # joint offset 1 [m]
 free_limit1 = 5e-13  # a length that fixes no angle [m]
 m1 = 2.4999999999999996e-09  # doubt_limit1^2 [m^2]
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 5e-10, 5e-10])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 4.0, 4.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 5e-10, 5e-10),
+        weights=(1.0, 4.0, 4.0),
+        paces=(1.0, 0.5, 0.5),
+        fan_steps=(),
+        rows=2,
+        directions='none',
+        miss_weights=(2.0, 2.0, 2.0, 0.0, 0.0, 0.0),
+        size=0.5,
+        steps=('regular', 'follows seed'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -117,8 +117,8 @@ def jacobian(q):
     return J
 
 
-@_inner
-def _solve(pose, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
 
@@ -147,309 +147,63 @@ def _solve(pose, seed, q, status):
         status[row] = FREE_JOINT if free1 else OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px * px * px) and math.isfinite(py * py * py) and math.isfinite(pz * pz * pz), pose
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 0.5, 0.5])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([2.0, 2.0, 2.0, 0.0, 0.0, 0.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    return e, math.sqrt(square)
+    for k in range(w):
+        T14, T24, T34 = kept[3 * w + k], kept[7 * w + k], kept[11 * w + k]
 
+        # r3, type 1: U0[3, 4]
+        q3_p = T34 - d1
 
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
+        # theta1, r2, type 4: U0[1, 4] and U0[2, 4]
+        v1 = T14 * T14 + T24 * T24
+        q2_p = math.sqrt(v1)
 
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 9)), np.zeros(6)
-    for i in range(6):
-        for j in range(3):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 3 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(9):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(9):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(9):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(3):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
-
-
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
-
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(3):
-        off = q[i] - x[i]
-        if _REVOLUTE[i]:
-            off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off) * math.sqrt(_WEIGHT[i]))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(3)
-    held, x, settled = np.zeros(3, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(3):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(3)
-    for i in range(3):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(3):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(3), np.empty(3), 0, math.inf
-    nearest = 0.001
-    for i in range(3):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
+        # a joint is free, or branches meet
+        kept[16 * w + k] = 1.0 if v1 <= m1 else kept[16 * w + k]
+        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = q3_p, q2_p, -T14
+        turns[1 * w + k] = T24
+    if w == 1 and kept[16] != 0.0:
         return
-    for row in range(2 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(3):
-            q[place, i] = x[i]
+    for k in range(0 * w, 1 * w):
+        turns[k] = _atan2(turns[k], turns[k + 1 * w])
+    for k in range(w):
+        T14, q3_p, q2_p = kept[3 * w + k], kept[17 * w + k], kept[18 * w + k]
+        angle1 = turns[0 * w + k]
+
+        # theta1, r2, type 4: U0[1, 4] and U0[2, 4]
+        q1_m = angle1 - math.copysign(half_turn, -T14)
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = angle1, q2_p, q3_p
+        rows[3 * w + k], rows[4 * w + k] = q1_m, -q2_p
+        rows[5 * w + k] = UNREACHABLE if angle1 != angle1 else OK
+        rows[6 * w + k] = UNREACHABLE if q1_m != q1_m else OK
 
 
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(2):
-        status[row] = UNREACHABLE
-        for i in range(3):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(2):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(3):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
-
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
-    """
-    _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
-
-    # r3, type 1: U0[3, 4]
-    q3_p = T34 - d1
-
-    # theta1, r2, type 4: U0[1, 4] and U0[2, 4]
-    v1 = T14 * T14 + T24 * T24
-    q2_p = math.sqrt(v1)
-
-    # a joint is free, or branches meet
-    if v1 <= m1:
-        return False
-    angle1 = _atan2(-T14, T24)
-
-    # theta1, r2, type 4: U0[1, 4] and U0[2, 4]
-    q1_m = angle1 - math.copysign(half_turn, -T14)
-
-    q[0, 0] = angle1
-    q[0, 1] = q2_p
-    q[0, 2] = q3_p
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = q1_m
-    q[1, 1] = -q2_p
-    q[1, 2] = q3_p
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    return True
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (2, 3) or status.shape != (2,):
-        raise ValueError("T, q and status must have shapes (4, 4), (2, 3), (2,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(2):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [352, 368, 384],
-    [400, 416, 384],
+    [0, 1, 2],
+    [3, 4, 2],
 ])
-_KINDS = np.array([432, 448])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(464), 464)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            miss = (
-                0.0 * (work[48 + k] * work[48 + k] * work[48 + k] + work[112 + k] * work[112 + k] *
-                work[112 + k] + work[176 + k] * work[176 + k] * work[176 + k])
-            )
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T14 = work[48 + k]
-            T24 = work[112 + k]
-            T34 = work[176 + k]
-            q3_p = T34 - d1
-            v1 = T14 * T14 + T24 * T24
-            q2_p = math.sqrt(v1)
-            work[272 + k] = q3_p
-            work[288 + k] = v1
-            work[304 + k] = q2_p
-            work[320 + k] = -T14
-            work[336 + k] = T24
-        for k in range(320, 336):
-            work[k] = _atan2(work[k], work[k + 16])
-        for k in range(0, 16):
-            T14 = work[48 + k]
-            q3_p = work[272 + k]
-            v1 = work[288 + k]
-            q2_p = work[304 + k]
-            angle1 = work[320 + k]
-            q1_m = angle1 - math.copysign(half_turn, -T14)
-            _352 = angle1
-            work[352 + k] = _352
-            _368 = q2_p
-            work[368 + k] = _368
-            _384 = q3_p
-            work[384 + k] = _384
-            _400 = q1_m
-            work[400 + k] = _400
-            _416 = -q2_p
-            work[416 + k] = _416
-            work[432 + k] = UNREACHABLE if _352 != _352 else OK
-            work[448 + k] = UNREACHABLE if _400 != _400 else OK
-            work[256 + k] = 1.0 if v1 <= m1 else work[256 + k]
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(2):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(3):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="position",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 19, 2, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite or beyond 5e102",
             "no_row": "the pose is out of reach",
@@ -457,6 +211,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

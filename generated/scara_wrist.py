@@ -27,17 +27,10 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
-_read_rows = _runtime("pose").read_pose
 _of_joints = _runtime("entry").of_joints(_HOW, 6)
 
 NAME = "scara_wrist"
@@ -85,17 +78,24 @@ m1 = 8.7396756498489e-12  # 1000 * (longest2 - longest2_apart) * (longest2_apart
 m2 = 1.25  # a coefficient of S1
 m3 = 0.08750000000000001  # a coefficient of S1
 m4 = 9.999999999999999e-09  # doubt_limit^2
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1.3e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 0.5917159763313609, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1.3e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 0.5917159763313609, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.3, 1.0, 1.0, 1.0),
+        fan_steps=(),
+        rows=4,
+        directions='rotation',
+        miss_weights=(0.7692, 0.7692, 0.7692, 1.0, 1.0, 1.0),
+        size=1.3,
+        steps=('regular', 'follows seed'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -202,8 +202,8 @@ def jacobian(q):
     return J
 
 
-@_inner
-def _solve(pose, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, _, _, T33, T34 = pose
 
@@ -286,467 +286,112 @@ def _solve(pose, seed, q, status):
             status[row] = FREE_JOINT if free1 or free12m4 else OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px * px * px) and math.isfinite(py * py * py) and math.isfinite(pz * pz * pz), pose
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.3, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.7692, 0.7692, 0.7692, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
+    for k in range(w):
+        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T33, T34 = kept[10 * w + k], kept[11 * w + k]
 
+        # theta2, type 8: U0 A6^-1 [1, 4] and U0 A6^-1 [2, 4]
+        wx = T14 - d6 * T13
+        wy = T24 - d6 * T23
+        N2 = wx * wx + wy * wy
+        D2 = (longest2 - N2) * (N2 - shortest2)
+        w2 = math.sqrt(D2)
+        v1 = w2 - w2
 
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
+        # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
+        v2 = m3 + m2 * N2
+        v3 = wy * v2
+        v4 = wx * v2
 
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
-    for i in range(6):
-        for j in range(6):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 6 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(12):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(12):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(12):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
+        # theta12m4, type 2: U4[3, 3]
+        v5 = T13 * T13 + T23 * T23
 
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        s6 = T13 * T21 - T23 * T11
 
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
+        # joint values
+        q3_pp = v1 + (T34 - d6 * T33 - d1)
 
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(6):
-        off = q[i] - x[i]
-        if _REVOLUTE[i]:
-            off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off) * math.sqrt(_WEIGHT[i]))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(6)
-    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(6):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(6)
-    for i in range(6):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(6):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    nearest = 0.001
-    for i in range(6):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
+        # a joint is free, or branches meet
+        kept[16 * w + k] = 1.0 if abs(D2) <= m1 or v5 <= m4 else kept[16 * w + k]
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], turns[0 * w + k] = v1, s6, q3_pp, w2
+        turns[1 * w + k], turns[2 * w + k] = v3 - w2 * (m2 * wx), v3 - w2 * (m2 * -wx)
+        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = math.sqrt(v5), s6, -T23
+        turns[8 * w + k], turns[9 * w + k] = N2 - k1, v4 + w2 * (m2 * wy)
+        turns[10 * w + k], turns[11 * w + k] = v4 + w2 * (m2 * -wy), -T33
+        turns[12 * w + k], turns[13 * w + k] = T13 * T22 - T23 * T12, -T13
+    if w == 1 and kept[16] != 0.0:
         return
-    for row in range(4 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
+    end = 8 if w == 1 else 6 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(6 * w, end):
+        turns[k] = turns[k + 8 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 8 * w])
+    for k in range(w):
+        T23, v1, s6, q3_pp = kept[6 * w + k], kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+
+        # theta12m4, type 2: U4[3, 3]
+        v6 = angle1 + angle2
+        v7 = angle3 - angle1
+
+        # joint values
+        v8 = angle6 - math.copysign(half_turn, -T23)
+        v9 = v6 - angle6
+        v10 = v6 - v8
+        v11 = v7 - angle6
+        v12 = v7 - v8
+        q4_pp = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
+        q4_pm = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
+        q4_mp = v11 + (turn if v11 <= -half_turn else (-turn if half_turn < v11 else 0.0))
+        q4_mm = v12 + (turn if v12 <= -half_turn else (-turn if half_turn < v12 else 0.0))
+        q5_pp = v1 + angle4
+        q5_pm = v1 - angle4
+        q6_pp = v1 + angle5
+        q6_pm = v1 + (angle5 - math.copysign(half_turn, s6))
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = angle2, angle1, q3_pp
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q4_pp, q5_pp, q6_pp
+        rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q4_pm, q5_pm, q6_pm
+        rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = angle3, -angle1, q4_mp
+        rows[12 * w + k] = q4_mm
+        rows[13 * w + k] = UNREACHABLE if angle2 != angle2 else OK
+        rows[14 * w + k] = UNREACHABLE if angle2 != angle2 else OK
+        rows[15 * w + k] = UNREACHABLE if angle3 != angle3 else OK
+        rows[16 * w + k] = UNREACHABLE if angle3 != angle3 else OK
 
 
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(4):
-        status[row] = UNREACHABLE
-        for i in range(6):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(4):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(6):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
-
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
-    """
-    T11, T12, T13, T14, T21, T22, T23, T24, _, _, T33, T34 = pose
-    room = carray(_room(16), 16)
-
-    # theta2, type 8: U0 A6^-1 [1, 4] and U0 A6^-1 [2, 4]
-    wx = T14 - d6 * T13
-    wy = T24 - d6 * T23
-    N2 = wx * wx + wy * wy
-    D2 = (longest2 - N2) * (N2 - shortest2)
-    w2 = math.sqrt(D2)
-    v1 = w2 - w2
-
-    # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
-    v2 = m3 + m2 * N2
-    v3 = wy * v2
-    v4 = wx * v2
-
-    # theta12m4, type 2: U4[3, 3]
-    v5 = T13 * T13 + T23 * T23
-
-    # theta6, type 3: U4[3, 2] and U4[3, 1]
-    s6 = T13 * T21 - T23 * T11
-
-    # joint values
-    q3_pp = v1 + (T34 - d6 * T33 - d1)
-
-    # a joint is free, or branches meet
-    if abs(D2) <= m1 or v5 <= m4:
-        return False
-
-    # angles, side by side
-    room[0] = w2
-    room[1] = v3 - w2 * (m2 * wx)
-    room[2] = v3 - w2 * (m2 * -wx)
-    room[3] = math.sqrt(v5)
-    room[4] = s6
-    room[5] = -T23
-    room[8] = N2 - k1
-    room[9] = v4 + w2 * (m2 * wy)
-    room[10] = v4 + w2 * (m2 * -wy)
-    room[11] = -T33
-    room[12] = T13 * T22 - T23 * T12
-    room[13] = -T13
-    for k in range(6, 8):
-        room[k] = room[k + 8] = 1.0
-    for k in range(8):
-        room[k] = _atan2(room[k], room[k + 8])
-    angle1 = room[0]
-    angle2 = room[1]
-    angle3 = room[2]
-    angle4 = room[3]
-    angle5 = room[4]
-    angle6 = room[5]
-
-    # theta12m4, type 2: U4[3, 3]
-    v6 = angle1 + angle2
-    v7 = angle3 - angle1
-
-    # joint values
-    v8 = angle6 - math.copysign(half_turn, -T23)
-    v9 = v6 - angle6
-    v10 = v6 - v8
-    v11 = v7 - angle6
-    v12 = v7 - v8
-    q4_pp = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
-    q4_pm = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
-    q4_mp = v11 + (turn if v11 <= -half_turn else (-turn if half_turn < v11 else 0.0))
-    q4_mm = v12 + (turn if v12 <= -half_turn else (-turn if half_turn < v12 else 0.0))
-    q5_pp = v1 + angle4
-    q5_pm = v1 - angle4
-    q6_pp = v1 + angle5
-    q6_pm = v1 + (angle5 - math.copysign(half_turn, s6))
-
-    q[0, 0] = angle2
-    q[0, 1] = angle1
-    q[0, 2] = q3_pp
-    q[0, 3] = q4_pp
-    q[0, 4] = q5_pp
-    q[0, 5] = q6_pp
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = angle2
-    q[1, 1] = angle1
-    q[1, 2] = q3_pp
-    q[1, 3] = q4_pm
-    q[1, 4] = q5_pm
-    q[1, 5] = q6_pm
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    q[2, 0] = angle3
-    q[2, 1] = -angle1
-    q[2, 2] = q3_pp
-    q[2, 3] = q4_mp
-    q[2, 4] = q5_pp
-    q[2, 5] = q6_pp
-    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
-    q[3, 0] = angle3
-    q[3, 1] = -angle1
-    q[3, 2] = q3_pp
-    q[3, 3] = q4_mm
-    q[3, 4] = q5_pm
-    q[3, 5] = q6_pm
-    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
-    return True
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (4, 6) or status.shape != (4,):
-        raise ValueError("T, q and status must have shapes (4, 4), (4, 6), (4,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(4):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [544, 560, 576, 592, 608, 624],
-    [544, 560, 576, 640, 656, 672],
-    [688, 704, 576, 720, 608, 624],
-    [688, 704, 576, 736, 656, 672],
+    [0, 1, 2, 3, 4, 5],
+    [0, 1, 2, 6, 7, 8],
+    [9, 10, 2, 11, 4, 5],
+    [9, 10, 2, 12, 7, 8],
 ])
-_KINDS = np.array([752, 768, 784, 800])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(816), 816)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
-            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
-            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
-            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-            xy = x0 * y0 + x1 * y1 + x2 * y2
-            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
-            miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
-                - 1.0) + 0.0 * (work[48 + k] * work[48 + k] * work[48 + k] + work[112 + k] *
-                work[112 + k] * work[112 + k] + work[176 + k] * work[176 + k] * work[176 + k])
-            )
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T11 = work[0 + k]
-            T12 = work[16 + k]
-            T13 = work[32 + k]
-            T14 = work[48 + k]
-            T21 = work[64 + k]
-            T22 = work[80 + k]
-            T23 = work[96 + k]
-            T24 = work[112 + k]
-            T33 = work[160 + k]
-            T34 = work[176 + k]
-            wx = T14 - d6 * T13
-            wy = T24 - d6 * T23
-            N2 = wx * wx + wy * wy
-            D2 = (longest2 - N2) * (N2 - shortest2)
-            w2 = math.sqrt(D2)
-            v1 = w2 - w2
-            v2 = m3 + m2 * N2
-            v3 = wy * v2
-            v4 = wx * v2
-            v5 = T13 * T13 + T23 * T23
-            s6 = T13 * T21 - T23 * T11
-            q3_pp = v1 + (T34 - d6 * T33 - d1)
-            work[272 + k] = D2
-            work[288 + k] = v1
-            work[304 + k] = v5
-            work[320 + k] = s6
-            work[336 + k] = q3_pp
-            work[352 + k] = w2
-            work[368 + k] = v3 - w2 * (m2 * wx)
-            work[384 + k] = v3 - w2 * (m2 * -wx)
-            work[400 + k] = math.sqrt(v5)
-            work[416 + k] = s6
-            work[432 + k] = -T23
-            work[448 + k] = N2 - k1
-            work[464 + k] = v4 + w2 * (m2 * wy)
-            work[480 + k] = v4 + w2 * (m2 * -wy)
-            work[496 + k] = -T33
-            work[512 + k] = T13 * T22 - T23 * T12
-            work[528 + k] = -T13
-        for k in range(352, 448):
-            work[k] = _atan2(work[k], work[k + 96])
-        for k in range(0, 16):
-            T23 = work[96 + k]
-            D2 = work[272 + k]
-            v1 = work[288 + k]
-            v5 = work[304 + k]
-            s6 = work[320 + k]
-            q3_pp = work[336 + k]
-            angle1 = work[352 + k]
-            angle2 = work[368 + k]
-            angle3 = work[384 + k]
-            angle4 = work[400 + k]
-            angle5 = work[416 + k]
-            angle6 = work[432 + k]
-            v6 = angle1 + angle2
-            v7 = angle3 - angle1
-            v8 = angle6 - math.copysign(half_turn, -T23)
-            v9 = v6 - angle6
-            v10 = v6 - v8
-            v11 = v7 - angle6
-            v12 = v7 - v8
-            q4_pp = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
-            q4_pm = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
-            q4_mp = v11 + (turn if v11 <= -half_turn else (-turn if half_turn < v11 else 0.0))
-            q4_mm = v12 + (turn if v12 <= -half_turn else (-turn if half_turn < v12 else 0.0))
-            q5_pp = v1 + angle4
-            q5_pm = v1 - angle4
-            q6_pp = v1 + angle5
-            q6_pm = v1 + (angle5 - math.copysign(half_turn, s6))
-            _544 = angle2
-            work[544 + k] = _544
-            _560 = angle1
-            work[560 + k] = _560
-            _576 = q3_pp
-            work[576 + k] = _576
-            _592 = q4_pp
-            work[592 + k] = _592
-            _608 = q5_pp
-            work[608 + k] = _608
-            _624 = q6_pp
-            work[624 + k] = _624
-            _640 = q4_pm
-            work[640 + k] = _640
-            _656 = q5_pm
-            work[656 + k] = _656
-            _672 = q6_pm
-            work[672 + k] = _672
-            _688 = angle3
-            work[688 + k] = _688
-            _704 = -angle1
-            work[704 + k] = _704
-            _720 = q4_mp
-            work[720 + k] = _720
-            _736 = q4_mm
-            work[736 + k] = _736
-            work[752 + k] = UNREACHABLE if _544 != _544 else OK
-            work[768 + k] = UNREACHABLE if _544 != _544 else OK
-            work[784 + k] = UNREACHABLE if _688 != _688 else OK
-            work[800 + k] = UNREACHABLE if _688 != _688 else OK
-            work[256 + k] = 1.0 if abs(D2) <= m1 or v5 <= m4 else work[256 + k]
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(4):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(6):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 20, 16, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite or beyond 5e102, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach",
@@ -754,6 +399,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

@@ -28,16 +28,9 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
-_read_rows = _runtime("pose").read_pose
 _of_joints = _runtime("entry").of_joints(_HOW, 6)
 
 NAME = "spherical_wrist_all_offsets"
@@ -106,16 +99,24 @@ m6 = 1.2459016393442623  # a coefficient of c23
 m7 = 0.04036721311475411  # a coefficient of c23
 m8 = 0.00956065573770492  # a coefficient of c23
 m9 = 9.999999999999999e-09  # doubt_limit^2
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(),
+        rows=8,
+        directions='rotation',
+        miss_weights=(0.5618, 0.5618, 0.5618, 1.0, 1.0, 1.0),
+        size=1.7800000000000005,
+        steps=('regular', 'merges', 'refines', 'follows seed'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -266,8 +267,8 @@ def jacobian(q):
     return J
 
 
-@_inner
-def _solve(pose, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
@@ -386,887 +387,251 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.5618, 0.5618, 0.5618, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
+    for k in range(w):
+        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
+        # theta1, type 2: U1 A6^-1 [3, 4]
+        wx = T14 - d6 * T13
+        Y1 = d6 * T23 - T24
+        N1 = wx * wx + Y1 * Y1
+        D1 = N1 - k2
+        w1 = math.sqrt(D1)
+        inverse1 = 1.0 / N1
+        v1 = inverse1 * (k1 * Y1)
+        v2 = v1 + w1 * (wx * inverse1)
+        v3 = v1 + w1 * (inverse1 * -wx)
+        v4 = inverse1 * (k1 * wx)
+        s1_p = w1 * (Y1 * inverse1) - v4
+        s1_m = w1 * (inverse1 * -Y1) - v4
 
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
+        # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+        Z1_3 = T34 - d6 * T33 - d1
+        v5 = a1 + w1
+        v6 = a1 - w1
+        v7 = Z1_3 * Z1_3
+        N3_p = v7 + v5 * v5
+        N3_m = v7 + v6 * v6
+        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+        v8 = k5 * w1
+        w3_p = math.sqrt(D3_p)
+        w3_m = math.sqrt(D3_m)
 
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
-    for i in range(6):
-        for j in range(6):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 6 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(12):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(12):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(12):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
+        # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
+        v11 = Z1_3 * (m4 + m3 * N3_p)
+        v12 = Z1_3 * (m4 + m3 * N3_m)
+        factor2_p = 1.0 / N3_p
+        factor2_m = 1.0 / N3_m
+        v13 = v5 * (m3 + m4 * factor2_p)
+        v14 = v6 * (m3 + m4 * factor2_m)
+        v15 = w3_p * (m3 * v5)
 
+        # theta4, type 2: U4[3, 3]
+        v16 = m5 * Z1_3
+        v17 = m6 - m7 * factor2_p
+        v18 = m6 - m7 * factor2_m
+        v19 = m8 * factor2_p - m5
+        v20 = m8 * factor2_m - m5
+        v21 = Z1_3 * v17 + v5 * v19
+        v22 = Z1_3 * v18 + v6 * v20
+        v23 = w3_p * (factor2_p * (v16 + m6 * v5))
+        c23_pp = v21 + v23
+        c23_pm = v21 - v23
+        v24 = w3_m * (factor2_m * (v16 + m6 * v6))
+        c23_mp = v22 + v24
+        c23_mm = v22 - v24
+        v25 = m6 * Z1_3
+        v26 = v25 - m5 * v5
+        v27 = v25 - m5 * v6
+        v28 = Z1_3 * v19 + v5 * -v17
+        v29 = Z1_3 * v20 + v6 * -v18
+        s23_pp = v28 + w3_p * (factor2_p * v26)
+        s23_pm = v28 + w3_p * (factor2_p * -v26)
+        s23_mp = v29 + w3_m * (factor2_m * v27)
+        s23_mm = v29 + w3_m * (factor2_m * -v27)
+        v30 = T23 * s1_p - T13 * v2
+        v31 = T23 * s1_m - T13 * v3
+        X4_pp = c23_pp * v30 - T33 * s23_pp
+        X4_pm = c23_pm * v30 - T33 * s23_pm
+        X4_mp = c23_mp * v31 - T33 * s23_mp
+        X4_mm = c23_mm * v31 - T33 * s23_mm
+        Y4_p = T13 * s1_p + T23 * v2
+        Y4_m = T13 * s1_m + T23 * v3
+        v32 = Y4_p * Y4_p
+        v33 = Y4_m * Y4_m
+        v34 = v32 + X4_pp * X4_pp
+        v35 = v32 + X4_pm * X4_pm
+        v36 = v33 + X4_mp * X4_mp
+        v37 = v33 + X4_mm * X4_mm
+        v38 = math.copysign(half_turn, Y4_p)
+        v39 = math.copysign(half_turn, Y4_m)
 
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        v40 = s1_p * T12 + v2 * T22
+        v41 = s1_m * T12 + v3 * T22
+        v42 = s1_p * T22 - v2 * T12
+        v43 = s1_m * T22 - v3 * T12
+        v44 = s1_p * T11 + v2 * T21
+        v45 = s1_m * T11 + v3 * T21
+        v46 = s1_p * T21 - v2 * T11
+        v47 = s1_m * T21 - v3 * T11
 
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(6):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(6)
-    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(6):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(6)
-    for i in range(6):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(6):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _lead(pose, q, status):
-    """Rows of a root that follows another, which may be a little out of reach, to solutions."""
-    for row in range(8):
-        if status[row] == UNREACHABLE or _miss(pose, q[row])[1] <= 1e-11:
-            continue
-        if not _settle(pose, 1e-12, 0.15, q[row]):
-            status[row] = UNREACHABLE
-            for i in range(6):
-                q[row, i] = math.nan
-
-
-@_apart("boolean(UniTuple(float64, 12), float64[::1])")
-def _are_one(T, half):
-    """Whether rounding alone tells two solutions that lie to both sides of joint values.
-
-    Half way the arm is singular, and what steps in all other directions leave of the miss is how far
-    the pose is from one at which both meet.
-    """
-    held = np.zeros(6, np.bool_)
-    for _ in range(3):
-        _add_step(held, 1e-13, _miss(T, half)[0], half)
-    return _miss(T, half)[1] <= 1e-14
-
-
-@_inner
-def _tell_once(pose, q, status):
-    """Ends rows that rounding alone tells from earlier ones.
-
-    Where an earlier angle is good to fewer digits than usual branches that meet come out apart.
-    """
-    half = np.empty(6)
-    for row in range(1, 8):
-        for k in range(row):
-            if status[row] == UNREACHABLE or status[k] == UNREACHABLE:
-                continue
-            if _half_way(q[k], q[row], half) < 0.001 and _are_one(pose, half):
-                status[row] = UNREACHABLE
-                for i in range(6):
-                    q[row, i] = math.nan
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    nearest = 0.001
-    for i in range(6):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
+        # a joint is free, or branches meet
+        kept[16 * w + k] = (
+            1.0 if v37 <= m9 or v36 <= m9 or v35 <= m9 or v34 <= m9 or abs(D3_m * v8) <= m2 or
+            abs(D1) <= m1 or abs(D3_p * v8) <= m2 else kept[16 * w + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3_p, w3_m, c23_pp
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = c23_pm, c23_mp, c23_mm
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = s23_pp, s23_pm, s23_mp
+        kept[26 * w + k], kept[27 * w + k], kept[28 * w + k] = s23_mm, X4_pp, X4_pm
+        kept[29 * w + k], kept[30 * w + k], kept[31 * w + k] = X4_mp, X4_mm, Y4_p
+        kept[32 * w + k], kept[33 * w + k], kept[34 * w + k], kept[35 * w + k] = Y4_m, v38, v39, v44
+        kept[36 * w + k], kept[37 * w + k], kept[38 * w + k], turns[0 * w + k] = v45, v46, v47, w3_p
+        turns[1 * w + k], turns[2 * w + k] = w3_m, -(factor2_p * (v11 - v15))
+        turns[3 * w + k] = -(factor2_p * (v11 + v15))
+        turns[4 * w + k] = -(factor2_m * (v12 - w3_m * (m3 * v6)))
+        turns[5 * w + k], turns[6 * w + k] = -(factor2_m * (v12 - w3_m * (m3 * -v6))), Y4_p
+        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = Y4_p, Y4_m, Y4_m
+        turns[10 * w + k], turns[11 * w + k] = -math.sqrt(v34), -math.sqrt(v35)
+        turns[12 * w + k], turns[13 * w + k] = -math.sqrt(v36), -math.sqrt(v37)
+        turns[14 * w + k] = -(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp * T31))
+        turns[15 * w + k] = -(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm * T31))
+        turns[16 * w + k] = -(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp * T31))
+        turns[17 * w + k] = -(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm * T31))
+        turns[18 * w + k], turns[19 * w + k], turns[24 * w + k] = s1_p, s1_m, N3_p - k8
+        turns[25 * w + k], turns[26 * w + k] = N3_m - k8, -(v13 + w3_p * (m3 * (Z1_3 * factor2_p)))
+        turns[27 * w + k] = -(v13 + w3_p * (m3 * (-Z1_3 * factor2_p)))
+        turns[28 * w + k] = -(v14 + w3_m * (m3 * (Z1_3 * factor2_m)))
+        turns[29 * w + k], turns[30 * w + k] = -(v14 + w3_m * (m3 * (-Z1_3 * factor2_m))), -X4_pp
+        turns[31 * w + k], turns[32 * w + k], turns[33 * w + k] = -X4_pm, -X4_mp, -X4_mm
+        turns[34 * w + k] = T33 * c23_pp + s23_pp * v30
+        turns[35 * w + k] = T33 * c23_pm + s23_pm * v30
+        turns[36 * w + k] = T33 * c23_mp + s23_mp * v31
+        turns[37 * w + k] = T33 * c23_mm + s23_mm * v31
+        turns[38 * w + k] = -(-X4_pp * v40 + Y4_p * (c23_pp * v42 - s23_pp * T32))
+        turns[39 * w + k] = -(-X4_pm * v40 + Y4_p * (c23_pm * v42 - s23_pm * T32))
+        turns[40 * w + k] = -(-X4_mp * v41 + Y4_m * (c23_mp * v43 - s23_mp * T32))
+        turns[41 * w + k] = -(-X4_mm * v41 + Y4_m * (c23_mm * v43 - s23_mm * T32))
+        turns[42 * w + k], turns[43 * w + k] = -v2, -v3
+    if w == 1 and kept[16] != 0.0:
         return
-    for row in range(8 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
+    end = 24 if w == 1 else 20 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(20 * w, end):
+        turns[k] = turns[k + 24 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 24 * w])
+    for k in range(w):
+        T31, w3_p, w3_m = kept[8 * w + k], kept[17 * w + k], kept[18 * w + k]
+        c23_pp, c23_pm, c23_mp = kept[19 * w + k], kept[20 * w + k], kept[21 * w + k]
+        c23_mm, s23_pp, s23_pm = kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
+        s23_mp, s23_mm, X4_pp = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k]
+        X4_pm, X4_mp, X4_mm = kept[28 * w + k], kept[29 * w + k], kept[30 * w + k]
+        Y4_p, Y4_m, v38 = kept[31 * w + k], kept[32 * w + k], kept[33 * w + k]
+        v39, v44, v45, v46 = kept[34 * w + k], kept[35 * w + k], kept[36 * w + k], kept[37 * w + k]
+        v47, angle1, angle2 = kept[38 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
+        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
+        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
+        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
+        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
+        angle18, angle19, angle20 = turns[17 * w + k], turns[18 * w + k], turns[19 * w + k]
+
+        # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+        q3__pp = angle1 - turn1
+        v9 = turn1 + angle1
+        q3__mp = angle2 - turn1
+        v10 = turn1 + angle2
+
+        # theta4, type 2: U4[3, 3]
+        q4_ppm = angle7 - v38
+        q4_pmm = angle8 - v38
+        q4_mpm = angle9 - v39
+        q4_mmm = angle10 - v39
+
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        q6_ppm = (
+            angle15 - math.copysign(half_turn, -(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp *
+            T31)))
+        )
+        q6_pmm = (
+            angle16 - math.copysign(half_turn, -(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm *
+            T31)))
+        )
+        q6_mpm = (
+            angle17 - math.copysign(half_turn, -(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp *
+            T31)))
+        )
+        q6_mmm = (
+            angle18 - math.copysign(half_turn, -(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm *
+            T31)))
+        )
+
+        # joint values
+        q3_ppp = q3__pp + (-turn if half_turn < q3__pp else 0.0)
+        q3_pmp = (-turn if half_turn < -v9 else 0.0) - v9
+        q3_mpp = q3__mp + (-turn if half_turn < q3__mp else 0.0)
+        q3_mmp = (-turn if half_turn < -v10 else 0.0) - v10
+        q1_ppp = angle19 + (w3_p - w3_p)
+        q1_mpp = angle20 + (w3_m - w3_m)
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, angle3, q3_ppp
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle7, angle11, angle15
+        rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q4_ppm, -angle11, q6_ppm
+        rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = angle4, q3_pmp, angle8
+        rows[12 * w + k], rows[13 * w + k], rows[14 * w + k] = angle12, angle16, q4_pmm
+        rows[15 * w + k], rows[16 * w + k], rows[17 * w + k] = -angle12, q6_pmm, q1_mpp
+        rows[18 * w + k], rows[19 * w + k], rows[20 * w + k] = angle5, q3_mpp, angle9
+        rows[21 * w + k], rows[22 * w + k], rows[23 * w + k] = angle13, angle17, q4_mpm
+        rows[24 * w + k], rows[25 * w + k], rows[26 * w + k] = -angle13, q6_mpm, angle6
+        rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = q3_mmp, angle10, angle14
+        rows[30 * w + k], rows[31 * w + k], rows[32 * w + k] = angle18, q4_mmm, -angle14
+        rows[33 * w + k] = q6_mmm
+        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[40 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(8):
-        status[row] = UNREACHABLE
-        for i in range(6):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    _lead(pose, q, status)
-    _tell_once(pose, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(8):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(6):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
-
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
-    """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
-    room = carray(_room(48), 48)
-
-    # theta1, type 2: U1 A6^-1 [3, 4]
-    wx = T14 - d6 * T13
-    Y1 = d6 * T23 - T24
-    N1 = wx * wx + Y1 * Y1
-    D1 = N1 - k2
-    w1 = math.sqrt(D1)
-    inverse1 = 1.0 / N1
-    v1 = inverse1 * (k1 * Y1)
-    v2 = v1 + w1 * (wx * inverse1)
-    v3 = v1 + w1 * (inverse1 * -wx)
-    v4 = inverse1 * (k1 * wx)
-    s1_p = w1 * (Y1 * inverse1) - v4
-    s1_m = w1 * (inverse1 * -Y1) - v4
-
-    # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    Z1_3 = T34 - d6 * T33 - d1
-    v5 = a1 + w1
-    v6 = a1 - w1
-    v7 = Z1_3 * Z1_3
-    N3_p = v7 + v5 * v5
-    N3_m = v7 + v6 * v6
-    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-    v8 = k5 * w1
-    w3_p = math.sqrt(D3_p)
-    w3_m = math.sqrt(D3_m)
-
-    # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    v11 = Z1_3 * (m4 + m3 * N3_p)
-    v12 = Z1_3 * (m4 + m3 * N3_m)
-    factor2_p = 1.0 / N3_p
-    factor2_m = 1.0 / N3_m
-    v13 = v5 * (m3 + m4 * factor2_p)
-    v14 = v6 * (m3 + m4 * factor2_m)
-    v15 = w3_p * (m3 * v5)
-
-    # theta4, type 2: U4[3, 3]
-    v16 = m5 * Z1_3
-    v17 = m6 - m7 * factor2_p
-    v18 = m6 - m7 * factor2_m
-    v19 = m8 * factor2_p - m5
-    v20 = m8 * factor2_m - m5
-    v21 = Z1_3 * v17 + v5 * v19
-    v22 = Z1_3 * v18 + v6 * v20
-    v23 = w3_p * (factor2_p * (v16 + m6 * v5))
-    c23_pp = v21 + v23
-    c23_pm = v21 - v23
-    v24 = w3_m * (factor2_m * (v16 + m6 * v6))
-    c23_mp = v22 + v24
-    c23_mm = v22 - v24
-    v25 = m6 * Z1_3
-    v26 = v25 - m5 * v5
-    v27 = v25 - m5 * v6
-    v28 = Z1_3 * v19 + v5 * -v17
-    v29 = Z1_3 * v20 + v6 * -v18
-    s23_pp = v28 + w3_p * (factor2_p * v26)
-    s23_pm = v28 + w3_p * (factor2_p * -v26)
-    s23_mp = v29 + w3_m * (factor2_m * v27)
-    s23_mm = v29 + w3_m * (factor2_m * -v27)
-    v30 = T23 * s1_p - T13 * v2
-    v31 = T23 * s1_m - T13 * v3
-    X4_pp = c23_pp * v30 - T33 * s23_pp
-    X4_pm = c23_pm * v30 - T33 * s23_pm
-    X4_mp = c23_mp * v31 - T33 * s23_mp
-    X4_mm = c23_mm * v31 - T33 * s23_mm
-    Y4_p = T13 * s1_p + T23 * v2
-    Y4_m = T13 * s1_m + T23 * v3
-    v32 = Y4_p * Y4_p
-    v33 = Y4_m * Y4_m
-    v34 = v32 + X4_pp * X4_pp
-    v35 = v32 + X4_pm * X4_pm
-    v36 = v33 + X4_mp * X4_mp
-    v37 = v33 + X4_mm * X4_mm
-    v38 = math.copysign(half_turn, Y4_p)
-    v39 = math.copysign(half_turn, Y4_m)
-
-    # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v40 = s1_p * T12 + v2 * T22
-    v41 = s1_m * T12 + v3 * T22
-    v42 = s1_p * T22 - v2 * T12
-    v43 = s1_m * T22 - v3 * T12
-    v44 = s1_p * T11 + v2 * T21
-    v45 = s1_m * T11 + v3 * T21
-    v46 = s1_p * T21 - v2 * T11
-    v47 = s1_m * T21 - v3 * T11
-
-    # a joint is free, or branches meet
-    if (
-        v37 <= m9 or v36 <= m9 or v35 <= m9 or v34 <= m9 or abs(D3_m * v8) <= m2 or abs(D1) <= m1 or
-        abs(D3_p * v8) <= m2
-    ):
-        return False
-
-    # angles, side by side
-    room[0] = w3_p
-    room[1] = w3_m
-    room[2] = -(factor2_p * (v11 - v15))
-    room[3] = -(factor2_p * (v11 + v15))
-    room[4] = -(factor2_m * (v12 - w3_m * (m3 * v6)))
-    room[5] = -(factor2_m * (v12 - w3_m * (m3 * -v6)))
-    room[6] = Y4_p
-    room[7] = Y4_p
-    room[8] = Y4_m
-    room[9] = Y4_m
-    room[10] = -math.sqrt(v34)
-    room[11] = -math.sqrt(v35)
-    room[12] = -math.sqrt(v36)
-    room[13] = -math.sqrt(v37)
-    room[14] = -(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp * T31))
-    room[15] = -(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm * T31))
-    room[16] = -(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp * T31))
-    room[17] = -(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm * T31))
-    room[18] = s1_p
-    room[19] = s1_m
-    room[24] = N3_p - k8
-    room[25] = N3_m - k8
-    room[26] = -(v13 + w3_p * (m3 * (Z1_3 * factor2_p)))
-    room[27] = -(v13 + w3_p * (m3 * (-Z1_3 * factor2_p)))
-    room[28] = -(v14 + w3_m * (m3 * (Z1_3 * factor2_m)))
-    room[29] = -(v14 + w3_m * (m3 * (-Z1_3 * factor2_m)))
-    room[30] = -X4_pp
-    room[31] = -X4_pm
-    room[32] = -X4_mp
-    room[33] = -X4_mm
-    room[34] = T33 * c23_pp + s23_pp * v30
-    room[35] = T33 * c23_pm + s23_pm * v30
-    room[36] = T33 * c23_mp + s23_mp * v31
-    room[37] = T33 * c23_mm + s23_mm * v31
-    room[38] = -(-X4_pp * v40 + Y4_p * (c23_pp * v42 - s23_pp * T32))
-    room[39] = -(-X4_pm * v40 + Y4_p * (c23_pm * v42 - s23_pm * T32))
-    room[40] = -(-X4_mp * v41 + Y4_m * (c23_mp * v43 - s23_mp * T32))
-    room[41] = -(-X4_mm * v41 + Y4_m * (c23_mm * v43 - s23_mm * T32))
-    room[42] = -v2
-    room[43] = -v3
-    for k in range(20, 24):
-        room[k] = room[k + 24] = 1.0
-    for k in range(24):
-        room[k] = _atan2(room[k], room[k + 24])
-    angle1 = room[0]
-    angle2 = room[1]
-    angle3 = room[2]
-    angle4 = room[3]
-    angle5 = room[4]
-    angle6 = room[5]
-    angle7 = room[6]
-    angle8 = room[7]
-    angle9 = room[8]
-    angle10 = room[9]
-    angle11 = room[10]
-    angle12 = room[11]
-    angle13 = room[12]
-    angle14 = room[13]
-    angle15 = room[14]
-    angle16 = room[15]
-    angle17 = room[16]
-    angle18 = room[17]
-    angle19 = room[18]
-    angle20 = room[19]
-
-    # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    q3__pp = angle1 - turn1
-    v9 = turn1 + angle1
-    q3__mp = angle2 - turn1
-    v10 = turn1 + angle2
-
-    # theta4, type 2: U4[3, 3]
-    q4_ppm = angle7 - v38
-    q4_pmm = angle8 - v38
-    q4_mpm = angle9 - v39
-    q4_mmm = angle10 - v39
-
-    # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = (
-        angle15 - math.copysign(half_turn, -(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp * T31)))
-    )
-    q6_pmm = (
-        angle16 - math.copysign(half_turn, -(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm * T31)))
-    )
-    q6_mpm = (
-        angle17 - math.copysign(half_turn, -(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp * T31)))
-    )
-    q6_mmm = (
-        angle18 - math.copysign(half_turn, -(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm * T31)))
-    )
-
-    # joint values
-    q3_ppp = q3__pp + (-turn if half_turn < q3__pp else 0.0)
-    q3_pmp = (-turn if half_turn < -v9 else 0.0) - v9
-    q3_mpp = q3__mp + (-turn if half_turn < q3__mp else 0.0)
-    q3_mmp = (-turn if half_turn < -v10 else 0.0) - v10
-    q1_ppp = angle19 + (w3_p - w3_p)
-    q1_mpp = angle20 + (w3_m - w3_m)
-
-    q[0, 0] = q1_ppp
-    q[0, 1] = angle3
-    q[0, 2] = q3_ppp
-    q[0, 3] = angle7
-    q[0, 4] = angle11
-    q[0, 5] = angle15
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = q1_ppp
-    q[1, 1] = angle3
-    q[1, 2] = q3_ppp
-    q[1, 3] = q4_ppm
-    q[1, 4] = -angle11
-    q[1, 5] = q6_ppm
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    q[2, 0] = q1_ppp
-    q[2, 1] = angle4
-    q[2, 2] = q3_pmp
-    q[2, 3] = angle8
-    q[2, 4] = angle12
-    q[2, 5] = angle16
-    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
-    q[3, 0] = q1_ppp
-    q[3, 1] = angle4
-    q[3, 2] = q3_pmp
-    q[3, 3] = q4_pmm
-    q[3, 4] = -angle12
-    q[3, 5] = q6_pmm
-    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
-    q[4, 0] = q1_mpp
-    q[4, 1] = angle5
-    q[4, 2] = q3_mpp
-    q[4, 3] = angle9
-    q[4, 4] = angle13
-    q[4, 5] = angle17
-    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
-    q[5, 0] = q1_mpp
-    q[5, 1] = angle5
-    q[5, 2] = q3_mpp
-    q[5, 3] = q4_mpm
-    q[5, 4] = -angle13
-    q[5, 5] = q6_mpm
-    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
-    q[6, 0] = q1_mpp
-    q[6, 1] = angle6
-    q[6, 2] = q3_mmp
-    q[6, 3] = angle10
-    q[6, 4] = angle14
-    q[6, 5] = angle18
-    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
-    q[7, 0] = q1_mpp
-    q[7, 1] = angle6
-    q[7, 2] = q3_mmp
-    q[7, 3] = q4_mmm
-    q[7, 4] = -angle14
-    q[7, 5] = q6_mmm
-    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
-    return True
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must have shapes (4, 4), (8, 6), (8,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [1392, 1408, 1424, 1440, 1456, 1472],
-    [1392, 1408, 1424, 1488, 1504, 1520],
-    [1392, 1536, 1552, 1568, 1584, 1600],
-    [1392, 1536, 1552, 1616, 1632, 1648],
-    [1664, 1680, 1696, 1712, 1728, 1744],
-    [1664, 1680, 1696, 1760, 1776, 1792],
-    [1664, 1808, 1824, 1840, 1856, 1872],
-    [1664, 1808, 1824, 1888, 1904, 1920],
+    [0, 1, 2, 3, 4, 5],
+    [0, 1, 2, 6, 7, 8],
+    [0, 9, 10, 11, 12, 13],
+    [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22],
+    [17, 18, 19, 23, 24, 25],
+    [17, 26, 27, 28, 29, 30],
+    [17, 26, 27, 31, 32, 33],
 ])
-_KINDS = np.array([1936, 1952, 1968, 1984, 2000, 2016, 2032, 2048])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(2064), 2064)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
-            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
-            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
-            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-            xy = x0 * y0 + x1 * y1 + x2 * y2
-            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
-            miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
-                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
-            )
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T11 = work[0 + k]
-            T12 = work[16 + k]
-            T13 = work[32 + k]
-            T14 = work[48 + k]
-            T21 = work[64 + k]
-            T22 = work[80 + k]
-            T23 = work[96 + k]
-            T24 = work[112 + k]
-            T31 = work[128 + k]
-            T32 = work[144 + k]
-            T33 = work[160 + k]
-            T34 = work[176 + k]
-            wx = T14 - d6 * T13
-            Y1 = d6 * T23 - T24
-            N1 = wx * wx + Y1 * Y1
-            D1 = N1 - k2
-            w1 = math.sqrt(D1)
-            inverse1 = 1.0 / N1
-            v1 = inverse1 * (k1 * Y1)
-            v2 = v1 + w1 * (wx * inverse1)
-            v3 = v1 + w1 * (inverse1 * -wx)
-            v4 = inverse1 * (k1 * wx)
-            s1_p = w1 * (Y1 * inverse1) - v4
-            s1_m = w1 * (inverse1 * -Y1) - v4
-            Z1_3 = T34 - d6 * T33 - d1
-            v5 = a1 + w1
-            v6 = a1 - w1
-            v7 = Z1_3 * Z1_3
-            N3_p = v7 + v5 * v5
-            N3_m = v7 + v6 * v6
-            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-            v8 = k5 * w1
-            w3_p = math.sqrt(D3_p)
-            w3_m = math.sqrt(D3_m)
-            v11 = Z1_3 * (m4 + m3 * N3_p)
-            v12 = Z1_3 * (m4 + m3 * N3_m)
-            factor2_p = 1.0 / N3_p
-            factor2_m = 1.0 / N3_m
-            v13 = v5 * (m3 + m4 * factor2_p)
-            v14 = v6 * (m3 + m4 * factor2_m)
-            v15 = w3_p * (m3 * v5)
-            v16 = m5 * Z1_3
-            v17 = m6 - m7 * factor2_p
-            v18 = m6 - m7 * factor2_m
-            v19 = m8 * factor2_p - m5
-            v20 = m8 * factor2_m - m5
-            v21 = Z1_3 * v17 + v5 * v19
-            v22 = Z1_3 * v18 + v6 * v20
-            v23 = w3_p * (factor2_p * (v16 + m6 * v5))
-            c23_pp = v21 + v23
-            c23_pm = v21 - v23
-            v24 = w3_m * (factor2_m * (v16 + m6 * v6))
-            c23_mp = v22 + v24
-            c23_mm = v22 - v24
-            v25 = m6 * Z1_3
-            v26 = v25 - m5 * v5
-            v27 = v25 - m5 * v6
-            v28 = Z1_3 * v19 + v5 * -v17
-            v29 = Z1_3 * v20 + v6 * -v18
-            s23_pp = v28 + w3_p * (factor2_p * v26)
-            s23_pm = v28 + w3_p * (factor2_p * -v26)
-            s23_mp = v29 + w3_m * (factor2_m * v27)
-            s23_mm = v29 + w3_m * (factor2_m * -v27)
-            v30 = T23 * s1_p - T13 * v2
-            v31 = T23 * s1_m - T13 * v3
-            X4_pp = c23_pp * v30 - T33 * s23_pp
-            X4_pm = c23_pm * v30 - T33 * s23_pm
-            X4_mp = c23_mp * v31 - T33 * s23_mp
-            X4_mm = c23_mm * v31 - T33 * s23_mm
-            Y4_p = T13 * s1_p + T23 * v2
-            Y4_m = T13 * s1_m + T23 * v3
-            v32 = Y4_p * Y4_p
-            v33 = Y4_m * Y4_m
-            v34 = v32 + X4_pp * X4_pp
-            v35 = v32 + X4_pm * X4_pm
-            v36 = v33 + X4_mp * X4_mp
-            v37 = v33 + X4_mm * X4_mm
-            v38 = math.copysign(half_turn, Y4_p)
-            v39 = math.copysign(half_turn, Y4_m)
-            v40 = s1_p * T12 + v2 * T22
-            v41 = s1_m * T12 + v3 * T22
-            v42 = s1_p * T22 - v2 * T12
-            v43 = s1_m * T22 - v3 * T12
-            v44 = s1_p * T11 + v2 * T21
-            v45 = s1_m * T11 + v3 * T21
-            v46 = s1_p * T21 - v2 * T11
-            v47 = s1_m * T21 - v3 * T11
-            work[272 + k] = D1
-            work[288 + k] = D3_p
-            work[304 + k] = D3_m
-            work[320 + k] = v8
-            work[336 + k] = w3_p
-            work[352 + k] = w3_m
-            work[368 + k] = c23_pp
-            work[384 + k] = c23_pm
-            work[400 + k] = c23_mp
-            work[416 + k] = c23_mm
-            work[432 + k] = s23_pp
-            work[448 + k] = s23_pm
-            work[464 + k] = s23_mp
-            work[480 + k] = s23_mm
-            work[496 + k] = X4_pp
-            work[512 + k] = X4_pm
-            work[528 + k] = X4_mp
-            work[544 + k] = X4_mm
-            work[560 + k] = Y4_p
-            work[576 + k] = Y4_m
-            work[592 + k] = v34
-            work[608 + k] = v35
-            work[624 + k] = v36
-            work[640 + k] = v37
-            work[656 + k] = v38
-            work[672 + k] = v39
-            work[688 + k] = v44
-            work[704 + k] = v45
-            work[720 + k] = v46
-            work[736 + k] = v47
-            work[752 + k] = w3_p
-            work[768 + k] = w3_m
-            work[784 + k] = -(factor2_p * (v11 - v15))
-            work[800 + k] = -(factor2_p * (v11 + v15))
-            work[816 + k] = -(factor2_m * (v12 - w3_m * (m3 * v6)))
-            work[832 + k] = -(factor2_m * (v12 - w3_m * (m3 * -v6)))
-            work[848 + k] = Y4_p
-            work[864 + k] = Y4_p
-            work[880 + k] = Y4_m
-            work[896 + k] = Y4_m
-            work[912 + k] = -math.sqrt(v34)
-            work[928 + k] = -math.sqrt(v35)
-            work[944 + k] = -math.sqrt(v36)
-            work[960 + k] = -math.sqrt(v37)
-            work[976 + k] = -(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp * T31))
-            work[992 + k] = -(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm * T31))
-            work[1008 + k] = -(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp * T31))
-            work[1024 + k] = -(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm * T31))
-            work[1040 + k] = s1_p
-            work[1056 + k] = s1_m
-            work[1072 + k] = N3_p - k8
-            work[1088 + k] = N3_m - k8
-            work[1104 + k] = -(v13 + w3_p * (m3 * (Z1_3 * factor2_p)))
-            work[1120 + k] = -(v13 + w3_p * (m3 * (-Z1_3 * factor2_p)))
-            work[1136 + k] = -(v14 + w3_m * (m3 * (Z1_3 * factor2_m)))
-            work[1152 + k] = -(v14 + w3_m * (m3 * (-Z1_3 * factor2_m)))
-            work[1168 + k] = -X4_pp
-            work[1184 + k] = -X4_pm
-            work[1200 + k] = -X4_mp
-            work[1216 + k] = -X4_mm
-            work[1232 + k] = T33 * c23_pp + s23_pp * v30
-            work[1248 + k] = T33 * c23_pm + s23_pm * v30
-            work[1264 + k] = T33 * c23_mp + s23_mp * v31
-            work[1280 + k] = T33 * c23_mm + s23_mm * v31
-            work[1296 + k] = -(-X4_pp * v40 + Y4_p * (c23_pp * v42 - s23_pp * T32))
-            work[1312 + k] = -(-X4_pm * v40 + Y4_p * (c23_pm * v42 - s23_pm * T32))
-            work[1328 + k] = -(-X4_mp * v41 + Y4_m * (c23_mp * v43 - s23_mp * T32))
-            work[1344 + k] = -(-X4_mm * v41 + Y4_m * (c23_mm * v43 - s23_mm * T32))
-            work[1360 + k] = -v2
-            work[1376 + k] = -v3
-        for k in range(752, 1072):
-            work[k] = _atan2(work[k], work[k + 320])
-        for k in range(0, 16):
-            T31 = work[128 + k]
-            D1 = work[272 + k]
-            D3_p = work[288 + k]
-            D3_m = work[304 + k]
-            v8 = work[320 + k]
-            w3_p = work[336 + k]
-            w3_m = work[352 + k]
-            c23_pp = work[368 + k]
-            c23_pm = work[384 + k]
-            c23_mp = work[400 + k]
-            c23_mm = work[416 + k]
-            s23_pp = work[432 + k]
-            s23_pm = work[448 + k]
-            s23_mp = work[464 + k]
-            s23_mm = work[480 + k]
-            X4_pp = work[496 + k]
-            X4_pm = work[512 + k]
-            X4_mp = work[528 + k]
-            X4_mm = work[544 + k]
-            Y4_p = work[560 + k]
-            Y4_m = work[576 + k]
-            v34 = work[592 + k]
-            v35 = work[608 + k]
-            v36 = work[624 + k]
-            v37 = work[640 + k]
-            v38 = work[656 + k]
-            v39 = work[672 + k]
-            v44 = work[688 + k]
-            v45 = work[704 + k]
-            v46 = work[720 + k]
-            v47 = work[736 + k]
-            angle1 = work[752 + k]
-            angle2 = work[768 + k]
-            angle3 = work[784 + k]
-            angle4 = work[800 + k]
-            angle5 = work[816 + k]
-            angle6 = work[832 + k]
-            angle7 = work[848 + k]
-            angle8 = work[864 + k]
-            angle9 = work[880 + k]
-            angle10 = work[896 + k]
-            angle11 = work[912 + k]
-            angle12 = work[928 + k]
-            angle13 = work[944 + k]
-            angle14 = work[960 + k]
-            angle15 = work[976 + k]
-            angle16 = work[992 + k]
-            angle17 = work[1008 + k]
-            angle18 = work[1024 + k]
-            angle19 = work[1040 + k]
-            angle20 = work[1056 + k]
-            q3__pp = angle1 - turn1
-            v9 = turn1 + angle1
-            q3__mp = angle2 - turn1
-            v10 = turn1 + angle2
-            q4_ppm = angle7 - v38
-            q4_pmm = angle8 - v38
-            q4_mpm = angle9 - v39
-            q4_mmm = angle10 - v39
-            q6_ppm = (
-                angle15 - math.copysign(half_turn, -(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp *
-                T31)))
-            )
-            q6_pmm = (
-                angle16 - math.copysign(half_turn, -(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm *
-                T31)))
-            )
-            q6_mpm = (
-                angle17 - math.copysign(half_turn, -(-X4_mp * v45 + Y4_m * (c23_mp * v47 - s23_mp *
-                T31)))
-            )
-            q6_mmm = (
-                angle18 - math.copysign(half_turn, -(-X4_mm * v45 + Y4_m * (c23_mm * v47 - s23_mm *
-                T31)))
-            )
-            q3_ppp = q3__pp + (-turn if half_turn < q3__pp else 0.0)
-            q3_pmp = (-turn if half_turn < -v9 else 0.0) - v9
-            q3_mpp = q3__mp + (-turn if half_turn < q3__mp else 0.0)
-            q3_mmp = (-turn if half_turn < -v10 else 0.0) - v10
-            q1_ppp = angle19 + (w3_p - w3_p)
-            q1_mpp = angle20 + (w3_m - w3_m)
-            _1392 = q1_ppp
-            work[1392 + k] = _1392
-            _1408 = angle3
-            work[1408 + k] = _1408
-            _1424 = q3_ppp
-            work[1424 + k] = _1424
-            _1440 = angle7
-            work[1440 + k] = _1440
-            _1456 = angle11
-            work[1456 + k] = _1456
-            _1472 = angle15
-            work[1472 + k] = _1472
-            _1488 = q4_ppm
-            work[1488 + k] = _1488
-            _1504 = -angle11
-            work[1504 + k] = _1504
-            _1520 = q6_ppm
-            work[1520 + k] = _1520
-            _1536 = angle4
-            work[1536 + k] = _1536
-            _1552 = q3_pmp
-            work[1552 + k] = _1552
-            _1568 = angle8
-            work[1568 + k] = _1568
-            _1584 = angle12
-            work[1584 + k] = _1584
-            _1600 = angle16
-            work[1600 + k] = _1600
-            _1616 = q4_pmm
-            work[1616 + k] = _1616
-            _1632 = -angle12
-            work[1632 + k] = _1632
-            _1648 = q6_pmm
-            work[1648 + k] = _1648
-            _1664 = q1_mpp
-            work[1664 + k] = _1664
-            _1680 = angle5
-            work[1680 + k] = _1680
-            _1696 = q3_mpp
-            work[1696 + k] = _1696
-            _1712 = angle9
-            work[1712 + k] = _1712
-            _1728 = angle13
-            work[1728 + k] = _1728
-            _1744 = angle17
-            work[1744 + k] = _1744
-            _1760 = q4_mpm
-            work[1760 + k] = _1760
-            _1776 = -angle13
-            work[1776 + k] = _1776
-            _1792 = q6_mpm
-            work[1792 + k] = _1792
-            _1808 = angle6
-            work[1808 + k] = _1808
-            _1824 = q3_mmp
-            work[1824 + k] = _1824
-            _1840 = angle10
-            work[1840 + k] = _1840
-            _1856 = angle14
-            work[1856 + k] = _1856
-            _1872 = angle18
-            work[1872 + k] = _1872
-            _1888 = q4_mmm
-            work[1888 + k] = _1888
-            _1904 = -angle14
-            work[1904 + k] = _1904
-            _1920 = q6_mmm
-            work[1920 + k] = _1920
-            work[1936 + k] = UNREACHABLE if _1392 != _1392 else OK
-            work[1952 + k] = UNREACHABLE if _1392 != _1392 else OK
-            work[1968 + k] = UNREACHABLE if _1392 != _1392 else OK
-            work[1984 + k] = UNREACHABLE if _1392 != _1392 else OK
-            work[2000 + k] = UNREACHABLE if _1664 != _1664 else OK
-            work[2016 + k] = UNREACHABLE if _1664 != _1664 else OK
-            work[2032 + k] = UNREACHABLE if _1664 != _1664 else OK
-            work[2048 + k] = UNREACHABLE if _1664 != _1664 else OK
-            work[256 + k] = (
-                1.0 if v37 <= m9 or v36 <= m9 or v35 <= m9 or v34 <= m9 or abs(D3_m * v8) <= m2 or
-                abs(D1) <= m1 or abs(D3_p * v8) <= m2 else work[256 + k]
-            )
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(8):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(6):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 39, 48, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach",
@@ -1274,6 +639,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

@@ -28,16 +28,11 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
-_read_rows = _runtime("pose").read_pose
+_circle = _runtime("circle_roots")
+_circle_roots = _circle.circle_roots
 _of_joints = _runtime("entry").of_joints(_HOW, 6)
 
 NAME = "spherical_wrist_general_arm"
@@ -120,130 +115,31 @@ k18 = 0.5265407845183633  # ca3 * ca2
 f1 = 0.04104241719908026  # d2 * ca1 [m]
 f2 = 0.19617469496901113  # sa2 * ca1
 f3 = 0.2801664995932356  # ca2 * ca1
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(),
+        rows=8,
+        directions='rotation',
+        miss_weights=(0.6098, 0.6098, 0.6098, 1.0, 1.0, 1.0),
+        size=1.64,
+        entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
+        steps=('completes', 'follows seed'),
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 
 
-
-
-@_inner
-def _horner(p0, p1, p2, p3, p4, t):
-    return (((p4 * t + p3) * t + p2) * t + p1) * t + p0
-
-
-@_inner
-def _bracketed(p0, p1, p2, p3, p4, low, high, at_low):
-    """The root between two points with values of unlike sign."""
-    t = 0.5 * (low + high)
-    for _ in range(100):
-        value = _horner(p0, p1, p2, p3, p4, t)
-        slope = ((4.0 * p4 * t + 3.0 * p3) * t + 2.0 * p2) * t + p1
-        if (value < 0.0) == (at_low < 0.0):
-            low = t
-        else:
-            high = t
-        following = t - value / slope if slope != 0.0 else low
-        if not low < following < high:
-            following = 0.5 * (low + high)
-        if abs(following - t) <= 2e-16 * abs(t):
-            return following
-        t = following
-    return t
-
-
-@_inner
-def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
-    """Roots, into `found`, of a polynomial that is monotone between neighbouring edges."""
-    roots = 0
-    before, at_before = edges[0], _horner(p0, p1, p2, p3, p4, edges[0])
-    for k in range(1, count):
-        edge = edges[k]
-        value = _horner(p0, p1, p2, p3, p4, edge)
-        size = 1.0 + edge * edge
-        if k < count - 1 and abs(value) <= tolerance * size * size:
-            value = 0.0
-        if at_before * value < 0.0:
-            found[roots] = _bracketed(p0, p1, p2, p3, p4, before, edge, at_before)
-            roots += 1
-        elif value == 0.0 and k < count - 1:
-            found[roots] = edge
-            roots += 1
-        before, at_before = edge, value
-    return roots
-
-
-@_inner
-def _circle_roots(a0, a1, b1, a2, b2, rounding, moved):
-    """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
-
-    Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
-    leading coefficient; its roots lie between those of its derivative, those between the
-    roots of the second derivative. Second comes which are close, where the slope is small: one may
-    stand for two, or has another beside it. Rounding may add so much to values. All roots are moved
-    by an angle in the end.
-    """
-    x, close = np.full(4, math.nan), np.zeros(4, np.bool_)
-    size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
-    if not (size > 0.0 and math.isfinite(size)):
-        return x, close
-    best, apart = -1.0, 0.0
-    for k in range(16):
-        at = turn * k / 16
-        c, s = math.cos(at), math.sin(at)
-        value = abs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s)
-        if value > best:
-            best, apart = value, at
-    c, s = -math.cos(apart), -math.sin(apart)
-    u1, v1 = a1 * c + b1 * s, b1 * c - a1 * s
-    c2, s2 = c * c - s * s, 2.0 * c * s
-    u2, v2 = a2 * c2 + b2 * s2, b2 * c2 - a2 * s2
-    lead = a0 - u1 + u2
-    p0, p1 = (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead
-    p2, p3 = 2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead
-    bound = 1.0 + max(abs(p0), abs(p1), abs(p2), abs(p3))
-    edges, extrema = np.empty(5), np.empty(4)
-    half = 0.25 * p3
-    square = half * half - p2 / 6.0
-    count = 0
-    edges[0] = -bound
-    if square > 0.0:
-        edges[1], edges[2] = -half - math.sqrt(square), -half + math.sqrt(square)
-        count = 2
-    edges[count + 1] = bound
-    count = _between(p1, 2.0 * p2, 3.0 * p3, 4.0, 0.0, edges, count + 2, 0.0, extrema)
-    for k in range(count):
-        edges[k + 1] = extrema[k]
-    edges[count + 1] = bound
-    tolerance = (1e-13 * size + rounding) / abs(lead)
-    count = _between(p0, p1, p2, p3, 1.0, edges, count + 2, tolerance, x)
-    for k in range(count):
-        at = apart + 0.5 * turn + 2.0 * math.atan(x[k])
-        c, s = math.cos(at), math.sin(at)
-        slope = b1 * c - a1 * s + 2.0 * b2 * (c * c - s * s) - 4.0 * a2 * c * s
-        flat = abs(slope) <= 0.0001 * size
-        if not flat:
-            at -= (a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s) / slope
-        at -= turn * math.ceil(at / turn - 0.5)
-        place = k
-        while place > 0 and x[place - 1] > at:
-            x[place], close[place] = x[place - 1], close[place - 1]
-            place -= 1
-        x[place], close[place] = at, flat
-    for k in range(4):
-        x[k] += moved
-    return x, close
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
@@ -430,84 +326,197 @@ def jacobian(q):
     return J
 
 
-_CLOSE = 64  # roots nearly meet: the row may stand between two solutions
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 9: U1 A6^-1 [3, 4] and the squared length of column 4 of U1 A6^-1
+    wz = T34 - T33 * d6
+    v1 = wz * ca1 - k6
+    wy = T24 - d6 * T23
+    R1c1 = wy * sa1
+    wx = T14 - d6 * T13
+    v2 = sa1 * wx
+    v3 = wx * wx + (wy * wy + (wz * (wz - k7) + k8))
+    R2c1 = 2.0 * (wx * a1)
+    R2s1 = 2.0 * (wy * a1)
+    v4 = k4 * v3 + k5 * -v1
+    v5 = k4 * R2c1 - k5 * R1c1
+    v6 = k4 * R2s1 + k5 * v2
+    v7 = k3 * -v1 + k2 * v3
+    v8 = k3 * R1c1 - k2 * R2c1
+    v9 = k3 * v2 + k2 * R2s1
+    v10 = v5 * v5
+    v11 = v6 * v6
+    v12 = 2.0 * v4
+    v13 = v8 * v8
+    v14 = v9 * v9
+    v15 = 2.0 * v7
+    v16 = v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14))
+    v17 = v8 * v15 - v5 * v12
+    v18 = v6 * v12 + v9 * v15
+    v19 = k9 * (v10 - v11) + k9 * (v13 - v14)
+    v20 = v5 * v6 - v8 * v9
+    v21 = v16 - k10
+    free1 = abs(v21) + abs(v17) + abs(v18) + abs(v19) + abs(v20) <= free_limit6
+    x1_roots, x1_close = _circle_roots(1.0 if free1 else v21, -1.0 if free1 else v17, 0.0 if free1
+        else -v18, 0.0 if free1 else v19, 0.0 if free1 else v20, square_rounding * (v16 + k10),
+        moved)
+
+    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    v22 = ca1 * wy
+    v23 = ca1 * wx
+    v24 = sa1 * (wz - d1)
+
+    # theta4, type 2: U4[3, 3]
+    v26 = ca1 * T23
+    v27 = ca1 * T13
+    v28 = T33 * sa1
+    v32 = T23 * sa1
+    v33 = sa1 * T13
+    v34 = T33 * ca1
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v40 = T32 * sa1
+    v42 = T32 * ca1
+    v51 = T31 * sa1
+    v53 = T31 * ca1
+
+    # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
+    v62 = T21 * sa1
+    v63 = sa1 * T11
+    v65 = T22 * sa1
+    v66 = sa1 * T12
+
+    for i1 in range(4):  # root1, root2, root3, root4
+        x1 = x1_roots[i1]
+        # theta1
+        if not (x1 <= 4.0):
+            continue  # out of reach
+        q1 = seed[0] if free1 else x1
+        c1 = math.cos(q1)
+        s1 = math.sin(q1)
+
+        # theta3, type 3: U1 A6^-1 [3, 4] and the squared length of column 4 of U1 A6^-1
+        Z1_3 = v1 + (v2 * s1 - R1c1 * c1)
+        Z2_3 = v3 - (R2c1 * c1 + R2s1 * s1)
+        s3 = (k3 * Z1_3 - k2 * Z2_3) * k11
+        c3 = (k4 * Z2_3 - k5 * Z1_3) * k11
+        q3 = _atan2(s3, c3)
+
+        # theta2
+        X1_2 = a2 + (a3 * c3 - s3 * k12)
+        Y1_2 = c3 * k14 + s3 * k15 - k16
+        Z1_2 = v24 - (s1 * v23 - c1 * v22)
+        Z2_2 = wx * c1 + wy * s1 - a1
+        S2 = X1_2 * Z1_2 - Y1_2 * Z2_2
+        C2 = X1_2 * Z2_2 - Z1_2 * -Y1_2
+        w2 = math.sqrt(S2 * S2 + C2 * C2)
+        free2 = w2 <= free_limit_squared2
+        near2 = w2 <= near_limit_squared2
+        factor2 = 1.0 / (1.0 if free2 else w2)
+        c2 = math.cos(seed[1]) if free2 else C2 * factor2
+        s2 = math.sin(seed[1]) if free2 else S2 * factor2
+        q2 = _atan2(s2, c2)
+
+        # theta4
+        v25 = T13 * c1 + T23 * s1
+        v29 = s1 * v27 - c1 * v26 - v28
+        v30 = ca2 * v29
+        v31 = ca2 * v25
+        Z1_5 = s1 * v33 - c1 * v32 + v34
+        v35 = c2 * (c3 * v25 - s3 * v30) - s2 * (c3 * v29 + s3 * v31) + sa2 * (s3 * Z1_5)
+        v36 = (
+            c2 * (c3 * (ca3 * v30) + s3 * (ca3 * v25) + sa3 * (sa2 * v29)) + s2 * (c3 * (ca3 * v31)
+            - s3 * (ca3 * v29) + sa3 * (sa2 * v25)) + (sa3 * (ca2 * Z1_5) - c3 * (ca3 * (sa2 *
+            Z1_5)))
+        )
+        v37 = v35 * v35 + v36 * v36
+        w4 = math.sqrt(v37)
+        free4 = w4 <= free_limit
+        near4 = v37 <= near_limit_squared
+        divisor4 = 1.0 if free4 else w4
+
+        # theta6
+        v38 = T12 * c1 + T22 * s1
+        v39 = T22 * c1 - T12 * s1
+        v41 = ca1 * v39 + v40
+        v43 = v42 - sa1 * v39
+        v44 = c2 * v38 + s2 * v41
+        v45 = c2 * v41 - s2 * v38
+        v46 = ca2 * v45 + sa2 * v43
+        v47 = c3 * v44 + s3 * v46
+        v48 = ca3 * (c3 * v46 - s3 * v44) - sa3 * (ca2 * v43 - sa2 * v45)
+        v49 = T11 * c1 + T21 * s1
+        v50 = T21 * c1 - T11 * s1
+        v52 = ca1 * v50 + v51
+        v54 = v53 - sa1 * v50
+        v55 = c2 * v49 + s2 * v52
+        v56 = c2 * v52 - s2 * v49
+        v57 = ca2 * v56 + sa2 * v54
+        v58 = c3 * v55 + s3 * v57
+        v59 = ca3 * (c3 * v57 - s3 * v55) - sa3 * (ca2 * v54 - sa2 * v56)
+
+        # theta5
+        v60 = sa2 * s3
+        v61 = c3 * k17 - k13
+        Y1_5 = k1 * c3 + k18
+        v64 = v53 + (s1 * v63 - c1 * v62)
+        v67 = v42 + (s1 * v66 - c1 * v65)
+        v68 = Z1_5 * Y1_5
+
+        for i2 in range(2):  # noflip, flip
+            e2 = 1.0 - 2.0 * i2
+            # theta4
+            if e2 < 0.0 and free4:
+                continue  # both signs give the same
+            factor4 = e2 / divisor4
+            c4 = math.cos(seed[3]) if free4 else v35 * factor4
+            s4 = math.sin(seed[3]) if free4 else -(v36 * factor4)
+            q4 = _atan2(s4, c4)
+
+            # theta6
+            c6 = c4 * v48 - s4 * v47
+            s6 = c4 * v59 - s4 * v58
+            q6 = _atan2(s6, c6)
+
+            # theta5
+            Y2_5 = c4 * v60 + s4 * v61
+            Z2_5 = c6 * v64 - s6 * v67
+            S5 = Z1_5 * Y2_5 - Y1_5 * Z2_5
+            v69 = Y2_5 * Z2_5 + v68
+            w5 = math.sqrt(S5 * S5 + v69 * v69)
+            free5 = w5 <= free_limit_squared
+            near5 = w5 <= near_limit_squared
+            v70 = 1.0 / (1.0 if free5 else w5)
+            c5 = math.cos(seed[4]) if free5 else v69 * v70
+            s5 = math.sin(seed[4]) if free5 else -(S5 * v70)
+            q5 = _atan2(s5, c5)
+            row = 2 * i1 + i2
+            q[row, 0] = q1
+            q[row, 1] = q2
+            q[row, 2] = q3
+            q[row, 3] = q4
+            q[row, 4] = q5
+            q[row, 5] = q6
+            status[row] = (
+                FREE_JOINT if free1 or free2 or free4 or free5 else _status.CLOSE if x1_close[i1] or
+                near2 or near4 or near5 else OK
+            )
+
+
+_inner, _apart = _HOW.inner, _HOW.apart
+_room, carray = _runtime("jit").room, _runtime("jit").carray
+_CLOSE = _status.CLOSE
+_measured, _refined = _runtime("refine").missed_by, _runtime("refine").refine
+_robot = _HOW.addresses("_solve", "fk", "jacobian", None)
 
 
 @_inner
 def _missed_by(pose, q):
     """By how much joint values miss the entries that count: the root of the sum of squares."""
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = s1 * ca1
-    y1_y = c1 * ca1
-    z1_x = s1 * sa1
-    v2 = c1 * sa1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - v1 * s2
-    x2_y = s1 * c2 + y1_y * s2
-    x2_z = sa1 * s2
-    v3 = v1 * c2 + c1 * s2
-    v4 = y1_y * c2 - s1 * s2
-    v5 = sa1 * c2
-    y2_x = z1_x * sa2 - v3 * ca2
-    y2_y = v4 * ca2 - v2 * sa2
-    y2_z = v5 * ca2 + f2
-    z2_x = v3 * sa2 + z1_x * ca2
-    v6 = v4 * sa2 + v2 * ca2
-    z2_z = f3 - v5 * sa2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = x2_z * c3 + y2_z * s3
-    v7 = y2_x * c3 - x2_x * s3
-    v8 = y2_y * c3 - x2_y * s3
-    v9 = y2_z * c3 - x2_z * s3
-    y3_x = v7 * ca3 - z2_x * sa3
-    y3_y = v8 * ca3 + v6 * sa3
-    y3_z = v9 * ca3 - z2_z * sa3
-    z3_x = v7 * sa3 + z2_x * ca3
-    z3_y = v8 * sa3 - v6 * ca3
-    z3_z = v9 * sa3 + z2_z * ca3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + y3_x * s4
-    x4_y = x3_y * c4 + y3_y * s4
-    x4_z = x3_z * c4 + y3_z * s4
-    y5_x = y3_x * c4 - x3_x * s4
-    y5_y = y3_y * c4 - x3_y * s4
-    y5_z = y3_z * c4 - x3_z * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = x4_y * c5 + z3_y * s5
-    x5_z = x4_z * c5 + z3_z * s5
-    z5_x = z3_x * c5 - x4_x * s5
-    z5_y = z3_y * c5 - x4_y * s5
-    z5_z = z3_z * c5 - x4_z * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    miss = 0.0
-    off = x5_x * c6 + y5_x * s6 - pose[0]
-    miss += (1.0 * off) ** 2
-    off = z5_x - pose[2]
-    miss += (1.0 * off) ** 2
-    off = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + z3_x * d4 + z5_x * d6 - pose[3]
-    miss += (0.6097560975609756 * off) ** 2
-    off = x5_y * c6 + y5_y * s6 - pose[4]
-    miss += (1.0 * off) ** 2
-    off = z5_y - pose[6]
-    miss += (1.0 * off) ** 2
-    off = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + z3_y * d4 + z5_y * d6 - pose[7]
-    miss += (0.6097560975609756 * off) ** 2
-    off = x5_z * c6 + y5_z * s6 - pose[8]
-    miss += (1.0 * off) ** 2
-    off = z5_z - pose[10]
-    miss += (1.0 * off) ** 2
-    off = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + z3_z * d4 + z5_z * d6 - pose[11]
-    miss += (0.6097560975609756 * off) ** 2
-    return math.sqrt(miss)
+    return _measured(_ARM, _robot(), pose, q)
 
 
 # The joints that are solved for, and whether they turn; what a step of one means, in rad or
@@ -820,194 +829,6 @@ def _tighten(pose, q, status):
 
 
 @_inner
-def _solve(pose, seed, moved, q, status):
-    """Fills the rows of the branches that have a solution, and no others."""
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
-
-    # theta1, type 9: U1 A6^-1 [3, 4] and the squared length of column 4 of U1 A6^-1
-    wz = T34 - T33 * d6
-    v1 = wz * ca1 - k6
-    wy = T24 - d6 * T23
-    R1c1 = wy * sa1
-    wx = T14 - d6 * T13
-    v2 = sa1 * wx
-    v3 = wx * wx + (wy * wy + (wz * (wz - k7) + k8))
-    R2c1 = 2.0 * (wx * a1)
-    R2s1 = 2.0 * (wy * a1)
-    v4 = k4 * v3 + k5 * -v1
-    v5 = k4 * R2c1 - k5 * R1c1
-    v6 = k4 * R2s1 + k5 * v2
-    v7 = k3 * -v1 + k2 * v3
-    v8 = k3 * R1c1 - k2 * R2c1
-    v9 = k3 * v2 + k2 * R2s1
-    v10 = v5 * v5
-    v11 = v6 * v6
-    v12 = 2.0 * v4
-    v13 = v8 * v8
-    v14 = v9 * v9
-    v15 = 2.0 * v7
-    v16 = v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14))
-    v17 = v8 * v15 - v5 * v12
-    v18 = v6 * v12 + v9 * v15
-    v19 = k9 * (v10 - v11) + k9 * (v13 - v14)
-    v20 = v5 * v6 - v8 * v9
-    v21 = v16 - k10
-    free1 = abs(v21) + abs(v17) + abs(v18) + abs(v19) + abs(v20) <= free_limit6
-    x1_roots, x1_close = _circle_roots(1.0 if free1 else v21, -1.0 if free1 else v17, 0.0 if free1
-        else -v18, 0.0 if free1 else v19, 0.0 if free1 else v20, square_rounding * (v16 + k10),
-        moved)
-
-    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v22 = ca1 * wy
-    v23 = ca1 * wx
-    v24 = sa1 * (wz - d1)
-
-    # theta4, type 2: U4[3, 3]
-    v26 = ca1 * T23
-    v27 = ca1 * T13
-    v28 = T33 * sa1
-    v32 = T23 * sa1
-    v33 = sa1 * T13
-    v34 = T33 * ca1
-
-    # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v40 = T32 * sa1
-    v42 = T32 * ca1
-    v51 = T31 * sa1
-    v53 = T31 * ca1
-
-    # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
-    v62 = T21 * sa1
-    v63 = sa1 * T11
-    v65 = T22 * sa1
-    v66 = sa1 * T12
-
-    for i1 in range(4):  # root1, root2, root3, root4
-        x1 = x1_roots[i1]
-        # theta1
-        if not (x1 <= 4.0):
-            continue  # out of reach
-        q1 = seed[0] if free1 else x1
-        c1 = math.cos(q1)
-        s1 = math.sin(q1)
-
-        # theta3, type 3: U1 A6^-1 [3, 4] and the squared length of column 4 of U1 A6^-1
-        Z1_3 = v1 + (v2 * s1 - R1c1 * c1)
-        Z2_3 = v3 - (R2c1 * c1 + R2s1 * s1)
-        s3 = (k3 * Z1_3 - k2 * Z2_3) * k11
-        c3 = (k4 * Z2_3 - k5 * Z1_3) * k11
-        q3 = _atan2(s3, c3)
-
-        # theta2
-        X1_2 = a2 + (a3 * c3 - s3 * k12)
-        Y1_2 = c3 * k14 + s3 * k15 - k16
-        Z1_2 = v24 - (s1 * v23 - c1 * v22)
-        Z2_2 = wx * c1 + wy * s1 - a1
-        S2 = X1_2 * Z1_2 - Y1_2 * Z2_2
-        C2 = X1_2 * Z2_2 - Z1_2 * -Y1_2
-        w2 = math.sqrt(S2 * S2 + C2 * C2)
-        free2 = w2 <= free_limit_squared2
-        near2 = w2 <= near_limit_squared2
-        factor2 = 1.0 / (1.0 if free2 else w2)
-        c2 = math.cos(seed[1]) if free2 else C2 * factor2
-        s2 = math.sin(seed[1]) if free2 else S2 * factor2
-        q2 = _atan2(s2, c2)
-
-        # theta4
-        v25 = T13 * c1 + T23 * s1
-        v29 = s1 * v27 - c1 * v26 - v28
-        v30 = ca2 * v29
-        v31 = ca2 * v25
-        Z1_5 = s1 * v33 - c1 * v32 + v34
-        v35 = c2 * (c3 * v25 - s3 * v30) - s2 * (c3 * v29 + s3 * v31) + sa2 * (s3 * Z1_5)
-        v36 = (
-            c2 * (c3 * (ca3 * v30) + s3 * (ca3 * v25) + sa3 * (sa2 * v29)) + s2 * (c3 * (ca3 * v31)
-            - s3 * (ca3 * v29) + sa3 * (sa2 * v25)) + (sa3 * (ca2 * Z1_5) - c3 * (ca3 * (sa2 *
-            Z1_5)))
-        )
-        v37 = v35 * v35 + v36 * v36
-        w4 = math.sqrt(v37)
-        free4 = w4 <= free_limit
-        near4 = v37 <= near_limit_squared
-        divisor4 = 1.0 if free4 else w4
-
-        # theta6
-        v38 = T12 * c1 + T22 * s1
-        v39 = T22 * c1 - T12 * s1
-        v41 = ca1 * v39 + v40
-        v43 = v42 - sa1 * v39
-        v44 = c2 * v38 + s2 * v41
-        v45 = c2 * v41 - s2 * v38
-        v46 = ca2 * v45 + sa2 * v43
-        v47 = c3 * v44 + s3 * v46
-        v48 = ca3 * (c3 * v46 - s3 * v44) - sa3 * (ca2 * v43 - sa2 * v45)
-        v49 = T11 * c1 + T21 * s1
-        v50 = T21 * c1 - T11 * s1
-        v52 = ca1 * v50 + v51
-        v54 = v53 - sa1 * v50
-        v55 = c2 * v49 + s2 * v52
-        v56 = c2 * v52 - s2 * v49
-        v57 = ca2 * v56 + sa2 * v54
-        v58 = c3 * v55 + s3 * v57
-        v59 = ca3 * (c3 * v57 - s3 * v55) - sa3 * (ca2 * v54 - sa2 * v56)
-
-        # theta5
-        v60 = sa2 * s3
-        v61 = c3 * k17 - k13
-        Y1_5 = k1 * c3 + k18
-        v64 = v53 + (s1 * v63 - c1 * v62)
-        v67 = v42 + (s1 * v66 - c1 * v65)
-        v68 = Z1_5 * Y1_5
-
-        for i2 in range(2):  # noflip, flip
-            e2 = 1.0 - 2.0 * i2
-            # theta4
-            if e2 < 0.0 and free4:
-                continue  # both signs give the same
-            factor4 = e2 / divisor4
-            c4 = math.cos(seed[3]) if free4 else v35 * factor4
-            s4 = math.sin(seed[3]) if free4 else -(v36 * factor4)
-            q4 = _atan2(s4, c4)
-
-            # theta6
-            c6 = c4 * v48 - s4 * v47
-            s6 = c4 * v59 - s4 * v58
-            q6 = _atan2(s6, c6)
-
-            # theta5
-            Y2_5 = c4 * v60 + s4 * v61
-            Z2_5 = c6 * v64 - s6 * v67
-            S5 = Z1_5 * Y2_5 - Y1_5 * Z2_5
-            v69 = Y2_5 * Z2_5 + v68
-            w5 = math.sqrt(S5 * S5 + v69 * v69)
-            free5 = w5 <= free_limit_squared
-            near5 = w5 <= near_limit_squared
-            v70 = 1.0 / (1.0 if free5 else w5)
-            c5 = math.cos(seed[4]) if free5 else v69 * v70
-            s5 = math.sin(seed[4]) if free5 else -(S5 * v70)
-            q5 = _atan2(s5, c5)
-            row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
-            q[row, 3] = q4
-            q[row, 4] = q5
-            q[row, 5] = q6
-            status[row] = (
-                FREE_JOINT if free1 or free2 or free4 or free5 else _CLOSE if x1_close[i1] or near2
-                or near4 or near5 else OK
-            )
-
-
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
-
-
-@_inner
 def _solves(T, steps, exact, q):
     """Whether joint values are a solution.
 
@@ -1036,11 +857,11 @@ def _keep(known, count, q):
 
 
 @_inner
-def _leads(pose, T, seed, angle, row, exact, end):
+def _leads(pose, T, q_free, seed, angle, row, exact, end):
     """Whether the row of a root that is moved leads to a solution, and to which."""
     q, kind = np.empty((8, 6)), np.empty(8, np.uint8)
     kind[:] = UNREACHABLE
-    _solve(pose, seed, angle, q, kind)
+    _solve(pose, q_free, seed, angle, q, kind)
     if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
         return False
     _take(end, q[row])
@@ -1050,8 +871,8 @@ def _leads(pose, T, seed, angle, row, exact, end):
 _BESIDE = (3.0517578125e-05, -3.0517578125e-05, 3.814697265625e-06, -3.814697265625e-06, 4.76837158203125e-07, -4.76837158203125e-07, 5.960464477539063e-08, -5.960464477539063e-08, 7.450580596923828e-09, -7.450580596923828e-09, 9.313225746154785e-10, -9.313225746154785e-10, 1.1641532182693481e-10, -1.1641532182693481e-10, 1.4551915228366852e-11, -1.4551915228366852e-11, 1.8189894035458565e-12, -1.8189894035458565e-12)
 
 
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
-def _beside(pose, seed, q, status):
+@_apart("void(UniTuple(float64, 12), float64[::1], float64[::1], float64[:, ::1], uint8[::1])")
+def _beside(pose, q_free, seed, q, status):
     """Solutions for the rows that stand between two of them, which are known by no more than that.
 
     Steps from a row lead to one; the root of the other is as far from it on the other side. A row may
@@ -1065,7 +886,7 @@ def _beside(pose, seed, q, status):
     kind[:] = UNREACHABLE
     away = seed.copy()
     away[0] += 2.0
-    _solve(pose, away, 0.0, own, kind)
+    _solve(pose, q_free, away, 0.0, own, kind)
     for row in range(8):
         if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
             _take(own[row], q[row])
@@ -1084,7 +905,7 @@ def _beside(pose, seed, q, status):
         # long steps may lead to solutions of other roots, which are known
         found = _solves(T, 72, exact, end) and _is_new(known, others, end)
         for angle in _BESIDE:
-            if found or not _leads(pose, T, away, angle, row, exact, end):
+            if found or not _leads(pose, T, q_free, away, angle, row, exact, end):
                 continue
             found = _is_new(known, others, end)
         if not found:
@@ -1095,7 +916,7 @@ def _beside(pose, seed, q, status):
         off += end[0] - own[row, 0]
         off -= 6.283185307179586 * math.ceil(off / 6.283185307179586 - 0.5)
         for part in (0.0, -1.0, -2.0, -0.5, -4.0):  # of the way to the one that is known
-            if not _leads(pose, T, away, part * off, row, exact, other):
+            if not _leads(pose, T, q_free, away, part * off, row, exact, other):
                 continue
             if _is_new(known, others, other) and _gap_between(end, other) >= 0.001:
                 count = _keep(known, count, other)
@@ -1115,7 +936,7 @@ def _beside(pose, seed, q, status):
 
 
 @_inner
-def _both_sides(pose, seed, q, status):
+def _both_sides(pose, q_free, seed, q, status):
     """Solutions for the rows of roots that nearly meet, which may stand between two."""
     close = False
     for row in range(8):
@@ -1123,122 +944,11 @@ def _both_sides(pose, seed, q, status):
     if not close:
         return
     rows, kinds = q.copy(), status.copy()
-    _beside(pose, seed.copy(), rows, kinds)
+    _beside(pose, q_free.copy(), seed.copy(), rows, kinds)
     for row in range(8):
         status[row] = kinds[row]
         for i in range(6):
             q[row, i] = rows[row, i]
-
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.6098, 0.6098, 0.6098, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
-    """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
-
-
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
-
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
-    for i in range(6):
-        for j in range(6):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 6 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(12):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(12):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(12):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
-
-
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
-
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(6):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(6)
-    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(6):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(6)
-    for i in range(6):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(6):
-        q[i] = values[i]
-    return settled
 
 
 # Between which values starts lie.
@@ -1291,8 +1001,8 @@ def _descend(T, q, u):
     return least
 
 
-@_apart("int64(UniTuple(float64, 12), float64[::1], int64, float64[::1])")
-def _sought(pose, seed, least, q):
+@_apart("int64(UniTuple(float64, 12), float64[::1], float64[::1], int64, float64[::1])")
+def _sought(pose, q_free, seed, least, q):
     """Joint values that serve, into q, if there are some with less wrong than `least`; what is.
 
     Nothing is 0, 1 that they are beyond limits, 2 that they are not exact, 4 that there are none.
@@ -1325,7 +1035,7 @@ def _sought(pose, seed, least, q):
 
 
 @_inner
-def _seek(pose, seed, begun, q, status):
+def _seek(pose, q_free, seed, begun, q, status):
     """The same into a row, if there is none."""
     before, chosen = 4, -1
     for row in range(8 - 1, -1, -1):
@@ -1337,7 +1047,7 @@ def _seek(pose, seed, begun, q, status):
     if before == 0 or (before < 4 and chosen < 0):
         return
     found = np.empty(6)
-    least = _sought(pose, seed.copy(), before, found)
+    least = _sought(pose, q_free.copy(), seed.copy(), before, found)
     if least == before:
         return
     for row in range(8):
@@ -1346,90 +1056,27 @@ def _seek(pose, seed, begun, q, status):
             q[row, i] = found[i] if row == begun else math.nan
 
 
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    nearest = 0.001
-    for i in range(6):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
-        return
-    for row in range(8 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(6):
-            q[place, i] = x[i]
-
-
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(8):
-        status[row] = UNREACHABLE
-        for i in range(6):
-            q[row, i] = math.nan
-    _solve(pose, seed, 0.0, q, status)
-    begun = -1  # the first row that was not simply out of reach
-    for row in range(8 - 1, -1, -1):
-        if status[row] != UNREACHABLE:
-            begun = row
-    _both_sides(pose, seed, q, status)
+@_apart(_arms.COMPLETES)
+def _complete(pose, q_free, seed, begun, q, status):
+    """Works on all rows where roots nearly meet or rows miss the pose, and looks for lost ones."""
+    _both_sides(pose, q_free, seed, q, status)
     _tighten(pose, q, status)
     if begun >= 0:
-        _seek(pose, seed, begun, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(8):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(6):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
+        _seek(pose, q_free, seed, begun, q, status)
 
 
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must have shapes (4, 4), (8, 6), (8,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    return _whole(pose, seed, q, status)
-
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=None,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", "_complete"),
+        task="pose",
+        counted=(True, True, True),
+        formulas=None,
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(_circle.OWN.compile_apart,),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach",

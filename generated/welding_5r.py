@@ -26,17 +26,12 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
-_read_rows = _runtime("pose").read_pointing
+_circle = _runtime("circle_roots")
+_circle_roots = _circle.circle_roots
 _of_joints = _runtime("entry").of_joints(_HOW, 5)
 
 NAME = "welding_5r"
@@ -101,130 +96,36 @@ k4 = 0.0004  # ex^2 [m^2]
 k5 = -50.0  # -1 / ex [m^-1]
 k6 = 0.4525  # L2^2 + L3^2 [m^2]
 k7 = 2.2222222222222223  # 1 / (2 * L3 * L2) [m^-2]
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(
+            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
+            0.09817477042468103,
+        ),
+        rows=8,
+        directions='pointing',
+        miss_weights=(0.625, 0.625, 0.625, 1.0, 1.0, 1.0),
+        size=1.6,
+        entries=(2, 3, 6, 7, 10, 11),
+        steps=('retries', 'keeps limits', 'completes', 'merges', 'clamps', 'follows seed'),
+        choosable=(3, 2, 1, 0),
+        cuts=52,
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 
 
-
-
-@_inner
-def _horner(p0, p1, p2, p3, p4, t):
-    return (((p4 * t + p3) * t + p2) * t + p1) * t + p0
-
-
-@_inner
-def _bracketed(p0, p1, p2, p3, p4, low, high, at_low):
-    """The root between two points with values of unlike sign."""
-    t = 0.5 * (low + high)
-    for _ in range(100):
-        value = _horner(p0, p1, p2, p3, p4, t)
-        slope = ((4.0 * p4 * t + 3.0 * p3) * t + 2.0 * p2) * t + p1
-        if (value < 0.0) == (at_low < 0.0):
-            low = t
-        else:
-            high = t
-        following = t - value / slope if slope != 0.0 else low
-        if not low < following < high:
-            following = 0.5 * (low + high)
-        if abs(following - t) <= 2e-16 * abs(t):
-            return following
-        t = following
-    return t
-
-
-@_inner
-def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
-    """Roots, into `found`, of a polynomial that is monotone between neighbouring edges."""
-    roots = 0
-    before, at_before = edges[0], _horner(p0, p1, p2, p3, p4, edges[0])
-    for k in range(1, count):
-        edge = edges[k]
-        value = _horner(p0, p1, p2, p3, p4, edge)
-        size = 1.0 + edge * edge
-        if k < count - 1 and abs(value) <= tolerance * size * size:
-            value = 0.0
-        if at_before * value < 0.0:
-            found[roots] = _bracketed(p0, p1, p2, p3, p4, before, edge, at_before)
-            roots += 1
-        elif value == 0.0 and k < count - 1:
-            found[roots] = edge
-            roots += 1
-        before, at_before = edge, value
-    return roots
-
-
-@_inner
-def _circle_roots(a0, a1, b1, a2, b2, rounding, moved):
-    """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
-
-    Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
-    leading coefficient; its roots lie between those of its derivative, those between the
-    roots of the second derivative. Second comes which are close, where the slope is small: one may
-    stand for two, or has another beside it. Rounding may add so much to values. All roots are moved
-    by an angle in the end.
-    """
-    x, close = np.full(4, math.nan), np.zeros(4, np.bool_)
-    size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
-    if not (size > 0.0 and math.isfinite(size)):
-        return x, close
-    best, apart = -1.0, 0.0
-    for k in range(16):
-        at = turn * k / 16
-        c, s = math.cos(at), math.sin(at)
-        value = abs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s)
-        if value > best:
-            best, apart = value, at
-    c, s = -math.cos(apart), -math.sin(apart)
-    u1, v1 = a1 * c + b1 * s, b1 * c - a1 * s
-    c2, s2 = c * c - s * s, 2.0 * c * s
-    u2, v2 = a2 * c2 + b2 * s2, b2 * c2 - a2 * s2
-    lead = a0 - u1 + u2
-    p0, p1 = (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead
-    p2, p3 = 2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead
-    bound = 1.0 + max(abs(p0), abs(p1), abs(p2), abs(p3))
-    edges, extrema = np.empty(5), np.empty(4)
-    half = 0.25 * p3
-    square = half * half - p2 / 6.0
-    count = 0
-    edges[0] = -bound
-    if square > 0.0:
-        edges[1], edges[2] = -half - math.sqrt(square), -half + math.sqrt(square)
-        count = 2
-    edges[count + 1] = bound
-    count = _between(p1, 2.0 * p2, 3.0 * p3, 4.0, 0.0, edges, count + 2, 0.0, extrema)
-    for k in range(count):
-        edges[k + 1] = extrema[k]
-    edges[count + 1] = bound
-    tolerance = (1e-13 * size + rounding) / abs(lead)
-    count = _between(p0, p1, p2, p3, 1.0, edges, count + 2, tolerance, x)
-    for k in range(count):
-        at = apart + 0.5 * turn + 2.0 * math.atan(x[k])
-        c, s = math.cos(at), math.sin(at)
-        slope = b1 * c - a1 * s + 2.0 * b2 * (c * c - s * s) - 4.0 * a2 * c * s
-        flat = abs(slope) <= 0.0001 * size
-        if not flat:
-            at -= (a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s) / slope
-        at -= turn * math.ceil(at / turn - 0.5)
-        place = k
-        while place > 0 and x[place - 1] > at:
-            x[place], close[place] = x[place - 1], close[place - 1]
-            place -= 1
-        x[place], close[place] = at, flat
-    for k in range(4):
-        x[k] += moved
-    return x, close
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (5,)."""
@@ -356,62 +257,179 @@ def jacobian(q):
     return J
 
 
-_CLOSE = 64  # roots nearly meet: the row may stand between two solutions
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    _, _, T13, T14, _, _, T23, T24, _, _, T33, T34 = pose
+
+    # theta1, type 9: U1[3, 4] and U1[3, 3]
+    v1 = ex * T23
+    v2 = ex * T13
+    v3 = ez * T23 - T24
+    v4 = T14 - ez * T13
+    v5 = v1 * v1
+    v6 = v2 * v2
+    v7 = v3 * v3
+    v8 = v4 * v4
+    v9 = v3 * k2
+    v10 = v4 * k2
+    v11 = k1 * (v5 + v6) + (k3 + k1 * (v7 + v8))
+    v12 = k1 * (v5 - v6) + k1 * (v7 - v8)
+    v13 = v3 * v4 - v1 * v2
+    v14 = v11 - k4
+    v15 = abs(v14) + abs(v9) + abs(v10) + abs(v12) + abs(v13)
+    free1 = v15 <= free_limit2
+    v16 = square_rounding * (v11 + k4)
+    x1_roots, x1_close = _circle_roots(1.0 if free1 else v14, -1.0 if free1 else -v9, 0.0 if free1
+        else -v10, 0.0 if free1 else v12, 0.0 if free1 else v13, v16, moved)
+    v19 = math.cos(seed[0]) * math.cos(seed[0]) - math.sin(seed[0]) * math.sin(seed[0])
+    v20 = 2.0 * (math.cos(seed[0]) * math.sin(seed[0]))
+    v21 = 2.0 * v13
+    v22 = 2.0 * v12
+    v24 = v15 * near_limit
+    v25 = v19 * v21 + (v9 * math.sin(seed[0]) - v10 * math.cos(seed[0])) - v20 * v22
+    v26 = (
+        abs(v14 + (v13 * v20 + (v12 * v19 - (v9 * math.cos(seed[0]) + v10 * math.sin(seed[0]))))) <=
+        v16 + v15 * double_root
+    )
+
+    # theta234, type 3: U1[2, 3] and U1[1, 3]
+    v28 = seed[1] + seed[2] + seed[3]
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    v30 = T34 - d1
+
+    for i1 in range(4):  # root1, root2, root3, root4
+        x1 = x1_roots[i1]
+        # theta1
+        if not (x1 <= 4.0):
+            continue  # out of reach
+        v17 = math.cos(x1)
+        v18 = math.sin(x1)
+        v23 = (v17 * v17 - v18 * v18) * v21 + (v9 * v18 - v10 * v17) - 2.0 * (v17 * v18) * v22
+        near1 = abs(v23) <= v24
+        same1 = (
+            -(double_root * (v15 * v15)) <= v23 * v25 and 0.0 < v17 * math.cos(seed[0]) + v18 *
+            math.sin(seed[0]) and abs(v17 * math.sin(seed[0]) - v18 * math.cos(seed[0])) <=
+            near_limit and near1 and v26
+        )
+        v27 = seed[0] if same1 else x1
+        q1 = seed[0] if free1 else v27
+        c1 = math.cos(q1)
+        s1 = math.sin(q1)
+
+        # theta5, type 3: U1[3, 4] and U1[3, 3]
+        Z2_5 = T13 * s1 - T23 * c1
+        s5 = (d4 - (T14 * s1 - T24 * c1) + ez * Z2_5) * k5
+        c5 = ex * Z2_5 * k5
+        q5 = _atan2(s5, c5)
+
+        # theta234
+        S234 = s5 * T33
+        C234 = s5 * (T13 * c1 + T23 * s1)
+        w234 = math.sqrt(S234 * S234 + C234 * C234)
+        free234 = w234 <= free_limit_squared
+        near234 = w234 <= near_limit_squared
+        factor234 = 1.0 / (1.0 if free234 else w234)
+        c234 = math.cos(v28) if free234 else C234 * factor234
+        s234 = math.sin(v28) if free234 else S234 * factor234
+        theta234 = _atan2(s234, c234)
+
+        # theta3
+        v29 = ex * c5 + ez * s5
+        Z1_3 = c234 * d5 - s234 * v29 + v30
+        Z2_3 = T14 * c1 + T24 * s1 - a1 - (c234 * v29 + s234 * d5)
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+        K3 = N3 - k6
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        apart3 = shortest3_apart < N3 and N3 < longest3_apart
+        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            if near1:
+                status[2 * i1] = _status.NEARLY + 1
+                q[2 * i1, 0] = D3
+                q[2 * i1, 1] = v27
+            if free1:
+                status[2 * i1] = _status.LOST + 1
+                q[2 * i1, 0] = D3
+            if free234:
+                status[2 * i1] = _status.LOST + 2
+                q[2 * i1, 0] = D3
+            if free234:
+                status[2 * i1] = _status.LOST + 3
+                q[2 * i1, 0] = D3
+            if free234:
+                status[2 * i1] = _status.LOST + 4
+                q[2 * i1, 0] = D3
+            continue  # out of reach
+        w3 = math.sqrt(D3 if apart3 else 0.0)
+        c3 = K3 * k7
+
+        # theta2, type 3: U1[2, 4] and U1[1, 4]
+        X1_2 = L2 + L3 * c3
+        v31 = Z1_3 * X1_2
+        v32 = Z2_3 * X1_2
+
+        for i2 in range(2):  # elbow+, elbow-
+            e2 = 1.0 - 2.0 * i2
+            # theta3
+            if (
+                e2 < 0.0 and (not apart3 or (near1 and not (shortest3_clear < N3 and N3 <
+                longest3_clear)))
+            ):
+                continue  # both signs give the same
+            s3 = w3 * e2 * k7
+            q3 = _atan2(s3, c3)
+
+            # theta2
+            Y1_2 = L3 * s3
+            S2 = v31 - Z2_3 * Y1_2
+            C2 = v32 + Z1_3 * Y1_2
+            w2 = math.sqrt(S2 * S2 + C2 * C2)
+            free2 = w2 <= free_limit_squared2
+            near2 = w2 <= near_limit_squared2
+            factor2 = 1.0 / (1.0 if free2 else w2)
+            c2 = math.cos(seed[1]) if free2 else C2 * factor2
+            s2 = math.sin(seed[1]) if free2 else S2 * factor2
+            q2 = _atan2(s2, c2)
+
+            # joint values
+            q4 = _wrap(theta234 - (q3 + q2))
+            row = 2 * i1 + i2
+            q[row, 0] = q1
+            q[row, 1] = q2
+            q[row, 2] = q3
+            q[row, 3] = q4
+            q[row, 4] = q5
+            status[row] = (
+                FREE_JOINT if free1 or free234 or free2 else _status.CLOSE if x1_close[i1] or near1
+                or near234 or near2 else OK
+            )
 
 
-_LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
-_NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
+_inner, _apart = _HOW.inner, _HOW.apart
+_room, carray = _runtime("jit").room, _runtime("jit").carray
+_CLOSE = _status.CLOSE
+_measured, _refined = _runtime("refine").missed_by, _runtime("refine").refine
+_robot = _HOW.addresses("_solve", "fk", "jacobian", None)
+_sum_beyond = _runtime("limits").beyond_limits
 
 
 @_inner
 def _missed_by(pose, q):
     """By how much joint values miss the entries that count: the root of the sum of squares."""
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v3 = v1 * c3 + x2_x * s3
-    v4 = v2 * c3 + x2_y * s3
-    y3_z = c2 * c3 - s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - v3 * s4
-    x4_y = x3_y * c4 - v4 * s4
-    x4_z = x3_z * c4 + y3_z * s4
-    z4_x = v3 * c4 + x3_x * s4
-    z4_y = v4 * c4 + x3_y * s4
-    z4_z = x3_z * s4 - y3_z * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + s1 * s5
-    x5_y = x4_y * c5 - c1 * s5
-    x5_z = x4_z * c5
-    z5_y = c1 * c5 + x4_y * s5
-    z5_z = x4_z * s5
-    z5_x = x4_x * s5 - s1 * c5
-    miss = 0.0
-    off = z5_x - pose[2]
-    miss += (1.0 * off) ** 2
-    off = c1 * a1 + x2_x * L2 + x3_x * L3 + s1 * d4 + z4_x * d5 + x5_x * ex + z5_x * ez - pose[3]
-    miss += (0.625 * off) ** 2
-    off = z5_y - pose[6]
-    miss += (1.0 * off) ** 2
-    off = s1 * a1 + x2_y * L2 + x3_y * L3 - c1 * d4 + z4_y * d5 + x5_y * ex + z5_y * ez - pose[7]
-    miss += (0.625 * off) ** 2
-    off = z5_z - pose[10]
-    miss += (1.0 * off) ** 2
-    off = d1 + s2 * L2 + x3_z * L3 + z4_z * d5 + x5_z * ex + z5_z * ez - pose[11]
-    miss += (0.625 * off) ** 2
-    return math.sqrt(miss)
+    return _measured(_ARM, _robot(), pose, q)
+
+
+@_inner
+def _beyond_limits(q):
+    """How far joint values are beyond their limits."""
+    return _sum_beyond(_ARM, q)
+
+
+@_inner
+def _settled(pose, enough, most, q):
+    """Takes joint values to some inside their limits."""
+    return _refined(_ARM, _robot(), pose, enough, most, q)
 
 
 # The joints that are solved for, and whether they turn; what a step of one means, in rad or
@@ -722,420 +740,6 @@ def _tighten(pose, q, status):
 
 
 @_inner
-def _solve(pose, seed, moved, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-
-    The first value of a row that is _LOST says how far it is from a solution (negative).
-    """
-    _, _, T13, T14, _, _, T23, T24, _, _, T33, T34 = pose
-
-    # theta1, type 9: U1[3, 4] and U1[3, 3]
-    v1 = ex * T23
-    v2 = ex * T13
-    v3 = ez * T23 - T24
-    v4 = T14 - ez * T13
-    v5 = v1 * v1
-    v6 = v2 * v2
-    v7 = v3 * v3
-    v8 = v4 * v4
-    v9 = v3 * k2
-    v10 = v4 * k2
-    v11 = k1 * (v5 + v6) + (k3 + k1 * (v7 + v8))
-    v12 = k1 * (v5 - v6) + k1 * (v7 - v8)
-    v13 = v3 * v4 - v1 * v2
-    v14 = v11 - k4
-    v15 = abs(v14) + abs(v9) + abs(v10) + abs(v12) + abs(v13)
-    free1 = v15 <= free_limit2
-    v16 = square_rounding * (v11 + k4)
-    x1_roots, x1_close = _circle_roots(1.0 if free1 else v14, -1.0 if free1 else -v9, 0.0 if free1
-        else -v10, 0.0 if free1 else v12, 0.0 if free1 else v13, v16, moved)
-    v19 = math.cos(seed[0]) * math.cos(seed[0]) - math.sin(seed[0]) * math.sin(seed[0])
-    v20 = 2.0 * (math.cos(seed[0]) * math.sin(seed[0]))
-    v21 = 2.0 * v13
-    v22 = 2.0 * v12
-    v24 = v15 * near_limit
-    v25 = v19 * v21 + (v9 * math.sin(seed[0]) - v10 * math.cos(seed[0])) - v20 * v22
-    v26 = (
-        abs(v14 + (v13 * v20 + (v12 * v19 - (v9 * math.cos(seed[0]) + v10 * math.sin(seed[0]))))) <=
-        v16 + v15 * double_root
-    )
-
-    # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v28 = seed[1] + seed[2] + seed[3]
-
-    # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v30 = T34 - d1
-
-    for i1 in range(4):  # root1, root2, root3, root4
-        x1 = x1_roots[i1]
-        # theta1
-        if not (x1 <= 4.0):
-            continue  # out of reach
-        v17 = math.cos(x1)
-        v18 = math.sin(x1)
-        v23 = (v17 * v17 - v18 * v18) * v21 + (v9 * v18 - v10 * v17) - 2.0 * (v17 * v18) * v22
-        near1 = abs(v23) <= v24
-        same1 = (
-            -(double_root * (v15 * v15)) <= v23 * v25 and 0.0 < v17 * math.cos(seed[0]) + v18 *
-            math.sin(seed[0]) and abs(v17 * math.sin(seed[0]) - v18 * math.cos(seed[0])) <=
-            near_limit and near1 and v26
-        )
-        v27 = seed[0] if same1 else x1
-        q1 = seed[0] if free1 else v27
-        c1 = math.cos(q1)
-        s1 = math.sin(q1)
-
-        # theta5, type 3: U1[3, 4] and U1[3, 3]
-        Z2_5 = T13 * s1 - T23 * c1
-        s5 = (d4 - (T14 * s1 - T24 * c1) + ez * Z2_5) * k5
-        c5 = ex * Z2_5 * k5
-        q5 = _atan2(s5, c5)
-
-        # theta234
-        S234 = s5 * T33
-        C234 = s5 * (T13 * c1 + T23 * s1)
-        w234 = math.sqrt(S234 * S234 + C234 * C234)
-        free234 = w234 <= free_limit_squared
-        near234 = w234 <= near_limit_squared
-        factor234 = 1.0 / (1.0 if free234 else w234)
-        c234 = math.cos(v28) if free234 else C234 * factor234
-        s234 = math.sin(v28) if free234 else S234 * factor234
-        theta234 = _atan2(s234, c234)
-
-        # theta3
-        v29 = ex * c5 + ez * s5
-        Z1_3 = c234 * d5 - s234 * v29 + v30
-        Z2_3 = T14 * c1 + T24 * s1 - a1 - (c234 * v29 + s234 * d5)
-        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-        K3 = N3 - k6
-        D3 = (longest3 - N3) * (N3 - shortest3)
-        apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
-            if near1:
-                status[2 * i1] = _NEARLY + 1
-                q[2 * i1, 0] = D3
-                q[2 * i1, 1] = v27
-            if free1:
-                status[2 * i1] = _LOST + 1
-                q[2 * i1, 0] = D3
-            if free234:
-                status[2 * i1] = _LOST + 2
-                q[2 * i1, 0] = D3
-            if free234:
-                status[2 * i1] = _LOST + 3
-                q[2 * i1, 0] = D3
-            if free234:
-                status[2 * i1] = _LOST + 4
-                q[2 * i1, 0] = D3
-            continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
-        c3 = K3 * k7
-
-        # theta2, type 3: U1[2, 4] and U1[1, 4]
-        X1_2 = L2 + L3 * c3
-        v31 = Z1_3 * X1_2
-        v32 = Z2_3 * X1_2
-
-        for i2 in range(2):  # elbow+, elbow-
-            e2 = 1.0 - 2.0 * i2
-            # theta3
-            if (
-                e2 < 0.0 and (not apart3 or (near1 and not (shortest3_clear < N3 and N3 <
-                longest3_clear)))
-            ):
-                continue  # both signs give the same
-            s3 = w3 * e2 * k7
-            q3 = _atan2(s3, c3)
-
-            # theta2
-            Y1_2 = L3 * s3
-            S2 = v31 - Z2_3 * Y1_2
-            C2 = v32 + Z1_3 * Y1_2
-            w2 = math.sqrt(S2 * S2 + C2 * C2)
-            free2 = w2 <= free_limit_squared2
-            near2 = w2 <= near_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(seed[1]) if free2 else C2 * factor2
-            s2 = math.sin(seed[1]) if free2 else S2 * factor2
-            q2 = _atan2(s2, c2)
-
-            # joint values
-            q4 = _wrap(theta234 - (q3 + q2))
-            row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
-            q[row, 3] = q4
-            q[row, 4] = q5
-            status[row] = (
-                FREE_JOINT if free1 or free234 or free2 else _CLOSE if x1_close[i1] or near1 or
-                near234 or near2 else OK
-            )
-
-
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
-
-
-@_inner
-def _overshoot(joint, value):
-    """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
-    if low <= value <= high:
-        return 0.0
-    gap, over = turn - (high - low), value - high
-    rest = over - turn * math.floor(over / turn)
-    off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
-
-
-@_inner
-def _beyond_limits(values):
-    """The same of a row."""
-    total = 0.0
-    for i in range(5):
-        total += abs(_overshoot(i, values[i]))
-    return total
-
-
-@_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % turn, angle)
-
-
-_CHOOSABLE = (3, 2, 1, 0,)  # joints, from 0, that may be free
-
-
-@_inner
-def _serves(search, q, status):
-    """Whether a row was solved, as exactly as poses may be rounded."""
-    if search[2] and _beyond_limits(q[search[0]]) > 0.0:
-        return False
-    return status[search[0]] != UNREACHABLE and status[search[0]] < _LOST
-
-
-@_inner
-def _shortfall(pose, row, q, status):
-    """How far a row is from a solution: 0 if it is solved.
-    """
-    if status[row] >= _LOST:
-        return q[row, 0]
-    return -math.inf if status[row] == UNREACHABLE else 0.0
-
-
-@_inner
-def _attempt(pose, seed, search, moved, q, status):
-    """Solves with a joint moved: 0 if it serves, else less.
-
-    A search is a row, the joint that had been chosen, whether limits count, and by how much roots
-    are moved.
-    """
-    row, joint = search[0], search[1]
-    for i in range(8):
-        status[i] = UNREACHABLE
-    kept = seed[joint]
-    seed[joint] = kept + moved
-    _solve(pose, seed, search[3], q, status)
-    seed[joint] = kept
-    result = _shortfall(pose, row, q, status)
-    return -_beyond_limits(q[row]) if search[2] and result == 0.0 else result
-
-
-@_inner
-def _peak(pose, seed, search, low, high, q, status):
-    """Golden section for the move between low and high that comes nearest, or one that serves."""
-    for _ in range(52):
-        third = 0.3819660112501051 * (high - low)
-        left = _attempt(pose, seed, search, low + third, q, status)
-        right = _attempt(pose, seed, search, high - third, q, status)
-        if left == 0.0 or right == 0.0:
-            return low + third if left == 0.0 else high - third
-        if left >= right:
-            high -= third
-        else:
-            low += third
-    return low
-
-
-@_inner
-def _summit(pose, seed, search, low, high, q, status):
-    """A move between low and high that serves; NaN if there is none."""
-    top = _peak(pose, seed, search, low, high, q, status)
-    if _attempt(pose, seed, search, top, q, status) == 0.0:
-        return top
-    # beside a place where the branches meet, this one has no solution of its own
-    for moved in (top - 1e-09, top + 1e-09):
-        if math.isinf(_attempt(pose, seed, search, moved, q, status)):
-            return math.nan
-    _attempt(pose, seed, search, top, q, status)
-    return top if _serves(search, q, status) else math.nan
-
-
-@_inner
-def _serving(pose, seed, search, q, status):
-    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
-
-    A fan of values shows where it serves or nearly so, golden section finds what lies between two
-    of them, bisection the end that is nearest to the seed; of two that are equally near the lower
-    one.
-    """
-    if _attempt(pose, seed, search, 0.0, q, status) == 0.0:
-        return 0.0
-    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
-    after = _attempt(pose, seed, search, -32.0 * step, q, status)
-    for k in range(-32, 32 + 1):
-        before, here = here, after
-        after = _attempt(pose, seed, search, (k + 1) * step, q, status)
-        outer = k * step
-        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
-        if here < 0.0 and here >= before and here > after:
-            low, high = outer - step, outer + step
-            outer = _summit(pose, seed, search, low, high, q, status)
-            if math.isnan(outer):
-                continue
-        elif here < 0.0 or (before if k > 0 else after) == 0.0:
-            continue
-        for _ in range(52):
-            middle = 0.5 * (inner + outer)
-            if _attempt(pose, seed, search, middle, q, status) == 0.0:
-                outer = middle
-            else:
-                inner = middle
-        if not abs(outer) >= abs(nearest) - 1e-09:
-            nearest = outer
-    return nearest
-
-
-@_inner
-def _serving_digits(pose, seed, search, q, status):
-    """The same for a joint that is nearly free: its angle is known to few digits.
-
-    Also where the arm just reaches (an elbow that is stretched). As long as the angle is right up
-    to rounding of what it was taken from, `_solve` takes it as it would take its own.
-    """
-    before, past = np.full(2, -math.inf), np.zeros(2)
-    moved = 1e-15
-    while moved < 0.1:
-        for way in range(2):
-            there = -moved if way else moved
-            here = _attempt(pose, seed, search, there, q, status)
-            if here == 0.0:
-                return there
-            if here < 2.0 * before[way] and past[way] == 0.0:
-                past[way] = 1.0
-                low = 0.25 * there
-                top = _summit(pose, seed, search, low, there, q, status)
-                if not math.isnan(top):
-                    return top
-            before[way] = here
-        moved *= 2.0
-    return math.nan
-
-
-@_inner
-def _choose_again(pose, given, row, q, status):
-    """A free joint took the seed's value, and then the arm could not reach.
-
-    The joint takes the nearest value that serves.
-    """
-    nearly = status[row] > _NEARLY
-    search = row, status[row] - (_NEARLY if nearly else _LOST) - 1, False, 0.0
-    seed, trial, result = given.copy(), q.copy(), status.copy()
-    if nearly:
-        seed[search[1]] = q[row, 1]
-        moved = _serving_digits(pose, seed, search, trial, result)
-    else:
-        seed[search[1]] = _without_turns(seed[search[1]])
-        moved = _serving(pose, seed, search, trial, result)
-    _attempt(pose, seed, search, moved, trial, result)
-    served = not math.isnan(moved) and _serves(search, trial, result)
-    status[row] = result[row] if served else UNREACHABLE
-    for i in range(5):
-        q[row, i] = trial[row, i] if served else math.nan
-
-
-@_inner
-def _hopeless(pose, seed, search, q, status):
-    """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
-    row = search[0]
-    _attempt(pose, seed, search, 0.0, q, status)
-    if _shortfall(pose, row, q, status) < 0.0:
-        return False
-    values = q[row].copy()
-    _attempt(pose, seed, search, 0.1, q, status)
-    if _shortfall(pose, row, q, status) < 0.0:
-        return False
-    for i in range(5):
-        if abs(values[i] - q[row, i]) < 1e-09 and _overshoot(i, values[i]) != 0.0:
-            return True
-    return False
-
-
-@_inner
-def _keep_limits(pose, given, row, q, status):
-    """A free joint took the seed's value, and that puts one beyond its limits.
-
-    It takes the nearest value that keeps all of them, if there is one. Where several joints are
-    free the others take the seed's values as far as their limits allow.
-    """
-    seed, trial, result = given.copy(), q.copy(), status.copy()
-    for i in range(5):
-        seed[i] -= _overshoot(i, seed[i])
-    for joint in _CHOOSABLE:
-        inside, search = seed[joint], (row, joint, True, 0.0)
-        seed[joint] = _without_turns(given[joint])
-        if not _hopeless(pose, seed, search, trial, result):
-            moved = _serving(pose, seed, search, trial, result)
-            # beside the solution of another row this one has none
-            start = _attempt(pose, seed, search, 0.0, trial, result)
-            own = abs(moved) >= 1e-06 or not math.isinf(start)
-            if own and not math.isnan(moved):
-                _attempt(pose, seed, search, moved, trial, result)
-                for i in range(5):
-                    q[row, i] = trial[row, i]
-                status[row] = result[row]
-                return
-        seed[joint] = inside
-
-
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
-def _other_choices(pose, seed, q, status):
-    """Other values for free joints, in rows that the seed's do not serve."""
-    for row in range(8):
-        if status[row] >= _LOST:
-            _choose_again(pose, seed, row, q, status)
-        if status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0:
-            _keep_limits(pose, seed, row, q, status)
-
-
-@_inner
-def _choose(pose, seed, q, status):
-    """The same where there is a row that needs it."""
-    served = True
-    for row in range(8):
-        served = served and status[row] < _LOST
-        served = served and not (status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0)
-    if served:
-        return
-    # arrays of the caller may have any layout
-    values, rows, kinds = np.empty(5), np.empty((8, 5)), np.empty(8, np.uint8)
-    for row in range(8):
-        kinds[row] = status[row]
-        for i in range(5):
-            values[i], rows[row, i] = seed[i], q[row, i]
-    _other_choices(pose, values, rows, kinds)
-    for row in range(8):
-        status[row] = kinds[row]
-        for i in range(5):
-            q[row, i] = rows[row, i]
-
-
-@_inner
 def _solves(T, steps, exact, q):
     """Whether joint values are a solution.
 
@@ -1164,11 +768,11 @@ def _keep(known, count, q):
 
 
 @_inner
-def _leads(pose, T, seed, angle, row, exact, end):
+def _leads(pose, T, q_free, seed, angle, row, exact, end):
     """Whether the row of a root that is moved leads to a solution, and to which."""
     q, kind = np.empty((8, 5)), np.empty(8, np.uint8)
     kind[:] = UNREACHABLE
-    _solve(pose, seed, angle, q, kind)
+    _solve(pose, q_free, seed, angle, q, kind)
     if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
         return False
     _take(end, q[row])
@@ -1178,8 +782,8 @@ def _leads(pose, T, seed, angle, row, exact, end):
 _BESIDE = (3.0517578125e-05, -3.0517578125e-05, 3.814697265625e-06, -3.814697265625e-06, 4.76837158203125e-07, -4.76837158203125e-07, 5.960464477539063e-08, -5.960464477539063e-08, 7.450580596923828e-09, -7.450580596923828e-09, 9.313225746154785e-10, -9.313225746154785e-10, 1.1641532182693481e-10, -1.1641532182693481e-10, 1.4551915228366852e-11, -1.4551915228366852e-11, 1.8189894035458565e-12, -1.8189894035458565e-12)
 
 
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
-def _beside(pose, seed, q, status):
+@_apart("void(UniTuple(float64, 12), float64[::1], float64[::1], float64[:, ::1], uint8[::1])")
+def _beside(pose, q_free, seed, q, status):
     """Solutions for the rows that stand between two of them, which are known by no more than that.
 
     Steps from a row lead to one; the root of the other is as far from it on the other side. A row may
@@ -1193,7 +797,7 @@ def _beside(pose, seed, q, status):
     kind[:] = UNREACHABLE
     away = seed.copy()
     away[0] += 2.0
-    _solve(pose, away, 0.0, own, kind)
+    _solve(pose, q_free, away, 0.0, own, kind)
     for row in range(8):
         if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
             _take(own[row], q[row])
@@ -1212,7 +816,7 @@ def _beside(pose, seed, q, status):
         # long steps may lead to solutions of other roots, which are known
         found = _solves(T, 72, exact, end) and _is_new(known, others, end)
         for angle in _BESIDE:
-            if found or not _leads(pose, T, away, angle, row, exact, end):
+            if found or not _leads(pose, T, q_free, away, angle, row, exact, end):
                 continue
             found = _is_new(known, others, end)
         if not found:
@@ -1223,7 +827,7 @@ def _beside(pose, seed, q, status):
         off += end[0] - own[row, 0]
         off -= 6.283185307179586 * math.ceil(off / 6.283185307179586 - 0.5)
         for part in (0.0, -1.0, -2.0, -0.5, -4.0):  # of the way to the one that is known
-            if not _leads(pose, T, away, part * off, row, exact, other):
+            if not _leads(pose, T, q_free, away, part * off, row, exact, other):
                 continue
             if _is_new(known, others, other) and _gap_between(end, other) >= 0.001:
                 count = _keep(known, count, other)
@@ -1243,7 +847,7 @@ def _beside(pose, seed, q, status):
 
 
 @_inner
-def _both_sides(pose, seed, q, status):
+def _both_sides(pose, q_free, seed, q, status):
     """Solutions for the rows of roots that nearly meet, which may stand between two."""
     close = False
     for row in range(8):
@@ -1251,168 +855,11 @@ def _both_sides(pose, seed, q, status):
     if not close:
         return
     rows, kinds = q.copy(), status.copy()
-    _beside(pose, seed.copy(), rows, kinds)
+    _beside(pose, q_free.copy(), seed.copy(), rows, kinds)
     for row in range(8):
         status[row] = kinds[row]
         for i in range(5):
             q[row, i] = rows[row, i]
-
-
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.625, 0.625, 0.625, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
-    """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        e[3 + i] = P[j, 2] * T[4 * k + 2] - P[k, 2] * T[4 * j + 2]
-        square += (P[j, 2] - T[4 * j + 2]) ** 2
-    return e, math.sqrt(square)
-
-
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
-
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 11)), np.zeros(6)
-    P = fk(q)
-    for j in range(5):  # turning about z changes nothing
-        along = P[0, 2] * J[3, j] + P[1, 2] * J[4, j] + P[2, 2] * J[5, j]
-        for i in range(3):
-            J[3 + i, j] -= along * P[i, 2]
-    for i in range(6):
-        for j in range(5):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 5 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(11):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(11):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(11):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(5):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
-
-
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
-
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(5):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(5)
-    stands, moves = math.isnan(enough), 0
-    held, x, settled = np.zeros(5, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if math.isnan(enough):
-            enough = miss + 1e-14
-        worst, past = -1, 0.0
-        for j in range(5 if stands and miss < enough else 0):
-            off = _overshoot(j, x[j]) if _PACE[j] > 0.0 else 0.0
-            if abs(off) > abs(past):
-                worst, past = j, off
-        if worst >= 0:  # one at a time: others may follow it inside, or the first one the second
-            moves += 1
-            if moves == 2:
-                held[:] = False
-            held[worst], last = True, math.inf
-            x[worst] -= past
-            e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(5):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(5)
-    for i in range(5):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(5):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _stand(pose, row, far, rows, status):
-    """Puts a row's joints just beyond their limits on them, unless that is another solution; those
-    that are far beyond them, too, if that is asked for. Returns if it did.
-
-    Half way to the same there is one, and what is nearer to another row that is less far beyond is
-    that one's.
-    """
-    q = rows[row]
-    beyond = _beyond_limits(q)
-    if not (0.0 < beyond and (far or beyond < 0.01)):
-        return False
-    x, half, to = q.copy(), np.empty(5), np.empty(5)
-    if not _settle(pose, math.nan, math.inf if far else 1.5, x):
-        return False
-    off = _half_way(q, x, half)
-    for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _beyond_limits(rows[k]) < beyond:
-            if _half_way(rows[k], x, to) < off:
-                return False
-    if off >= 0.001 and not _settle(pose, 1e-12, 0.25 * off, half):
-        return False
-    for i in range(5):
-        q[i] = x[i]
-    return True
 
 
 # Between which values starts lie.
@@ -1464,8 +911,8 @@ def _descend(T, q, u):
     return least
 
 
-@_apart("int64(UniTuple(float64, 12), float64[::1], int64, float64[::1])")
-def _sought(pose, seed, least, q):
+@_apart("int64(UniTuple(float64, 12), float64[::1], float64[::1], int64, float64[::1])")
+def _sought(pose, q_free, seed, least, q):
     """Joint values that serve, into q, if there are some with less wrong than `least`; what is.
 
     Nothing is 0, 1 that they are beyond limits, 2 that they are not exact, 4 that there are none.
@@ -1500,7 +947,7 @@ def _sought(pose, seed, least, q):
 
 
 @_inner
-def _seek(pose, seed, begun, q, status):
+def _seek(pose, q_free, seed, begun, q, status):
     """The same into a row, if there is none, or none
     inside the limits."""
     before, chosen = 4, -1
@@ -1514,7 +961,7 @@ def _seek(pose, seed, begun, q, status):
     if before == 0 or (before < 4 and chosen < 0):
         return
     found = np.empty(5)
-    least = _sought(pose, seed.copy(), before, found)
+    least = _sought(pose, q_free.copy(), seed.copy(), before, found)
     if least == before:
         return
     if before < 4 and before // 2 == least // 2:  # other rows are no less exact
@@ -1527,125 +974,27 @@ def _seek(pose, seed, begun, q, status):
             q[row, i] = found[i] if row == begun else math.nan
 
 
-@_apart("boolean(UniTuple(float64, 12), float64[::1])")
-def _are_one(T, half):
-    """Whether rounding alone tells two solutions that lie to both sides of joint values.
-
-    Half way the arm is singular, and what steps in all other directions leave of the miss is how far
-    the pose is from one at which both meet.
-    """
-    held = np.zeros(5, np.bool_)
-    for _ in range(3):
-        _add_step(held, 1e-13, _miss(T, half)[0], half)
-    return _miss(T, half)[1] <= 1e-14
-
-
-@_inner
-def _tell_once(pose, q, status):
-    """Ends rows that rounding alone tells from earlier ones.
-
-    Where an earlier angle is good to fewer digits than usual branches that meet come out apart.
-    """
-    half = np.empty(5)
-    for row in range(1, 8):
-        for k in range(row):
-            if status[row] == UNREACHABLE or status[k] == UNREACHABLE:
-                continue
-            if _half_way(q[k], q[row], half) < 0.001 and _are_one(pose, half):
-                status[row] = UNREACHABLE
-                for i in range(5):
-                    q[row, i] = math.nan
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(5), np.empty(5), 0, math.inf
-    nearest = 0.001
-    for i in range(5):
-        x[i] = seed[i] - _overshoot(i, seed[i])
-    if not _settle(pose, 1e-12, 0.15, x):
-        return
-    if _beyond_limits(x) > 1e-09 and not _settle(pose, math.nan, 0.15, x):
-        return
-    for row in range(8 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06 or _beyond_limits(q[place]) > 0.0:
-        for i in range(5):
-            q[place, i] = x[i]
-
-
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(8):
-        status[row] = UNREACHABLE
-        for i in range(5):
-            q[row, i] = math.nan
-    _solve(pose, seed, 0.0, q, status)
-    begun = -1  # the first row that was not simply out of reach
-    for row in range(8 - 1, -1, -1):
-        if status[row] != UNREACHABLE:
-            begun = row
-    _choose(pose, seed, q, status)
-    _both_sides(pose, seed, q, status)
+@_apart(_arms.COMPLETES)
+def _complete(pose, q_free, seed, begun, q, status):
+    """Works on all rows where roots nearly meet or rows miss the pose, and looks for lost ones."""
+    _both_sides(pose, q_free, seed, q, status)
     _tighten(pose, q, status)
     if begun >= 0:
-        _seek(pose, seed, begun, q, status)
-    _tell_once(pose, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(8):
-        if status[row] == UNREACHABLE:
-            continue
-        _stand(pose, row, False, q, status)
-        for i in range(5):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
+        _seek(pose, q_free, seed, begun, q, status)
 
 
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (8, 5) or status.shape != (8,):
-        raise ValueError("T, q and status must have shapes (4, 4), (8, 5), (8,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    return _whole(pose, seed, q, status)
-
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=None,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", "_complete"),
+        task="pointing",
+        counted=(True, True, True),
+        formulas=None,
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(_circle.OWN.compile_apart,),
         words={
             "no_pose": "not finite, or its z axis not of length one to six digits",
             "no_row": "the pose is out of reach",

@@ -26,17 +26,10 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
-_read_rows = _runtime("pose").read_pose
 _of_joints = _runtime("entry").of_joints(_HOW, 5)
 
 NAME = "xarm5"
@@ -101,16 +94,29 @@ m10 = 0.05625761134525573  # a coefficient of c23
 m11 = 1.0000000000000002e-10  # pose_slack^2
 m12 = 1.167797105524862e-10  # pose_slack1^2 [m^2]
 m13 = 3.5033913165745856e-10  # 3 * pose_slack1^2 [m^2]
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(
+            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
+            0.09817477042468103,
+        ),
+        rows=4,
+        directions='rotation',
+        miss_weights=(0.9254, 0.9254, 0.9254, 1.0, 1.0, 1.0),
+        size=1.080646614543747,
+        steps=('retries', 'regular', 'follows seed'),
+        choosable=(1, 0),
+        cuts=52,
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -245,16 +251,9 @@ def jacobian(q):
     return J
 
 
-_LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
-_NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
-
-
-@_inner
-def _solve(pose, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-
-    The first value of a row that is _LOST says how far it is from a solution (negative).
-    """
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
 
     # theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3]
@@ -314,7 +313,7 @@ def _solve(pose, seed, q, status):
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             if free1:
-                status[2 * i1] = _LOST + 1
+                status[2 * i1] = _status.LOST + 1
                 q[2 * i1, 0] = D3
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
@@ -380,939 +379,237 @@ def _solve(pose, seed, q, status):
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-
-@_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % turn, angle)
-
-
-_CHOOSABLE = (1, 0,)  # joints, from 0, that may be free
-
-
-@_inner
-def _serves(search, q, status):
-    """Whether a row was solved, as exactly as poses may be rounded."""
-    return status[search[0]] != UNREACHABLE and status[search[0]] < _LOST
-
-
-@_inner
-def _shortfall(pose, row, q, status):
-    """How far a row is from a solution: 0 if it is solved.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    if status[row] >= _LOST:
-        return q[row, 0]
-    return -math.inf if status[row] == UNREACHABLE else 0.0
+    for k in range(w):
+        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T33, T34 = kept[8 * w + k], kept[10 * w + k], kept[11 * w + k]
 
+        # theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3]
+        sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+        Xhat1 = T14 + T13 * sigma1
+        Yhat1 = T24 + T23 * sigma1
+        v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
+        w1 = math.sqrt(v1)
+        v2 = 1.0 / v1
+        factor1 = w1 * v2
+        c1 = Xhat1 * factor1
+        s1 = Yhat1 * factor1
 
-@_inner
-def _attempt(pose, seed, search, moved, q, status):
-    """Solves with a joint moved: 0 if it serves, else less.
+        # theta234, type 3: U1[2, 3] and U1[1, 3]
+        v3 = v2 * (T13 * Xhat1 + T23 * Yhat1)
+        Z2_234 = w1 * v3
+        v4 = T33 * T33 + Z2_234 * Z2_234
+        factor234 = math.sqrt(v4) * (1.0 / v4)
 
-    A search is a row, the joint that had been chosen, whether limits count.
-    """
-    row, joint = search[0], search[1]
-    for i in range(4):
-        status[i] = UNREACHABLE
-    kept = seed[joint]
-    seed[joint] = kept + moved
-    _solve(pose, seed, q, status)
-    seed[joint] = kept
-    return _shortfall(pose, row, q, status)
+        # theta5, type 3: U1[3, 2] and U1[3, 1]
+        Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22))
+        Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21))
+        v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5
+        v6 = math.sqrt(v5) * (1.0 / v5)
+        v7 = Z1_5 * v6
+        v8 = Z2_5 * v6
 
+        # theta3, type 8: U1[2, 4] and U1[1, 4]
+        v9 = d5 * T33
+        v10 = w1 * (m4 * v3)
+        v11 = v10 - v9
+        v12 = T34 - d1
+        Z1_3_p = v12 + factor234 * v11
+        v13 = factor234 * (v9 + v10)
+        Z1_3_m = v12 - v13
+        v14 = a4 * T33
+        v15 = T14 * c1 + T24 * s1
+        v16 = w1 * (m5 * v3)
+        v17 = factor234 * (v14 + v16)
+        v18 = factor234 * (v14 - v16)
+        Z2_3_p = v15 - v17
+        v19 = v15 + v18
+        N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
+        N3_m = Z1_3_m * Z1_3_m + v19 * v19
+        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p = math.sqrt(D3_p)
+        w3_m = math.sqrt(D3_m)
+        v20 = w3_p - w3_p
+        v21 = w3_m - w3_m
 
-@_inner
-def _peak(pose, seed, search, low, high, q, status):
-    """Golden section for the move between low and high that comes nearest, or one that serves."""
-    for _ in range(52):
-        third = 0.3819660112501051 * (high - low)
-        left = _attempt(pose, seed, search, low + third, q, status)
-        right = _attempt(pose, seed, search, high - third, q, status)
-        if left == 0.0 or right == 0.0:
-            return low + third if left == 0.0 else high - third
-        if left >= right:
-            high -= third
-        else:
-            low += third
-    return low
+        # theta2, type 3: U1[2, 4] and U1[1, 4]
+        v22 = m7 * N3_p - m8
+        v23 = m7 * N3_m - m8
+        v24 = Z1_3_p * v22
+        v25 = Z1_3_m * v23
+        S2_pp = v24 - w3_p * (m7 * Z2_3_p)
+        S2_pm = v24 - w3_p * (m7 * -Z2_3_p)
+        v26 = w3_m * (m7 * v19)
+        S2_mp = v25 + v26
+        S2_mm = v25 - v26
+        v27 = Z2_3_p * v22
+        v28 = v19 * v23
+        factor2_p = 1.0 / N3_p
+        factor2_m = 1.0 / N3_m
+        v29 = w3_p * (m7 * Z1_3_p)
 
+        # is the pose one that the arm can take?
+        v30 = Z1_3_p * (m9 + m10 * factor2_p)
+        v31 = Z1_3_m * (m9 + m10 * factor2_m)
+        v32 = v17 + Z2_3_p
+        v33 = v18 - v19
+        v34 = d1 + factor234 * -v11
+        v35 = d1 + v13
+        v36 = T33 - T33 * factor234
+        v37 = T31 - factor234 * (Z2_234 * v7)
+        v38 = T23 - factor234 * (s1 * Z2_234)
+        v39 = T21 + (c1 * v8 + factor234 * (v7 * (s1 * T33)))
+        v40 = T11 - (s1 * v8 - factor234 * (v7 * (c1 * T33)))
+        v41 = T13 - factor234 * (c1 * Z2_234)
+        v42 = (
+            T34 - (a3 * (v30 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pp *
+            factor2_p)))
+        )
+        v43 = (
+            T34 - (a3 * (v30 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pm *
+            factor2_p)))
+        )
+        v44 = w3_m * (m9 * (v19 * factor2_m))
+        v45 = T34 - (a3 * (v31 - v44) + (v35 + a2 * (S2_mp * factor2_m)))
+        v46 = T34 - (a3 * (v31 + v44) + (v35 + a2 * (S2_mm * factor2_m)))
+        v47 = T14 - c1 * v32
+        v48 = T14 + c1 * v33
+        v49 = T24 - s1 * v32
+        v50 = T24 + s1 * v33
+        v51 = v47 * v47
+        v52 = v48 * v48
+        v53 = v49 * v49
+        v54 = v50 * v50
+        v55 = v53 + (v51 + v42 * v42)
+        v56 = v53 + (v51 + v43 * v43)
+        v57 = v54 + (v52 + v45 * v45)
+        v58 = v54 + (v52 + v46 * v46)
 
-@_inner
-def _summit(pose, seed, search, low, high, q, status):
-    """A move between low and high that serves; NaN if there is none."""
-    top = _peak(pose, seed, search, low, high, q, status)
-    if _attempt(pose, seed, search, top, q, status) == 0.0:
-        return top
-    # beside a place where the branches meet, this one has no solution of its own
-    for moved in (top - 1e-09, top + 1e-09):
-        if math.isinf(_attempt(pose, seed, search, moved, q, status)):
-            return math.nan
-    _attempt(pose, seed, search, top, q, status)
-    return top if _serves(search, q, status) else math.nan
+        # joint values
+        v77 = math.sqrt(-1.0)
+        v78 = 0.0 if v55 <= m12 else v77
+        v79 = 0.0 if v56 <= m12 else v77
+        v80 = 0.0 if v57 <= m12 else v77
+        v81 = 0.0 if v58 <= m12 else v77
 
-
-@_inner
-def _serving(pose, seed, search, q, status):
-    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
-
-    A fan of values shows where it serves or nearly so, golden section finds what lies between two
-    of them, bisection the end that is nearest to the seed; of two that are equally near the lower
-    one.
-    """
-    if _attempt(pose, seed, search, 0.0, q, status) == 0.0:
-        return 0.0
-    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
-    after = _attempt(pose, seed, search, -32.0 * step, q, status)
-    for k in range(-32, 32 + 1):
-        before, here = here, after
-        after = _attempt(pose, seed, search, (k + 1) * step, q, status)
-        outer = k * step
-        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
-        if here < 0.0 and here >= before and here > after:
-            low, high = outer - step, outer + step
-            outer = _summit(pose, seed, search, low, high, q, status)
-            if math.isnan(outer):
-                continue
-        elif here < 0.0 or (before if k > 0 else after) == 0.0:
-            continue
-        for _ in range(52):
-            middle = 0.5 * (inner + outer)
-            if _attempt(pose, seed, search, middle, q, status) == 0.0:
-                outer = middle
-            else:
-                inner = middle
-        if not abs(outer) >= abs(nearest) - 1e-09:
-            nearest = outer
-    return nearest
-
-
-@_inner
-def _serving_digits(pose, seed, search, q, status):
-    """The same for a joint that is nearly free: its angle is known to few digits.
-
-    Also where the arm just reaches (an elbow that is stretched). As long as the angle is right up
-    to rounding of what it was taken from, `_solve` takes it as it would take its own.
-    """
-    before, past = np.full(2, -math.inf), np.zeros(2)
-    moved = 1e-15
-    while moved < 0.1:
-        for way in range(2):
-            there = -moved if way else moved
-            here = _attempt(pose, seed, search, there, q, status)
-            if here == 0.0:
-                return there
-            if here < 2.0 * before[way] and past[way] == 0.0:
-                past[way] = 1.0
-                low = 0.25 * there
-                top = _summit(pose, seed, search, low, there, q, status)
-                if not math.isnan(top):
-                    return top
-            before[way] = here
-        moved *= 2.0
-    return math.nan
-
-
-@_inner
-def _choose_again(pose, given, row, q, status):
-    """A free joint took the seed's value, and then the arm could not reach.
-
-    The joint takes the nearest value that serves.
-    """
-    nearly = status[row] > _NEARLY
-    search = row, status[row] - (_NEARLY if nearly else _LOST) - 1, False
-    seed, trial, result = given.copy(), q.copy(), status.copy()
-    if nearly:
-        seed[search[1]] = q[row, 1]
-        moved = _serving_digits(pose, seed, search, trial, result)
-    else:
-        seed[search[1]] = _without_turns(seed[search[1]])
-        moved = _serving(pose, seed, search, trial, result)
-    _attempt(pose, seed, search, moved, trial, result)
-    served = not math.isnan(moved) and _serves(search, trial, result)
-    status[row] = result[row] if served else UNREACHABLE
-    for i in range(5):
-        q[row, i] = trial[row, i] if served else math.nan
-
-
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
-def _other_choices(pose, seed, q, status):
-    """Other values for free joints, in rows that the seed's do not serve."""
-    for row in range(4):
-        if status[row] >= _LOST:
-            _choose_again(pose, seed, row, q, status)
-
-
-@_inner
-def _choose(pose, seed, q, status):
-    """The same where there is a row that needs it."""
-    served = True
-    for row in range(4):
-        served = served and status[row] < _LOST
-    if served:
+        # a joint is free, or branches meet
+        kept[16 * w + k] = (
+            1.0 if v4 <= m2 or v1 <= m1 or v5 <= m2 or m11 < v36 * v36 + v37 * v37 + v38 * v38 + v39
+            * v39 + v40 * v40 + v41 * v41 or (m12 < v58 and v58 <= m13) or (m12 < v57 and v57 <=
+            m13) or (m12 < v56 and v56 <= m13) or (m12 < v55 and v55 <= m13) or abs(D3_p) <= m6 or
+            abs(D3_m) <= m6 else kept[16 * w + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Yhat1, Z2_5, v20
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = v21, v78, v79, v80
+        kept[24 * w + k], turns[0 * w + k], turns[1 * w + k] = v81, -Z2_234, -Z2_5
+        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = w3_p, w3_m, S2_pp
+        turns[5 * w + k], turns[6 * w + k], turns[7 * w + k] = S2_pm, S2_mp, S2_mm
+        turns[8 * w + k], turns[16 * w + k], turns[17 * w + k] = Yhat1, T33, -Z1_5
+        turns[18 * w + k], turns[19 * w + k], turns[20 * w + k] = N3_p - k1, N3_m - k1, v27 + v29
+        turns[21 * w + k], turns[22 * w + k] = v27 - v29, w3_m * (m7 * Z1_3_m) - v28
+        turns[23 * w + k], turns[24 * w + k] = w3_m * (m7 * -Z1_3_m) - v28, Xhat1
+    if w == 1 and kept[16] != 0.0:
         return
-    # arrays of the caller may have any layout
-    values, rows, kinds = np.empty(5), np.empty((4, 5)), np.empty(4, np.uint8)
-    for row in range(4):
-        kinds[row] = status[row]
-        for i in range(5):
-            values[i], rows[row, i] = seed[i], q[row, i]
-    _other_choices(pose, values, rows, kinds)
-    for row in range(4):
-        status[row] = kinds[row]
-        for i in range(5):
-            q[row, i] = rows[row, i]
+    end = 16 if w == 1 else 9 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(9 * w, end):
+        turns[k] = turns[k + 16 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 16 * w])
+    for k in range(w):
+        Yhat1, Z2_5, v20 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v21, v78, v79, v80 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
+        v81, angle1, angle2 = kept[24 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
+        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
+        angle9 = turns[8 * w + k]
+
+        # joint values
+        v59 = angle9 - offset1
+        v60 = angle9 - math.copysign(half_turn, Yhat1) - offset1
+        v61 = angle5 - offset2
+        v62 = angle6 - offset2
+        v63 = angle7 - offset2
+        v64 = angle8 - offset2
+        v65 = angle3 - offset3
+        v66 = offset3 + angle3
+        v67 = angle4 - offset3
+        v68 = offset3 + angle4
+        v69 = angle1 - (angle3 + angle5) - offset4
+        v70 = angle1 - (angle6 - angle3) - offset4
+        v71 = offset4 + (angle1 + (angle4 + angle7))
+        v72 = offset4 + (angle1 + (angle8 - angle4))
+        v73 = v69 + (turn if v69 <= -half_turn else (-turn if half_turn < v69 else 0.0))
+        v74 = v70 + (turn if v70 <= -half_turn else (-turn if half_turn < v70 else 0.0))
+        v75 = (turn if -v71 <= -half_turn else (-turn if half_turn < -v71 else 0.0)) - v71
+        v76 = (turn if -v72 <= -half_turn else (-turn if half_turn < -v72 else 0.0)) - v72
+        v82 = v20 + (v59 + (turn if v59 <= -half_turn else 0.0))
+        v83 = v21 + (v60 + (turn if v60 <= -half_turn else 0.0))
+        q1_pp = v78 + v82
+        q1_pm = v79 + v82
+        q1_mp = v80 + v83
+        q1_mm = v81 + v83
+        q2_pp = v78 + (v61 + (turn if v61 <= -half_turn else 0.0))
+        q2_pm = v79 + (v62 + (turn if v62 <= -half_turn else 0.0))
+        q2_mp = v80 + (v63 + (turn if v63 <= -half_turn else 0.0))
+        q2_mm = v81 + (v64 + (turn if v64 <= -half_turn else 0.0))
+        q3_pp = v78 + (v65 + (turn if v65 <= -half_turn else 0.0))
+        q3_pm = v79 + ((turn if -v66 <= -half_turn else 0.0) - v66)
+        q3_mp = v80 + (v67 + (turn if v67 <= -half_turn else 0.0))
+        q3_mm = v81 + ((turn if -v68 <= -half_turn else 0.0) - v68)
+        q4_pp = v78 + (v73 + (-turn if half_turn < v73 else 0.0))
+        q4_pm = v79 + (v74 + (-turn if half_turn < v74 else 0.0))
+        q4_mp = v80 + (v75 + (-turn if half_turn < v75 else 0.0))
+        q4_mm = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
+        v84 = angle2 + v20
+        v85 = v21 + (angle2 - math.copysign(half_turn, -Z2_5))
+        q5_pp = v78 + v84
+        q5_pm = v79 + v84
+        q5_mp = v80 + v85
+        q5_mm = v81 + v85
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_pp, q2_pp, q3_pp
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q4_pp, q5_pp, q1_pm
+        rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q2_pm, q3_pm, q4_pm
+        rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = q5_pm, q1_mp, q2_mp
+        rows[12 * w + k], rows[13 * w + k], rows[14 * w + k] = q3_mp, q4_mp, q5_mp
+        rows[15 * w + k], rows[16 * w + k], rows[17 * w + k] = q1_mm, q2_mm, q3_mm
+        rows[18 * w + k], rows[19 * w + k] = q4_mm, q5_mm
+        rows[20 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
+        rows[21 * w + k] = UNREACHABLE if q1_pm != q1_pm else OK
+        rows[22 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
+        rows[23 * w + k] = UNREACHABLE if q1_mm != q1_mm else OK
 
 
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.9254, 0.9254, 0.9254, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
-    """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
-
-
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
-
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 11)), np.zeros(6)
-    for i in range(6):
-        for j in range(5):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 5 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(11):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(11):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(11):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(5):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
-
-
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
-
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(5):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(5)
-    held, x, settled = np.zeros(5, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(5):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(5)
-    for i in range(5):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(5):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(5), np.empty(5), 0, math.inf
-    nearest = 0.001
-    for i in range(5):
-        x[i] = seed[i]
-    if not _settle(pose, 1e-12, 0.15, x):
-        return
-    for row in range(4 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12)
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06:
-        for i in range(5):
-            q[place, i] = x[i]
-
-
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(4):
-        status[row] = UNREACHABLE
-        for i in range(5):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    _choose(pose, seed, q, status)
-    _stay(pose, seed, q, status)
-    count = 0
-    for row in range(4):
-        if status[row] == UNREACHABLE:
-            continue
-        for i in range(5):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
-
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
-    """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
-    room = carray(_room(32), 32)
-
-    # theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3]
-    sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-    Xhat1 = T14 + T13 * sigma1
-    Yhat1 = T24 + T23 * sigma1
-    v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
-    w1 = math.sqrt(v1)
-    v2 = 1.0 / v1
-    factor1 = w1 * v2
-    c1 = Xhat1 * factor1
-    s1 = Yhat1 * factor1
-
-    # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v3 = v2 * (T13 * Xhat1 + T23 * Yhat1)
-    Z2_234 = w1 * v3
-    v4 = T33 * T33 + Z2_234 * Z2_234
-    factor234 = math.sqrt(v4) * (1.0 / v4)
-
-    # theta5, type 3: U1[3, 2] and U1[3, 1]
-    Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22))
-    Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21))
-    v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-    v6 = math.sqrt(v5) * (1.0 / v5)
-    v7 = Z1_5 * v6
-    v8 = Z2_5 * v6
-
-    # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v9 = d5 * T33
-    v10 = w1 * (m4 * v3)
-    v11 = v10 - v9
-    v12 = T34 - d1
-    Z1_3_p = v12 + factor234 * v11
-    v13 = factor234 * (v9 + v10)
-    Z1_3_m = v12 - v13
-    v14 = a4 * T33
-    v15 = T14 * c1 + T24 * s1
-    v16 = w1 * (m5 * v3)
-    v17 = factor234 * (v14 + v16)
-    v18 = factor234 * (v14 - v16)
-    Z2_3_p = v15 - v17
-    v19 = v15 + v18
-    N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
-    N3_m = Z1_3_m * Z1_3_m + v19 * v19
-    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-    w3_p = math.sqrt(D3_p)
-    w3_m = math.sqrt(D3_m)
-    v20 = w3_p - w3_p
-    v21 = w3_m - w3_m
-
-    # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v22 = m7 * N3_p - m8
-    v23 = m7 * N3_m - m8
-    v24 = Z1_3_p * v22
-    v25 = Z1_3_m * v23
-    S2_pp = v24 - w3_p * (m7 * Z2_3_p)
-    S2_pm = v24 - w3_p * (m7 * -Z2_3_p)
-    v26 = w3_m * (m7 * v19)
-    S2_mp = v25 + v26
-    S2_mm = v25 - v26
-    v27 = Z2_3_p * v22
-    v28 = v19 * v23
-    factor2_p = 1.0 / N3_p
-    factor2_m = 1.0 / N3_m
-    v29 = w3_p * (m7 * Z1_3_p)
-
-    # is the pose one that the arm can take?
-    v30 = Z1_3_p * (m9 + m10 * factor2_p)
-    v31 = Z1_3_m * (m9 + m10 * factor2_m)
-    v32 = v17 + Z2_3_p
-    v33 = v18 - v19
-    v34 = d1 + factor234 * -v11
-    v35 = d1 + v13
-    v36 = T33 - T33 * factor234
-    v37 = T31 - factor234 * (Z2_234 * v7)
-    v38 = T23 - factor234 * (s1 * Z2_234)
-    v39 = T21 + (c1 * v8 + factor234 * (v7 * (s1 * T33)))
-    v40 = T11 - (s1 * v8 - factor234 * (v7 * (c1 * T33)))
-    v41 = T13 - factor234 * (c1 * Z2_234)
-    v42 = T34 - (a3 * (v30 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pp * factor2_p)))
-    v43 = (
-        T34 - (a3 * (v30 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pm * factor2_p)))
-    )
-    v44 = w3_m * (m9 * (v19 * factor2_m))
-    v45 = T34 - (a3 * (v31 - v44) + (v35 + a2 * (S2_mp * factor2_m)))
-    v46 = T34 - (a3 * (v31 + v44) + (v35 + a2 * (S2_mm * factor2_m)))
-    v47 = T14 - c1 * v32
-    v48 = T14 + c1 * v33
-    v49 = T24 - s1 * v32
-    v50 = T24 + s1 * v33
-    v51 = v47 * v47
-    v52 = v48 * v48
-    v53 = v49 * v49
-    v54 = v50 * v50
-    v55 = v53 + (v51 + v42 * v42)
-    v56 = v53 + (v51 + v43 * v43)
-    v57 = v54 + (v52 + v45 * v45)
-    v58 = v54 + (v52 + v46 * v46)
-
-    # joint values
-    v77 = math.sqrt(-1.0)
-    v78 = 0.0 if v55 <= m12 else v77
-    v79 = 0.0 if v56 <= m12 else v77
-    v80 = 0.0 if v57 <= m12 else v77
-    v81 = 0.0 if v58 <= m12 else v77
-
-    # a joint is free, or branches meet
-    if (
-        v4 <= m2 or v1 <= m1 or v5 <= m2 or m11 < v36 * v36 + v37 * v37 + v38 * v38 + v39 * v39 +
-        v40 * v40 + v41 * v41 or (m12 < v58 and v58 <= m13) or (m12 < v57 and v57 <= m13) or (m12 <
-        v56 and v56 <= m13) or (m12 < v55 and v55 <= m13) or abs(D3_p) <= m6 or abs(D3_m) <= m6
-    ):
-        return False
-
-    # angles, side by side
-    room[0] = -Z2_234
-    room[1] = -Z2_5
-    room[2] = w3_p
-    room[3] = w3_m
-    room[4] = S2_pp
-    room[5] = S2_pm
-    room[6] = S2_mp
-    room[7] = S2_mm
-    room[8] = Yhat1
-    room[16] = T33
-    room[17] = -Z1_5
-    room[18] = N3_p - k1
-    room[19] = N3_m - k1
-    room[20] = v27 + v29
-    room[21] = v27 - v29
-    room[22] = w3_m * (m7 * Z1_3_m) - v28
-    room[23] = w3_m * (m7 * -Z1_3_m) - v28
-    room[24] = Xhat1
-    for k in range(9, 16):
-        room[k] = room[k + 16] = 1.0
-    for k in range(16):
-        room[k] = _atan2(room[k], room[k + 16])
-    angle1 = room[0]
-    angle2 = room[1]
-    angle3 = room[2]
-    angle4 = room[3]
-    angle5 = room[4]
-    angle6 = room[5]
-    angle7 = room[6]
-    angle8 = room[7]
-    angle9 = room[8]
-
-    # joint values
-    v59 = angle9 - offset1
-    v60 = angle9 - math.copysign(half_turn, Yhat1) - offset1
-    v61 = angle5 - offset2
-    v62 = angle6 - offset2
-    v63 = angle7 - offset2
-    v64 = angle8 - offset2
-    v65 = angle3 - offset3
-    v66 = offset3 + angle3
-    v67 = angle4 - offset3
-    v68 = offset3 + angle4
-    v69 = angle1 - (angle3 + angle5) - offset4
-    v70 = angle1 - (angle6 - angle3) - offset4
-    v71 = offset4 + (angle1 + (angle4 + angle7))
-    v72 = offset4 + (angle1 + (angle8 - angle4))
-    v73 = v69 + (turn if v69 <= -half_turn else (-turn if half_turn < v69 else 0.0))
-    v74 = v70 + (turn if v70 <= -half_turn else (-turn if half_turn < v70 else 0.0))
-    v75 = (turn if -v71 <= -half_turn else (-turn if half_turn < -v71 else 0.0)) - v71
-    v76 = (turn if -v72 <= -half_turn else (-turn if half_turn < -v72 else 0.0)) - v72
-    v82 = v20 + (v59 + (turn if v59 <= -half_turn else 0.0))
-    v83 = v21 + (v60 + (turn if v60 <= -half_turn else 0.0))
-    q1_pp = v78 + v82
-    q1_pm = v79 + v82
-    q1_mp = v80 + v83
-    q1_mm = v81 + v83
-    q2_pp = v78 + (v61 + (turn if v61 <= -half_turn else 0.0))
-    q2_pm = v79 + (v62 + (turn if v62 <= -half_turn else 0.0))
-    q2_mp = v80 + (v63 + (turn if v63 <= -half_turn else 0.0))
-    q2_mm = v81 + (v64 + (turn if v64 <= -half_turn else 0.0))
-    q3_pp = v78 + (v65 + (turn if v65 <= -half_turn else 0.0))
-    q3_pm = v79 + ((turn if -v66 <= -half_turn else 0.0) - v66)
-    q3_mp = v80 + (v67 + (turn if v67 <= -half_turn else 0.0))
-    q3_mm = v81 + ((turn if -v68 <= -half_turn else 0.0) - v68)
-    q4_pp = v78 + (v73 + (-turn if half_turn < v73 else 0.0))
-    q4_pm = v79 + (v74 + (-turn if half_turn < v74 else 0.0))
-    q4_mp = v80 + (v75 + (-turn if half_turn < v75 else 0.0))
-    q4_mm = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
-    v84 = angle2 + v20
-    v85 = v21 + (angle2 - math.copysign(half_turn, -Z2_5))
-    q5_pp = v78 + v84
-    q5_pm = v79 + v84
-    q5_mp = v80 + v85
-    q5_mm = v81 + v85
-
-    q[0, 0] = q1_pp
-    q[0, 1] = q2_pp
-    q[0, 2] = q3_pp
-    q[0, 3] = q4_pp
-    q[0, 4] = q5_pp
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = q1_pm
-    q[1, 1] = q2_pm
-    q[1, 2] = q3_pm
-    q[1, 3] = q4_pm
-    q[1, 4] = q5_pm
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    q[2, 0] = q1_mp
-    q[2, 1] = q2_mp
-    q[2, 2] = q3_mp
-    q[2, 3] = q4_mp
-    q[2, 4] = q5_mp
-    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
-    q[3, 0] = q1_mm
-    q[3, 1] = q2_mm
-    q[3, 2] = q3_mm
-    q[3, 3] = q4_mm
-    q[3, 4] = q5_mm
-    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
-    return True
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (4, 5) or status.shape != (4,):
-        raise ValueError("T, q and status must have shapes (4, 4), (4, 5), (4,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(4):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [928, 944, 960, 976, 992],
-    [1008, 1024, 1040, 1056, 1072],
-    [1088, 1104, 1120, 1136, 1152],
-    [1168, 1184, 1200, 1216, 1232],
+    [0, 1, 2, 3, 4],
+    [5, 6, 7, 8, 9],
+    [10, 11, 12, 13, 14],
+    [15, 16, 17, 18, 19],
 ])
-_KINDS = np.array([1248, 1264, 1280, 1296])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(1312), 1312)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
-            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
-            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
-            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-            xy = x0 * y0 + x1 * y1 + x2 * y2
-            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
-            miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
-                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
-            )
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T11 = work[0 + k]
-            T12 = work[16 + k]
-            T13 = work[32 + k]
-            T14 = work[48 + k]
-            T21 = work[64 + k]
-            T22 = work[80 + k]
-            T23 = work[96 + k]
-            T24 = work[112 + k]
-            T31 = work[128 + k]
-            T33 = work[160 + k]
-            T34 = work[176 + k]
-            sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-            Xhat1 = T14 + T13 * sigma1
-            Yhat1 = T24 + T23 * sigma1
-            v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
-            w1 = math.sqrt(v1)
-            v2 = 1.0 / v1
-            factor1 = w1 * v2
-            c1 = Xhat1 * factor1
-            s1 = Yhat1 * factor1
-            v3 = v2 * (T13 * Xhat1 + T23 * Yhat1)
-            Z2_234 = w1 * v3
-            v4 = T33 * T33 + Z2_234 * Z2_234
-            factor234 = math.sqrt(v4) * (1.0 / v4)
-            Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22))
-            Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21))
-            v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-            v6 = math.sqrt(v5) * (1.0 / v5)
-            v7 = Z1_5 * v6
-            v8 = Z2_5 * v6
-            v9 = d5 * T33
-            v10 = w1 * (m4 * v3)
-            v11 = v10 - v9
-            v12 = T34 - d1
-            Z1_3_p = v12 + factor234 * v11
-            v13 = factor234 * (v9 + v10)
-            Z1_3_m = v12 - v13
-            v14 = a4 * T33
-            v15 = T14 * c1 + T24 * s1
-            v16 = w1 * (m5 * v3)
-            v17 = factor234 * (v14 + v16)
-            v18 = factor234 * (v14 - v16)
-            Z2_3_p = v15 - v17
-            v19 = v15 + v18
-            N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
-            N3_m = Z1_3_m * Z1_3_m + v19 * v19
-            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-            w3_p = math.sqrt(D3_p)
-            w3_m = math.sqrt(D3_m)
-            v20 = w3_p - w3_p
-            v21 = w3_m - w3_m
-            v22 = m7 * N3_p - m8
-            v23 = m7 * N3_m - m8
-            v24 = Z1_3_p * v22
-            v25 = Z1_3_m * v23
-            S2_pp = v24 - w3_p * (m7 * Z2_3_p)
-            S2_pm = v24 - w3_p * (m7 * -Z2_3_p)
-            v26 = w3_m * (m7 * v19)
-            S2_mp = v25 + v26
-            S2_mm = v25 - v26
-            v27 = Z2_3_p * v22
-            v28 = v19 * v23
-            factor2_p = 1.0 / N3_p
-            factor2_m = 1.0 / N3_m
-            v29 = w3_p * (m7 * Z1_3_p)
-            v30 = Z1_3_p * (m9 + m10 * factor2_p)
-            v31 = Z1_3_m * (m9 + m10 * factor2_m)
-            v32 = v17 + Z2_3_p
-            v33 = v18 - v19
-            v34 = d1 + factor234 * -v11
-            v35 = d1 + v13
-            v36 = T33 - T33 * factor234
-            v37 = T31 - factor234 * (Z2_234 * v7)
-            v38 = T23 - factor234 * (s1 * Z2_234)
-            v39 = T21 + (c1 * v8 + factor234 * (v7 * (s1 * T33)))
-            v40 = T11 - (s1 * v8 - factor234 * (v7 * (c1 * T33)))
-            v41 = T13 - factor234 * (c1 * Z2_234)
-            v42 = (
-                T34 - (a3 * (v30 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pp *
-                factor2_p)))
-            )
-            v43 = (
-                T34 - (a3 * (v30 + w3_p * (m9 * (-Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pm *
-                factor2_p)))
-            )
-            v44 = w3_m * (m9 * (v19 * factor2_m))
-            v45 = T34 - (a3 * (v31 - v44) + (v35 + a2 * (S2_mp * factor2_m)))
-            v46 = T34 - (a3 * (v31 + v44) + (v35 + a2 * (S2_mm * factor2_m)))
-            v47 = T14 - c1 * v32
-            v48 = T14 + c1 * v33
-            v49 = T24 - s1 * v32
-            v50 = T24 + s1 * v33
-            v51 = v47 * v47
-            v52 = v48 * v48
-            v53 = v49 * v49
-            v54 = v50 * v50
-            v55 = v53 + (v51 + v42 * v42)
-            v56 = v53 + (v51 + v43 * v43)
-            v57 = v54 + (v52 + v45 * v45)
-            v58 = v54 + (v52 + v46 * v46)
-            v77 = math.sqrt(-1.0)
-            v78 = 0.0 if v55 <= m12 else v77
-            v79 = 0.0 if v56 <= m12 else v77
-            v80 = 0.0 if v57 <= m12 else v77
-            v81 = 0.0 if v58 <= m12 else v77
-            work[272 + k] = Yhat1
-            work[288 + k] = v1
-            work[304 + k] = v4
-            work[320 + k] = Z2_5
-            work[336 + k] = v5
-            work[352 + k] = D3_p
-            work[368 + k] = D3_m
-            work[384 + k] = v20
-            work[400 + k] = v21
-            work[416 + k] = v36
-            work[432 + k] = v37
-            work[448 + k] = v38
-            work[464 + k] = v39
-            work[480 + k] = v40
-            work[496 + k] = v41
-            work[512 + k] = v55
-            work[528 + k] = v56
-            work[544 + k] = v57
-            work[560 + k] = v58
-            work[576 + k] = v78
-            work[592 + k] = v79
-            work[608 + k] = v80
-            work[624 + k] = v81
-            work[640 + k] = -Z2_234
-            work[656 + k] = -Z2_5
-            work[672 + k] = w3_p
-            work[688 + k] = w3_m
-            work[704 + k] = S2_pp
-            work[720 + k] = S2_pm
-            work[736 + k] = S2_mp
-            work[752 + k] = S2_mm
-            work[768 + k] = Yhat1
-            work[784 + k] = T33
-            work[800 + k] = -Z1_5
-            work[816 + k] = N3_p - k1
-            work[832 + k] = N3_m - k1
-            work[848 + k] = v27 + v29
-            work[864 + k] = v27 - v29
-            work[880 + k] = w3_m * (m7 * Z1_3_m) - v28
-            work[896 + k] = w3_m * (m7 * -Z1_3_m) - v28
-            work[912 + k] = Xhat1
-        for k in range(640, 784):
-            work[k] = _atan2(work[k], work[k + 144])
-        for k in range(0, 16):
-            Yhat1 = work[272 + k]
-            v1 = work[288 + k]
-            v4 = work[304 + k]
-            Z2_5 = work[320 + k]
-            v5 = work[336 + k]
-            D3_p = work[352 + k]
-            D3_m = work[368 + k]
-            v20 = work[384 + k]
-            v21 = work[400 + k]
-            v36 = work[416 + k]
-            v37 = work[432 + k]
-            v38 = work[448 + k]
-            v39 = work[464 + k]
-            v40 = work[480 + k]
-            v41 = work[496 + k]
-            v55 = work[512 + k]
-            v56 = work[528 + k]
-            v57 = work[544 + k]
-            v58 = work[560 + k]
-            v78 = work[576 + k]
-            v79 = work[592 + k]
-            v80 = work[608 + k]
-            v81 = work[624 + k]
-            angle1 = work[640 + k]
-            angle2 = work[656 + k]
-            angle3 = work[672 + k]
-            angle4 = work[688 + k]
-            angle5 = work[704 + k]
-            angle6 = work[720 + k]
-            angle7 = work[736 + k]
-            angle8 = work[752 + k]
-            angle9 = work[768 + k]
-            v59 = angle9 - offset1
-            v60 = angle9 - math.copysign(half_turn, Yhat1) - offset1
-            v61 = angle5 - offset2
-            v62 = angle6 - offset2
-            v63 = angle7 - offset2
-            v64 = angle8 - offset2
-            v65 = angle3 - offset3
-            v66 = offset3 + angle3
-            v67 = angle4 - offset3
-            v68 = offset3 + angle4
-            v69 = angle1 - (angle3 + angle5) - offset4
-            v70 = angle1 - (angle6 - angle3) - offset4
-            v71 = offset4 + (angle1 + (angle4 + angle7))
-            v72 = offset4 + (angle1 + (angle8 - angle4))
-            v73 = v69 + (turn if v69 <= -half_turn else (-turn if half_turn < v69 else 0.0))
-            v74 = v70 + (turn if v70 <= -half_turn else (-turn if half_turn < v70 else 0.0))
-            v75 = (turn if -v71 <= -half_turn else (-turn if half_turn < -v71 else 0.0)) - v71
-            v76 = (turn if -v72 <= -half_turn else (-turn if half_turn < -v72 else 0.0)) - v72
-            v82 = v20 + (v59 + (turn if v59 <= -half_turn else 0.0))
-            v83 = v21 + (v60 + (turn if v60 <= -half_turn else 0.0))
-            q1_pp = v78 + v82
-            q1_pm = v79 + v82
-            q1_mp = v80 + v83
-            q1_mm = v81 + v83
-            q2_pp = v78 + (v61 + (turn if v61 <= -half_turn else 0.0))
-            q2_pm = v79 + (v62 + (turn if v62 <= -half_turn else 0.0))
-            q2_mp = v80 + (v63 + (turn if v63 <= -half_turn else 0.0))
-            q2_mm = v81 + (v64 + (turn if v64 <= -half_turn else 0.0))
-            q3_pp = v78 + (v65 + (turn if v65 <= -half_turn else 0.0))
-            q3_pm = v79 + ((turn if -v66 <= -half_turn else 0.0) - v66)
-            q3_mp = v80 + (v67 + (turn if v67 <= -half_turn else 0.0))
-            q3_mm = v81 + ((turn if -v68 <= -half_turn else 0.0) - v68)
-            q4_pp = v78 + (v73 + (-turn if half_turn < v73 else 0.0))
-            q4_pm = v79 + (v74 + (-turn if half_turn < v74 else 0.0))
-            q4_mp = v80 + (v75 + (-turn if half_turn < v75 else 0.0))
-            q4_mm = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
-            v84 = angle2 + v20
-            v85 = v21 + (angle2 - math.copysign(half_turn, -Z2_5))
-            q5_pp = v78 + v84
-            q5_pm = v79 + v84
-            q5_mp = v80 + v85
-            q5_mm = v81 + v85
-            _928 = q1_pp
-            work[928 + k] = _928
-            _944 = q2_pp
-            work[944 + k] = _944
-            _960 = q3_pp
-            work[960 + k] = _960
-            _976 = q4_pp
-            work[976 + k] = _976
-            _992 = q5_pp
-            work[992 + k] = _992
-            _1008 = q1_pm
-            work[1008 + k] = _1008
-            _1024 = q2_pm
-            work[1024 + k] = _1024
-            _1040 = q3_pm
-            work[1040 + k] = _1040
-            _1056 = q4_pm
-            work[1056 + k] = _1056
-            _1072 = q5_pm
-            work[1072 + k] = _1072
-            _1088 = q1_mp
-            work[1088 + k] = _1088
-            _1104 = q2_mp
-            work[1104 + k] = _1104
-            _1120 = q3_mp
-            work[1120 + k] = _1120
-            _1136 = q4_mp
-            work[1136 + k] = _1136
-            _1152 = q5_mp
-            work[1152 + k] = _1152
-            _1168 = q1_mm
-            work[1168 + k] = _1168
-            _1184 = q2_mm
-            work[1184 + k] = _1184
-            _1200 = q3_mm
-            work[1200 + k] = _1200
-            _1216 = q4_mm
-            work[1216 + k] = _1216
-            _1232 = q5_mm
-            work[1232 + k] = _1232
-            work[1248 + k] = UNREACHABLE if _928 != _928 else OK
-            work[1264 + k] = UNREACHABLE if _1008 != _1008 else OK
-            work[1280 + k] = UNREACHABLE if _1088 != _1088 else OK
-            work[1296 + k] = UNREACHABLE if _1168 != _1168 else OK
-            work[256 + k] = (
-                1.0 if v4 <= m2 or v1 <= m1 or v5 <= m2 or m11 < v36 * v36 + v37 * v37 + v38 * v38 +
-                v39 * v39 + v40 * v40 + v41 * v41 or (m12 < v58 and v58 <= m13) or (m12 < v57 and
-                v57 <= m13) or (m12 < v56 and v56 <= m13) or (m12 < v55 and v55 <= m13) or abs(D3_p)
-                <= m6 or abs(D3_m) <= m6 else work[256 + k]
-            )
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(4):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(5):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 25, 32, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach, or one that 5 joints can't take",
@@ -1320,6 +617,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

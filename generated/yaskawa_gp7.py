@@ -27,17 +27,10 @@ def _runtime(name):
     return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
 
 
-_RUNTIME = _runtime("jit")
-_COMPILED = _RUNTIME.COMPILED
-_HOW = _RUNTIME.of_file(__file__, interface=1)
-_njit, _jit, _inner, _merged = _HOW.njit, _HOW.jit, _HOW.inner, _HOW.merged
-_apart = _HOW.apart
-carray = _RUNTIME.carray
-_room, _wide_room = _RUNTIME.room, _RUNTIME.wide_room
-_turned = _runtime("turns").turned
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
-_read_rows = _runtime("pose").read_pose
 _of_joints = _runtime("entry").of_joints(_HOW, 6)
 
 NAME = "yaskawa_gp7"
@@ -111,16 +104,29 @@ m7 = 1.1270491803278688  # a coefficient of c2m3
 m8 = 0.0031839139344262803  # a coefficient of c2m3
 m9 = 0.00028944672131148006  # a coefficient of c2m3
 m10 = 9.999999999999999e-09  # doubt_limit^2
-
-turn = 6.283185307179586  # 2 pi [rad]
+turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
-# By what joint values may miss their limits, and the limits with it: rounding.
-_SLACK = np.array([1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09])
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - _SLACK
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + _SLACK
-# Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_JOINTS = np.column_stack([_LOWEST, _HIGHEST, [kind == "R" for kind in JOINT_TYPES], _WEIGHT])
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(
+            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
+            0.09817477042468103, 0.09817477042468103,
+        ),
+        rows=8,
+        directions='rotation',
+        miss_weights=(0.7273, 0.7273, 0.7273, 1.0, 1.0, 1.0),
+        size=1.375,
+        steps=('keeps limits', 'regular', 'clamps', 'clamps far', 'winds', 'follows seed'),
+        choosable=(3, 1, 0),
+        cuts=52,
+    )
+)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -276,8 +282,8 @@ def jacobian(q):
     return J
 
 
-@_inner
-def _solve(pose, seed, q, status):
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
@@ -394,1257 +400,320 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_njit(forceinline=True)
-def _read(T):
-    """Whether T is a pose, and its upper three rows."""
-    valid, pose = _read_rows(T)
-    px, py, pz = pose[3], pose[7], pose[11]
-    return valid and math.isfinite(px) and math.isfinite(py) and math.isfinite(pz), pose
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
 
-
-@_inner
-def _overshoot(joint, value):
-    """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + _SLACK[joint], _HIGHEST[joint] - _SLACK[joint]
-    if low <= value <= high:
-        return 0.0
-    gap, over = turn - (high - low), value - high
-    rest = over - turn * math.floor(over / turn)
-    off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
-    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
-
-
-@_inner
-def _beyond_limits(values):
-    """The same of a row."""
-    total = 0.0
-    for i in range(6):
-        total += abs(_overshoot(i, values[i]))
-    return total
-
-
-@_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % turn, angle)
-
-
-_CHOOSABLE = (3, 1, 0,)  # joints, from 0, that may be free
-
-
-@_inner
-def _attempt(pose, seed, search, moved, q, status):
-    """Solves with a joint moved: 0 if it serves, else less.
-
-    A search is a row, the joint that had been chosen, whether limits count.
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
     """
-    row, joint = search[0], search[1]
-    for i in range(8):
-        status[i] = UNREACHABLE
-    kept = seed[joint]
-    seed[joint] = kept + moved
-    _solve(pose, seed, q, status)
-    seed[joint] = kept
-    return -math.inf if status[row] == UNREACHABLE else -_beyond_limits(q[row])
+    for k in range(w):
+        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
+        # theta1, type 2: U1 A6^-1 [3, 4]
+        wx = T14 - d6 * T13
+        Y1 = d6 * T23 - T24
+        v1 = wx * wx + Y1 * Y1
+        w1 = math.sqrt(v1)
+        v2 = 1.0 / v1
 
-@_inner
-def _peak(pose, seed, search, low, high, q, status):
-    """Golden section for the move between low and high that comes nearest, or one that serves."""
-    for _ in range(52):
-        third = 0.3819660112501051 * (high - low)
-        left = _attempt(pose, seed, search, low + third, q, status)
-        right = _attempt(pose, seed, search, high - third, q, status)
-        if left == 0.0 or right == 0.0:
-            return low + third if left == 0.0 else high - third
-        if left >= right:
-            high -= third
-        else:
-            low += third
-    return low
+        # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+        Z1_3 = T34 - d6 * T33 - d1
+        v3 = a1 + w1
+        v4 = a1 - w1
+        v5 = Z1_3 * Z1_3
+        N3_p = v5 + v3 * v3
+        N3_m = v5 + v4 * v4
+        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p = math.sqrt(D3_p)
+        w3_m = math.sqrt(D3_m)
 
+        # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
+        Y1_2_p = m5 + m4 * N3_p
+        Y1_2_m = m5 + m4 * N3_m
+        v8 = Z1_3 * Y1_2_p
+        v9 = Z1_3 * Y1_2_m
+        v10 = v3 * Y1_2_p
+        v11 = v4 * Y1_2_m
+        v12 = m4 * Z1_3
+        v13 = m4 * -Z1_3
+        factor2_p = 1.0 / N3_p
+        factor2_m = 1.0 / N3_m
 
-@_inner
-def _summit(pose, seed, search, low, high, q, status):
-    """A move between low and high that serves; NaN if there is none."""
-    top = _peak(pose, seed, search, low, high, q, status)
-    if _attempt(pose, seed, search, top, q, status) == 0.0:
-        return top
-    return math.nan
+        # theta4, type 2: U4[3, 3]
+        v14 = m6 * Z1_3
+        v15 = m7 * v3 - v14
+        v16 = m7 * v4 - v14
+        v17 = m8 * factor2_p - m7
+        v18 = m8 * factor2_m - m7
+        v19 = m9 * factor2_p - m6
+        v20 = m9 * factor2_m - m6
+        v21 = Z1_3 * v17 + v3 * v19
+        v22 = Z1_3 * v18 + v4 * v20
+        c2m3_pp = v21 + w3_p * (factor2_p * v15)
+        c2m3_pm = v21 + w3_p * (factor2_p * -v15)
+        c2m3_mp = v22 + w3_m * (factor2_m * v16)
+        c2m3_mm = v22 + w3_m * (factor2_m * -v16)
+        v23 = m7 * Z1_3
+        v24 = Z1_3 * v19 + v3 * -v17
+        v25 = Z1_3 * v20 + v4 * -v18
+        v26 = w3_p * (factor2_p * (v23 + m6 * v3))
+        s2m3_pp = v24 + v26
+        s2m3_pm = v24 - v26
+        v27 = w3_m * (factor2_m * (v23 + m6 * v4))
+        s2m3_mp = v25 + v27
+        s2m3_mm = v25 - v27
+        v28 = w1 * (v2 * (T23 * Y1 - T13 * wx))
+        X4_pp = T33 * s2m3_pp - c2m3_pp * v28
+        X4_pm = T33 * s2m3_pm - c2m3_pm * v28
+        X4_mp = T33 * s2m3_mp + c2m3_mp * v28
+        X4_mm = T33 * s2m3_mm + c2m3_mm * v28
+        v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
+        v30 = v29 * v29
+        v31 = v30 + X4_pp * X4_pp
+        v32 = v30 + X4_pm * X4_pm
+        v33 = v30 + X4_mp * X4_mp
+        v34 = v30 + X4_mm * X4_mm
+        v35 = math.copysign(half_turn, -v29)
+        v36 = math.copysign(half_turn, v29)
 
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        v37 = w1 * (v2 * (wx * T22 + Y1 * T12))
+        v38 = w1 * (v2 * (Y1 * T22 - wx * T12))
+        v39 = w1 * (v2 * (wx * T21 + Y1 * T11))
+        v40 = w1 * (v2 * (Y1 * T21 - wx * T11))
 
-@_inner
-def _serving(pose, seed, search, q, status):
-    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
+        # joint values
+        v41 = w3_p * (m4 * v3)
+        v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31)
+        v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31)
+        v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
+        v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
 
-    A fan of values shows where it serves or nearly so, golden section finds what lies between two
-    of them, bisection the end that is nearest to the seed; of two that are equally near the lower
-    one.
-    """
-    if _attempt(pose, seed, search, 0.0, q, status) == 0.0:
-        return 0.0
-    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
-    after = _attempt(pose, seed, search, -32.0 * step, q, status)
-    for k in range(-32, 32 + 1):
-        before, here = here, after
-        after = _attempt(pose, seed, search, (k + 1) * step, q, status)
-        outer = k * step
-        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
-        if here < 0.0 and here >= before and here > after:
-            low, high = outer - step, outer + step
-            outer = _summit(pose, seed, search, low, high, q, status)
-            if math.isnan(outer):
-                continue
-        elif here < 0.0 or (before if k > 0 else after) == 0.0:
-            continue
-        for _ in range(52):
-            middle = 0.5 * (inner + outer)
-            if _attempt(pose, seed, search, middle, q, status) == 0.0:
-                outer = middle
-            else:
-                inner = middle
-        if not abs(outer) >= abs(nearest) - 1e-09:
-            nearest = outer
-    return nearest
-
-
-@_inner
-def _hopeless(pose, seed, search, q, status):
-    """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
-    row = search[0]
-    if math.isinf(_attempt(pose, seed, search, 0.0, q, status)):
-        return False
-    values = q[row].copy()
-    if math.isinf(_attempt(pose, seed, search, 0.1, q, status)):
-        return False
-    for i in range(6):
-        if abs(values[i] - q[row, i]) < 1e-09 and _overshoot(i, values[i]) != 0.0:
-            return True
-    return False
-
-
-@_inner
-def _keep_limits(pose, given, row, q, status):
-    """A free joint took the seed's value, and that puts one beyond its limits.
-
-    It takes the nearest value that keeps all of them, if there is one. Where several joints are
-    free the others take the seed's values as far as their limits allow.
-    """
-    seed, trial, result = given.copy(), q.copy(), status.copy()
-    for i in range(6):
-        seed[i] -= _overshoot(i, seed[i])
-    for joint in _CHOOSABLE:
-        inside, search = seed[joint], (row, joint, True)
-        seed[joint] = _without_turns(given[joint])
-        if not _hopeless(pose, seed, search, trial, result):
-            moved = _serving(pose, seed, search, trial, result)
-            # beside the solution of another row this one has none
-            start = _attempt(pose, seed, search, 0.0, trial, result)
-            own = abs(moved) >= 1e-06 or not math.isinf(start)
-            if own and not math.isnan(moved):
-                _attempt(pose, seed, search, moved, trial, result)
-                for i in range(6):
-                    q[row, i] = trial[row, i]
-                status[row] = result[row]
-                return
-        seed[joint] = inside
-
-
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
-def _other_choices(pose, seed, q, status):
-    """Other values for free joints, in rows that the seed's do not serve."""
-    for row in range(8):
-        if status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0:
-            _keep_limits(pose, seed, row, q, status)
-
-
-@_inner
-def _choose(pose, seed, q, status):
-    """The same where there is a row that needs it."""
-    served = True
-    for row in range(8):
-        served = served and not (status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0)
-    if served:
+        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        kept[16 * w + k] = (
+            1.0 if v34 <= m10 or v33 <= m10 or v32 <= m10 or v31 <= m10 or abs(D3_m) <= m3 or v1 <=
+            m1 or abs(D3_p) <= m3 else kept[16 * w + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Y1, w3_p, w3_m, v35
+        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v36, v54, v55, v56
+        kept[25 * w + k], turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = v57, Y1, w3_p, w3_m
+        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = -v29, -v29, v29
+        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = v29, -(v8 + v41), v41 - v8
+        turns[9 * w + k], turns[10 * w + k] = -(v9 + w3_m * (m4 * v4)), -(v9 + w3_m * (m4 * -v4))
+        turns[11 * w + k], turns[12 * w + k] = -math.sqrt(v31), -math.sqrt(v32)
+        turns[13 * w + k], turns[14 * w + k] = -math.sqrt(v33), -math.sqrt(v34)
+        turns[15 * w + k], turns[16 * w + k], turns[17 * w + k] = v54, v55, v56
+        turns[18 * w + k], turns[24 * w + k], turns[25 * w + k] = v57, -wx, N3_p - k3
+        turns[26 * w + k], turns[27 * w + k], turns[28 * w + k] = N3_m - k3, -X4_pp, -X4_pm
+        turns[29 * w + k], turns[30 * w + k], turns[31 * w + k] = -X4_mp, -X4_mm, w3_p * v12 - v10
+        turns[32 * w + k], turns[33 * w + k] = w3_p * v13 - v10, w3_m * v12 - v11
+        turns[34 * w + k], turns[35 * w + k] = w3_m * v13 - v11, T33 * c2m3_pp + s2m3_pp * v28
+        turns[36 * w + k] = T33 * c2m3_pm + s2m3_pm * v28
+        turns[37 * w + k] = T33 * c2m3_mp - s2m3_mp * v28
+        turns[38 * w + k] = T33 * c2m3_mm - s2m3_mm * v28
+        turns[39 * w + k] = v29 * (c2m3_pp * v38 - s2m3_pp * T32) - -X4_pp * v37
+        turns[40 * w + k] = v29 * (c2m3_pm * v38 - s2m3_pm * T32) - -X4_pm * v37
+        turns[41 * w + k] = v29 * (c2m3_mp * v38 + s2m3_mp * T32) - X4_mp * v37
+        turns[42 * w + k] = v29 * (c2m3_mm * v38 + s2m3_mm * T32) - X4_mm * v37
+    if w == 1 and kept[16] != 0.0:
         return
-    # arrays of the caller may have any layout
-    values, rows, kinds = np.empty(6), np.empty((8, 6)), np.empty(8, np.uint8)
-    for row in range(8):
-        kinds[row] = status[row]
-        for i in range(6):
-            values[i], rows[row, i] = seed[i], q[row, i]
-    _other_choices(pose, values, rows, kinds)
-    for row in range(8):
-        status[row] = kinds[row]
-        for i in range(6):
-            q[row, i] = rows[row, i]
+    end = 24 if w == 1 else 19 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(19 * w, end):
+        turns[k] = turns[k + 24 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 24 * w])
+    for k in range(w):
+        Y1, w3_p, w3_m, v35 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
+        v36, v54, v55, v56 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
+        v57, angle1, angle2 = kept[25 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
+        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
+        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
+        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
+        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
+        angle18, angle19 = turns[17 * w + k], turns[18 * w + k]
+
+        # theta1, type 2: U1 A6^-1 [3, 4]
+        q1__m = angle1 - math.copysign(half_turn, Y1)
+
+        # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+        q3__pp = angle2 - turn1
+        v6 = turn1 + angle2
+        q3__mp = angle3 - turn1
+        v7 = turn1 + angle3
+
+        # theta4, type 2: U4[3, 3]
+        q4_ppm = angle4 - v35
+        q4_pmm = angle5 - v35
+        q4_mpm = angle6 - v36
+        q4_mmm = angle7 - v36
+
+        # joint values
+        v42 = angle8 - offset2
+        v43 = angle9 - offset2
+        v44 = angle10 - offset2
+        v45 = angle11 - offset2
+        q2_ppp = v42 + (-turn if half_turn < v42 else 0.0)
+        q2_pmp = v43 + (-turn if half_turn < v43 else 0.0)
+        q2_mpp = v44 + (-turn if half_turn < v44 else 0.0)
+        q2_mmp = v45 + (-turn if half_turn < v45 else 0.0)
+        v46 = angle12 - offset5
+        v47 = offset5 + angle12
+        v48 = angle13 - offset5
+        v49 = offset5 + angle13
+        v50 = angle14 - offset5
+        v51 = offset5 + angle14
+        v52 = angle15 - offset5
+        v53 = offset5 + angle15
+        q5_ppp = v46 + (turn if v46 <= -half_turn else 0.0)
+        q5_ppm = (turn if -v47 <= -half_turn else 0.0) - v47
+        q5_pmp = v48 + (turn if v48 <= -half_turn else 0.0)
+        q5_pmm = (turn if -v49 <= -half_turn else 0.0) - v49
+        q5_mpp = v50 + (turn if v50 <= -half_turn else 0.0)
+        q5_mpm = (turn if -v51 <= -half_turn else 0.0) - v51
+        q5_mmp = v52 + (turn if v52 <= -half_turn else 0.0)
+        q5_mmm = (turn if -v53 <= -half_turn else 0.0) - v53
+        v58 = angle16 - offset6
+        v59 = angle16 - math.copysign(half_turn, v54) - offset6
+        v60 = angle17 - offset6
+        v61 = angle17 - math.copysign(half_turn, v55) - offset6
+        v62 = angle18 - offset6
+        v63 = angle18 - math.copysign(half_turn, v56) - offset6
+        v64 = angle19 - offset6
+        v65 = angle19 - math.copysign(half_turn, v57) - offset6
+        q6_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
+        q6_ppm = v59 + (turn if v59 <= -half_turn else 0.0)
+        q6_pmp = v60 + (turn if v60 <= -half_turn else 0.0)
+        q6_pmm = v61 + (turn if v61 <= -half_turn else 0.0)
+        q6_mpp = v62 + (turn if v62 <= -half_turn else 0.0)
+        q6_mpm = v63 + (turn if v63 <= -half_turn else 0.0)
+        q6_mmp = v64 + (turn if v64 <= -half_turn else 0.0)
+        q6_mmm = v65 + (turn if v65 <= -half_turn else 0.0)
+        v66 = q3__pp + (-turn if half_turn < q3__pp else 0.0)
+        v67 = (-turn if half_turn < -v6 else 0.0) - v6
+        v68 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
+        v69 = (-turn if half_turn < -v7 else 0.0) - v7
+        v70 = abs(angle1) - high1
+        v71 = abs(q1__m) - high1
+        v72 = v66 + (turn if v66 < low3 else 0.0)
+        v73 = v67 + (turn if v67 < low3 else 0.0)
+        v74 = v68 + (turn if v68 < low3 else 0.0)
+        v75 = v69 + (turn if v69 < low3 else 0.0)
+        v76 = max(low3 - v72, v72 - high3)
+        v77 = max(low3 - v73, v73 - high3)
+        v78 = max(low3 - v74, v74 - high3)
+        v79 = max(low3 - v75, v75 - high3)
+        v80 = low3 - v66
+        v81 = low3 - v67
+        v82 = low3 - v68
+        v83 = low3 - v69
+        v84 = v80 if v80 < v76 else v76
+        v85 = v81 if v81 < v77 else v77
+        v86 = v82 if v82 < v78 else v78
+        v87 = v83 if v83 < v79 else v79
+        q3_ppp = v66 if 0.0 < v84 else v72
+        q3_pmp = v67 if 0.0 < v85 else v73
+        q3_mpp = v68 if 0.0 < v86 else v74
+        q3_mmp = v69 if 0.0 < v87 else v75
+        q1_ppp = angle1 + (w3_p - w3_p)
+        q1_mpp = q1__m + (w3_m - w3_m)
+        v88 = max(v84, max(v70, max(low2 - q2_ppp, q2_ppp - high2)))
+        v89 = max(v85, max(v70, max(low2 - q2_pmp, q2_pmp - high2)))
+        v90 = max(v86, max(v71, max(low2 - q2_mpp, q2_mpp - high2)))
+        v91 = max(v87, max(v71, max(low2 - q2_mmp, q2_mmp - high2)))
+        excess_ppp = max(v88, abs(q5_ppp) - high5)
+        excess_ppm = max(v88, abs(q5_ppm) - high5)
+        excess_pmp = max(v89, abs(q5_pmp) - high5)
+        excess_pmm = max(v89, abs(q5_pmm) - high5)
+        excess_mpp = max(v90, abs(q5_mpp) - high5)
+        excess_mpm = max(v90, abs(q5_mpm) - high5)
+        excess_mmp = max(v91, abs(q5_mmp) - high5)
+        excess_mmm = max(v91, abs(q5_mmm) - high5)
+        outside_ppp = 0.0 < excess_ppp
+        outside_ppm = 0.0 < excess_ppm
+        outside_pmp = 0.0 < excess_pmp
+        outside_pmm = 0.0 < excess_pmm
+        outside_mpp = 0.0 < excess_mpp
+        outside_mpm = 0.0 < excess_mpm
+        outside_mmp = 0.0 < excess_mmp
+        outside_mmm = 0.0 < excess_mmm
+
+        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        kept[16 * w + k] = (
+            1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+            abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -
+            graze) <= graze or abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze
+            or abs(excess_ppm - graze) <= graze else kept[16 * w + k]
+        )
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, q2_ppp, q3_ppp
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle4, q5_ppp, q6_ppp
+        rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q4_ppm, q5_ppm, q6_ppm
+        rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = q2_pmp, q3_pmp, angle5
+        rows[12 * w + k], rows[13 * w + k], rows[14 * w + k] = q5_pmp, q6_pmp, q4_pmm
+        rows[15 * w + k], rows[16 * w + k], rows[17 * w + k] = q5_pmm, q6_pmm, q1_mpp
+        rows[18 * w + k], rows[19 * w + k], rows[20 * w + k] = q2_mpp, q3_mpp, angle6
+        rows[21 * w + k], rows[22 * w + k], rows[23 * w + k] = q5_mpp, q6_mpp, q4_mpm
+        rows[24 * w + k], rows[25 * w + k], rows[26 * w + k] = q5_mpm, q6_mpm, q2_mmp
+        rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = q3_mmp, angle7, q5_mmp
+        rows[30 * w + k], rows[31 * w + k], rows[32 * w + k] = q6_mmp, q4_mmm, q5_mmm
+        rows[33 * w + k] = q6_mmm
+        rows[34 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_ppp else OK)
+        )
+        rows[35 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_ppm else OK)
+        )
+        rows[36 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_pmp else OK)
+        )
+        rows[37 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_pmm else OK)
+        )
+        rows[38 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mpp else OK)
+        )
+        rows[39 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mpm else OK)
+        )
+        rows[40 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mmp else OK)
+        )
+        rows[41 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mmm else OK)
+        )
 
 
-# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.7273, 0.7273, 0.7273, 1.0, 1.0, 1.0])
-
-
-@_inner
-def _miss(T, q):
-    """By how much joint values miss the pose (6,), and its length.
-
-    The former is zero half a turn away, too.
-    """
-    e, P, square = np.zeros(6), fk(q), 0.0
-    for i in range(3):
-        if _MISS_WEIGHT[i] > 0.0:
-            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
-        square += e[i] * e[i]
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        for c in range(3):
-            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
-            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    return e, math.sqrt(square)
-
-
-@_inner
-def _add_step(held, damping, e, q):
-    """Adds the damped least squares step that the miss e asks for to joint values.
-
-    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
-    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
-    """
-    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
-    for i in range(6):
-        for j in range(6):
-            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 6 + i] = math.sqrt(damping + 1e-26)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(12):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(12):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(12):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
-
-
-@_inner
-def _half_way(x, q, half):
-    """How far joint values are from others, but for whole turns [rad, arm sizes].
-
-    Those half way go into half.
-    """
-    most = 0.0
-    for i in range(6):
-        off = q[i] - x[i]
-        off -= turn * math.floor(off / turn + 0.5)
-        most = max(most, abs(off))
-        half[i] = x[i] + 0.5 * off
-    return most
-
-
-@_inner
-def _past_an_end(joint, value):
-    """How far a joint value is beyond its limits as it stands: perhaps it could be turned."""
-    low, high = _LOWEST[joint], _HIGHEST[joint]
-    if high - low < 6.183185307179587:
-        return _overshoot(joint, value)
-    off = value - min(max(value, low + _SLACK[joint]), high - _SLACK[joint])
-    return 0.0 if abs(off) <= 0.5 * _SLACK[joint] else off
-
-
-@_inner
-def _past_ends(values):
-    """How far joints are beyond their limits as they stand."""
-    total = 0.0
-    for i in range(6):
-        total += abs(_past_an_end(i, values[i]))
-    return total
-
-
-@_inner
-def _at_an_end(joint, value, seed):
-    """A joint value moved by whole turns inside its limits, or next to an end that it is just
-    beyond: the one near the seed."""
-    near = value + turn * math.floor((seed - value) / turn + 0.5)
-    if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
-        if abs(near - seed) < 0.15:
-            return near
-    off = _overshoot(joint, value)
-    if off == 0.0 or abs(off) > 0.01:
-        return _turned(_JOINTS, joint, value, value)
-    return off + (_HIGHEST[joint] - _SLACK[joint] if off > 0.0 else _LOWEST[joint] + _SLACK[joint])
-
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
-def _settled(T, enough, most, q):
-    """Takes joint values to some not farther than most that miss the pose by less than enough.
-
-    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
-    Damped least squares, while they gain: where roots meet a step still leaves less than half.
-    Until one gains little they are damped so that none leads far.
-    """
-    half = np.empty(6)
-    stands, moves = math.isnan(enough), 0
-    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
-    last, lost = math.inf, 0
-    for _ in range(20):
-        e, miss = _miss(T, x)
-        if math.isnan(enough):
-            enough = miss + 1e-14
-        worst, past = -1, 0.0
-        for j in range(6 if stands and miss < enough else 0):
-            off = _past_an_end(j, x[j]) if _PACE[j] > 0.0 else 0.0
-            if abs(off) > abs(past):
-                worst, past = j, off
-        if worst >= 0:  # one at a time: others may follow it inside, or the first one the second
-            moves += 1
-            if moves == 2:
-                held[:] = False
-            held[worst], last = True, math.inf
-            x[worst] -= past
-            e, miss = _miss(T, x)
-        if miss < enough:
-            for i in range(6):
-                q[i] = x[i]
-            settled = True
-            enough = 0.5 * miss
-        elif settled:
-            return True
-        elif miss > max(0.7 * last, 100.0 * enough):
-            lost += 1
-            if lost == 4:
-                return False
-        last = miss
-        damping = 0.1 * miss * miss
-        if lost == 0 and miss > 100.0 * enough:
-            damping = 0.003 * miss
-        _add_step(held, damping, e, x)
-        if not _half_way(x, q, half) <= most:
-            return settled  # another solution
-    return settled
-
-
-@_inner
-def _settle(pose, enough, most, q):
-    """The same for joint values of the caller's."""
-    values = np.empty(6)
-    for i in range(6):
-        values[i] = q[i]
-    settled = _settled(pose, enough, most, values)
-    for i in range(6):
-        q[i] = values[i]
-    return settled
-
-
-@_inner
-def _lead_inside(pose, enough, most, q):
-    """Takes joint values onto the ends that they are beyond, or else inside.
-
-    Two of them may not be able to stand on their ends at once.
-    """
-    if _settle(pose, enough, most, q):
-        return True
-    past = 0
-    for i in range(6):
-        past += _past_an_end(i, q[i]) != 0.0
-    if past < 2:
-        return False
-    x, enough = q.copy(), _miss(pose, q)[1] + 1e-14
-    farther = 2.0
-    while farther <= 16.0:
-        for i in range(6):
-            x[i] = q[i] - farther * _past_an_end(i, q[i])
-        farther *= 2.0
-        if _settle(pose, enough, most, x) and _past_ends(x) == 0.0:
-            for i in range(6):
-                q[i] = x[i]
-            return True
-    return False
-
-
-@_inner
-def _stand(pose, row, far, rows, status):
-    """Puts a row's joints just beyond their limits on them, unless that is another solution; those
-    that are far beyond them, too, if that is asked for. Returns if it did.
-
-    Half way to the same there is one, and what is nearer to another row that is less far beyond is
-    that one's.
-    """
-    q = rows[row]
-    beyond = _past_ends(q)
-    if not (0.0 < beyond and (far or beyond < 0.01)):
-        return False
-    x, half, to = q.copy(), np.empty(6), np.empty(6)
-    if not _lead_inside(pose, math.nan, math.inf if far else 1.5, x):
-        return False
-    off = _half_way(q, x, half)
-    for k in range(len(rows)):
-        if status[k] != UNREACHABLE and _past_ends(rows[k]) < beyond:
-            if _half_way(rows[k], x, to) < off:
-                return False
-    if off >= 0.001 and not _settle(pose, 1e-12, 0.25 * off, half):
-        return False
-    for i in range(6):
-        q[i] = x[i]
-    return True
-
-
-@_inner
-def _stay(pose, seed, q, status):
-    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
-
-    The solution next to the seed gets a row unless it has one: that of one beside
-    it, that of one which it is told from by nothing, one that is left, or any.
-    """
-    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    nearest = 0.001
-    for i in range(6):
-        here = seed[i]
-        if abs(_past_an_end(i, here)) > 0.15:
-            here = _turned(_JOINTS, i, here, here)
-        x[i] = here - _past_an_end(i, here)
-    if not _settle(pose, 1e-12, 0.15, x):
-        return
-    if _past_ends(x) > 1e-09 and not _lead_inside(pose, math.nan, 0.15, x):
-        return
-    for row in range(8 - 1, -1, -1):
-        between = 1e-06
-        if status[row] != UNREACHABLE:
-            off = _half_way(x, q[row], half)
-            between = max(_miss(pose, half)[1], 1e-12) if off >= 0.001 else 0.0
-            if off < nearest:
-                place, nearest, least = row, off, -1.0  # its own
-        if between <= 2.0 * least:
-            place = row
-        least = min(least, between)
-    if least >= 0.0:
-        status[place] = FREE_JOINT
-    if nearest > 1e-06 or _past_ends(q[place]) > 0.0:
-        for i in range(6):
-            q[place, i] = x[i]
-
-
-@_jit
-def _whole(pose, seed, q, status):
-    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
-    for row in range(8):
-        status[row] = UNREACHABLE
-        for i in range(6):
-            q[row, i] = math.nan
-    _solve(pose, seed, q, status)
-    _choose(pose, seed, q, status)
-    for row in range(8):
-        if status[row] != UNREACHABLE:
-            for i in range(6):
-                q[row, i] = _at_an_end(i, q[row, i], seed[i])
-    _stay(pose, seed, q, status)
-    count = 0
-    for n in range(2 * 8):
-        row, far = n % 8, n >= 8  # far where no row is inside all limits
-        if status[row] == UNREACHABLE or (far and count > 0):
-            continue
-        if _stand(pose, row, far, q, status) and far:
-            status[row] = FREE_JOINT
-        for i in range(6):
-            q[row, i] = _turned(_JOINTS, i, q[row, i], 0.0)
-            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
-                status[row] = OUT_OF_LIMITS
-        if status[row] != OUT_OF_LIMITS:
-            count += 1
-    return count
-
-
-@_merged
-def _regular(pose, q, status):
-    """A pose at which no joint is free and no branches meet into q and status; False for others.
-
-    What can't be reached is NaN by itself: it has the root of a negative number in it.
-    """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
-    room = carray(_room(48), 48)
-
-    # theta1, type 2: U1 A6^-1 [3, 4]
-    wx = T14 - d6 * T13
-    Y1 = d6 * T23 - T24
-    v1 = wx * wx + Y1 * Y1
-    w1 = math.sqrt(v1)
-    v2 = 1.0 / v1
-
-    # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    Z1_3 = T34 - d6 * T33 - d1
-    v3 = a1 + w1
-    v4 = a1 - w1
-    v5 = Z1_3 * Z1_3
-    N3_p = v5 + v3 * v3
-    N3_m = v5 + v4 * v4
-    D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-    D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-    w3_p = math.sqrt(D3_p)
-    w3_m = math.sqrt(D3_m)
-
-    # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    Y1_2_p = m5 + m4 * N3_p
-    Y1_2_m = m5 + m4 * N3_m
-    v8 = Z1_3 * Y1_2_p
-    v9 = Z1_3 * Y1_2_m
-    v10 = v3 * Y1_2_p
-    v11 = v4 * Y1_2_m
-    v12 = m4 * Z1_3
-    v13 = m4 * -Z1_3
-    factor2_p = 1.0 / N3_p
-    factor2_m = 1.0 / N3_m
-
-    # theta4, type 2: U4[3, 3]
-    v14 = m6 * Z1_3
-    v15 = m7 * v3 - v14
-    v16 = m7 * v4 - v14
-    v17 = m8 * factor2_p - m7
-    v18 = m8 * factor2_m - m7
-    v19 = m9 * factor2_p - m6
-    v20 = m9 * factor2_m - m6
-    v21 = Z1_3 * v17 + v3 * v19
-    v22 = Z1_3 * v18 + v4 * v20
-    c2m3_pp = v21 + w3_p * (factor2_p * v15)
-    c2m3_pm = v21 + w3_p * (factor2_p * -v15)
-    c2m3_mp = v22 + w3_m * (factor2_m * v16)
-    c2m3_mm = v22 + w3_m * (factor2_m * -v16)
-    v23 = m7 * Z1_3
-    v24 = Z1_3 * v19 + v3 * -v17
-    v25 = Z1_3 * v20 + v4 * -v18
-    v26 = w3_p * (factor2_p * (v23 + m6 * v3))
-    s2m3_pp = v24 + v26
-    s2m3_pm = v24 - v26
-    v27 = w3_m * (factor2_m * (v23 + m6 * v4))
-    s2m3_mp = v25 + v27
-    s2m3_mm = v25 - v27
-    v28 = w1 * (v2 * (T23 * Y1 - T13 * wx))
-    X4_pp = T33 * s2m3_pp - c2m3_pp * v28
-    X4_pm = T33 * s2m3_pm - c2m3_pm * v28
-    X4_mp = T33 * s2m3_mp + c2m3_mp * v28
-    X4_mm = T33 * s2m3_mm + c2m3_mm * v28
-    v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
-    v30 = v29 * v29
-    v31 = v30 + X4_pp * X4_pp
-    v32 = v30 + X4_pm * X4_pm
-    v33 = v30 + X4_mp * X4_mp
-    v34 = v30 + X4_mm * X4_mm
-    v35 = math.copysign(half_turn, -v29)
-    v36 = math.copysign(half_turn, v29)
-
-    # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v37 = w1 * (v2 * (wx * T22 + Y1 * T12))
-    v38 = w1 * (v2 * (Y1 * T22 - wx * T12))
-    v39 = w1 * (v2 * (wx * T21 + Y1 * T11))
-    v40 = w1 * (v2 * (Y1 * T21 - wx * T11))
-
-    # joint values
-    v41 = w3_p * (m4 * v3)
-    v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31)
-    v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31)
-    v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
-    v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
-
-    # a joint is free, branches meet, or rounding tells what is beyond a limit
-    if (
-        v34 <= m10 or v33 <= m10 or v32 <= m10 or v31 <= m10 or abs(D3_m) <= m3 or v1 <= m1 or
-        abs(D3_p) <= m3
-    ):
-        return False
-
-    # angles, side by side
-    room[0] = Y1
-    room[1] = w3_p
-    room[2] = w3_m
-    room[3] = -v29
-    room[4] = -v29
-    room[5] = v29
-    room[6] = v29
-    room[7] = -(v8 + v41)
-    room[8] = v41 - v8
-    room[9] = -(v9 + w3_m * (m4 * v4))
-    room[10] = -(v9 + w3_m * (m4 * -v4))
-    room[11] = -math.sqrt(v31)
-    room[12] = -math.sqrt(v32)
-    room[13] = -math.sqrt(v33)
-    room[14] = -math.sqrt(v34)
-    room[15] = v54
-    room[16] = v55
-    room[17] = v56
-    room[18] = v57
-    room[24] = -wx
-    room[25] = N3_p - k3
-    room[26] = N3_m - k3
-    room[27] = -X4_pp
-    room[28] = -X4_pm
-    room[29] = -X4_mp
-    room[30] = -X4_mm
-    room[31] = w3_p * v12 - v10
-    room[32] = w3_p * v13 - v10
-    room[33] = w3_m * v12 - v11
-    room[34] = w3_m * v13 - v11
-    room[35] = T33 * c2m3_pp + s2m3_pp * v28
-    room[36] = T33 * c2m3_pm + s2m3_pm * v28
-    room[37] = T33 * c2m3_mp - s2m3_mp * v28
-    room[38] = T33 * c2m3_mm - s2m3_mm * v28
-    room[39] = v29 * (c2m3_pp * v38 - s2m3_pp * T32) - -X4_pp * v37
-    room[40] = v29 * (c2m3_pm * v38 - s2m3_pm * T32) - -X4_pm * v37
-    room[41] = v29 * (c2m3_mp * v38 + s2m3_mp * T32) - X4_mp * v37
-    room[42] = v29 * (c2m3_mm * v38 + s2m3_mm * T32) - X4_mm * v37
-    for k in range(19, 24):
-        room[k] = room[k + 24] = 1.0
-    for k in range(24):
-        room[k] = _atan2(room[k], room[k + 24])
-    angle1 = room[0]
-    angle2 = room[1]
-    angle3 = room[2]
-    angle4 = room[3]
-    angle5 = room[4]
-    angle6 = room[5]
-    angle7 = room[6]
-    angle8 = room[7]
-    angle9 = room[8]
-    angle10 = room[9]
-    angle11 = room[10]
-    angle12 = room[11]
-    angle13 = room[12]
-    angle14 = room[13]
-    angle15 = room[14]
-    angle16 = room[15]
-    angle17 = room[16]
-    angle18 = room[17]
-    angle19 = room[18]
-
-    # theta1, type 2: U1 A6^-1 [3, 4]
-    q1__m = angle1 - math.copysign(half_turn, Y1)
-
-    # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    q3__pp = angle2 - turn1
-    v6 = turn1 + angle2
-    q3__mp = angle3 - turn1
-    v7 = turn1 + angle3
-
-    # theta4, type 2: U4[3, 3]
-    q4_ppm = angle4 - v35
-    q4_pmm = angle5 - v35
-    q4_mpm = angle6 - v36
-    q4_mmm = angle7 - v36
-
-    # joint values
-    v42 = angle8 - offset2
-    v43 = angle9 - offset2
-    v44 = angle10 - offset2
-    v45 = angle11 - offset2
-    q2_ppp = v42 + (-turn if half_turn < v42 else 0.0)
-    q2_pmp = v43 + (-turn if half_turn < v43 else 0.0)
-    q2_mpp = v44 + (-turn if half_turn < v44 else 0.0)
-    q2_mmp = v45 + (-turn if half_turn < v45 else 0.0)
-    v46 = angle12 - offset5
-    v47 = offset5 + angle12
-    v48 = angle13 - offset5
-    v49 = offset5 + angle13
-    v50 = angle14 - offset5
-    v51 = offset5 + angle14
-    v52 = angle15 - offset5
-    v53 = offset5 + angle15
-    q5_ppp = v46 + (turn if v46 <= -half_turn else 0.0)
-    q5_ppm = (turn if -v47 <= -half_turn else 0.0) - v47
-    q5_pmp = v48 + (turn if v48 <= -half_turn else 0.0)
-    q5_pmm = (turn if -v49 <= -half_turn else 0.0) - v49
-    q5_mpp = v50 + (turn if v50 <= -half_turn else 0.0)
-    q5_mpm = (turn if -v51 <= -half_turn else 0.0) - v51
-    q5_mmp = v52 + (turn if v52 <= -half_turn else 0.0)
-    q5_mmm = (turn if -v53 <= -half_turn else 0.0) - v53
-    v58 = angle16 - offset6
-    v59 = angle16 - math.copysign(half_turn, v54) - offset6
-    v60 = angle17 - offset6
-    v61 = angle17 - math.copysign(half_turn, v55) - offset6
-    v62 = angle18 - offset6
-    v63 = angle18 - math.copysign(half_turn, v56) - offset6
-    v64 = angle19 - offset6
-    v65 = angle19 - math.copysign(half_turn, v57) - offset6
-    q6_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
-    q6_ppm = v59 + (turn if v59 <= -half_turn else 0.0)
-    q6_pmp = v60 + (turn if v60 <= -half_turn else 0.0)
-    q6_pmm = v61 + (turn if v61 <= -half_turn else 0.0)
-    q6_mpp = v62 + (turn if v62 <= -half_turn else 0.0)
-    q6_mpm = v63 + (turn if v63 <= -half_turn else 0.0)
-    q6_mmp = v64 + (turn if v64 <= -half_turn else 0.0)
-    q6_mmm = v65 + (turn if v65 <= -half_turn else 0.0)
-    v66 = q3__pp + (-turn if half_turn < q3__pp else 0.0)
-    v67 = (-turn if half_turn < -v6 else 0.0) - v6
-    v68 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
-    v69 = (-turn if half_turn < -v7 else 0.0) - v7
-    v70 = abs(angle1) - high1
-    v71 = abs(q1__m) - high1
-    v72 = v66 + (turn if v66 < low3 else 0.0)
-    v73 = v67 + (turn if v67 < low3 else 0.0)
-    v74 = v68 + (turn if v68 < low3 else 0.0)
-    v75 = v69 + (turn if v69 < low3 else 0.0)
-    v76 = max(low3 - v72, v72 - high3)
-    v77 = max(low3 - v73, v73 - high3)
-    v78 = max(low3 - v74, v74 - high3)
-    v79 = max(low3 - v75, v75 - high3)
-    v80 = low3 - v66
-    v81 = low3 - v67
-    v82 = low3 - v68
-    v83 = low3 - v69
-    v84 = v80 if v80 < v76 else v76
-    v85 = v81 if v81 < v77 else v77
-    v86 = v82 if v82 < v78 else v78
-    v87 = v83 if v83 < v79 else v79
-    q3_ppp = v66 if 0.0 < v84 else v72
-    q3_pmp = v67 if 0.0 < v85 else v73
-    q3_mpp = v68 if 0.0 < v86 else v74
-    q3_mmp = v69 if 0.0 < v87 else v75
-    q1_ppp = angle1 + (w3_p - w3_p)
-    q1_mpp = q1__m + (w3_m - w3_m)
-    v88 = max(v84, max(v70, max(low2 - q2_ppp, q2_ppp - high2)))
-    v89 = max(v85, max(v70, max(low2 - q2_pmp, q2_pmp - high2)))
-    v90 = max(v86, max(v71, max(low2 - q2_mpp, q2_mpp - high2)))
-    v91 = max(v87, max(v71, max(low2 - q2_mmp, q2_mmp - high2)))
-    excess_ppp = max(v88, abs(q5_ppp) - high5)
-    excess_ppm = max(v88, abs(q5_ppm) - high5)
-    excess_pmp = max(v89, abs(q5_pmp) - high5)
-    excess_pmm = max(v89, abs(q5_pmm) - high5)
-    excess_mpp = max(v90, abs(q5_mpp) - high5)
-    excess_mpm = max(v90, abs(q5_mpm) - high5)
-    excess_mmp = max(v91, abs(q5_mmp) - high5)
-    excess_mmm = max(v91, abs(q5_mmm) - high5)
-    outside_ppp = 0.0 < excess_ppp
-    outside_ppm = 0.0 < excess_ppm
-    outside_pmp = 0.0 < excess_pmp
-    outside_pmm = 0.0 < excess_pmm
-    outside_mpp = 0.0 < excess_mpp
-    outside_mpm = 0.0 < excess_mpm
-    outside_mmp = 0.0 < excess_mmp
-    outside_mmm = 0.0 < excess_mmm
-
-    # a joint is free, branches meet, or rounding tells what is beyond a limit
-    if (
-        abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or abs(excess_mpm -
-        graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm - graze) <= graze or
-        abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze or abs(excess_ppm -
-        graze) <= graze
-    ):
-        return False
-
-    q[0, 0] = q1_ppp
-    q[0, 1] = q2_ppp
-    q[0, 2] = q3_ppp
-    q[0, 3] = angle4
-    q[0, 4] = q5_ppp
-    q[0, 5] = q6_ppp
-    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
-    q[1, 0] = q1_ppp
-    q[1, 1] = q2_ppp
-    q[1, 2] = q3_ppp
-    q[1, 3] = q4_ppm
-    q[1, 4] = q5_ppm
-    q[1, 5] = q6_ppm
-    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
-    q[2, 0] = q1_ppp
-    q[2, 1] = q2_pmp
-    q[2, 2] = q3_pmp
-    q[2, 3] = angle5
-    q[2, 4] = q5_pmp
-    q[2, 5] = q6_pmp
-    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
-    q[3, 0] = q1_ppp
-    q[3, 1] = q2_pmp
-    q[3, 2] = q3_pmp
-    q[3, 3] = q4_pmm
-    q[3, 4] = q5_pmm
-    q[3, 5] = q6_pmm
-    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
-    q[4, 0] = q1_mpp
-    q[4, 1] = q2_mpp
-    q[4, 2] = q3_mpp
-    q[4, 3] = angle6
-    q[4, 4] = q5_mpp
-    q[4, 5] = q6_mpp
-    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
-    q[5, 0] = q1_mpp
-    q[5, 1] = q2_mpp
-    q[5, 2] = q3_mpp
-    q[5, 3] = q4_mpm
-    q[5, 4] = q5_mpm
-    q[5, 5] = q6_mpm
-    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
-    q[6, 0] = q1_mpp
-    q[6, 1] = q2_mmp
-    q[6, 2] = q3_mmp
-    q[6, 3] = angle7
-    q[6, 4] = q5_mmp
-    q[6, 5] = q6_mmp
-    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
-    q[7, 0] = q1_mpp
-    q[7, 1] = q2_mmp
-    q[7, 2] = q3_mmp
-    q[7, 3] = q4_mmm
-    q[7, 4] = q5_mmm
-    q[7, 5] = q6_mmm
-    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
-    return True
-
-
-@_merged
-def _into(T, seed, q, status):
-    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must have shapes (4, 4), (8, 6), (8,)")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
-
-
-# Where in a tile the rows' values and statuses begin.
+# Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [1136, 1152, 1168, 1184, 1200, 1216],
-    [1136, 1152, 1168, 1232, 1248, 1264],
-    [1136, 1280, 1296, 1312, 1328, 1344],
-    [1136, 1280, 1296, 1360, 1376, 1392],
-    [1408, 1424, 1440, 1456, 1472, 1488],
-    [1408, 1424, 1440, 1504, 1520, 1536],
-    [1408, 1552, 1568, 1584, 1600, 1616],
-    [1408, 1552, 1568, 1632, 1648, 1664],
+    [0, 1, 2, 3, 4, 5],
+    [0, 1, 2, 6, 7, 8],
+    [0, 9, 10, 11, 12, 13],
+    [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22],
+    [17, 18, 19, 23, 24, 25],
+    [17, 26, 27, 28, 29, 30],
+    [17, 26, 27, 31, 32, 33],
 ])
-_KINDS = np.array([1680, 1696, 1712, 1728, 1744, 1760, 1776, 1792])
 
 
-@_njit(nogil=True)
-def _in_tiles(T, q, status):
-    """16 poses at a time, side by side: work[place + k] is a value of pose k.
-
-    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer are solved one by one.
-    """
-    work = carray(_wide_room(1808), 1808)
-    work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 16):
-        count = min(16, len(T) - first)
-        for k in range(count):
-            for i in range(4):
-                for j in range(4):
-                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
-        for k in range(16):
-            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
-            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
-            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
-            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-            xy = x0 * y0 + x1 * y1 + x2 * y2
-            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
-            miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
-                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
-            )
-            exact = miss <= 1e-24
-            work[256 + k] = 0.0 if exact else 1.0
-        for k in range(0, 16):
-            T11 = work[0 + k]
-            T12 = work[16 + k]
-            T13 = work[32 + k]
-            T14 = work[48 + k]
-            T21 = work[64 + k]
-            T22 = work[80 + k]
-            T23 = work[96 + k]
-            T24 = work[112 + k]
-            T31 = work[128 + k]
-            T32 = work[144 + k]
-            T33 = work[160 + k]
-            T34 = work[176 + k]
-            wx = T14 - d6 * T13
-            Y1 = d6 * T23 - T24
-            v1 = wx * wx + Y1 * Y1
-            w1 = math.sqrt(v1)
-            v2 = 1.0 / v1
-            Z1_3 = T34 - d6 * T33 - d1
-            v3 = a1 + w1
-            v4 = a1 - w1
-            v5 = Z1_3 * Z1_3
-            N3_p = v5 + v3 * v3
-            N3_m = v5 + v4 * v4
-            D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-            D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-            w3_p = math.sqrt(D3_p)
-            w3_m = math.sqrt(D3_m)
-            Y1_2_p = m5 + m4 * N3_p
-            Y1_2_m = m5 + m4 * N3_m
-            v8 = Z1_3 * Y1_2_p
-            v9 = Z1_3 * Y1_2_m
-            v10 = v3 * Y1_2_p
-            v11 = v4 * Y1_2_m
-            v12 = m4 * Z1_3
-            v13 = m4 * -Z1_3
-            factor2_p = 1.0 / N3_p
-            factor2_m = 1.0 / N3_m
-            v14 = m6 * Z1_3
-            v15 = m7 * v3 - v14
-            v16 = m7 * v4 - v14
-            v17 = m8 * factor2_p - m7
-            v18 = m8 * factor2_m - m7
-            v19 = m9 * factor2_p - m6
-            v20 = m9 * factor2_m - m6
-            v21 = Z1_3 * v17 + v3 * v19
-            v22 = Z1_3 * v18 + v4 * v20
-            c2m3_pp = v21 + w3_p * (factor2_p * v15)
-            c2m3_pm = v21 + w3_p * (factor2_p * -v15)
-            c2m3_mp = v22 + w3_m * (factor2_m * v16)
-            c2m3_mm = v22 + w3_m * (factor2_m * -v16)
-            v23 = m7 * Z1_3
-            v24 = Z1_3 * v19 + v3 * -v17
-            v25 = Z1_3 * v20 + v4 * -v18
-            v26 = w3_p * (factor2_p * (v23 + m6 * v3))
-            s2m3_pp = v24 + v26
-            s2m3_pm = v24 - v26
-            v27 = w3_m * (factor2_m * (v23 + m6 * v4))
-            s2m3_mp = v25 + v27
-            s2m3_mm = v25 - v27
-            v28 = w1 * (v2 * (T23 * Y1 - T13 * wx))
-            X4_pp = T33 * s2m3_pp - c2m3_pp * v28
-            X4_pm = T33 * s2m3_pm - c2m3_pm * v28
-            X4_mp = T33 * s2m3_mp + c2m3_mp * v28
-            X4_mm = T33 * s2m3_mm + c2m3_mm * v28
-            v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
-            v30 = v29 * v29
-            v31 = v30 + X4_pp * X4_pp
-            v32 = v30 + X4_pm * X4_pm
-            v33 = v30 + X4_mp * X4_mp
-            v34 = v30 + X4_mm * X4_mm
-            v35 = math.copysign(half_turn, -v29)
-            v36 = math.copysign(half_turn, v29)
-            v37 = w1 * (v2 * (wx * T22 + Y1 * T12))
-            v38 = w1 * (v2 * (Y1 * T22 - wx * T12))
-            v39 = w1 * (v2 * (wx * T21 + Y1 * T11))
-            v40 = w1 * (v2 * (Y1 * T21 - wx * T11))
-            v41 = w3_p * (m4 * v3)
-            v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31)
-            v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31)
-            v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
-            v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
-            work[272 + k] = Y1
-            work[288 + k] = v1
-            work[304 + k] = D3_p
-            work[320 + k] = D3_m
-            work[336 + k] = w3_p
-            work[352 + k] = w3_m
-            work[368 + k] = v31
-            work[384 + k] = v32
-            work[400 + k] = v33
-            work[416 + k] = v34
-            work[432 + k] = v35
-            work[448 + k] = v36
-            work[464 + k] = v54
-            work[480 + k] = v55
-            work[496 + k] = v56
-            work[512 + k] = v57
-            work[528 + k] = Y1
-            work[544 + k] = w3_p
-            work[560 + k] = w3_m
-            work[576 + k] = -v29
-            work[592 + k] = -v29
-            work[608 + k] = v29
-            work[624 + k] = v29
-            work[640 + k] = -(v8 + v41)
-            work[656 + k] = v41 - v8
-            work[672 + k] = -(v9 + w3_m * (m4 * v4))
-            work[688 + k] = -(v9 + w3_m * (m4 * -v4))
-            work[704 + k] = -math.sqrt(v31)
-            work[720 + k] = -math.sqrt(v32)
-            work[736 + k] = -math.sqrt(v33)
-            work[752 + k] = -math.sqrt(v34)
-            work[768 + k] = v54
-            work[784 + k] = v55
-            work[800 + k] = v56
-            work[816 + k] = v57
-            work[832 + k] = -wx
-            work[848 + k] = N3_p - k3
-            work[864 + k] = N3_m - k3
-            work[880 + k] = -X4_pp
-            work[896 + k] = -X4_pm
-            work[912 + k] = -X4_mp
-            work[928 + k] = -X4_mm
-            work[944 + k] = w3_p * v12 - v10
-            work[960 + k] = w3_p * v13 - v10
-            work[976 + k] = w3_m * v12 - v11
-            work[992 + k] = w3_m * v13 - v11
-            work[1008 + k] = T33 * c2m3_pp + s2m3_pp * v28
-            work[1024 + k] = T33 * c2m3_pm + s2m3_pm * v28
-            work[1040 + k] = T33 * c2m3_mp - s2m3_mp * v28
-            work[1056 + k] = T33 * c2m3_mm - s2m3_mm * v28
-            work[1072 + k] = v29 * (c2m3_pp * v38 - s2m3_pp * T32) - -X4_pp * v37
-            work[1088 + k] = v29 * (c2m3_pm * v38 - s2m3_pm * T32) - -X4_pm * v37
-            work[1104 + k] = v29 * (c2m3_mp * v38 + s2m3_mp * T32) - X4_mp * v37
-            work[1120 + k] = v29 * (c2m3_mm * v38 + s2m3_mm * T32) - X4_mm * v37
-        for k in range(528, 832):
-            work[k] = _atan2(work[k], work[k + 304])
-        for k in range(0, 16):
-            Y1 = work[272 + k]
-            v1 = work[288 + k]
-            D3_p = work[304 + k]
-            D3_m = work[320 + k]
-            w3_p = work[336 + k]
-            w3_m = work[352 + k]
-            v31 = work[368 + k]
-            v32 = work[384 + k]
-            v33 = work[400 + k]
-            v34 = work[416 + k]
-            v35 = work[432 + k]
-            v36 = work[448 + k]
-            v54 = work[464 + k]
-            v55 = work[480 + k]
-            v56 = work[496 + k]
-            v57 = work[512 + k]
-            angle1 = work[528 + k]
-            angle2 = work[544 + k]
-            angle3 = work[560 + k]
-            angle4 = work[576 + k]
-            angle5 = work[592 + k]
-            angle6 = work[608 + k]
-            angle7 = work[624 + k]
-            angle8 = work[640 + k]
-            angle9 = work[656 + k]
-            angle10 = work[672 + k]
-            angle11 = work[688 + k]
-            angle12 = work[704 + k]
-            angle13 = work[720 + k]
-            angle14 = work[736 + k]
-            angle15 = work[752 + k]
-            angle16 = work[768 + k]
-            angle17 = work[784 + k]
-            angle18 = work[800 + k]
-            angle19 = work[816 + k]
-            q1__m = angle1 - math.copysign(half_turn, Y1)
-            q3__pp = angle2 - turn1
-            v6 = turn1 + angle2
-            q3__mp = angle3 - turn1
-            v7 = turn1 + angle3
-            q4_ppm = angle4 - v35
-            q4_pmm = angle5 - v35
-            q4_mpm = angle6 - v36
-            q4_mmm = angle7 - v36
-            v42 = angle8 - offset2
-            v43 = angle9 - offset2
-            v44 = angle10 - offset2
-            v45 = angle11 - offset2
-            q2_ppp = v42 + (-turn if half_turn < v42 else 0.0)
-            q2_pmp = v43 + (-turn if half_turn < v43 else 0.0)
-            q2_mpp = v44 + (-turn if half_turn < v44 else 0.0)
-            q2_mmp = v45 + (-turn if half_turn < v45 else 0.0)
-            v46 = angle12 - offset5
-            v47 = offset5 + angle12
-            v48 = angle13 - offset5
-            v49 = offset5 + angle13
-            v50 = angle14 - offset5
-            v51 = offset5 + angle14
-            v52 = angle15 - offset5
-            v53 = offset5 + angle15
-            q5_ppp = v46 + (turn if v46 <= -half_turn else 0.0)
-            q5_ppm = (turn if -v47 <= -half_turn else 0.0) - v47
-            q5_pmp = v48 + (turn if v48 <= -half_turn else 0.0)
-            q5_pmm = (turn if -v49 <= -half_turn else 0.0) - v49
-            q5_mpp = v50 + (turn if v50 <= -half_turn else 0.0)
-            q5_mpm = (turn if -v51 <= -half_turn else 0.0) - v51
-            q5_mmp = v52 + (turn if v52 <= -half_turn else 0.0)
-            q5_mmm = (turn if -v53 <= -half_turn else 0.0) - v53
-            v58 = angle16 - offset6
-            v59 = angle16 - math.copysign(half_turn, v54) - offset6
-            v60 = angle17 - offset6
-            v61 = angle17 - math.copysign(half_turn, v55) - offset6
-            v62 = angle18 - offset6
-            v63 = angle18 - math.copysign(half_turn, v56) - offset6
-            v64 = angle19 - offset6
-            v65 = angle19 - math.copysign(half_turn, v57) - offset6
-            q6_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
-            q6_ppm = v59 + (turn if v59 <= -half_turn else 0.0)
-            q6_pmp = v60 + (turn if v60 <= -half_turn else 0.0)
-            q6_pmm = v61 + (turn if v61 <= -half_turn else 0.0)
-            q6_mpp = v62 + (turn if v62 <= -half_turn else 0.0)
-            q6_mpm = v63 + (turn if v63 <= -half_turn else 0.0)
-            q6_mmp = v64 + (turn if v64 <= -half_turn else 0.0)
-            q6_mmm = v65 + (turn if v65 <= -half_turn else 0.0)
-            v66 = q3__pp + (-turn if half_turn < q3__pp else 0.0)
-            v67 = (-turn if half_turn < -v6 else 0.0) - v6
-            v68 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
-            v69 = (-turn if half_turn < -v7 else 0.0) - v7
-            v70 = abs(angle1) - high1
-            v71 = abs(q1__m) - high1
-            v72 = v66 + (turn if v66 < low3 else 0.0)
-            v73 = v67 + (turn if v67 < low3 else 0.0)
-            v74 = v68 + (turn if v68 < low3 else 0.0)
-            v75 = v69 + (turn if v69 < low3 else 0.0)
-            v76 = max(low3 - v72, v72 - high3)
-            v77 = max(low3 - v73, v73 - high3)
-            v78 = max(low3 - v74, v74 - high3)
-            v79 = max(low3 - v75, v75 - high3)
-            v80 = low3 - v66
-            v81 = low3 - v67
-            v82 = low3 - v68
-            v83 = low3 - v69
-            v84 = v80 if v80 < v76 else v76
-            v85 = v81 if v81 < v77 else v77
-            v86 = v82 if v82 < v78 else v78
-            v87 = v83 if v83 < v79 else v79
-            q3_ppp = v66 if 0.0 < v84 else v72
-            q3_pmp = v67 if 0.0 < v85 else v73
-            q3_mpp = v68 if 0.0 < v86 else v74
-            q3_mmp = v69 if 0.0 < v87 else v75
-            q1_ppp = angle1 + (w3_p - w3_p)
-            q1_mpp = q1__m + (w3_m - w3_m)
-            v88 = max(v84, max(v70, max(low2 - q2_ppp, q2_ppp - high2)))
-            v89 = max(v85, max(v70, max(low2 - q2_pmp, q2_pmp - high2)))
-            v90 = max(v86, max(v71, max(low2 - q2_mpp, q2_mpp - high2)))
-            v91 = max(v87, max(v71, max(low2 - q2_mmp, q2_mmp - high2)))
-            excess_ppp = max(v88, abs(q5_ppp) - high5)
-            excess_ppm = max(v88, abs(q5_ppm) - high5)
-            excess_pmp = max(v89, abs(q5_pmp) - high5)
-            excess_pmm = max(v89, abs(q5_pmm) - high5)
-            excess_mpp = max(v90, abs(q5_mpp) - high5)
-            excess_mpm = max(v90, abs(q5_mpm) - high5)
-            excess_mmp = max(v91, abs(q5_mmp) - high5)
-            excess_mmm = max(v91, abs(q5_mmm) - high5)
-            outside_ppp = 0.0 < excess_ppp
-            outside_ppm = 0.0 < excess_ppm
-            outside_pmp = 0.0 < excess_pmp
-            outside_pmm = 0.0 < excess_pmm
-            outside_mpp = 0.0 < excess_mpp
-            outside_mpm = 0.0 < excess_mpm
-            outside_mmp = 0.0 < excess_mmp
-            outside_mmm = 0.0 < excess_mmm
-            _1136 = q1_ppp
-            work[1136 + k] = _1136
-            _1152 = q2_ppp
-            work[1152 + k] = _1152
-            _1168 = q3_ppp
-            work[1168 + k] = _1168
-            _1184 = angle4
-            work[1184 + k] = _1184
-            _1200 = q5_ppp
-            work[1200 + k] = _1200
-            _1216 = q6_ppp
-            work[1216 + k] = _1216
-            _1232 = q4_ppm
-            work[1232 + k] = _1232
-            _1248 = q5_ppm
-            work[1248 + k] = _1248
-            _1264 = q6_ppm
-            work[1264 + k] = _1264
-            _1280 = q2_pmp
-            work[1280 + k] = _1280
-            _1296 = q3_pmp
-            work[1296 + k] = _1296
-            _1312 = angle5
-            work[1312 + k] = _1312
-            _1328 = q5_pmp
-            work[1328 + k] = _1328
-            _1344 = q6_pmp
-            work[1344 + k] = _1344
-            _1360 = q4_pmm
-            work[1360 + k] = _1360
-            _1376 = q5_pmm
-            work[1376 + k] = _1376
-            _1392 = q6_pmm
-            work[1392 + k] = _1392
-            _1408 = q1_mpp
-            work[1408 + k] = _1408
-            _1424 = q2_mpp
-            work[1424 + k] = _1424
-            _1440 = q3_mpp
-            work[1440 + k] = _1440
-            _1456 = angle6
-            work[1456 + k] = _1456
-            _1472 = q5_mpp
-            work[1472 + k] = _1472
-            _1488 = q6_mpp
-            work[1488 + k] = _1488
-            _1504 = q4_mpm
-            work[1504 + k] = _1504
-            _1520 = q5_mpm
-            work[1520 + k] = _1520
-            _1536 = q6_mpm
-            work[1536 + k] = _1536
-            _1552 = q2_mmp
-            work[1552 + k] = _1552
-            _1568 = q3_mmp
-            work[1568 + k] = _1568
-            _1584 = angle7
-            work[1584 + k] = _1584
-            _1600 = q5_mmp
-            work[1600 + k] = _1600
-            _1616 = q6_mmp
-            work[1616 + k] = _1616
-            _1632 = q4_mmm
-            work[1632 + k] = _1632
-            _1648 = q5_mmm
-            work[1648 + k] = _1648
-            _1664 = q6_mmm
-            work[1664 + k] = _1664
-            work[1680 + k] = (
-                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[1696 + k] = (
-                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppm else OK)
-            )
-            work[1712 + k] = (
-                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
-            work[1728 + k] = (
-                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmm else OK)
-            )
-            work[1744 + k] = (
-                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
-            work[1760 + k] = (
-                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpm else OK)
-            )
-            work[1776 + k] = (
-                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmp else OK)
-            )
-            work[1792 + k] = (
-                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmm else OK)
-            )
-            work[256 + k] = (
-                1.0 if v34 <= m10 or v33 <= m10 or v32 <= m10 or v31 <= m10 or abs(D3_m) <= m3 or v1
-                <= m1 or abs(D3_p) <= m3 else work[256 + k]
-            )
-            work[256 + k] = (
-                1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
-                abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or
-                abs(excess_pmm - graze) <= graze or abs(excess_pmp - graze) <= graze or
-                abs(excess_ppp - graze) <= graze or abs(excess_ppm - graze) <= graze else work[256 +
-                k]
-            )
-        for k in range(first, first + count):
-            if work[256 + k - first] != 0.0:
-                _unseeded(T[k], q[k], status[k])
-                continue
-            for row in range(8):
-                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
-                for i in range(6):
-                    q[k, row, i] = work[_PLACES[row, i] + k - first]
-
-_FUNCTIONS = _runtime("functions")
-_CALLS = _FUNCTIONS.of_robot(
+_CALLS = _functions.of_robot(
     globals(),
     _HOW,
-    _FUNCTIONS.Solver(
-        joints=_JOINTS,
-        into=_into,
-        many=_in_tiles,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 26, 48, _PLACES),
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_HOW.compile_apart,),
+        apart=(),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach",
@@ -1652,6 +721,5 @@ _CALLS = _FUNCTIONS.of_robot(
         },
     ),
 )
-_unseeded = _CALLS["unseeded"]
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

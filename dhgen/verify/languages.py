@@ -130,14 +130,33 @@ class Languages:
                     held = np.isfinite(one).all(axis=1)
                     self._demands.agree(rows[held], one[held], T, language, where)
 
+    def refuse(self, q: FloatArray, poses: FloatArray) -> None:
+        """Batches refuse poses that are none.
+
+        Args:
+            q: The joint values (N, n) of poses that were spoiled.
+            poses: The spoiled poses (N, 4, 4).
+        """
+        languages = [
+            ("Python", self.python.ik_batch),
+            *(("C", each.batch) for each in self._builds),
+        ]
+        for language, batch in languages:
+            _, statuses = batch(poses, *self._demands.given(q))
+            accepted = poses[(statuses != self.python.INVALID_POSE).any(axis=1)]
+            if len(accepted):
+                told = f"a batch of the {language} accepted an invalid pose:\n{accepted[0]}"
+                raise VerificationError(f"{self._module.name}: {told}")
+
     def whole(
         self, T: FloatArray, q: FloatArray, rows: FloatArray, status: NDArray[np.uint8], where: str
     ) -> None:
         """What serves singular poses in Python gives the same at ordinary ones."""
-        given = self._demands.given(q)
-        _, pose = self.python._read(T, *given)  # noqa: SLF001
+        calls, given = self.python._CALLS, self._demands.given(q)  # noqa: SLF001
+        values = given[0] if given else np.zeros(1)
+        _, pose = calls["read"](T, values)
         others, kinds = np.empty_like(rows), np.empty_like(status)
-        self.python._whole(pose, *given, q, others, kinds)  # noqa: SLF001
+        calls["careful"](pose, values, q, others, kinds)
         if not np.array_equal(status, kinds):
             raise VerificationError(f"{where}: Python gives {status}, its careful solver {kinds}")
         held = np.isfinite(rows).all(axis=1)

@@ -85,6 +85,7 @@ def _verify(module: SolverModule, folder: Path) -> Report:
     for sample in samples(module.chain, COUNT):
         checker.sample(sample)
     checker.impossible()
+    python.warm_up()  # what no sample pose needed is compiled, too, and kept for who imports it
     seen = checker.poses, checker.solutions, demands.residual, bool(builds)
     code = compiled_code(python)
     whole = whole_arm(module.solver)
@@ -175,8 +176,11 @@ class _Checker:
         q = samples(self._chain, 8)[0].q
         slides = "P" in self._python.JOINT_TYPES
         endless = slides or self._chain.task.kind is TaskKind.ORIENTATION
-        for joints, T in zip(q, self._demands.measures.arm.pose(q), strict=True):
-            for spoiled in spoiled_poses(self._chain.task, T):
+        poses = self._demands.measures.arm.pose(q)
+        none = np.array([spoiled_poses(self._chain.task, T) for T in poses])
+        self._languages.refuse(np.repeat(q, none.shape[1], axis=0), none.reshape(-1, 4, 4))
+        for joints, T, all_spoiled in zip(q, poses, none, strict=True):
+            for spoiled in all_spoiled:
                 _, status = self._languages.call(spoiled, joints, "an impossible pose")
                 if not (status == self._python.INVALID_POSE).all():
                     raise VerificationError(f"{name}: accepted an invalid pose:\n{spoiled}")

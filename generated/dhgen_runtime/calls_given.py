@@ -35,7 +35,7 @@ choice: Choice
 kinematics: tuple[Callable[[Any], Any], ...]  # its functions of joint values, fk first
 apart: tuple[Callable[[], None], ...]  # each compiles what stands apart in a file
 into: Callable[..., int]  # all solutions of a pose, merged into what calls it
-many: Callable[..., None]  # all solutions of many poses
+solve_many: Callable[..., None]  # all solutions of many poses, compiled
 zeros: Callable[[FloatArray], FloatArray]  # the seed where there is none
 
 
@@ -59,10 +59,14 @@ def seeded(
     )
 
 
-def one_by_one(T: FloatArray, q_free: FloatArray, q: FloatArray, status: Statuses) -> None:
-    """All solutions of many poses, one after another."""
-    for k in range(len(T)):
-        unseeded(T[k], q_free[k], q[k], status[k])
+def solve_alone(k: int, T: FloatArray, q_free: FloatArray, q: FloatArray, status: Statuses) -> None:
+    """All solutions of pose k of many."""
+    unseeded(T[k], q_free[k], q[k], status[k])
+
+
+def many(T: FloatArray, q_free: FloatArray, q: FloatArray, status: Statuses) -> None:
+    """All solutions of many poses."""
+    solve_many(T, q_free, q, status)
 
 
 def compiled_into(
@@ -222,7 +226,7 @@ def warm_up() -> None:
     q, status = ik_all(T, q_free)
     ik_into(T, q_free, q, status)
     ik_into(T, q_free, q, status, zero)
-    nearest(choice.joints, q, status, zero, True, np.empty(DOF))
+    nearest(choice.arm, q, status, zero, True, np.empty(DOF))
     ik_batch(T[np.newaxis], q_free[np.newaxis])
     for compile_all in apart:
         compile_all()

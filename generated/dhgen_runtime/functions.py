@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The public functions of a robot, made from the texts in `calls` and `calls_given`."""
+"""The public functions of a robot, made from texts in `one_pose`, `tiles` and `calls`."""
 
 from __future__ import annotations
 
@@ -7,19 +7,76 @@ from dataclasses import dataclass
 from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
-from . import calls, calls_given
+from . import (
+    calls,
+    calls_given,
+    careful,
+    clamp,
+    duplicates,
+    follow_seed,
+    one_pose,
+    pose,
+    refine,
+    retry,
+    tiles,
+)
 from .entry import Choice
 from .jit import COMPILED, overload
+from .places import CLAMPS, FOLLOWS_SEED, KEEPS_LIMITS, MERGES, RETRIES
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
-    import numpy as np
-    from numpy.typing import NDArray
-
+    from .arrays import Floats, Ints
     from .jit import Compiling
 
+# What stands apart in files of the runtime, and the steps that need it.
+APART = (
+    (refine, (MERGES, CLAMPS, FOLLOWS_SEED)),
+    (clamp, (CLAMPS,)),
+    (duplicates, (MERGES,)),
+    (follow_seed, (FOLLOWS_SEED,)),
+    (retry, (RETRIES, KEEPS_LIMITS)),
+)
 PUBLIC = ("ik", "ik_all", "ik_batch", "ik_into", "warm_up")
+
+
+@dataclass(frozen=True, slots=True)
+class Formulas:
+    """The formulas of regular poses, and how they lie in arrays; see `tiles`.
+
+    Attributes:
+        run: Computes with (kept, turns, rows, w) all values of w poses, merged into its callers.
+        kept: How many values of a pose are kept.
+        turns: How many arguments of functions there are.
+        places: Of the joints' values of each row among `rows`, (rows, joints).
+    """
+
+    run: Callable[..., None]
+    kept: int
+    turns: int
+    places: Ints
+
+    def names(self, given: int) -> dict[str, Any]:
+        """What functions that call them name.
+
+        Args:
+            given: How many values the caller gives.
+        """
+        statuses = int(self.places.max()) + 1
+        filled = statuses + len(self.places)
+        return {
+            "formulas": self.run,
+            "places": self.places,
+            "KEPT": self.kept,
+            "TURNS": self.turns,
+            "FILLED": filled,
+            "DOUBT": tiles.ENTRIES + given,
+            "STATUSES": statuses,
+            "KEPT_OF_TILE": tiles.TILE * self.kept,
+            "TURNS_OF_TILE": tiles.TILE * self.turns,
+            "FILLED_OF_TILE": tiles.TILE * filled,
+        }
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,9 +84,11 @@ class Solver:
     """A robot's own functions and numbers.
 
     Attributes:
-        joints: The arm's joints, see `turns`.
-        into: All solutions of a pose, merged into what calls it.
-        many: All solutions of many poses; None if they are solved one by one.
+        arm: The arm's numbers.
+        robot: The functions that the runtime calls, by their addresses.
+        task: What counts of a pose beside coordinates, by the names of functions in `pose`.
+        counted: Which coordinates a pose names.
+        formulas: Of regular poses; None where there are none.
         kinematics: Functions of joint values, fk first.
         given: How many values the caller gives besides the pose.
         apart: Functions that compile what stands apart in a file, one for each.
@@ -37,9 +96,11 @@ class Solver:
             `given` of values that the caller gives.
     """
 
-    joints: NDArray[np.float64]
-    into: Callable[..., int]
-    many: Callable[..., None] | None
+    arm: Floats
+    robot: Callable[[], tuple[int, ...]]
+    task: str
+    counted: tuple[bool, bool, bool]
+    formulas: Formulas | None
     kinematics: tuple[Callable[[Any], Any], ...]
     given: int
     apart: tuple[Callable[[], None], ...]
@@ -55,7 +116,8 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
         solver: What is the robot's own.
     """
     dof, rows, given = robot["DOF"], robot["MAX_SOLUTIONS"], solver.given
-    texts, words = vars(calls_given if given else calls), solver.words
+    public, words = vars(calls_given if given else calls), solver.words
+    texts = {**vars(tiles), **vars(one_pose), **public}
     facts = {
         **words,
         "DOF": dof,
@@ -66,17 +128,22 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
     names = {
         **texts,
         **facts,
-        "into": solver.into,
-        "kinematics": solver.kinematics,
-        "apart": solver.apart,
+        **{name: getattr(solver, name) for name in ("arm", "robot", "counted", "kinematics")},
+        "slides": "P" in robot["JOINT_TYPES"],
+        "read_rows": getattr(pose, f"read_{solver.task}"),
+        "rotation_miss": getattr(pose, f"miss_of_{solver.task}"),
+        "apart": (how.compile_apart, *_needed(solver.arm), *solver.apart),
         "choice": Choice(
-            solver.joints,
+            solver.arm,
             robot["BRANCHES"],
             words["no_pose"],
             words["no_row"],
             robot["Unreachable"],
         ),
+        "shapes": f"T, q and status must have shapes (4, 4), ({rows}, {dof}), ({rows},)",
+        "given_must": f"q_free must have shape ({given},)",
         "__name__": robot["__name__"],
+        **(solver.formulas.names(given) if solver.formulas else {}),
     }
 
     def add(name: str, compiled: Callable[[Any], Any] = lambda function: function) -> None:
@@ -88,12 +155,21 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
         return seed
 
     names["zeros"] = how.merged(zeros)
+    fast = "by_formulas" if solver.formulas else "never_regular"
+    add(fast, how.merged)
+    names["regular"] = names[fast]
+    for name in ("read", "is_exact"):
+        add(name, how.njit(forceinline=True))
+    add("careful", how.jit)
+    add("into", how.merged)
     for name in ("unseeded", "seeded"):
         add(name, how.jit)
-    add("one_by_one", how.njit(nogil=True))
-    names["many"] = solver.many if solver.many and COMPILED else names["one_by_one"]
+    add("solve_alone", how.merged)
+    many = "in_tiles" if solver.formulas and COMPILED else "one_by_one"
+    add(many, how.njit(nogil=True))
+    names["solve_many"] = names[many]
     add("compiled_into", how.owned)
-    for name in ("look_at", *PUBLIC):
+    for name in ("look_at", "many", *PUBLIC):
         add(name)
     for name in PUBLIC:
         names[name].__doc__ = texts[name].__doc__.format(**facts)
@@ -101,7 +177,15 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
     return names
 
 
-def _again(function: FunctionType, names: dict[str, Any]) -> FunctionType:
+def _needed(arm: Floats) -> list[Callable[[], None]]:
+    """What compiles the files of the runtime that an arm needs."""
+    found = [careful.OWN.compile_apart]
+    return found + [
+        file.OWN.compile_apart for file, steps in APART if any(arm[step] > 0.0 for step in steps)
+    ]
+
+
+def _again(function: Any, names: dict[str, Any]) -> FunctionType:  # noqa: ANN401
     """A function once more, with other values of what it names."""
     made = FunctionType(function.__code__, names, function.__name__, function.__defaults__)
     made.__kwdefaults__ = function.__kwdefaults__

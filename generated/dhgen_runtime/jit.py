@@ -165,12 +165,12 @@ class Compiling:
             signature: The types of what it returns and takes, in numba's words.
         """
         if not COMPILED:
-            return lambda function: function
+            return self._known
         arguments, result = normalize_signature(signature)
 
         def decorate(function: Any) -> Any:  # noqa: ANN401
             name = function.__name__
-            self._apart.setdefault(name, (self.inner(function), arguments))
+            self.register(name, self.inner(function), signature)
 
             def code(context: Any, builder: Any, called: Any, values: Any) -> Any:  # noqa: ANN401
                 given = zip(
@@ -184,9 +184,53 @@ class Compiling:
 
         return decorate
 
+    def _known(self, function: F) -> F:
+        """A function as it is, whose name stands for its address in plain Python."""
+        named: Any = function
+        self._apart[named.__name__] = function, ()
+        return function
+
+    def register(self, name: str, function: Any, signature: str) -> None:  # noqa: ANN401
+        """Makes a compiled function known by its name, to be called at its address.
+
+        Args:
+            name: Of the function.
+            function: As numba compiles it.
+            signature: The types of what it returns and takes, in numba's words.
+        """
+        arguments = normalize_signature(signature)[0] if COMPILED else ()
+        self._apart.setdefault(name, (function, arguments))
+
+    def addresses(self, *names: str | None) -> Callable[[], tuple[int, ...]]:
+        """A function of compiled code that gives the addresses of functions, for `calling`.
+
+        In plain Python it gives the functions themselves.
+
+        Args:
+            names: Of functions that stand apart or are registered; None for one that is never
+                called.
+        """
+        if not COMPILED:
+            none = None, ()
+            found = tuple(self._apart.get(name or "", none)[0] for name in names)
+            return lambda: found
+
+        def code(context: Any, builder: Any, called: Any, _: Any) -> Any:  # noqa: ANN401
+            number = context.get_value_type(types.int64)
+            places = [
+                builder.ptrtoint(_address_once(context, builder, self.key, name), number)
+                if name
+                else number(0)
+                for name in names
+            ]
+            return context.make_tuple(builder, called.return_type, places)
+
+        made: Any = intrinsic(lambda _: (types.UniTuple(types.int64, len(names))(), code))
+        return made  # type: ignore[no-any-return]
+
     def compile_apart(self) -> None:
         """Compiles all functions that stand apart, or gets them from numba's cache."""
-        for name in list(self._apart):
+        for name in list(self._apart) if COMPILED else ():
             self._address(name)
 
     def _address(self, name: str) -> int:
@@ -242,6 +286,32 @@ def _ask(context: Any, builder: Any, key: str, name: str, place: Any) -> None:  
     api.gil_release(lock)
 
 
+def calling(signature: str) -> Callable[..., Any]:
+    """A function of compiled code that calls another one at an address, which it gets first.
+
+    In plain Python it gets the function itself.
+
+    Args:
+        signature: The types of what the other one returns and takes, in numba's words.
+    """
+    if not COMPILED:
+        return lambda function, *values: function(*values)
+    arguments, result = normalize_signature(signature)
+
+    def code(context: Any, builder: Any, called: Any, values: Any) -> Any:  # noqa: ANN401
+        given = zip(
+            cgutils.unpack_tuple(builder, values[1]), called.args[1], arguments, strict=True
+        )
+        cast = [context.cast(builder, *each) for each in given]
+        return _call_at(context, builder, values[0], result, arguments, cast)
+
+    def typed(_: Any, __: Any, *values: Any) -> Any:  # noqa: ANN401
+        return result(types.int64, types.StarArgTuple(values)), code
+
+    made: Any = intrinsic(typed)
+    return made  # type: ignore[no-any-return]
+
+
 def _call_at(
     context: Any,  # noqa: ANN401
     builder: Any,  # noqa: ANN401
@@ -252,9 +322,9 @@ def _call_at(
 ) -> Any:  # noqa: ANN401
     """Calls a function at an address."""
     kind = context.call_conv.get_function_type(result, arguments).as_pointer()
-    status, value = context.call_conv.call_function(
-        builder, builder.bitcast(address, kind), result, arguments, values
-    )
+    is_number = address.type == context.get_value_type(types.int64)
+    function = (builder.inttoptr if is_number else builder.bitcast)(address, kind)
+    status, value = context.call_conv.call_function(builder, function, result, arguments, values)
     with cgutils.if_unlikely(builder, status.is_error):
         context.call_conv.return_status_propagate(builder, status)
     return value

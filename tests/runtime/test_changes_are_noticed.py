@@ -79,7 +79,7 @@ def folder(tmp_path: Path) -> Path:
 
 def test_a_tolerance_of_the_runtime(folder: Path) -> None:
     """Angles are not moved near to a seed that is farther away than this."""
-    change(folder / "dhgen_runtime" / "turns.py", "FAR = 1e5\n", "FAR = 1e1\n")
+    change(folder / "dhgen_runtime" / "tolerances.py", "FAR_ANGLE = 1e5\n", "FAR_ANGLE = 1e1\n")
     for name in ("planar_rr", "under_another_name"):
         answer = ask(folder, name)
         assert abs(answer["first"]) < 3.2

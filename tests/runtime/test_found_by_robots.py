@@ -47,8 +47,8 @@ import generated.planar_rr as again
 import others.planar_rr as other
 
 assert planar_rr is not again
-assert planar_rr._RUNTIME is again._RUNTIME
-assert planar_rr._RUNTIME is not other._RUNTIME
+assert planar_rr._arms is again._arms
+assert planar_rr._arms is not other._arms
 assert planar_rr._HOW.key == again._HOW.key != other._HOW.key
 for robot in (planar_rr, again, other):
     assert robot.ik_all(robot.fk([0.1, 0.2]))[1].tolist() == [robot.OK, robot.OK]

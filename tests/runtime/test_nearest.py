@@ -8,13 +8,17 @@ from typing import Any
 import numpy as np
 import pytest
 
+from dhgen.runtime.python import tolerances
+from dhgen.runtime.python.arm import arm_numbers
 from dhgen.runtime.python.status import OK, OUT_OF_LIMITS, UNREACHABLE
-from dhgen.runtime.python.turns import FAR, TURN
+from dhgen.runtime.python.turns import TURN
 from dhgen.tolerances import DOUBLE
+from tests.runtime.arms import ENDLESS, arm_of
 from tests.runtime.plain import KINDS, part
 
-# lowest, highest, whether it turns, weight
-JOINTS = np.array([[-4.0, 4.0, 1.0, 1.0], [-math.inf, math.inf, 1.0, 1.0], [-0.2, 0.3, 0.0, 4.0]])
+LIMITS = ((-4.0, 4.0), ENDLESS, (-0.2, 0.3))
+ARM = arm_numbers(arm_of("RRP", LIMITS))
+WEIGHTS = np.array([1.0, 1.0, 4.0])
 
 
 def called(kind: str, name: str) -> Any:
@@ -24,7 +28,23 @@ def called(kind: str, name: str) -> Any:
 
 
 def test_one_table_of_tolerances() -> None:
-    assert DOUBLE.tolerances.far == FAR
+    """What the compiler decides by, under its names."""
+    same = {
+        "limit": "LIMIT",
+        "exact": "EXACT",
+        "promised": "PROMISED",
+        "free": "FREE",
+        "merge": "MERGE",
+        "doubtful": "DOUBTFUL",
+        "standing": "CLAMPED",
+        "told": "APART_BY",
+        "far": "FAR_ANGLE",
+        "fine": "FINE",
+        "double": "DOUBLE_ROOT",
+        "simple": "SIMPLE_ROOT",
+    }
+    for ours, theirs in same.items():
+        assert getattr(DOUBLE.tolerances, ours) == getattr(tolerances, theirs)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -43,19 +63,19 @@ def test_one_table_of_tolerances() -> None:
 def test_whole_turns_inside_limits(
     kind: str, joint: int, given: float, towards: float, expected: float
 ) -> None:
-    value = called(kind, "turned")(JOINTS, joint, given, towards)
+    value = called(kind, "turned")(ARM, joint, given, towards)
     assert value == pytest.approx(expected, abs=1e-12)
 
 
 def test_what_no_turns_take_inside_its_limits_stays() -> None:
-    narrow = np.array([[-0.5, 0.5, 1.0, 1.0]])
+    narrow = arm_numbers(arm_of("R", ((-0.5, 0.5),)))
     assert called("plain", "turned")(narrow, 0, 2.0, 0.0) == 2.0
 
 
 def near_by_trying(joint: int, value: float, seed: float, *, limits: bool) -> float:
     """The copy of a joint value that is nearest to the seed's: all of them tried."""
-    lowest, highest, turns, _ = JOINTS[joint]
-    copies = value + turns * TURN * np.arange(-3, 4)
+    lowest, highest = LIMITS[joint]
+    copies = value + (joint < 2) * TURN * np.arange(-3, 4)
     inside = copies[(lowest <= copies) & (copies <= highest)] if limits else copies
     return float(inside[np.argmin(np.abs(inside - seed))])
 
@@ -76,10 +96,10 @@ def test_the_nearest_is_found_as_by_trying_all(kind: str, *, limits: bool) -> No
         best, answer = math.inf, np.zeros(3)
         for row in rows[counted]:
             one = np.array([near_by_trying(i, row[i], seed[i], limits=limits) for i in range(3)])
-            distance = float(JOINTS[:, 3] @ (one - seed) ** 2)
+            distance = float(WEIGHTS @ (one - seed) ** 2)
             if distance < best:
                 best, answer = distance, one
         q = np.full(3, 9.0)
-        assert nearest(JOINTS, rows.copy(), status, seed, limits, q) == counted.any()
+        assert nearest(ARM, rows.copy(), status, seed, limits, q) == counted.any()
         if counted.any():
             np.testing.assert_allclose(q, answer, atol=1e-12)

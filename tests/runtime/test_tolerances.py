@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from dhgen.runtime import c_runtime_files
-from dhgen.runtime.python import pose, turns
+from dhgen.runtime.python import pose, tolerances
 from dhgen.runtime.python.numerical import descent, family, keep, solutions
 from dhgen.tolerances import DOUBLE, SINGLE
 
@@ -72,7 +72,13 @@ def test_poses_and_angles_are_read_alike_in_python() -> None:
     found = table(DOUBLE)
     assert found["ROUNDED"] == pose.ROTATION
     assert found["ORTHONORMAL"] == pose.ORTHONORMAL
-    assert found["FAR_ANGLE"] == turns.FAR
+
+
+def test_tolerances_of_closed_forms_are_alike_in_python() -> None:
+    found = table(DOUBLE) | defined(c_runtime_files()["dhgen/circle_roots.h"])
+    ours = {name: value for name, value in vars(tolerances).items() if name.isupper()}
+    assert len(ours) > 10
+    assert {name: found[name] for name in ours} == ours
 
 
 # Numbers of the numerical solver: in C, and as Python calls them.

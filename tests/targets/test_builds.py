@@ -163,5 +163,5 @@ def test_irregular_poses_leave_before_the_angles(name: str) -> None:
     source = files[f"{name}.c"].partition("INLINE int solve_regular(")[2]
     assert source.index("dhgen_pose_misfit_four(T)") < source.index("dhgen_angle_four(")
     assert source.index("return -1;") < source.index("dhgen_angle_four(")
-    module = files[f"{name}.py"].partition("def _regular(")[2]
-    assert module.index("return False") < module.index("_atan2(")
+    module = files[f"{name}.py"].partition("def _formulas(")[2]
+    assert module.index("        return\n") < module.index("_atan2(")

@@ -130,8 +130,8 @@ def test_every_fifth_sign_of_c(
             "moved = rows[row, i] + seed[i]",
         ),
         ("dhgen_runtime/nearest.py", "or distance < least:", "or distance > least:"),
-        ("scara.py", "math.isfinite(px * px * px)", "True"),
-        ("scara.py", "status[row] = OUT_OF_LIMITS", "pass"),
+        ("dhgen_runtime/one_pose.py", "math.isfinite(p * p * p if slides else p)", "True"),
+        ("dhgen_runtime/careful.py", "status[row] = OUT_OF_LIMITS", "pass"),
         ("scara.py", "else OK\n", "else FREE_JOINT\n"),
     ],
 )

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 # Names of modules take their time in a call that is over in half a microsecond.
 empty, contiguous = np.empty, np.ascontiguousarray
+NOTHING = np.empty((0, 0))  # where other robots' callers give values
 
 # Of the robot:
 DOF: int
@@ -34,14 +35,15 @@ choice: Choice
 kinematics: tuple[Callable[[Any], Any], ...]  # its functions of joint values, fk first
 apart: tuple[Callable[[], None], ...]  # each compiles what stands apart in a file
 into: Callable[..., int]  # all solutions of a pose, merged into what calls it
-many: Callable[..., None]  # all solutions of many poses
+solve_many: Callable[..., None]  # all solutions of many poses, compiled
 zeros: Callable[[FloatArray], FloatArray]  # the seed where there is none
 
 
 def unseeded(T: FloatArray, q: FloatArray, status: Statuses) -> int:
     """All solutions of a pose; in plain arrays, without a seed."""
     seed = zeros(carray(room(DOF), DOF))
-    return into(lent_rows(T), seed, lent_rows(q), lent_statuses(status))
+    nothing = carray(room(1), 1)
+    return into(lent_rows(T), nothing, seed, lent_rows(q), lent_statuses(status))
 
 
 def seeded(T: FloatArray, q: FloatArray, status: Statuses, seed: FloatArray) -> int:
@@ -51,13 +53,24 @@ def seeded(T: FloatArray, q: FloatArray, status: Statuses, seed: FloatArray) -> 
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    return into(lent_rows(T), lent_values(seed), lent_rows(q), lent_statuses(status))
+    nothing = carray(room(1), 1)
+    return into(lent_rows(T), nothing, lent_values(seed), lent_rows(q), lent_statuses(status))
 
 
-def one_by_one(T: FloatArray, q: FloatArray, status: Statuses) -> None:
-    """All solutions of many poses, one after another."""
-    for k in range(len(T)):
-        unseeded(T[k], q[k], status[k])
+def solve_alone(
+    k: int,
+    T: FloatArray,
+    q_free: FloatArray,  # noqa: ARG001
+    q: FloatArray,
+    status: Statuses,
+) -> None:
+    """All solutions of pose k of many."""
+    unseeded(T[k], q[k], status[k])
+
+
+def many(T: FloatArray, q: FloatArray, status: Statuses) -> None:
+    """All solutions of many poses."""
+    solve_many(T, NOTHING, q, status)
 
 
 def compiled_into(
@@ -192,7 +205,7 @@ def warm_up() -> None:
     q, status = ik_all(T)
     ik_into(T, q, status)
     ik_into(T, q, status, zero)
-    nearest(choice.joints, q, status, zero, True, np.empty(DOF))
+    nearest(choice.arm, q, status, zero, True, np.empty(DOF))
     ik_batch(T[np.newaxis])
     for compile_all in apart:
         compile_all()

@@ -34,14 +34,14 @@ class Choice:
     """How one of many solutions is chosen, and what is said where there is none.
 
     Attributes:
-        joints: The arm's joints, see `turns`.
+        arm: The arm's numbers.
         branches: The name of every row.
         no_pose: What is wrong with a pose that is none.
         no_row: What is wrong with a pose without solutions.
         unreachable: The exception for such a pose.
     """
 
-    joints: FloatArray
+    arm: FloatArray
     branches: Sequence[str]
     no_pose: str
     no_row: str
@@ -79,10 +79,10 @@ class Choice:
         if found[1][0] == INVALID_POSE:
             raise ValueError(f"T is not a valid pose: {self.no_pose}")
         q, status = found[0][rows[0] : rows[1]], found[1][rows[0] : rows[1]]
-        dof = len(self.joints)
+        dof = q.shape[1]
         seed = np.zeros(dof) if q_seed is None else array_of(q_seed, (dof,), "q_seed")
         solution = np.empty(dof)
-        if nearest(self.joints, q, status, seed, limits, solution):
+        if nearest(self.arm, q, status, seed, limits, solution):
             return solution
         where = f" in branch {self.branches[rows[0]]}" if len(q) < len(self.branches) else ""
         beyond = OUT_OF_LIMITS in status
@@ -111,6 +111,7 @@ def of_joints(how: Compiling, dof: int) -> Callable[[Callable[[Any], Any]], Call
         # Of functions of one name in one module numba takes one for the other when both are cached.
         inner.__qualname__ = f"{function.__name__} of an array"
         compiled = how.jit(function)
+        how.register(function.__name__, compiled, "(float64[::1],)")
         overload(call, strict=False)(lambda _: how.owned(inner))
         return call
 

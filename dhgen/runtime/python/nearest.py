@@ -7,8 +7,9 @@ import math
 from typing import TYPE_CHECKING
 
 from .jit import of_file
+from .places import RECORD, WEIGHT
 from .status import OUT_OF_LIMITS, UNREACHABLE
-from .turns import WEIGHT, near, turned
+from .turns import near, turned
 
 if TYPE_CHECKING:
     import numpy as np
@@ -19,7 +20,7 @@ _HOW = of_file(__file__)
 
 @_HOW.jit
 def nearest(
-    joints: NDArray[np.float64],
+    arm: NDArray[np.float64],
     rows: NDArray[np.float64],
     status: NDArray[np.uint8],
     seed: NDArray[np.float64],
@@ -29,7 +30,7 @@ def nearest(
     """The solution nearest to the seed into q; whether there is one.
 
     Args:
-        joints: The arm's joints.
+        arm: The arm's numbers.
         rows: Solutions; their angles are moved by whole turns.
         status: What each of them holds.
         seed: Where the arm is.
@@ -43,11 +44,11 @@ def nearest(
         distance = 0.0
         for i in range(len(q)):
             if limits:
-                rows[row, i] = turned(joints, i, rows[row, i], seed[i])
+                rows[row, i] = turned(arm, i, rows[row, i], seed[i])
             else:
-                rows[row, i] = near(joints, i, rows[row, i], seed[i])
+                rows[row, i] = near(arm, i, rows[row, i], seed[i])
             moved = rows[row, i] - seed[i]
-            distance += joints[i, WEIGHT] * moved * moved
+            distance += arm[WEIGHT + RECORD * i] * moved * moved
         if best < 0 or distance < least:
             best, least = row, distance
     for i in range(len(q)):

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Poses as callers give them: whether they are valid, and the nearest rotation where rounded.
 
-What counts of a pose is the robot's affair: it takes the function for its task. Each returns
-whether what it looks at is valid, and the upper three rows, twelve numbers; that positions are
-finite is asked by the robot.
+What counts of a pose is the robot's affair: it takes the functions for its task. Each `read_`
+returns whether what it looks at is valid, and the upper three rows, twelve numbers; that positions
+are finite is asked by the robot. Each `miss_of_` returns by how much one of w poses side by side
+(entry n of pose k at n * w + k) misses what it should be, in the same measure.
 """
 
 from __future__ import annotations
@@ -104,3 +105,37 @@ def read_position(T: NDArray[np.float64]) -> tuple[bool, Rows]:
         T[1, 0], T[1, 1], T[1, 2], T[1, 3],
         T[2, 0], T[2, 1], T[2, 2], T[2, 3],
     )  # fmt: skip
+
+
+@_HOW.merged
+def miss_of_pose(T: NDArray[np.float64], k: int, w: int) -> float:
+    """By how much pose k misses the form of one; what its last row is off counts in full."""
+    rest = abs(T[12 * w + k]) + abs(T[13 * w + k]) + abs(T[14 * w + k])
+    return float(miss_of_orientation(T, k, w) + rest + abs(T[15 * w + k] - 1.0))
+
+
+@_HOW.merged
+def miss_of_orientation(T: NDArray[np.float64], k: int, w: int) -> float:
+    """By how much its rotation misses orthonormality."""
+    x0, x1, x2 = T[k], T[w + k], T[2 * w + k]
+    y0, y1, y2 = T[4 * w + k], T[5 * w + k], T[6 * w + k]
+    z0, z1, z2 = T[8 * w + k], T[9 * w + k], T[10 * w + k]
+    xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+    yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+    xy = x0 * y0 + x1 * y1 + x2 * y2
+    a, b, c = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+    return float(xx * xx + yy * yy + 2.0 * xy * xy + a * a + b * b + c * c)
+
+
+@_HOW.merged
+def miss_of_pointing(T: NDArray[np.float64], k: int, w: int) -> float:
+    """By how much the tool's z axis misses length one."""
+    x, y, z = T[2 * w + k], T[6 * w + k], T[10 * w + k]
+    square = x * x + y * y + z * z - 1.0
+    return float(square * square)
+
+
+@_HOW.merged
+def miss_of_position(T: NDArray[np.float64], k: int, w: int) -> float:  # noqa: ARG001
+    """Nothing: no direction counts."""
+    return 0.0

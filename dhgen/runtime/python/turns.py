@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Whole turns: a joint value moved by them inside its limits, and near to another one.
-
-An arm's joints are a table, a row each, with the columns that are named here.
-"""
+"""Whole turns: a joint value moved by them inside its limits, and near to another one."""
 
 from __future__ import annotations
 
@@ -10,41 +7,36 @@ import math
 from typing import TYPE_CHECKING
 
 from .jit import of_file
+from .places import HIGHEST, LOWEST, RECORD, TURNS
+from .tolerances import FAR_ANGLE
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-LOWEST, HIGHEST = 0, 1  # the limits, with the slack for rounding added [rad or length]
-TURNS = 2  # 1 for a joint that turns, 0 for one that slides
-WEIGHT = 3  # of squared differences: 1, for slides 1 / size^2 of the arm
+    from .arrays import Floats
 
 TURN = 2.0 * math.pi  # [rad]
-# A seed's angle that is not below this has no copy of another angle near to it that keeps its
-# digits: angles are not moved there [rad].
-FAR = 1e5
 
-_HOW = of_file(__file__)
+OWN = of_file(__file__)
 
 
-@_HOW.inner
-def turned(joints: NDArray[np.float64], joint: int, given: float, towards: float) -> float:
+@OWN.inner
+def turned(arm: Floats, joint: int, given: float, towards: float) -> float:
     """A joint value moved by whole turns, near to another value but inside its limits.
 
     Args:
-        joints: The arm's joints.
-        joint: Which of them, from 0.
+        arm: The arm's numbers.
+        joint: Which of its joints, from 0.
         given: The value.
         towards: The other value.
 
     Returns:
         The value moved, or as it was given where no whole turns take it inside its limits.
     """
-    if joints[joint, TURNS] == 0.0:
+    at = RECORD * joint
+    if arm[TURNS + at] == 0.0:
         return given
-    low, high = joints[joint, LOWEST], joints[joint, HIGHEST]
+    low, high = arm[LOWEST + at], arm[HIGHEST + at]
     value = given
-    if abs(towards) < FAR:
+    if abs(towards) < FAR_ANGLE:
         value += TURN * math.floor((towards - given) / TURN + 0.5)
     if value > high:
         value -= TURN * math.ceil((value - high) / TURN)
@@ -53,9 +45,15 @@ def turned(joints: NDArray[np.float64], joint: int, given: float, towards: float
     return value if value <= high else given
 
 
-@_HOW.inner
-def near(joints: NDArray[np.float64], joint: int, value: float, towards: float) -> float:
+@OWN.inner
+def near(arm: Floats, joint: int, value: float, towards: float) -> float:
     """A joint value moved by whole turns near to another value, limits aside."""
-    if joints[joint, TURNS] == 0.0 or not abs(towards) < FAR:
+    if arm[TURNS + RECORD * joint] == 0.0 or not abs(towards) < FAR_ANGLE:
         return value
     return value + TURN * math.floor((towards - value) / TURN + 0.5)
+
+
+@OWN.inner
+def without_turns(angle: float) -> float:
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % TURN, angle)

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 from dhgen.robot.task import TaskKind
 from dhgen.targets.layout import INDENT, c_array, packed
 from dhgen.targets.module import named_entries, slacks
-from dhgen.targets.solver.searches import fan_steps, searches_of
-from dhgen.targets.solver.settle import paces_of, settle_of
-from dhgen.targets.solver.standing import standing_of
-from dhgen.targets.walk import checks_again, choosable, lost_together
+from dhgen.targets.policy import fan_steps, policy_of
+from dhgen.targets.solver.refinement import miss_weights, paces_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from dhgen.kinematics.chain import Chain
     from dhgen.targets.module import SolverModule
+    from dhgen.targets.policy import Policy
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,49 +52,46 @@ class _Places:
 
 def c_table(module: SolverModule) -> CTable:
     """The table of a robot, but for its last entry: the function for regular poses."""
-    chain, solver = module.chain, module.solver
-    together = () if solver.tightened is not None else lost_together(solver)
+    chain, policy = module.chain, policy_of(module)
     given = _Places("given_joints", tuple(number - 1 for number in chain.free))
     entries = _Places("entries", tuple(entry.place for entry in named_entries(chain)))
-    choosing = _Places("choosable", tuple(joint - 1 for joint in choosable(solver)))
-    choosing_together = _Places("together", tuple(joint - 1 for joint in together))
+    choosing = _Places("choosable", policy.choosable)
+    choosing_together = _Places("together", policy.together)
     arrays = (given, entries, choosing, choosing_together)
-    weights = settle_of(module).miss_weights
-    size = f"{chain.dof}, {solver.rows}, {chain.given}"
+    weights = ", ".join(miss_weights(chain))
+    size = f"{chain.dof}, {module.solver.rows}, {chain.given}"
     return CTable(
         joints=_joints(module),
         places=[each.definition for each in arrays if each.places],
         arm=[
             f"{INDENT}{size}, {_task(module)}, joints, {given.named},",
             f"{INDENT}{{ {weights} }}, {1.0 / chain.size!r}, {entries.named},",
-            *_policy(module, choosing.named, choosing_together.named),
+            *_steps(chain, policy, choosing.named, choosing_together.named),
             *_functions(module),
         ],
     )
 
 
-def _policy(module: SolverModule, choosing: str, together: str) -> list[str]:
+def _steps(chain: Chain, policy: Policy, choosing: str, together: str) -> list[str]:
     """What has to be done around the formulas, each with its name."""
-    searches, standing = searches_of(module), standing_of(module)
-    flags = {
-        "slides": not all(module.chain.turning),
-        "retries": searches.chooses_again,
-        "checks": checks_again(module.solver),
-        "keeps limits": searches.keeps_limits,
+    searches = {
+        "slides": not all(chain.turning),
+        "retries": policy.retries,
+        "checks": policy.checks,
+        "keeps limits": policy.keeps_limits,
     }
     others = {
-        "merges": standing.tells_once,
-        "refines": standing.leads,
-        "clamps": standing.on_limits,
-        "far": standing.far,
-        "winds": standing.winds,
-        "follows seed": standing.stays,
+        "merges": policy.merges,
+        "refines": policy.refines,
+        "clamps": policy.clamps,
+        "far": policy.clamps_far,
+        "winds": policy.winds,
+        "follows seed": policy.follows_seed,
     }
-    completes = module.solver.tightened is not None
-    completion = "&completion, dhgen_complete_rows," if completes else "NULL, NULL,"
+    completion = "&completion, dhgen_complete_rows," if policy.completes else "NULL, NULL,"
     return [
-        *_flags(flags),
-        f"{INDENT}{choosing}, {together}, {searches.cuts},",
+        *_flags(searches),
+        f"{INDENT}{choosing}, {together}, {policy.cuts},",
         *_flags(others),
         f"{INDENT}{completion}",
     ]

@@ -34,7 +34,7 @@ def both_sides(
 
 def seeking(kernel: NumericalKernel, common: Common, calls: Calls, writing: Writing) -> str:
     """The function `seek`; it needs what tightens and, with limits, searches."""
-    others = {"searches": common.searches, "standing": common.standing, "calls": calls}
+    others = {"searches": common.searches, "calls": calls}
     return _filled("seek", kernel, common.module, writing, **others)
 
 

@@ -10,7 +10,7 @@ from dhgen.program.regular.flatten import flatten
 from dhgen.runtime.python import INTERFACE
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import regular_solver
-from dhgen.targets.python.calls import PythonCalls, python_calls
+from dhgen.targets.python.formulas import Formulas, formulas_of
 from dhgen.targets.python.language import Python
 from dhgen.targets.python.texts import (
     PythonComments,
@@ -20,10 +20,10 @@ from dhgen.targets.python.texts import (
     python_pose,
     python_tables,
 )
-from dhgen.targets.python.tiles import PythonRegular, regular_values
 from dhgen.targets.python.whole import IN_PYTHON
 from dhgen.targets.scalar import pose_entries
 from dhgen.targets.solver.bodies import Bodies, bodies_of
+from dhgen.targets.solver.calls import Calls
 from dhgen.targets.solver.common import common_of
 from dhgen.targets.solver.parts import Parts, parts_of
 from dhgen.targets.walk import uses
@@ -45,17 +45,17 @@ class PythonSolver:
         calls: How functions are called and compiled.
         bodies: The programs.
         parts: Functions that have templates of their own.
-        regular: What serves regular poses, where there is a program for them.
+        regular: The formulas of regular poses, where there is a program for them.
         arctangent: Whether the solver takes arctangents.
     """
 
     comments: PythonComments
     tables: PythonTables
     pose: PythonPose
-    calls: PythonCalls
+    calls: Calls
     bodies: Bodies
     parts: Parts
-    regular: PythonRegular | None
+    regular: Formulas | None
     arctangent: bool
 
 
@@ -71,15 +71,15 @@ def python_solver(module: SolverModule, common: Common) -> PythonSolver:
     """What the templates name of a robot."""
     regular = regular_solver(module)
     flat = None if regular is None else flatten(regular)
-    calls = python_calls(common)
+    calls = Calls(free_parameter=", q_free", free_argument=", q_free")
     return PythonSolver(
-        comments=python_comments(module, common, flat),
+        comments=python_comments(module, flat),
         tables=python_tables(module, flat),
         pose=python_pose(module),
         calls=calls,
         bodies=bodies_of(module, Python(), _assignments, _entries),
         parts=parts_of(module, common, calls, IN_PYTHON),
-        regular=None if flat is None else regular_values(module, flat),
+        regular=None if flat is None else formulas_of(flat, module.chain.given),
         arctangent=uses(module.solver, "atan2"),
     )
 

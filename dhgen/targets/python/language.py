@@ -81,7 +81,7 @@ class Python:
 
     def lose(self, choice: Choice, row: str, margin: str, value: str | None) -> list[str]:
         """Notes the joint, by how much the branch failed, and the joint's value if nearly free."""
-        kind = "_LOST" if value is None else "_NEARLY"
+        kind = "_status.LOST" if value is None else "_status.NEARLY"
         kept = [] if value is None else [f"    q[{row}, 1] = {value}"]
         return [
             f"if {choice.flag}:",
@@ -98,8 +98,9 @@ class Python:
     def all_joints(self, axis: Axis, statement: AllJoints) -> list[str]:
         """All solutions as a table, with what is true of each."""
         name = axis.name
-        given = "pose, q_free, seed" if statement.given else "pose, seed"
-        return [f"{name}_roots, {name}_found, {name}_chosen = _all_joints({given})"]
+        given = "q_free" if statement.given else "_NO_FREE"
+        taken = f"_NUMBERS, pose, {given}, seed"
+        return [f"{name}_roots, {name}_found, {name}_chosen = _all_joints({taken})"]
 
     def open_loop(self, loop: Loop) -> list[str]:
         """A loop over a sign or the roots of a polynomial."""
@@ -126,7 +127,7 @@ class Python:
         ]
         flags = " or ".join(dict.fromkeys(name for _, name in program.free))
         close = " or ".join(close_texts(program))
-        solved = f"_CLOSE if {close} else OK" if close else "OK"
+        solved = f"_status.CLOSE if {close} else OK" if close else "OK"
         solved = f"FREE_JOINT if {flags} else {solved}" if flags else solved
         return [*lines, f"status[row] = {solved}"]
 

@@ -8,12 +8,10 @@ from typing import TYPE_CHECKING
 from dhgen.printing.comments import plain
 from dhgen.robot.task import TaskKind
 from dhgen.targets.constants import constant_texts
-from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
-from dhgen.targets.module import has_to_be_finite, made_text, named_entries, slacks
-from dhgen.targets.python.language import Python
-from dhgen.targets.python.one_pose import assigned
-from dhgen.targets.scalar import output_texts, pose_entries
-from dhgen.targets.solver.searches import fan_steps
+from dhgen.targets.layout import WIDTH, paragraph
+from dhgen.targets.module import made_text
+from dhgen.targets.python.table import arm_lines
+from dhgen.targets.scalar import pose_entries
 from dhgen.targets.solver.task import meaning
 
 if TYPE_CHECKING:
@@ -24,7 +22,6 @@ if TYPE_CHECKING:
     from dhgen.robot.task import Task
     from dhgen.targets.constants import ConstantText
     from dhgen.targets.module import SolverModule
-    from dhgen.targets.solver.common import Common
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,27 +53,15 @@ class PythonTables:
         limits: Of each joint.
         branches: The name of every row.
         free_joints: Whose values the caller gives; empty without any.
-        slack: By what joint values may miss their limits.
-        weights: Of squared differences of joint values.
-        fan_steps: From one value of a free joint that is tried to the next.
+        arm: What the arm's table in the runtime is made of.
         constants: Of the programs, as lines.
     """
 
     limits: Sequence[str]
     branches: Sequence[str]
     free_joints: str
-    slack: str
-    weights: str
-    fan_steps: str
+    arm: Sequence[str]
     constants: Sequence[str]
-
-
-@dataclass(frozen=True, slots=True)
-class MissedEntry:
-    """Lines that set `off` to what joint values miss an entry by, and the weight of that."""
-
-    lines: Sequence[str]
-    weight: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,18 +70,16 @@ class PythonPose:
 
     Attributes:
         entries: The names of its entries, _ for those that the solver does not read.
-        reader: The function of the runtime that reads what counts of it.
-        finite: Whether all that has to be finite is.
-        missed: The entries that the task names.
+        task: What counts of it beside coordinates, as functions of the runtime are called.
+        counted: Which coordinates it names.
     """
 
     entries: str
-    reader: str
-    finite: str
-    missed: Sequence[MissedEntry]
+    task: str
+    counted: str
 
 
-def python_comments(module: SolverModule, common: Common, flat: Flat | None) -> PythonComments:
+def python_comments(module: SolverModule, flat: Flat | None) -> PythonComments:
     """What the module of a robot says of itself."""
     frames = (
         "Poses are 4 x 4 matrices of the tool in the base frame, lengths in "
@@ -108,19 +91,15 @@ def python_comments(module: SolverModule, common: Common, flat: Flat | None) -> 
         frames=paragraph(frames, ""),
         no_pose=_no_pose(module),
         no_row=_no_row(module),
-        allocates=_allocates(module, common, flat),
+        allocates=_allocates(flat),
     )
 
 
-def _allocates(module: SolverModule, common: Common, flat: Flat | None) -> str:
+def _allocates(flat: Flat | None) -> str:
     """Where memory is allocated."""
     if flat is None:
         return "at every pose"
-    if module.solver.tightened is not None or common.standing.settles:
-        return "only where a pose is singular or rounded"
-    if common.searches.some:
-        return "only where a free joint can't keep the seed's value"
-    return "nowhere"
+    return "only where a pose is singular or rounded"
 
 
 def _no_pose(module: SolverModule) -> str:
@@ -154,9 +133,7 @@ def python_tables(module: SolverModule, flat: Flat | None) -> PythonTables:
         limits=[f"({pair[0]!r}, {pair[1]!r})" if pair else none for pair in limits],
         branches=module.branches,
         free_joints=f"({', '.join(map(str, free))},)" if free else "",
-        slack=python_array("_SLACK = np.array", map(repr, slacks(module))),
-        weights=python_array("_WEIGHT = np.array", map(repr, module.weights)),
-        fan_steps=python_array("_FAN_STEP = np.array", map(repr, fan_steps(module))),
+        arm=arm_lines(module, regular=flat is not None),
         constants=[line for each in constants for line in _constant(each)],
     )
 
@@ -169,21 +146,18 @@ def _constant(constant: ConstantText) -> list[str]:
 
 def python_pose(module: SolverModule) -> PythonPose:
     """How a robot's pose is read."""
-    entries = [f"p{'xyz'[row]}" for row in module.chain.task.position_rows]
-    entries += [f"q_free[{place}]" for place in range(module.chain.given)]
-    finite = [f"math.isfinite({each})" for each in has_to_be_finite(module, entries)]
-    reader = _reader(module.chain.task)
-    told = " and ".join(finite) or "True"
-    return PythonPose(_entries(module.solver), reader, told, _missed(module))
+    task = module.chain.task
+    counted = tuple(row in task.position_rows for row in range(3))
+    return PythonPose(_entries(module.solver), _task(task), str(counted))
 
 
-def _reader(task: Task) -> str:
-    """The function of the runtime that reads what counts of a pose."""
+def _task(task: Task) -> str:
+    """What counts of a pose beside coordinates."""
     if task.kind is TaskKind.POSE:
-        return "read_pose"
+        return "pose"
     if task.names_rotation:
-        return "read_orientation"
-    return "read_pointing" if task.kind is TaskKind.POINTING else "read_position"
+        return "orientation"
+    return "pointing" if task.kind is TaskKind.POINTING else "position"
 
 
 def _entries(program: Program) -> str:
@@ -191,14 +165,3 @@ def _entries(program: Program) -> str:
     read = {(entry.row, entry.column) for entry in pose_entries(program)}
     places = [(row, column) for row in (1, 2, 3) for column in (1, 2, 3, 4)]
     return ", ".join(f"T{place[0]}{place[1]}" if place in read else "_" for place in places)
-
-
-def _missed(module: SolverModule) -> list[MissedEntry]:
-    """What joint values miss each entry by that the task names."""
-    reached = output_texts(module.forward, Python())
-    return [
-        MissedEntry(
-            assigned("off", f"{reached[each.place]} - pose[{each.place}]", INDENT), each.weight
-        )
-        for each in named_entries(module.chain)
-    ]

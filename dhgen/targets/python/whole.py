@@ -17,7 +17,7 @@ from dhgen.targets.writing import Writing
 if TYPE_CHECKING:
     from dhgen.program.ir import AllJoints
 
-MODULES = {Arm.__module__: "_arms", Loop.__module__: "_loops"}
+MODULES = {Arm.__module__: "_joints", Loop.__module__: "_loops"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,26 +28,20 @@ class Whole:
         arm: The joints, the task and the forward model.
         loop: The loop of the general algorithm; empty where descents alone find solutions.
         given: Whether the caller gives values of joints.
-        free_parameter: They among parameters.
-        free_values: They as the runtime takes them.
     """
 
     arm: str
     loop: str
     given: bool
-    free_parameter: str
-    free_values: str
 
 
 def python_all_joints(whole: AllJoints) -> str:
-    """The function `_all_joints`, and what it needs."""
-    kernel, given = whole.general, whole.given
+    """The numbers of the arm, and what solves for all joints."""
+    kernel = whole.general
     texts = Whole(
         arm=literal(runtime_arm(whole.descent), MODULES),
         loop="" if kernel is None else literal(runtime_loop(kernel), MODULES),
-        given=given,
-        free_parameter=", q_free" if given else "",
-        free_values="q_free" if given else "_NO_FREE",
+        given=whole.given,
     )
     return render("python/whole.py.jinja", whole=texts)
 

@@ -23,14 +23,12 @@ class Given:
 
     Attributes:
         count: How many they are.
-        places: Of the joints that they belong to.
         sentence: What they are, as the beginning of a sentence.
         comment: The same in a comment.
         fault: What is at fault where one is not finite.
     """
 
     count: int
-    places: tuple[GivenPlace, ...]
     sentence: str
     comment: str
     fault: str
@@ -42,7 +40,6 @@ def given_of(chain: Chain) -> Given:
     angle = bool(chain.arm_angle)
     return Given(
         count=chain.given,
-        places=given_places(chain),
         sentence="The arm angle [rad]" if angle else f"Values of the joints {joints}",
         comment=(
             "the arm angle, which the caller gives [rad]"

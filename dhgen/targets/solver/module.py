@@ -21,7 +21,6 @@ class Module:
         rows: Of its solutions.
         jacobian_size: Entries of the Jacobian.
         joint_types: R or P for every joint.
-        has_slides: Whether one of them slides.
         has_turns: Whether one of them turns.
         method: How the arm is solved.
     """
@@ -32,7 +31,6 @@ class Module:
     rows: int
     jacobian_size: int
     joint_types: str
-    has_slides: bool
     has_turns: bool
     method: Method
 
@@ -47,7 +45,6 @@ def module_of(module: SolverModule) -> Module:
         rows=module.solver.rows,
         jacobian_size=6 * dof,
         joint_types=module.chain.joint_types,
-        has_slides=not all(module.chain.turning),
         has_turns=any(module.chain.turning),
         method=module.method,
     )

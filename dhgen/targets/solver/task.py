@@ -1,35 +1,13 @@
-"""What of a pose counts, and what is checked of it."""
+"""What of a pose counts."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from dhgen.robot.task import Task
-
-
-@dataclass(frozen=True, slots=True)
-class PoseChecks:
-    """What is checked of a pose.
-
-    Attributes:
-        checks_rotation: Whether all of the rotation is.
-        checks_approach: Whether the tool's z axis alone is.
-    """
-
-    checks_rotation: bool
-    checks_approach: bool
-
-
-def pose_checks(task: Task) -> PoseChecks:
-    """What a task needs."""
-    return PoseChecks(
-        checks_rotation=task.names_rotation,
-        checks_approach=task.kind is TaskKind.POINTING,
-    )
 
 
 def meaning(task: Task) -> str:

@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: MIT
+"""Damped least-squares steps that take joint values to a solution next to them."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .arm import FK, JACOBIAN, POSE, ROBOT, fk_at, jacobian_at
+from .jit import of_file
+from .limits import past_an_end, past_ends
+from .places import (
+    DIRECTIONS,
+    DOF,
+    ENTRIES,
+    MISS_WEIGHTS,
+    PACE,
+    PER_LENGTH,
+    POINTING,
+    RECORD,
+    ROTATION,
+    TURNS,
+    WEIGHT,
+    WINDS,
+)
+from .tolerances import CLAMPED, FINE
+from .turns import TURN
+
+if TYPE_CHECKING:
+    from .arm import Pose, Robot
+    from .arrays import Bools, Floats
+
+OWN = of_file(__file__)
+
+# Where two things are singular the Jacobian has rows as small as the joints are near. Damped by the
+# square of the miss a step is then longer than the way; damped by the miss it is not, and gains
+# where roots meet, because the miss is as small as the square of such rows.
+CAUTIOUS = 3e-3
+DAMPING = 0.1
+STEPS = 20  # what is right ends after two or three, where roots meet after twelve
+# A step is in vain if it leaves more of the miss; where n roots meet (1 - 1/n)^n is left. Beside
+# places where two things are singular some make it worse before it gets better: so many lead
+# nowhere.
+SLOW, IN_VAIN = 0.7, 4
+NEAR_ENOUGH = 100.0  # times what is enough: nearer rounding decides what a step leaves
+# Two joints that are past the ends of their ranges can be led inside, though perhaps not onto the
+# ends: they are put inside as far as they are past, times this, then twice as far, up to that.
+NEXT_INSIDE, FARTHEST_INSIDE = 2.0, 16.0
+
+
+@OWN.inner
+def copy_row(values: Floats, to: Floats) -> None:
+    """Copies the joint values of a row."""
+    for i in range(len(to)):
+        to[i] = values[i]
+
+
+@OWN.inner
+def half_way(arm: Floats, x: Floats, q: Floats, half: Floats) -> float:
+    """How far joint values are from others, whole turns aside [rad, arm sizes].
+
+    The middle goes into `half`.
+    """
+    most = 0.0
+    for i in range(int(arm[DOF])):
+        off = q[i] - x[i]
+        if arm[TURNS + RECORD * i] > 0.0:
+            off -= TURN * math.floor(off / TURN + 0.5)
+        most = max(most, abs(off) * math.sqrt(arm[WEIGHT + RECORD * i]))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@OWN.inner
+def missed_by(arm: Floats, robot: Robot, pose: Pose, q: Floats) -> float:
+    """By how much joint values miss the entries that count: the root of the sum of squares."""
+    P, total = fk_at(robot[FK], q), 0.0
+    for k in range(int(arm[ENTRIES])):
+        place = int(arm[ENTRIES + 1 + k])
+        off = P[place // 4, place % 4] - pose[place]
+        total += ((arm[PER_LENGTH] if place % 4 == 3 else 1.0) * off) ** 2
+    return math.sqrt(total)
+
+
+@OWN.inner
+def measure_miss(arm: Floats, robot: Robot, pose: Pose, q: Floats, e: Floats) -> float:
+    """By how much joint values miss a pose, into e, whose angles are 0 half a turn away, too.
+
+    Returns the length of the miss, which tells the two apart [arm sizes, rad].
+    """
+    P, square = fk_at(robot[FK], q), 0.0
+    for i in range(3):
+        weight = arm[MISS_WEIGHTS + i]
+        e[i] = weight * (pose[4 * i + 3] - P[i, 3]) if weight > 0.0 else 0.0
+        e[3 + i] = 0.0
+        square += e[i] * e[i]
+    if arm[DIRECTIONS] == ROTATION:
+        for i in range(3):
+            j, k = (i + 1) % 3, (i + 2) % 3
+            for c in range(3):
+                e[3 + i] += 0.5 * (P[j, c] * pose[4 * k + c] - P[k, c] * pose[4 * j + c])
+                square += 0.5 * (P[j, c] - pose[4 * j + c]) ** 2
+    elif arm[DIRECTIONS] == POINTING:
+        for i in range(3):
+            j, k = (i + 1) % 3, (i + 2) % 3
+            e[3 + i] = P[j, 2] * pose[4 * k + 2] - P[k, 2] * pose[4 * j + 2]
+            square += (P[j, 2] - pose[4 * j + 2]) ** 2
+    return math.sqrt(square)
+
+
+@OWN.inner
+def _ignore_spin(robot: Robot, q: Floats, J: Floats) -> None:
+    """Takes the part that turns the tool about its z axis out of a Jacobian."""
+    P = fk_at(robot[FK], q)
+    for j in range(len(q)):
+        along = P[0, 2] * J[3, j] + P[1, 2] * J[4, j] + P[2, 2] * J[5, j]
+        for i in range(3):
+            J[3 + i, j] -= along * P[i, 2]
+
+
+@OWN.apart(f"void(float64[::1], {ROBOT}, boolean[::1], float64, float64[::1], float64[::1])")
+def add_step(arm: Floats, robot: Robot, held: Bools, damping: float, e: Floats, q: Floats) -> None:
+    """Adds the damped least-squares step for the miss e to joint values, some of which are held.
+
+    The rows of the Jacobian, each with its share of the damping's root behind it, are made
+    orthogonal one after another (modified Gram-Schmidt), twice: once would not do beside singular
+    places. e is used up.
+    """
+    dof = len(q)
+    J, rows, square = jacobian_at(robot[JACOBIAN], q), np.zeros((6, 6 + dof)), np.zeros(6)
+    if arm[DIRECTIONS] == POINTING:
+        _ignore_spin(robot, q, J)
+    for i in range(6):
+        for j in range(dof):
+            if not held[j]:
+                rows[i, j] = arm[PACE + RECORD * j] * arm[MISS_WEIGHTS + i] * J[i, j]
+        rows[i, dof + i] = math.sqrt(damping + FINE)
+        for n in range(2 * i):
+            k, along = n % i, 0.0
+            for j in range(6 + dof):
+                along += rows[k, j] * rows[i, j] / square[k]
+            for j in range(6 + dof):
+                rows[i, j] -= along * rows[k, j]
+            e[i] -= along * e[k]
+        for j in range(6 + dof):
+            square[i] += rows[i, j] * rows[i, j]
+        for j in range(dof):
+            q[j] += e[i] / square[i] * rows[i, j] * arm[PACE + RECORD * j]
+
+
+@OWN.inner
+def moves(arm: Floats, joint: int) -> bool:
+    """Whether a joint moves in refining: none whose value the caller gives."""
+    return bool(arm[PACE + RECORD * joint] > 0.0)
+
+
+@OWN.inner
+def _farthest_past(arm: Floats, q: Floats) -> tuple[int, float]:
+    """The joint that is farthest past an end of its range, or -1, and how far it is."""
+    worst, past = -1, 0.0
+    for j in range(len(q)):
+        off = past_an_end(arm, j, q[j]) if moves(arm, j) else 0.0
+        if abs(off) > abs(past):
+            worst, past = j, off
+    return worst, past
+
+
+@OWN.apart(f"boolean(float64[::1], {ROBOT}, {POSE}, float64, float64, float64[::1])")
+def refine(arm: Floats, robot: Robot, pose: Pose, enough: float, most: float, q: Floats) -> bool:
+    """Takes joint values to some not farther than `most` that miss the pose by less than `enough`.
+
+    If that is NaN, to some inside their limits that miss it hardly more. Returns whether it can.
+    Goes on while that gains: where roots meet a step still leaves less than half. Until one gains
+    little they are damped so that none leads far.
+    """
+    dof = len(q)
+    half, e, clamps, moved = np.empty(dof), np.empty(6), math.isnan(enough), 0
+    held, x, refined = np.zeros(dof, np.bool_), q.copy(), False
+    last, lost = math.inf, 0
+    for _ in range(STEPS):
+        miss = measure_miss(arm, robot, pose, x, e)
+        if math.isnan(enough):
+            enough = miss + CLAMPED
+        worst, past = _farthest_past(arm, x) if clamps and miss < enough else (-1, 0.0)
+        if worst >= 0:  # one by one: others may follow it inside, or the first one the second
+            moved += 1
+            if moved == 2:
+                held[:] = False
+            held[worst], last = True, math.inf
+            x[worst] -= past
+            miss = measure_miss(arm, robot, pose, x, e)
+        if miss < enough:
+            copy_row(x, q)
+            refined = True
+            enough = 0.5 * miss
+        elif refined:
+            return True
+        elif miss > max(SLOW * last, NEAR_ENOUGH * enough):
+            lost += 1
+            if lost == IN_VAIN:
+                return False
+        last = miss
+        damping = DAMPING * miss * miss
+        if lost == 0 and miss > NEAR_ENOUGH * enough:
+            damping = CAUTIOUS * miss
+        add_step(arm, robot, held, damping, e, x)
+        if not half_way(arm, x, q, half) <= most:
+            return refined  # another solution
+    return refined
+
+
+@OWN.apart(f"boolean(float64[::1], {ROBOT}, {POSE}, float64, float64[::1])")
+def refine_inside(arm: Floats, robot: Robot, pose: Pose, most: float, q: Floats) -> bool:
+    """Clamps joint values to the ends of ranges that they are past, or else takes them inside.
+
+    Two of them may not be on their ends at once. Returns whether it can.
+    """
+    if refine(arm, robot, pose, math.nan, most, q):
+        return True
+    past = 0
+    for i in range(len(q)):
+        past += moves(arm, i) and past_an_end(arm, i, q[i]) != 0.0
+    if arm[WINDS] == 0.0 or past < 2:
+        return False
+    x, farther = q.copy(), NEXT_INSIDE
+    enough = measure_miss(arm, robot, pose, q, np.empty(6)) + CLAMPED
+    while farther <= FARTHEST_INSIDE:
+        for i in range(len(q)):
+            x[i] = q[i] - moves(arm, i) * farther * past_an_end(arm, i, q[i])
+        farther *= 2.0
+        if refine(arm, robot, pose, enough, most, x) and past_ends(arm, x) == 0.0:
+            copy_row(x, q)
+            return True
+    return False

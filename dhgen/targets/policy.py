@@ -1,0 +1,130 @@
+"""What has to be done around a robot's formulas at run time, each step as the runtime calls it.
+
+Beside a singular pose a joint is known from the pose to rounding over what is left of the least
+singular value. If it is beyond a limit by no more than that, it may as well stand there; and where
+the seed meets the pose with other joint values than the rows, the arm may as well go on with those.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.program.regular.regular import tells_regular
+from dhgen.targets.module import stands_on_limits
+from dhgen.targets.walk import (
+    checks_again,
+    choosable,
+    chooses_again,
+    lost_together,
+    roots_in_a_row,
+    whole_arm,
+)
+
+if TYPE_CHECKING:
+    from dhgen.targets.module import SolverModule
+
+FAN = 64  # values of a free joint that are tried first
+# Of an interval, until one of a turn is as small as rounding: by bisection, and by golden section,
+# which leaves 0.62 of it.
+HALVINGS, GOLDEN_CUTS = 52, 72
+# Limits so far apart leave next to no gap [rad]: beside a singular pose rounding leads across.
+LEAST_WHOLE = 2.0 * math.pi - 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class Policy:
+    """Steps, and what they need to know of the arm.
+
+    Attributes:
+        retries: Whether other values of free joints are looked for where the seed's lead to none.
+        checks: Whether those values decide on whether the arm can take the pose.
+        keeps_limits: Whether others are looked for where the seed's lead beyond limits.
+        completes: Whether rows may miss their pose, be lost or nearly meet.
+        merges: Whether branches that meet may come out apart: one root follows another.
+        refines: Whether rows of a root that follows another are led to solutions.
+        clamps: Whether joints are put on limits near singular poses.
+        clamps_far: Whether they are led far to them: not where every pose is solved with care.
+        winds: Whether a joint that is put on a limit could be turned.
+        follows_seed: Whether rows near singular poses go on from the seed.
+        choosable: Joints, from 0, that may be free, the last first.
+        together: Those that may be at the same time and decide on one guard.
+        cuts: Of an interval in which the least miss is looked for.
+    """
+
+    retries: bool
+    checks: bool
+    keeps_limits: bool
+    completes: bool
+    merges: bool
+    refines: bool
+    clamps: bool
+    clamps_far: bool
+    winds: bool
+    follows_seed: bool
+    choosable: tuple[int, ...]
+    together: tuple[int, ...]
+    cuts: int
+
+    @property
+    def chooses(self) -> bool:
+        """Whether other values than the seed's are looked for where a joint is free."""
+        return self.retries or self.keeps_limits
+
+
+def policy_of(module: SolverModule) -> Policy:
+    """What is done for a robot."""
+    solver, completes = module.solver, module.solver.tightened is not None
+    follows_seed = _follows_seed(module)
+    checks, joints = checks_again(solver), choosable(solver)
+    return Policy(
+        retries=chooses_again(solver),
+        checks=checks,
+        keeps_limits=bool(joints) and any(joint.limits for joint in module.chain.joints),
+        completes=completes,
+        merges=follows_seed and roots_in_a_row(solver) > 1,
+        refines=solver.led is not None,
+        clamps=stands_on_limits(module),
+        clamps_far=stands_on_limits(module) and tells_regular(solver),
+        winds=stands_on_limits(module) and _widest_turn(module) > LEAST_WHOLE,
+        follows_seed=follows_seed,
+        choosable=_places(joints),
+        together=() if completes else _places(lost_together(solver)),
+        cuts=GOLDEN_CUTS if checks else HALVINGS,
+    )
+
+
+def fan_steps(module: SolverModule) -> tuple[float, ...]:
+    """From one value of a free joint that is tried to the next: half a fan is enough.
+
+    Angles are tried in a whole turn, slides to both sides as far as their stroke, or where that
+    is endless as in a turn of the arm.
+    """
+    lengths = (
+        joint.limits[1] - joint.limits[0] if joint.limits else math.pi * module.chain.size
+        for joint in module.chain.joints
+    )
+    return tuple(
+        2.0 * (math.pi if turns else length) / FAN
+        for turns, length in zip(module.chain.turning, lengths, strict=True)
+    )
+
+
+def _follows_seed(module: SolverModule) -> bool:
+    """Whether an arm has poses that rounding says little about, and rows for its branches."""
+    chain, turning = module.chain, any(module.chain.turning)
+    return turning and not chain.arm_angle and whole_arm(module.solver) is None
+
+
+def _widest_turn(module: SolverModule) -> float:
+    """How far apart limits of an angle are at most."""
+    joints = zip(module.chain.joints, module.chain.turning, strict=True)
+    ranges = (
+        joint.limits[1] - joint.limits[0] for joint, turns in joints if turns and joint.limits
+    )
+    return max(ranges, default=0.0)
+
+
+def _places(numbers: tuple[int, ...]) -> tuple[int, ...]:
+    return tuple(number - 1 for number in numbers)

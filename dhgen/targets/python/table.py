@@ -1,0 +1,81 @@
+"""The table of an arm that the runtime works on, as Python writes it."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import TYPE_CHECKING
+
+from dhgen.runtime.python.arm import Arm
+from dhgen.targets.layout import INDENT
+from dhgen.targets.module import named_entries, slacks
+from dhgen.targets.policy import fan_steps, policy_of
+from dhgen.targets.python.literal import literal
+from dhgen.targets.solver.refinement import miss_weights, paces_of
+
+if TYPE_CHECKING:
+    from dhgen.robot.task import Task
+    from dhgen.targets.module import SolverModule
+    from dhgen.targets.policy import Policy
+
+# What the module says of the joints beside, under its own names.
+NAMED = {"types": "JOINT_TYPES", "limits": "JOINT_LIMITS"}
+
+
+def arm_lines(module: SolverModule, *, regular: bool) -> list[str]:
+    """The expression for a robot's table, indented."""
+    arm = _arm(module, regular=regular)
+    lines = [f"{INDENT}_arms.Arm("]
+    for each in fields(arm):
+        value = getattr(arm, each.name)
+        if value != each.default:
+            text = NAMED.get(each.name) or literal(value, {}, INDENT * 2)
+            lines.append(f"{INDENT * 2}{each.name}={text},")
+    return [*lines, f"{INDENT})"]
+
+
+def _arm(module: SolverModule, *, regular: bool) -> Arm:
+    chain, policy = module.chain, policy_of(module)
+    measures = policy.checks or policy.completes
+    return Arm(
+        types=chain.joint_types,
+        limits=tuple(joint.limits or (0.0, 0.0) for joint in chain.joints),
+        slacks=tuple(slacks(module)),
+        weights=module.weights,
+        paces=tuple(map(float, paces_of(chain))),
+        fan_steps=fan_steps(module) if policy.chooses else (),
+        rows=module.solver.rows,
+        directions=_directions(chain.task),
+        miss_weights=tuple(map(float, miss_weights(chain))),
+        size=chain.size,
+        entries=tuple(e.place for e in named_entries(chain)) if measures else (),
+        steps=_steps(policy, regular=regular),
+        given=tuple(number - 1 for number in chain.free),
+        choosable=policy.choosable if policy.chooses else (),
+        together=policy.together if policy.retries else (),
+        cuts=policy.cuts if policy.chooses else 0,
+    )
+
+
+def _steps(policy: Policy, *, regular: bool) -> tuple[str, ...]:
+    """What has to be done around the formulas."""
+    steps = {
+        "retries": policy.retries,
+        "checks": policy.retries and policy.checks,
+        "keeps limits": policy.keeps_limits,
+        "regular": regular,
+        "completes": policy.completes,
+        "merges": policy.merges,
+        "refines": policy.refines,
+        "clamps": policy.clamps,
+        "clamps far": policy.clamps_far,
+        "winds": policy.winds,
+        "follows seed": policy.follows_seed,
+    }
+    return tuple(step for step, taken in steps.items() if taken)
+
+
+def _directions(task: Task) -> str:
+    """What a pose names besides coordinates."""
+    if task.names_rotation:
+        return "rotation"
+    return "pointing" if task.names_direction else "none"

@@ -1,0 +1,35 @@
+"""What steps to a solution next to joint values count in."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.robot.robot import JointKind
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain, ChainJoint
+
+
+def miss_weights(chain: Chain) -> list[str]:
+    """What the entries of a miss count, first the translation's: lengths in arm sizes."""
+    length = _scale(1.0 / chain.size)
+    turns = "1.0" if chain.task.names_direction else "0.0"
+    rows = chain.task.position_rows
+    return [length if k in rows else "0.0" for k in range(3)] + [turns] * 3
+
+
+def paces_of(chain: Chain) -> list[str]:
+    """What a step of one means for each joint."""
+    return [_pace(joint, chain) for joint in chain.joints]
+
+
+def _pace(joint: ChainJoint, chain: Chain) -> str:
+    """What a step of one means for a joint: 1 rad, the arm's size, or nothing if it is given."""
+    if joint.number in chain.free:
+        return "0.0"
+    return "1.0" if joint.kind is JointKind.REVOLUTE else _scale(chain.size)
+
+
+def _scale(value: float) -> str:
+    """More digits tell nothing."""
+    return repr(float(f"{value:.4g}"))

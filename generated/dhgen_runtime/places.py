@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: MIT
+"""Where an arm's numbers stand in the array that the runtime around closed forms gets.
+
+0 ... JOINTS      the arm's own: sizes, steps, lists of places
+JOINTS ...        a record for each joint
+"""
+
+from __future__ import annotations
+
+DOF, ROWS = 0, 1  # joints; branches
+DIRECTIONS = 2  # NO_DIRECTION, POINTING or ROTATION
+CUTS = 3  # of an interval by golden section
+PER_LENGTH = 4  # what a length counts where it is asked whether a row fits: 1 / size of the arm
+MISS_WEIGHTS = 5  # six: what the entries of a miss count in refining, lengths in arm sizes
+
+NO_DIRECTION, POINTING, ROTATION = 0.0, 1.0, 2.0  # of the tool's directions: none, its z axis, all
+
+# Whether a step is taken around the formulas, each under its name in `arm.STEPS`.
+RETRIES, CHECKS, KEEPS_LIMITS, REGULAR, COMPLETES = range(11, 16)
+MERGES, REFINES, CLAMPS, CLAMPS_FAR, WINDS, FOLLOWS_SEED = range(16, 22)
+
+# Lists: how many there are, and from the next place on joints or entries of a pose, from 0.
+MOST = 16
+GIVEN_JOINTS = 22  # whose values the caller gives
+CHOOSABLE = GIVEN_JOINTS + 1 + MOST  # that may be free, the last first
+TOGETHER = CHOOSABLE + 1 + MOST  # that may have to be chosen together
+ENTRIES = TOGETHER + 1 + MOST  # of a pose that count, in sixteen numbers
+
+# The record of a joint, and where its numbers stand for the first of them.
+JOINTS = ENTRIES + 1 + MOST
+RECORD = 7
+LOWEST, HIGHEST = JOINTS, JOINTS + 1  # the limits, with the slack for rounding [rad or length]
+TURNS = JOINTS + 2  # 1 for a joint that turns, 0 for one that slides
+WEIGHT = JOINTS + 3  # of squared differences: 1, for slides 1 / size^2 of the arm
+SLACK = JOINTS + 4  # by what a value may miss its limits [rad or length]
+PACE = JOINTS + 5  # what a step of one means in refining; 0 if the caller gives the value
+FAN_STEP = JOINTS + 6  # from one value to the next where the joint is free [rad or length]
