@@ -83,13 +83,17 @@ def test_the_root_of_a_step_vanishes_with_what_is_said_of_the_joints(name: str) 
 def test_long_and_hidden_conditions_are_told() -> None:
     assert in_joints("abb_irb4600", "t₁₄ = t₂₄ = 0") == "a₁ + a₂ s₂ + d₄ c₂₃ + a₃ s₂₃ = 0"
     assert in_joints("staubli_rx90", "Z₁ = Z₂ = 0") == "a₂ − d₄ s₃ = c₃ = 0"
-    assert in_joints("olson_pprrrr", "D₅ = 0") == "c₄ = 0"
+    assert in_joints("olson_pprrrr", "s₄² = 1") == "c₄ = 0"
+    assert in_joints("wrist_oblique", "D₁ = 0") == "s₂ = 0"
     assert in_joints("kuka_iiwa14", "X = Y = Z = 0").startswith("s₃ s₄ = ")
 
 
 def test_what_the_numbers_do_not_allow_is_said() -> None:
-    """Its equation says nothing where the sine and the cosine of one angle are both zero."""
-    assert in_joints("olson_pprrrr", "X = Y = Z = 0") == "none with the numbers of this arm"
+    """The tool is d3 from where the axes meet: on axis 1, where X = Y = 0, its height is d3 or -d3.
+
+    Then Z is d3 times the difference or the sum of the cosines of 50 and 60 degrees.
+    """
+    assert in_joints("wrist_oblique", "X = Y = Z = 0") == "none with the numbers of this arm"
 
 
 def test_an_arm_angle_is_told_where_it_has_no_plane() -> None:

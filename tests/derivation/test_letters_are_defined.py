@@ -64,6 +64,3 @@ def test_an_angle_that_follows_by_a_joint_that_is_given_is_told_before_it_is_use
     )
     text = made_of(*rows, free="[3]")
     assert re.search(r"With \$\\theta_\{?\d+\}?\$, \$\\theta_\d = .*\$ is known, too\.", text)
-    assert r"With $\theta_5$, $\theta_4 = \theta_{45} - \theta_5$ is known" in text_of(
-        "olson_pprrrr"
-    )
