@@ -80,6 +80,47 @@ offset2 = 1.5707963267948966  # offset of joint 2 [rad]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=1.4700000000000002,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(
+            place=0,
+            lowest=-3.141592653589793,
+            highest=3.141592653589793,
+            zero=3.141592653589793,
+        ),
+        _joints.Joint(
+            place=1,
+            lowest=-3.141592653589793,
+            highest=3.141592653589793,
+            zero=1.5707963267948966,
+        ),
+        _joints.Joint(place=2, lowest=-3.9269908169872414, highest=1.4835298641951802),
+        _joints.Joint(place=3, lowest=-3.141592653589793, highest=3.141592653589793),
+        _joints.Joint(place=4, lowest=-3.141592653589793, highest=3.141592653589793),
+        _joints.Joint(place=5, lowest=-3.141592653589793, highest=3.141592653589793),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.265),
+            offset=3.141592653589793,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.444, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+            offset=1.5707963267948966,
+        ),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.11, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.47)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.08, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0)),
+        _joints.ChainJoint((0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.101)),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -93,7 +134,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.6803, 0.6803, 0.6803, 1.0, 1.0, 1.0),
         size=1.4700000000000002,
         steps=('clamps', 'winds'),
-    )
+    ),
 )
 
 
@@ -256,47 +297,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=1.4700000000000002,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(
-            place=0,
-            lowest=-3.141592653589793,
-            highest=3.141592653589793,
-            zero=3.141592653589793,
-        ),
-        _joints.Joint(
-            place=1,
-            lowest=-3.141592653589793,
-            highest=3.141592653589793,
-            zero=1.5707963267948966,
-        ),
-        _joints.Joint(place=2, lowest=-3.9269908169872414, highest=1.4835298641951802),
-        _joints.Joint(place=3, lowest=-3.141592653589793, highest=3.141592653589793),
-        _joints.Joint(place=4, lowest=-3.141592653589793, highest=3.141592653589793),
-        _joints.Joint(place=5, lowest=-3.141592653589793, highest=3.141592653589793),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.265),
-            offset=3.141592653589793,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.444, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-            offset=1.5707963267948966,
-        ),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.11, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0)),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.47)),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.08, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0)),
-        _joints.ChainJoint((0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.101)),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -387,7 +387,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

@@ -108,8 +108,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.4996, 0.4996, 0.4996, 1.0, 1.0, 1.0),
         size=2.0015,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -639,7 +639,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 28, 48, _PLACES),

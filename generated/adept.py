@@ -82,8 +82,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.0004167, 0.0004167, 0.0004167, 1.0, 1.0, 1.0),
         size=2400.0,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -261,7 +261,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 18, 16, _PLACES),

@@ -92,8 +92,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(1.013, 1.013, 1.013, 1.0, 1.0, 1.0),
         size=0.987,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -311,7 +311,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 18, 16, _PLACES),

@@ -90,8 +90,8 @@ _ARM = _arms.arm_numbers(
         directions='none',
         miss_weights=(0.8696, 0.8696, 0.8696, 0.0, 0.0, 0.0),
         size=1.15,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -326,7 +326,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="position",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 19, 16, _PLACES),

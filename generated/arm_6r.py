@@ -100,8 +100,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.8, 0.8, 0.8, 1.0, 1.0, 1.0),
         size=1.25,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -563,7 +563,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 26, 48, _PLACES),

@@ -79,8 +79,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.5, 0.5, 0.5, 1.0, 1.0, 1.0),
         size=2.0,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -339,7 +339,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 21, 16, _PLACES),

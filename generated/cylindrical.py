@@ -74,8 +74,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(3.333, 3.333, 3.333, 1.0, 1.0, 1.0),
         size=0.3,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -216,7 +216,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 19, 2, _PLACES),

@@ -81,8 +81,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(2.5, 2.5, 2.5, 1.0, 1.0, 1.0),
         size=0.4,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -337,7 +337,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 22, 16, _PLACES),

@@ -110,8 +110,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.6725, 0.6725, 0.6725, 1.0, 1.0, 1.0),
         size=1.487,
-        steps=('regular', 'merges', 'refines', 'follows seed'),
-    )
+        steps=('merges', 'refines', 'follows seed'),
+    ),
 )
 
 
@@ -654,7 +654,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 26, 48, _PLACES),

@@ -83,6 +83,71 @@ offset5 = 3.141592653589793  # offset of joint 5 [rad]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=1.635,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(
+            place=0,
+            lowest=-3.3161255787892263,
+            highest=3.3161255787892263,
+            zero=3.141592653589793,
+        ),
+        _joints.Joint(
+            place=1,
+            lowest=-3.139847324337799,
+            highest=3.139847324337799,
+            zero=1.5707963267948966,
+        ),
+        _joints.Joint(
+            place=2,
+            lowest=-1.239183768915974,
+            highest=4.380776422505767,
+            zero=3.141592653589793,
+        ),
+        _joints.Joint(
+            place=3,
+            lowest=-3.3161255787892263,
+            highest=3.3161255787892263,
+            zero=3.141592653589793,
+        ),
+        _joints.Joint(
+            place=4,
+            lowest=-3.139847324337799,
+            highest=3.139847324337799,
+            zero=3.141592653589793,
+        ),
+        _joints.Joint(place=5, lowest=-3.9269908169872414, highest=3.9269908169872414),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.245),
+            offset=3.141592653589793,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.54, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0),
+            offset=1.5707963267948966,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0),
+            offset=3.141592653589793,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -0.54),
+            offset=3.141592653589793,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.15),
+            offset=3.141592653589793,
+        ),
+        _joints.ChainJoint((0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -0.16)),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -96,7 +161,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.6116, 0.6116, 0.6116, 1.0, 1.0, 1.0),
         size=1.635,
         steps=('clamps', 'winds'),
-    )
+    ),
 )
 
 
@@ -258,71 +323,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=1.635,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(
-            place=0,
-            lowest=-3.3161255787892263,
-            highest=3.3161255787892263,
-            zero=3.141592653589793,
-        ),
-        _joints.Joint(
-            place=1,
-            lowest=-3.139847324337799,
-            highest=3.139847324337799,
-            zero=1.5707963267948966,
-        ),
-        _joints.Joint(
-            place=2,
-            lowest=-1.239183768915974,
-            highest=4.380776422505767,
-            zero=3.141592653589793,
-        ),
-        _joints.Joint(
-            place=3,
-            lowest=-3.3161255787892263,
-            highest=3.3161255787892263,
-            zero=3.141592653589793,
-        ),
-        _joints.Joint(
-            place=4,
-            lowest=-3.139847324337799,
-            highest=3.139847324337799,
-            zero=3.141592653589793,
-        ),
-        _joints.Joint(place=5, lowest=-3.9269908169872414, highest=3.9269908169872414),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.245),
-            offset=3.141592653589793,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.54, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0),
-            offset=1.5707963267948966,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0),
-            offset=3.141592653589793,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -0.54),
-            offset=3.141592653589793,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.15),
-            offset=3.141592653589793,
-        ),
-        _joints.ChainJoint((0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -0.16)),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -414,7 +414,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

@@ -125,11 +125,11 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.7179, 0.7179, 0.7179, 1.0, 1.0, 1.0),
         size=1.393,
-        steps=('keeps limits', 'regular', 'merges', 'refines', 'clamps', 'clamps far', 'follows seed'),
+        steps=('keeps limits', 'merges', 'refines', 'clamps', 'clamps far', 'follows seed'),
         given=(6,),
         choosable=(5, 4, 2),
         cuts=52,
-    )
+    ),
 )
 
 
@@ -888,7 +888,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 35, 50, _PLACES),

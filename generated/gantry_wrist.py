@@ -76,8 +76,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(4.545, 4.545, 4.545, 1.0, 1.0, 1.0),
         size=0.22,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -269,7 +269,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 21, 16, _PLACES),

@@ -94,6 +94,57 @@ f3 = 0.2524570787278714  # ca2 * ca1
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=8,
+    size=1.7299999999999998,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0),
+        _joints.Joint(place=1),
+        _joints.Joint(place=2, turns=False, lowest=-0.6, highest=0.6),
+        _joints.Joint(place=3),
+        _joints.Joint(place=4, turns=False, lowest=-0.5, highest=0.5),
+        _joints.Joint(place=5),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.12, 0.0, 0.3623577544766736, -0.9320390859672263, 0.0, 0.0,
+            0.9320390859672263, 0.3623577544766736, 0.31,
+        )),
+        _joints.ChainJoint((
+            0.9210609940028851, -0.3894183423086505, 0.0, 0.27, 0.2713103718292879,
+            0.6417093742397794, 0.7173560908995228, 0.0, -0.2793516197631058, -0.6607287141379384,
+            0.6967067093471654, -0.14,
+        )),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.09, 0.0, -0.32328956686350346, -0.9463000876874145, 0.0, 0.0,
+                0.9463000876874145, -0.32328956686350346, 0.0,
+            ),
+            turns=False,
+        ),
+        _joints.ChainJoint((
+            0.6216099682706644, 0.7833269096274834, 0.0, -0.18, -0.5991214669182833,
+            0.47543352776997644, -0.644217687237691, 0.0, -0.5046330500712651, 0.4004521361232219,
+            0.7648421872844885, 0.22,
+        )),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.15, 0.0, 0.4535961214255773, 0.8912073600614354, 0.0, 0.0,
+                -0.8912073600614354, 0.4535961214255773, 0.0,
+            ),
+            turns=False,
+        ),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.08, 0.0, 0.8253356149096783, -0.5646424733950354, 0.0, 0.0,
+            0.5646424733950354, 0.8253356149096783, 0.17,
+        )),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -107,7 +158,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.578, 0.578, 0.578, 1.0, 1.0, 1.0),
         size=1.7299999999999998,
         steps=('clamps',),
-    )
+    ),
 )
 
 
@@ -316,57 +367,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=8,
-    size=1.7299999999999998,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(place=0),
-        _joints.Joint(place=1),
-        _joints.Joint(place=2, turns=False, lowest=-0.6, highest=0.6),
-        _joints.Joint(place=3),
-        _joints.Joint(place=4, turns=False, lowest=-0.5, highest=0.5),
-        _joints.Joint(place=5),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.12, 0.0, 0.3623577544766736, -0.9320390859672263, 0.0, 0.0,
-            0.9320390859672263, 0.3623577544766736, 0.31,
-        )),
-        _joints.ChainJoint((
-            0.9210609940028851, -0.3894183423086505, 0.0, 0.27, 0.2713103718292879,
-            0.6417093742397794, 0.7173560908995228, 0.0, -0.2793516197631058, -0.6607287141379384,
-            0.6967067093471654, -0.14,
-        )),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.09, 0.0, -0.32328956686350346, -0.9463000876874145, 0.0, 0.0,
-                0.9463000876874145, -0.32328956686350346, 0.0,
-            ),
-            turns=False,
-        ),
-        _joints.ChainJoint((
-            0.6216099682706644, 0.7833269096274834, 0.0, -0.18, -0.5991214669182833,
-            0.47543352776997644, -0.644217687237691, 0.0, -0.5046330500712651, 0.4004521361232219,
-            0.7648421872844885, 0.22,
-        )),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.15, 0.0, 0.4535961214255773, 0.8912073600614354, 0.0, 0.0,
-                -0.8912073600614354, 0.4535961214255773, 0.0,
-            ),
-            turns=False,
-        ),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.08, 0.0, 0.8253356149096783, -0.5646424733950354, 0.0, 0.0,
-            0.5646424733950354, 0.8253356149096783, 0.17,
-        )),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -458,7 +458,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

@@ -98,6 +98,46 @@ f3 = 0.3099755192194448  # ca2 * ca1
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=1.7600000000000002,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0, lowest=-2.9670597283903604, highest=2.9670597283903604),
+        _joints.Joint(place=1, lowest=-2.0943951023931953, highest=2.0943951023931953),
+        _joints.Joint(place=2, lowest=-2.443460952792061, highest=2.443460952792061),
+        _joints.Joint(place=3, lowest=-3.141592653589793, highest=3.141592653589793),
+        _joints.Joint(place=4, lowest=-3.141592653589793, highest=3.141592653589793),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.09, 0.0, 0.3420201433256688, -0.9396926207859083, 0.0, 0.0,
+            0.9396926207859083, 0.3420201433256688, 0.32,
+        )),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.38, 0.0, 0.9063077870366499, -0.42261826174069944, 0.0, 0.0,
+            0.42261826174069944, 0.9063077870366499, 0.11,
+        )),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.29, 0.0, 0.5735764363510462, 0.8191520442889918, 0.0, 0.0,
+            -0.8191520442889918, 0.5735764363510462, -0.07,
+        )),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.05, 0.0, 0.08715574274765814, -0.9961946980917455, 0.0, 0.0,
+            0.9961946980917455, 0.08715574274765814, 0.14,
+        )),
+        _joints.ChainJoint((
+            0.955336489125606, 0.0, 0.29552020666133955, 0.07, -0.18995672725391455,
+            0.766044443118978, 0.6140784582913787, 0.0899902653561155, -0.22638161214229116,
+            -0.6427876096865393, 0.7318302088034644, 0.20724622203665694,
+        )),
+    ),
+    checked=True,
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -111,7 +151,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0),
         size=1.7600000000000002,
         steps=('clamps', 'winds'),
-    )
+    ),
 )
 
 
@@ -321,46 +361,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=1.7600000000000002,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(place=0, lowest=-2.9670597283903604, highest=2.9670597283903604),
-        _joints.Joint(place=1, lowest=-2.0943951023931953, highest=2.0943951023931953),
-        _joints.Joint(place=2, lowest=-2.443460952792061, highest=2.443460952792061),
-        _joints.Joint(place=3, lowest=-3.141592653589793, highest=3.141592653589793),
-        _joints.Joint(place=4, lowest=-3.141592653589793, highest=3.141592653589793),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.09, 0.0, 0.3420201433256688, -0.9396926207859083, 0.0, 0.0,
-            0.9396926207859083, 0.3420201433256688, 0.32,
-        )),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.38, 0.0, 0.9063077870366499, -0.42261826174069944, 0.0, 0.0,
-            0.42261826174069944, 0.9063077870366499, 0.11,
-        )),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.29, 0.0, 0.5735764363510462, 0.8191520442889918, 0.0, 0.0,
-            -0.8191520442889918, 0.5735764363510462, -0.07,
-        )),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.05, 0.0, 0.08715574274765814, -0.9961946980917455, 0.0, 0.0,
-            0.9961946980917455, 0.08715574274765814, 0.14,
-        )),
-        _joints.ChainJoint((
-            0.955336489125606, 0.0, 0.29552020666133955, 0.07, -0.18995672725391455,
-            0.766044443118978, 0.6140784582913787, 0.0899902653561155, -0.22638161214229116,
-            -0.6427876096865393, 0.7318302088034644, 0.20724622203665694,
-        )),
-    ),
-    checked=True,
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -450,7 +450,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

@@ -101,6 +101,53 @@ f3 = 0.011647453457089682  # ca1 * ca2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=2.651,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0),
+        _joints.Joint(place=1),
+        _joints.Joint(place=2, turns=False, lowest=-0.8, highest=0.8),
+        _joints.Joint(place=3),
+        _joints.Joint(place=4),
+        _joints.Joint(place=5),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.278, 0.0, -0.012203370292583539, -0.9999255361043151, 0.0, 0.0,
+            0.9999255361043151, -0.012203370292583539, -0.293,
+        )),
+        _joints.ChainJoint((
+            0.6145349462240683, -0.7888895992909156, 0.0, -0.004, 0.7529522312460936,
+            0.5865401944125223, 0.29838488198977153, 0.0, -0.235392729987378, -0.18336793740765922,
+            0.9544456308244855, -0.196,
+        )),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.231, 0.0, -0.7618754628213957, 0.647723536048123, 0.0, 0.0,
+                -0.647723536048123, -0.7618754628213957, 0.0,
+            ),
+            turns=False,
+        ),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.269, 0.0, 0.9191023971657747, 0.39401876037078043, 0.0, 0.0,
+            -0.39401876037078043, 0.9191023971657747, -0.377,
+        )),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, -0.398, 0.0, 0.9463659134816423, 0.323096824187513, 0.0, 0.0,
+            -0.323096824187513, 0.9463659134816423, 0.211,
+        )),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.357, 0.0, -0.7427737668732654, -0.6695424790443845, 0.0, 0.0,
+            0.6695424790443845, -0.7427737668732654, 0.037,
+        )),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -114,7 +161,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.3772, 0.3772, 0.3772, 1.0, 1.0, 1.0),
         size=2.651,
         steps=('clamps',),
-    )
+    ),
 )
 
 
@@ -336,53 +383,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=2.651,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(place=0),
-        _joints.Joint(place=1),
-        _joints.Joint(place=2, turns=False, lowest=-0.8, highest=0.8),
-        _joints.Joint(place=3),
-        _joints.Joint(place=4),
-        _joints.Joint(place=5),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.278, 0.0, -0.012203370292583539, -0.9999255361043151, 0.0, 0.0,
-            0.9999255361043151, -0.012203370292583539, -0.293,
-        )),
-        _joints.ChainJoint((
-            0.6145349462240683, -0.7888895992909156, 0.0, -0.004, 0.7529522312460936,
-            0.5865401944125223, 0.29838488198977153, 0.0, -0.235392729987378, -0.18336793740765922,
-            0.9544456308244855, -0.196,
-        )),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.231, 0.0, -0.7618754628213957, 0.647723536048123, 0.0, 0.0,
-                -0.647723536048123, -0.7618754628213957, 0.0,
-            ),
-            turns=False,
-        ),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.269, 0.0, 0.9191023971657747, 0.39401876037078043, 0.0, 0.0,
-            -0.39401876037078043, 0.9191023971657747, -0.377,
-        )),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, -0.398, 0.0, 0.9463659134816423, 0.323096824187513, 0.0, 0.0,
-            -0.323096824187513, 0.9463659134816423, 0.211,
-        )),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.357, 0.0, -0.7427737668732654, -0.6695424790443845, 0.0, 0.0,
-            0.6695424790443845, -0.7427737668732654, 0.037,
-        )),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -475,7 +475,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

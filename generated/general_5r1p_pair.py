@@ -86,6 +86,43 @@ f5 = 0.7071067811865476  # 1 / 2 * sqrt2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=1.803,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0, turns=False, lowest=-0.6, highest=0.9),
+        _joints.Joint(place=1, facing=-1.0),
+        _joints.Joint(place=2),
+        _joints.Joint(place=3),
+        _joints.Joint(place=4),
+        _joints.Joint(place=5),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.472, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0),
+            turns=False,
+        ),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.0, 0.0, 0.8660254037844386, -0.5, 0.0, 0.0, 0.5,
+                0.8660254037844386, -0.069,
+            ),
+            sign=-1.0,
+        ),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.234, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.261)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.525)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.119)),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.123, 0.0, 0.7071067811865476, -0.7071067811865476, 0.0, 0.0,
+            0.7071067811865476, 0.7071067811865476, 0.0,
+        )),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -99,7 +136,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5546, 0.5546, 0.5546, 1.0, 1.0, 1.0),
         size=1.803,
         steps=('clamps',),
-    )
+    ),
 )
 
 
@@ -257,43 +294,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=1.803,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(place=0, turns=False, lowest=-0.6, highest=0.9),
-        _joints.Joint(place=1, facing=-1.0),
-        _joints.Joint(place=2),
-        _joints.Joint(place=3),
-        _joints.Joint(place=4),
-        _joints.Joint(place=5),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.472, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0),
-            turns=False,
-        ),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.0, 0.0, 0.8660254037844386, -0.5, 0.0, 0.0, 0.5,
-                0.8660254037844386, -0.069,
-            ),
-            sign=-1.0,
-        ),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.234, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.261)),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.525)),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.119)),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.123, 0.0, 0.7071067811865476, -0.7071067811865476, 0.0, 0.0,
-            0.7071067811865476, 0.7071067811865476, 0.0,
-        )),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -380,7 +380,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

@@ -100,6 +100,45 @@ f5 = 0.24321034680169396  # ca2 * f1
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=1.77,
+    coordinates=(0, 1, 2),
+    directions='pointing',
+    joints=(
+        _joints.Joint(place=0, lowest=-2.9670597283903604, highest=2.9670597283903604),
+        _joints.Joint(place=1, lowest=-2.0943951023931953, highest=2.0943951023931953),
+        _joints.Joint(place=2, lowest=-2.443460952792061, highest=2.443460952792061),
+        _joints.Joint(place=3, lowest=-3.141592653589793, highest=3.141592653589793),
+        _joints.Joint(place=4, lowest=-3.141592653589793, highest=3.141592653589793),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.1, 0.0, 0.2588190451025208, -0.9659258262890684, 0.0, 0.0,
+            0.9659258262890684, 0.2588190451025208, 0.35,
+        )),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.4, 0.0, 0.9396926207859084, -0.3420201433256687, 0.0, 0.0,
+            0.3420201433256687, 0.9396926207859084, 0.08,
+        )),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.3, 0.0, 0.42261826174069944, 0.9063077870366499, 0.0, 0.0,
+            -0.9063077870366499, 0.42261826174069944, -0.05,
+        )),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.06, 0.0, 0.17364817766693041, -0.984807753012208, 0.0, 0.0,
+            0.984807753012208, 0.17364817766693041, 0.12,
+        )),
+        _joints.ChainJoint((
+            0.9210609940028851, 0.0, 0.3894183423086505, 0.07, -0.36593354266611977,
+            0.3420201433256688, 0.8655142193582449, 0.14095389311788625, -0.13318891725004903,
+            -0.9396926207859083, 0.31502141318054977, 0.14130302149885032,
+        )),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -113,7 +152,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.565, 0.565, 0.565, 1.0, 1.0, 1.0),
         size=1.77,
         steps=('clamps', 'winds'),
-    )
+    ),
 )
 
 
@@ -323,45 +362,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=1.77,
-    coordinates=(0, 1, 2),
-    directions='pointing',
-    joints=(
-        _joints.Joint(place=0, lowest=-2.9670597283903604, highest=2.9670597283903604),
-        _joints.Joint(place=1, lowest=-2.0943951023931953, highest=2.0943951023931953),
-        _joints.Joint(place=2, lowest=-2.443460952792061, highest=2.443460952792061),
-        _joints.Joint(place=3, lowest=-3.141592653589793, highest=3.141592653589793),
-        _joints.Joint(place=4, lowest=-3.141592653589793, highest=3.141592653589793),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.1, 0.0, 0.2588190451025208, -0.9659258262890684, 0.0, 0.0,
-            0.9659258262890684, 0.2588190451025208, 0.35,
-        )),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.4, 0.0, 0.9396926207859084, -0.3420201433256687, 0.0, 0.0,
-            0.3420201433256687, 0.9396926207859084, 0.08,
-        )),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.3, 0.0, 0.42261826174069944, 0.9063077870366499, 0.0, 0.0,
-            -0.9063077870366499, 0.42261826174069944, -0.05,
-        )),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.06, 0.0, 0.17364817766693041, -0.984807753012208, 0.0, 0.0,
-            0.984807753012208, 0.17364817766693041, 0.12,
-        )),
-        _joints.ChainJoint((
-            0.9210609940028851, 0.0, 0.3894183423086505, 0.07, -0.36593354266611977,
-            0.3420201433256688, 0.8655142193582449, 0.14095389311788625, -0.13318891725004903,
-            -0.9396926207859083, 0.31502141318054977, 0.14130302149885032,
-        )),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -448,7 +448,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pointing",
         counted=(True, True, True),
         formulas=None,

@@ -105,6 +105,67 @@ f3 = 0.2113498189597218  # ca2 * ca1
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=2.8909999999999996,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0, zero=2.137),
+        _joints.Joint(place=1, zero=-2.341),
+        _joints.Joint(place=2, zero=-1.611),
+        _joints.Joint(place=3, zero=0.482),
+        _joints.Joint(place=4, zero=0.126),
+        _joints.Joint(place=5, zero=1.904),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.416, 0.0, 0.21607853588096199, -0.9763759861505914, 0.0, 0.0,
+                0.9763759861505914, 0.21607853588096199, -0.035,
+            ),
+            offset=2.137,
+        ),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, -0.339, 0.0, -0.9781157489708037, -0.20806148517994336, 0.0, 0.0,
+                0.20806148517994336, -0.9781157489708037, -0.257,
+            ),
+            offset=-2.341,
+        ),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.075, 0.0, -0.8053132584046545, 0.5928495220860671, 0.0, 0.0,
+                -0.5928495220860671, -0.8053132584046545, -0.272,
+            ),
+            offset=-1.611,
+        ),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, -0.28, 0.0, -0.45217616214091205, 0.8919286509533796, 0.0, 0.0,
+                -0.8919286509533796, -0.45217616214091205, 0.262,
+            ),
+            offset=0.482,
+        ),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, -0.136, 0.0, 0.9895059058723947, -0.1444924297105264, 0.0, 0.0,
+                0.1444924297105264, 0.9895059058723947, -0.167,
+            ),
+            offset=0.126,
+        ),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.175, 0.0, 0.13835111738308337, -0.9903832431533018, 0.0, 0.0,
+                0.9903832431533018, 0.13835111738308337, -0.477,
+            ),
+            offset=1.904,
+        ),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -117,7 +178,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.3459, 0.3459, 0.3459, 1.0, 1.0, 1.0),
         size=2.8909999999999996,
-    )
+    ),
 )
 
 
@@ -364,67 +425,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=2.8909999999999996,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(place=0, zero=2.137),
-        _joints.Joint(place=1, zero=-2.341),
-        _joints.Joint(place=2, zero=-1.611),
-        _joints.Joint(place=3, zero=0.482),
-        _joints.Joint(place=4, zero=0.126),
-        _joints.Joint(place=5, zero=1.904),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.416, 0.0, 0.21607853588096199, -0.9763759861505914, 0.0, 0.0,
-                0.9763759861505914, 0.21607853588096199, -0.035,
-            ),
-            offset=2.137,
-        ),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, -0.339, 0.0, -0.9781157489708037, -0.20806148517994336, 0.0, 0.0,
-                0.20806148517994336, -0.9781157489708037, -0.257,
-            ),
-            offset=-2.341,
-        ),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.075, 0.0, -0.8053132584046545, 0.5928495220860671, 0.0, 0.0,
-                -0.5928495220860671, -0.8053132584046545, -0.272,
-            ),
-            offset=-1.611,
-        ),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, -0.28, 0.0, -0.45217616214091205, 0.8919286509533796, 0.0, 0.0,
-                -0.8919286509533796, -0.45217616214091205, 0.262,
-            ),
-            offset=0.482,
-        ),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, -0.136, 0.0, 0.9895059058723947, -0.1444924297105264, 0.0, 0.0,
-                0.1444924297105264, 0.9895059058723947, -0.167,
-            ),
-            offset=0.126,
-        ),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.175, 0.0, 0.13835111738308337, -0.9903832431533018, 0.0, 0.0,
-                0.9903832431533018, 0.13835111738308337, -0.477,
-            ),
-            offset=1.904,
-        ),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -515,7 +515,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

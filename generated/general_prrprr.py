@@ -115,6 +115,59 @@ g15 = 0.4605467924491282  # ca2 * ca1 - sa2 * cat1 * sa1
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=8,
+    size=1.75,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0, turns=False, lowest=0.0, highest=1.2),
+        _joints.Joint(place=1),
+        _joints.Joint(place=2),
+        _joints.Joint(place=3, turns=False, lowest=-0.4, highest=0.4),
+        _joints.Joint(place=4),
+        _joints.Joint(place=5),
+    ),
+    base=(
+        0.955336489125606, -0.29552020666133955, 0.0, 0.1, 0.28962947762551555, 0.9362933635841992,
+        -0.19866933079506122, 0.0, 0.05871080169382652, 0.18979606097868743, 0.9800665778412416,
+        0.0,
+    ),
+    chain=(
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.18, 0.0, 0.6216099682706644, -0.7833269096274834,
+                -0.19583172740687085, 0.0, 0.7833269096274834, 0.6216099682706644,
+                0.1554024920676661,
+            ),
+            turns=False,
+        ),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.32, 0.0, 0.26749882862458735, 0.963558185417193, 0.10599140039589122,
+            0.0, -0.963558185417193, 0.26749882862458735, 0.02942487114870461,
+        )),
+        _joints.ChainJoint((
+            0.5403023058681398, -0.8414709848078965, 0.0, 0.13, 0.7384602626041288,
+            0.4741598817790379, -0.479425538604203, 0.0, 0.4034226801113349, 0.2590347239999257,
+            0.8775825618903728, 0.0,
+        )),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.21, 0.0, -0.029199522301288937, -0.9995736030415051,
+                0.1599317764866408, 0.0, 0.9995736030415051, -0.029199522301288937,
+                0.00467192356820623,
+            ),
+            turns=False,
+        ),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.1, 0.0, 0.7648421872844885, 0.644217687237691, 0.1224013605751613, 0.0,
+            -0.644217687237691, 0.7648421872844885, 0.1453200155840528,
+        )),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -128,7 +181,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5714, 0.5714, 0.5714, 1.0, 1.0, 1.0),
         size=1.75,
         steps=('clamps',),
-    )
+    ),
 )
 
 
@@ -305,59 +358,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=8,
-    size=1.75,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(place=0, turns=False, lowest=0.0, highest=1.2),
-        _joints.Joint(place=1),
-        _joints.Joint(place=2),
-        _joints.Joint(place=3, turns=False, lowest=-0.4, highest=0.4),
-        _joints.Joint(place=4),
-        _joints.Joint(place=5),
-    ),
-    base=(
-        0.955336489125606, -0.29552020666133955, 0.0, 0.1, 0.28962947762551555, 0.9362933635841992,
-        -0.19866933079506122, 0.0, 0.05871080169382652, 0.18979606097868743, 0.9800665778412416,
-        0.0,
-    ),
-    chain=(
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.18, 0.0, 0.6216099682706644, -0.7833269096274834,
-                -0.19583172740687085, 0.0, 0.7833269096274834, 0.6216099682706644,
-                0.1554024920676661,
-            ),
-            turns=False,
-        ),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.32, 0.0, 0.26749882862458735, 0.963558185417193, 0.10599140039589122,
-            0.0, -0.963558185417193, 0.26749882862458735, 0.02942487114870461,
-        )),
-        _joints.ChainJoint((
-            0.5403023058681398, -0.8414709848078965, 0.0, 0.13, 0.7384602626041288,
-            0.4741598817790379, -0.479425538604203, 0.0, 0.4034226801113349, 0.2590347239999257,
-            0.8775825618903728, 0.0,
-        )),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.21, 0.0, -0.029199522301288937, -0.9995736030415051,
-                0.1599317764866408, 0.0, 0.9995736030415051, -0.029199522301288937,
-                0.00467192356820623,
-            ),
-            turns=False,
-        ),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.1, 0.0, 0.7648421872844885, 0.644217687237691, 0.1224013605751613, 0.0,
-            -0.644217687237691, 0.7648421872844885, 0.1453200155840528,
-        )),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -450,7 +450,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

@@ -100,6 +100,54 @@ g5 = -0.18814080952715528
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=8,
+    size=1.44,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0),
+        _joints.Joint(place=1, turns=False, lowest=-0.8, highest=0.8),
+        _joints.Joint(place=2, turns=False, lowest=0.0, highest=0.9),
+        _joints.Joint(place=3),
+        _joints.Joint(place=4),
+        _joints.Joint(place=5),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint((
+            0.9800665778412416, -0.19866933079506122, 0.0, 0.1, 0.061392199476772005,
+            0.30285722817184096, -0.9510565162951535, 0.0, 0.1889457616406404, 0.9320987052590042,
+            0.30901699437494745, 0.5,
+        )),
+        _joints.ChainJoint(
+            after=(
+                0.8775825618903728, 0.479425538604203, 0.0, 0.0, -0.16397319142739547,
+                0.3001509135978529, -0.9396926207859083, 0.0, -0.45051264084267917,
+                0.824657857538776, 0.3420201433256688, 0.0,
+            ),
+            turns=False,
+        ),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.12, 0.0, 0.766044443118978, 0.6427876096865393, 0.0, 0.0,
+                -0.6427876096865393, 0.766044443118978, 0.0,
+            ),
+            turns=False,
+        ),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.2, 0.0, 0.42261826174069944, -0.9063077870366499, 0.0, 0.0,
+            0.9063077870366499, 0.42261826174069944, 0.14,
+        )),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.16, 0.0, 0.6427876096865394, 0.766044443118978, 0.0, 0.0,
+            -0.766044443118978, 0.6427876096865394, 0.1,
+        )),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.12)),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -113,7 +161,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.6944, 0.6944, 0.6944, 1.0, 1.0, 1.0),
         size=1.44,
         steps=('clamps',),
-    )
+    ),
 )
 
 
@@ -293,54 +341,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=8,
-    size=1.44,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(place=0),
-        _joints.Joint(place=1, turns=False, lowest=-0.8, highest=0.8),
-        _joints.Joint(place=2, turns=False, lowest=0.0, highest=0.9),
-        _joints.Joint(place=3),
-        _joints.Joint(place=4),
-        _joints.Joint(place=5),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint((
-            0.9800665778412416, -0.19866933079506122, 0.0, 0.1, 0.061392199476772005,
-            0.30285722817184096, -0.9510565162951535, 0.0, 0.1889457616406404, 0.9320987052590042,
-            0.30901699437494745, 0.5,
-        )),
-        _joints.ChainJoint(
-            after=(
-                0.8775825618903728, 0.479425538604203, 0.0, 0.0, -0.16397319142739547,
-                0.3001509135978529, -0.9396926207859083, 0.0, -0.45051264084267917,
-                0.824657857538776, 0.3420201433256688, 0.0,
-            ),
-            turns=False,
-        ),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.12, 0.0, 0.766044443118978, 0.6427876096865393, 0.0, 0.0,
-                -0.6427876096865393, 0.766044443118978, 0.0,
-            ),
-            turns=False,
-        ),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.2, 0.0, 0.42261826174069944, -0.9063077870366499, 0.0, 0.0,
-            0.9063077870366499, 0.42261826174069944, 0.14,
-        )),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.16, 0.0, 0.6427876096865394, 0.766044443118978, 0.0, 0.0,
-            -0.766044443118978, 0.6427876096865394, 0.1,
-        )),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.12)),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -431,7 +431,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

@@ -111,8 +111,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(1.115, 1.115, 1.115, 1.0, 1.0, 1.0),
         size=0.8972000000000001,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -617,7 +617,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 26, 48, _PLACES),

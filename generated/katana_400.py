@@ -107,10 +107,10 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(1.475, 1.475, 1.475, 1.0, 1.0, 1.0),
         size=0.6778,
-        steps=('retries', 'regular', 'follows seed'),
+        steps=('retries', 'follows seed'),
         choosable=(1, 0),
         cuts=52,
-    )
+    ),
 )
 
 
@@ -569,7 +569,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 24, 16, _PLACES),

@@ -86,6 +86,46 @@ offset6 = 1.5707963267948966  # offset of joint 6 [rad]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=0.9802500000000001,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0, lowest=-2.76, highest=2.76),
+        _joints.Joint(place=1, lowest=-2.76, highest=2.76, zero=1.5707963267948966),
+        _joints.Joint(place=2, lowest=-2.76, highest=2.76, zero=1.5707963267948966),
+        _joints.Joint(place=3, lowest=-2.67, highest=2.67, zero=1.5707963267948966),
+        _joints.Joint(place=4, lowest=-2.67, highest=2.67, zero=3.141592653589793),
+        _joints.Joint(place=5, lowest=-2.67, highest=2.67, zero=1.5707963267948966),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.24325)),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.28, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.03),
+            offset=1.5707963267948966,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.02),
+            offset=1.5707963267948966,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.245),
+            offset=1.5707963267948966,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.057),
+            offset=3.141592653589793,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.105),
+            offset=1.5707963267948966,
+        ),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -99,7 +139,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.02, 1.02, 1.02, 1.0, 1.0, 1.0),
         size=0.9802500000000001,
         steps=('clamps',),
-    )
+    ),
 )
 
 
@@ -262,46 +302,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=0.9802500000000001,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(place=0, lowest=-2.76, highest=2.76),
-        _joints.Joint(place=1, lowest=-2.76, highest=2.76, zero=1.5707963267948966),
-        _joints.Joint(place=2, lowest=-2.76, highest=2.76, zero=1.5707963267948966),
-        _joints.Joint(place=3, lowest=-2.67, highest=2.67, zero=1.5707963267948966),
-        _joints.Joint(place=4, lowest=-2.67, highest=2.67, zero=3.141592653589793),
-        _joints.Joint(place=5, lowest=-2.67, highest=2.67, zero=1.5707963267948966),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.24325)),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.28, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.03),
-            offset=1.5707963267948966,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.02),
-            offset=1.5707963267948966,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.245),
-            offset=1.5707963267948966,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.057),
-            offset=3.141592653589793,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.105),
-            offset=1.5707963267948966,
-        ),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -385,7 +385,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

@@ -87,6 +87,49 @@ g4 = 0.2115971250007892  # D6 + d6 [m]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=1.2428885000031569,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0),
+        _joints.Joint(place=1, zero=-1.5707963267948966),
+        _joints.Joint(place=2, zero=1.5707963267948966),
+        _joints.Joint(place=3),
+        _joints.Joint(place=4, zero=3.141592653589793),
+        _joints.Joint(place=5, zero=1.7453292519943295),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.2755)),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.41, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0),
+            offset=-1.5707963267948966,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -0.0098),
+            offset=1.5707963267948966,
+        ),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.0, 0.0, 0.5, -0.8660254037844386, 0.0, 0.0, 0.8660254037844386, 0.5,
+            -0.2501971250007892,
+        )),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.0, 0.0, 0.5, -0.8660254037844386, 0.0, 0.0, 0.8660254037844386,
+                0.5, -0.08579425000157839,
+            ),
+            offset=3.141592653589793,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.2115971250007892),
+            offset=1.7453292519943295,
+        ),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -99,7 +142,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.8046, 0.8046, 0.8046, 1.0, 1.0, 1.0),
         size=1.2428885000031569,
-    )
+    ),
 )
 
 
@@ -275,49 +318,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=1.2428885000031569,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(place=0),
-        _joints.Joint(place=1, zero=-1.5707963267948966),
-        _joints.Joint(place=2, zero=1.5707963267948966),
-        _joints.Joint(place=3),
-        _joints.Joint(place=4, zero=3.141592653589793),
-        _joints.Joint(place=5, zero=1.7453292519943295),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.2755)),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.41, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0),
-            offset=-1.5707963267948966,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -0.0098),
-            offset=1.5707963267948966,
-        ),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.0, 0.0, 0.5, -0.8660254037844386, 0.0, 0.0, 0.8660254037844386, 0.5,
-            -0.2501971250007892,
-        )),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.0, 0.0, 0.5, -0.8660254037844386, 0.0, 0.0, 0.8660254037844386,
-                0.5, -0.08579425000157839,
-            ),
-            offset=3.141592653589793,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.2115971250007892),
-            offset=1.7453292519943295,
-        ),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -403,7 +403,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

@@ -121,11 +121,11 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0),
         size=1.306,
-        steps=('keeps limits', 'regular', 'merges', 'refines', 'clamps', 'clamps far', 'follows seed'),
+        steps=('keeps limits', 'merges', 'refines', 'clamps', 'clamps far', 'follows seed'),
         given=(2,),
         choosable=(4, 1, 0),
         cuts=52,
-    )
+    ),
 )
 
 
@@ -961,7 +961,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 75, 52, _PLACES),

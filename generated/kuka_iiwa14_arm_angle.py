@@ -114,10 +114,10 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0),
         size=1.306,
-        steps=('keeps limits', 'regular'),
+        steps=('keeps limits',),
         choosable=(4, 0),
         cuts=52,
-    )
+    ),
 )
 
 
@@ -855,7 +855,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 58, 36, _PLACES),

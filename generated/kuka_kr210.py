@@ -108,8 +108,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.2377, 0.2377, 0.2377, 1.0, 1.0, 1.0),
         size=4.207,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -587,7 +587,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 26, 48, _PLACES),

@@ -110,10 +110,10 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(1.455, 1.455, 1.455, 1.0, 1.0, 1.0),
         size=0.6875,
-        steps=('retries', 'regular', 'follows seed'),
+        steps=('retries', 'follows seed'),
         choosable=(1, 0),
         cuts=52,
-    )
+    ),
 )
 
 
@@ -610,7 +610,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 25, 32, _PLACES),

@@ -79,6 +79,40 @@ a4 = 1.5  # link length 4 [m]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=3.0,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0),
+        _joints.Joint(place=1),
+        _joints.Joint(place=2),
+        _joints.Joint(place=3),
+        _joints.Joint(place=4),
+        _joints.Joint(place=5),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.3, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0)),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 1.0, 0.0, 0.9998476951563913, -0.01745240643728351, 0.0, 0.0,
+            0.01745240643728351, 0.9998476951563913, 0.0,
+        )),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.2)),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 1.5, 0.0, 0.9998476951563913, -0.01745240643728351, 0.0, 0.0,
+            0.01745240643728351, 0.9998476951563913, 0.0,
+        )),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0)),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.0, 0.0, 0.9998476951563913, -0.01745240643728351, 0.0, 0.0,
+            0.01745240643728351, 0.9998476951563913, 0.0,
+        )),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -91,7 +125,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.3333, 0.3333, 0.3333, 1.0, 1.0, 1.0),
         size=3.0,
-    )
+    ),
 )
 
 
@@ -254,40 +288,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=3.0,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(place=0),
-        _joints.Joint(place=1),
-        _joints.Joint(place=2),
-        _joints.Joint(place=3),
-        _joints.Joint(place=4),
-        _joints.Joint(place=5),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.3, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0)),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 1.0, 0.0, 0.9998476951563913, -0.01745240643728351, 0.0, 0.0,
-            0.01745240643728351, 0.9998476951563913, 0.0,
-        )),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.2)),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 1.5, 0.0, 0.9998476951563913, -0.01745240643728351, 0.0, 0.0,
-            0.01745240643728351, 0.9998476951563913, 0.0,
-        )),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0)),
-        _joints.ChainJoint((
-            1.0, 0.0, 0.0, 0.0, 0.0, 0.9998476951563913, -0.01745240643728351, 0.0, 0.0,
-            0.01745240643728351, 0.9998476951563913, 0.0,
-        )),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -372,7 +372,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

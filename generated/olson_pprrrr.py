@@ -88,8 +88,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.1429, 0.1429, 0.1429, 1.0, 1.0, 1.0),
         size=7.0,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -375,7 +375,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 24, 16, _PLACES),

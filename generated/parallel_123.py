@@ -119,6 +119,37 @@ g1 = 0.23  # d1 + d2 + d3 [m]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=8,
+    size=1.5999999999999999,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0),
+        _joints.Joint(place=1),
+        _joints.Joint(place=2),
+        _joints.Joint(place=3),
+        _joints.Joint(place=4),
+        _joints.Joint(place=5),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.3, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.1)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.25, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.05)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.1, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.08)),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.1, 0.0, 0.5, -0.8660254037844386, 0.0, 0.0, 0.8660254037844386, 0.5,
+            0.2,
+        )),
+        _joints.ChainJoint((
+            1.0, 0.0, 0.0, 0.12, 0.0, 0.17364817766693041, -0.984807753012208, 0.0, 0.0,
+            0.984807753012208, 0.17364817766693041, 0.15,
+        )),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.05, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.1)),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -137,8 +168,10 @@ _ARM = _arms.arm_numbers(
         entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
         steps=('retries', 'completes', 'merges', 'follows seed'),
         choosable=(5, 2, 1, 0),
+        root_turns=((5, 1.0),),
         cuts=52,
-    )
+    ),
+    _joints.arm_numbers(_LINKS),
 )
 
 
@@ -509,574 +542,18 @@ def _solve(pose, q_free, seed, moved, q, status):
             )
 
 
-_inner, _apart = _HOW.inner, _HOW.apart
-_room, carray = _runtime("jit").room, _runtime("jit").carray
-_CLOSE = _status.CLOSE
-_measured, _refined = _runtime("refine").missed_by, _runtime("refine").refine
-_robot = _HOW.addresses("_solve", "fk", "jacobian", None)
-
-
-@_inner
-def _missed_by(pose, q):
-    """By how much joint values miss the entries that count: the root of the sum of squares."""
-    return _measured(_ARM, _robot(), pose, q)
-
-
-# The joints that are solved for, and whether they turn; what a step of one means, in rad or
-# lengths, and the same over the arm's size. Below, u are these joints in units.
-_SOLVED = np.array([0, 1, 2, 3, 4, 5])
-_TURNING = np.array([True, True, True, True, True, True])
-_UNIT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_MEASURE = np.array([0.625, 0.625, 0.625, 0.625, 0.625, 0.625])
-
-
-@_inner
-def _turn_vector(axis, cosine, vector):
-    """The rotation vector of an axis times the sine, and the cosine."""
-    sine = math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2])
-    if sine < 1e-09 and cosine < 0.0:  # half a turn: any axis will do
-        vector[0] = 1.5079644737231006
-        vector[1] = 1.8849555921538759
-        vector[2] = 2.0106192982974678
-        return
-    scale = 1.0 if sine < 1e-09 else math.atan2(sine, cosine) / sine
-    for i in range(3):
-        vector[i] = scale * axis[i]
-
-
-@_inner
-def _look(T, q, u, e, A):
-    """By how much u misses the pose, into e and returned as a length, and its Jacobian into A."""
-    for j in range(6):
-        q[_SOLVED[j]] = _UNIT[j] * u[j]
-    P, J = fk(q), jacobian(q)
-    for j in range(6):
-        column = _SOLVED[j]
-        A[0, j] = _MEASURE[j] * J[0, column]
-        A[1, j] = _MEASURE[j] * J[1, column]
-        A[2, j] = _MEASURE[j] * J[2, column]
-        for i in range(3):
-            A[3 + i, j] = J[3 + i, column]
-    e[0] = (T[0, 3] - P[0, 3]) / 1.5999999999999999
-    e[1] = (T[1, 3] - P[1, 3]) / 1.5999999999999999
-    e[2] = (T[2, 3] - P[2, 3]) / 1.5999999999999999
-    R = np.zeros((3, 3))
-    for i in range(3):
-        for j in range(3):
-            for k in range(3):
-                R[i, j] += T[i, k] * P[j, k]
-    axis = 0.5 * (R[2, 1] - R[1, 2]), 0.5 * (R[0, 2] - R[2, 0]), 0.5 * (R[1, 0] - R[0, 1])
-    _turn_vector(axis, 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1.0), e[3:])
-    square = 0.0
-    for i in range(6):
-        square += e[i] * e[i]
-    return math.sqrt(square)
-
-
-# What is added from start to start, in parts of the range: a direction that is like no other.
-_STRIDE = np.array([
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
-])
-
-
-@_inner
-def _wrap_angles(u):
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(6):
-        if _TURNING[j]:
-            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
-
-
-@_inner
-def _take(to, numbers):
-    """Numbers into an array as long; for slices numba would compile the text of an error, too."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
-
-
-@_inner
-def _shorten(step):
-    """Makes a step no longer than it may be."""
-    longest = 2.0
-    for j in range(6):
-        longest = max(longest, abs(step[j]))
-    for j in range(6):
-        step[j] *= 2.0 / longest
-
-
-@_inner
-def _damped_step(A, e, length, little, step):
-    """The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping.
-
-    The rows of A, each with its share of the damping's root behind it, are made orthonormal one
-    after another (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt
-    orthogonalization, 1994): the product A A' would lose half of the digits.
-    """
-    damping = 0.1 * min(length * length, 1.0) + little
-    rows, y = np.zeros((6, 12)), np.empty(6)
-    total = np.zeros(12)
-    for i in range(6):
-        for j in range(6):
-            rows[i, j] = A[i, j]
-        rows[i, 6 + i] = math.sqrt(damping)
-        y[i] = e[i]
-        for k in range(i):
-            along = 0.0
-            for j in range(12):
-                along += rows[k, j] * rows[i, j]
-            for j in range(12):
-                rows[i, j] -= along * rows[k, j]
-            y[i] -= along * y[k]
-        square = 0.0
-        for j in range(12):
-            square += rows[i, j] * rows[i, j]
-        inverse = 1.0 / math.sqrt(square)
-        y[i] *= inverse
-        for j in range(12):
-            rows[i, j] *= inverse
-    for i in range(5, -1, -1):
-        missing = y[i]
-        for j in range(12):
-            missing -= rows[i, j] * total[j]
-        for j in range(12):
-            total[j] += missing * rows[i, j]
-    for j in range(6):
-        step[j] = total[j]
-
-
-@_apart("float64(float64[:, ::1], int64, float64, float64[::1], float64[::1])")
-def _descended(T, steps, exact, q, ahead):
-    """Takes a row as far as steps help, and tells how long another one would be, into `ahead`.
-
-    Returns by how much the row misses the pose then. Beside a singular place a step that is right
-    may be long, and what it leaves, half of its square, far more than was missed.
-    """
-    e, A = np.empty(6), np.empty((6, 6))
-    joints, u, step = q.copy(), np.empty(6), np.empty(6)
-    for j in range(6):
-        u[j] = q[_SOLVED[j]] / _UNIT[j]
-    best, least, last, left = u.copy(), math.inf, math.inf, 0.0
-    ahead[0] = math.inf
-    for _ in range(steps + 1):
-        length = _look(T, joints, u, e, A)
-        _damped_step(A, e, length, 1e-26, step)
-        slow = not length <= max(0.5 * last, left)
-        if length < least:
-            least, ahead[0] = length, np.abs(step).max()
-            _take(best, u)
-        if slow or (least <= 0.001 * exact and ahead[0] <= 0.0001):
-            break
-        _shorten(step)
-        way = 0.0
-        for j in range(6):
-            u[j] += step[j]
-            way += abs(step[j])
-        last, left = length, 0.5 * way * way
-    _wrap_angles(best)
-    for j in range(6):
-        q[_SOLVED[j]] = _UNIT[j] * best[j]
-    return least
-
-
-@_inner
-def _sideways(A, along):
-    """The part of a generic direction that leaves the tool where it is, to first order, one long.
-
-    Returns how long it was.
-    """
-    moved, square = np.empty(6), 0.0
-    for i in range(6):
-        moved[i] = 0.0
-        for j in range(6):
-            moved[i] += A[i, j] * _STRIDE[j]
-    _damped_step(A, moved, 0.0, 1e-13, along)
-    for j in range(6):
-        along[j] = _STRIDE[j] - along[j]
-        square += along[j] * along[j]
-    length = math.sqrt(square)
-    for j in range(6):
-        along[j] /= length
-    return length
-
-
-@_apart("float64(float64[:, ::1], float64, float64[::1])")
-def _escaped(T, exact, q):
-    """Takes a row as far as steps help, also from both sides of where they get slow.
-
-    Where many solutions meet, joint values between them are singular. A root of four is missed by
-    the fourth power of the way to it. Returns by how much the row misses the pose then.
-    """
-    e, A = np.empty(6), np.empty((6, 6))
-    u, along, ahead = np.empty(6), np.empty(6), np.empty(1)
-    ends, miss = np.empty((2, 6)), np.empty(2)
-    least = _descended(T, 72, exact, q, ahead)
-    for _ in range(8):
-        if least <= exact:
-            break
-        for j in range(6):
-            u[j] = q[_SOLVED[j]] / _UNIT[j]
-        _look(T, q.copy(), u, e, A)
-        if _sideways(A, along) <= 0.0001:
-            break
-        pace = math.sqrt(math.sqrt(least))
-        for side in range(2):
-            _take(ends[side], q)
-            for j in range(6):
-                ends[side, _SOLVED[j]] += pace * _UNIT[j] * along[j]
-            pace = -pace
-            miss[side] = _descended(T, 72, exact, ends[side], ahead)
-        other = 1 if miss[1] < miss[0] else 0
-        if not miss[other] < 0.9 * least:
-            break
-        least = miss[other]
-        _take(q, ends[other])
-    return least
-
-
-@_inner
-def _tightened(T, exact, first, q):
-    """Takes a row to where damped least squares lead, unless it is exact.
-
-    Returns by how much it misses the pose then, and whether it was moved; `first` is what it misses
-    the pose by before.
-    """
-    if first <= exact:
-        return first, False
-    end, moved = q.copy(), False
-    least = _escaped(T, exact, end)
-    for i in range(6):
-        moved = moved or q[i] != end[i]
-        q[i] = end[i]
-    return least, moved
-
-
-@_inner
-def _gap_between(q, other):
-    """By how much the joint values of two rows differ at most."""
-    gap = np.empty(6)
-    for j in range(6):
-        gap[j] = (q[_SOLVED[j]] - other[_SOLVED[j]]) / _UNIT[j]
-    _wrap_angles(gap)
-    return np.abs(gap).max()
-
-
-@_inner
-def _repeats(q, held, first, row):
-    """Whether a row that was moved came to lie on one that missed by less at first."""
-    for k in range(8):
-        before = first[k] < first[row] or (k < row and first[k] <= first[row])
-        if held[k] and before and _gap_between(q[k], q[row]) < 1e-06:
-            return True
-    return False
-
-
-@_inner
-def _exactness(pose):
-    """What an exact row may miss: far away rounding is more."""
-    distance = 1.0  # arm sizes
-    distance = max(distance, abs(pose[3]) / 1.5999999999999999)
-    distance = max(distance, abs(pose[7]) / 1.5999999999999999)
-    distance = max(distance, abs(pose[11]) / 1.5999999999999999)
-    return 1e-12 * distance
-
-
-@_inner
-def _upper_rows(pose):
-    """A pose as a matrix (3, 4)."""
-    T = np.empty((3, 4))
-    for i in range(3):
-        for j in range(4):
-            T[i, j] = pose[4 * i + j]
-    return T
-
-
-@_apart("void(float64[:, ::1], float64, float64[::1], float64[:, ::1], boolean[::1])")
-def _tighten_rows(T, exact, miss, q, held):
-    """Tightens the rows; ends those that miss the pose then, and all but one that have become the
-    same."""
-    moved, first = np.zeros(8, np.bool_), miss.copy()
-    for row in range(8):
-        if held[row]:
-            miss[row], moved[row] = _tightened(T, exact, miss[row], q[row])
-    enough = 10.0 * exact
-    for row in range(8):
-        held[row] = held[row] and miss[row] <= enough
-    for row in range(8):
-        if moved[row] and _repeats(q, held, first, row):
-            held[row] = False
-
-
-@_inner
-def _tighten(pose, q, status):
-    """Tightens the rows that have a solution; some may have none then."""
-    exact = _exactness(pose)
-    worst, miss = 0.0, carray(_room(8), 8)
-    for row in range(8):
-        miss[row] = 0.0 if status[row] == UNREACHABLE else _missed_by(pose, q[row])
-        worst = max(worst, miss[row])
-    if worst <= exact:
-        return
-    rows, held = q.copy(), np.empty(8, np.bool_)
-    for row in range(8):
-        held[row] = status[row] != UNREACHABLE
-    _tighten_rows(_upper_rows(pose), exact, miss, rows, held)
-    for row in range(8):
-        if not held[row]:
-            status[row] = UNREACHABLE
-        for i in range(6):
-            q[row, i] = rows[row, i] if held[row] else math.nan
-
-
-@_inner
-def _solves(T, steps, exact, q):
-    """Whether joint values are a solution.
-
-    Beside a singular place they may miss the pose by next to nothing and be far from any.
-    """
-    ahead = np.empty(1)
-    return _descended(T, steps, exact, q, ahead) <= exact and ahead[0] <= 0.0001
-
-
-@_inner
-def _is_new(known, count, q):
-    """Whether a solution is none of those."""
-    for k in range(count):
-        if _gap_between(known[k], q) < 0.001:
-            return False
-    return True
-
-
-@_inner
-def _keep(known, count, q):
-    """Puts a solution behind those that are known, unless it is one of them; how many there are."""
-    if not _is_new(known, count, q):
-        return count
-    _take(known[count], q)
-    return count + 1
-
-
-@_inner
-def _leads(pose, T, q_free, seed, angle, row, exact, end):
-    """Whether the row of a root that is moved leads to a solution, and to which."""
-    q, kind = np.empty((8, 6)), np.empty(8, np.uint8)
-    kind[:] = UNREACHABLE
-    _solve(pose, q_free, seed, angle, q, kind)
-    if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
-        return False
-    _take(end, q[row])
-    return _solves(T, 72, exact, end)
-
-
-_BESIDE = (3.0517578125e-05, -3.0517578125e-05, 3.814697265625e-06, -3.814697265625e-06, 4.76837158203125e-07, -4.76837158203125e-07, 5.960464477539063e-08, -5.960464477539063e-08, 7.450580596923828e-09, -7.450580596923828e-09, 9.313225746154785e-10, -9.313225746154785e-10, 1.1641532182693481e-10, -1.1641532182693481e-10, 1.4551915228366852e-11, -1.4551915228366852e-11, 1.8189894035458565e-12, -1.8189894035458565e-12)
-
-
-@_apart("void(UniTuple(float64, 12), float64[::1], float64[::1], float64[:, ::1], uint8[::1])")
-def _beside(pose, q_free, seed, q, status):
-    """Solutions for the rows that stand between two of them, which are known by no more than that.
-
-    Steps from a row lead to one; the root of the other is as far from it on the other side. A row may
-    have taken the seed's value for its root, which is one of the two and hides the middle: the roots'
-    own rows have a seed that is turned away.
-    """
-    T, exact = _upper_rows(pose), _exactness(pose)
-    known, count = np.empty((16, 6)), 0
-    doubtful = np.zeros(8, np.bool_)
-    own, kind = np.empty((8, 6)), np.empty(8, np.uint8)
-    kind[:] = UNREACHABLE
-    away = seed.copy()
-    away[5] += 2.0
-    _solve(pose, q_free, away, 0.0, own, kind)
-    for row in range(8):
-        if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
-            _take(own[row], q[row])
-        if status[row] == _CLOSE:
-            doubtful[row] = not _solves(T, 0, exact, own[row].copy())
-            status[row] = OK
-        if status[row] != UNREACHABLE and not doubtful[row]:
-            _take(known[count], q[row])
-            count += 1
-    others, after = count, count
-    other = np.empty(6)
-    for row in range(8):
-        if not doubtful[row]:
-            continue
-        end = q[row].copy()
-        # long steps may lead to solutions of other roots, which are known
-        found = _solves(T, 72, exact, end) and _is_new(known, others, end)
-        for angle in _BESIDE:
-            if found or not _leads(pose, T, q_free, away, angle, row, exact, end):
-                continue
-            found = _is_new(known, others, end)
-        if not found:
-            continue
-        status[row] = UNREACHABLE
-        count = _keep(known, count, end)
-        off = 0.0
-        off += end[5] - own[row, 5]
-        off -= 6.283185307179586 * math.ceil(off / 6.283185307179586 - 0.5)
-        for part in (0.0, -1.0, -2.0, -0.5, -4.0):  # of the way to the one that is known
-            if not _leads(pose, T, q_free, away, part * off, row, exact, other):
-                continue
-            if _is_new(known, others, other) and _gap_between(end, other) >= 0.001:
-                count = _keep(known, count, other)
-                break
-    for k in range(after, count):  # whichever roots rounding told apart: the row that was nearest
-        place, least = -1, math.inf
-        for row in range(8 - 1, -1, -1):
-            gap = math.inf if math.isnan(q[row, 0]) else _gap_between(q[row], known[k])
-            if status[row] == UNREACHABLE and gap <= least:
-                place, least = row, gap
-        if place >= 0:
-            _take(q[place], known[k])
-            status[place] = OK
-    for row in range(8):
-        if status[row] == UNREACHABLE:
-            q[row, :] = math.nan
-
-
-@_inner
-def _both_sides(pose, q_free, seed, q, status):
-    """Solutions for the rows of roots that nearly meet, which may stand between two."""
-    close = False
-    for row in range(8):
-        close = close or status[row] == _CLOSE
-    if not close:
-        return
-    rows, kinds = q.copy(), status.copy()
-    _beside(pose, q_free.copy(), seed.copy(), rows, kinds)
-    for row in range(8):
-        status[row] = kinds[row]
-        for i in range(6):
-            q[row, i] = rows[row, i]
-
-
-# Between which values starts lie.
-_SPAN_LOW = np.array([
-    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
-    -3.141592653589793, -3.141592653589793,
-])
-_SPAN_WIDTH = np.array([
-    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-    6.283185307179586,
-])
-
-
-@_inner
-def _start_of(k, near, u):
-    """Start number k; number 0 is the seed."""
-    for j in range(6):
-        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
-
-
-@_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
-def _descend(T, q, u):
-    """Takes u to where damped least squares lead; returns by how much that misses the pose.
-
-    Near to it less damping than usual leads further, where joints hardly move the tool: there a step
-    that is right may be long, and what it leaves, half of its square, far more than was missed.
-    """
-    e, A = np.empty(6), np.empty((6, 6))
-    least, best, step, little = math.inf, u.copy(), np.empty(6), 1e-13
-    last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
-    for _ in range(40 + 1):
-        length = _look(T, q, u, e, A)
-        slow = length >= max(0.5 * last, left)
-        stalled = slow and least <= (1e-10 if little < 1e-13 else 1e-12)
-        if slow and least <= 1e-06:
-            little = 1e-26
-        if length < least:
-            least = length
-            _take(best, u)
-        if stalled:
-            break
-        _damped_step(A, e, length, little, step)
-        _shorten(step)
-        way = 0.0
-        for j in range(6):
-            u[j] += step[j]
-            way += abs(step[j])
-        last, left = length, 0.5 * way * way if little < 1e-13 else 0.0
-    _take(u, best)
-    return least
-
-
-@_apart("int64(UniTuple(float64, 12), float64[::1], float64[::1], int64, float64[::1])")
-def _sought(pose, q_free, seed, least, q):
-    """Joint values that serve, into q, if there are some with less wrong than `least`; what is.
-
-    Nothing is 0, 1 that they are beyond limits, 2 that they are not exact, 4 that there are none.
-
-    Several joints may be free at once, and few of their values serve. Steps of damped least squares
-    from the seed and from evenly spread starts lead to some that do, if the arm can take the pose.
-    """
-    T, exact = _upper_rows(pose), _exactness(pose)
-    joints, near = seed.copy(), np.empty(6)
-    for j in range(6):
-        near[j] = seed[_SOLVED[j]] / _UNIT[j]
-    u, end = np.empty(6), np.empty(6)
-    for k in range(12):
-        if least == 0:
-            break
-        _start_of(k, near, u)
-        if _descend(T, joints, u) > 0.01:
-            continue
-        _take(end, joints)
-        for j in range(6):
-            end[_SOLVED[j]] = _UNIT[j] * u[j]
-        miss = _escaped(T, exact, end)
-        if miss > 10.0 * exact:
-            continue
-        fault = 2 * (miss > exact)
-        if fault < least:
-            least = fault
-            _take(q, end)
-    return least
-
-
-@_inner
-def _seek(pose, q_free, seed, begun, q, status):
-    """The same into a row, if there is none."""
-    before, chosen = 4, -1
-    for row in range(8 - 1, -1, -1):
-        fault, is_open = 0, status[row] == FREE_JOINT
-        if status[row] == UNREACHABLE:
-            continue
-        before = min(before, fault)
-        chosen = row if is_open else chosen
-    if before == 0 or (before < 4 and chosen < 0):
-        return
-    found = np.empty(6)
-    least = _sought(pose, q_free.copy(), seed.copy(), before, found)
-    if least == before:
-        return
-    for row in range(8):
-        status[row] = FREE_JOINT if row == begun else UNREACHABLE
-        for i in range(6):
-            q[row, i] = found[i] if row == begun else math.nan
-
-
-@_apart(_arms.COMPLETES)
-def _complete(pose, q_free, seed, begun, q, status):
-    """Works on all rows where roots nearly meet or rows miss the pose, and looks for lost ones."""
-    _both_sides(pose, q_free, seed, q, status)
-    _tighten(pose, q, status)
-    if begun >= 0:
-        _seek(pose, q_free, seed, begun, q, status)
-
-
 _CALLS = _functions.of_robot(
     globals(),
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", "_complete"),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,
         kinematics=(fk, jacobian),
         given=0,
-        apart=(_circle.OWN.compile_apart,),
+        apart=(_circle.OWN.compile_apart, _runtime("complete").compile_apart,),
         words={
             "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
             "no_row": "the pose is out of reach",

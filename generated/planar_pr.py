@@ -81,8 +81,8 @@ _ARM = _arms.arm_numbers(
         directions='none',
         miss_weights=(3.333, 3.333, 0.0, 0.0, 0.0, 0.0),
         size=0.3,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -218,7 +218,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="position",
         counted=(True, True, False),
         formulas=_functions.Formulas(_formulas, 19, 16, _PLACES),

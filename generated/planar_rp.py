@@ -74,10 +74,10 @@ _ARM = _arms.arm_numbers(
         directions='none',
         miss_weights=(1.0, 1.0, 0.0, 0.0, 0.0, 0.0),
         size=1.0,
-        steps=('keeps limits', 'regular', 'clamps', 'clamps far', 'follows seed'),
+        steps=('keeps limits', 'clamps', 'clamps far', 'follows seed'),
         choosable=(0,),
         cuts=52,
-    )
+    ),
 )
 
 
@@ -210,7 +210,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="position",
         counted=(True, True, False),
         formulas=_functions.Formulas(_formulas, 20, 2, _PLACES),

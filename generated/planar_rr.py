@@ -82,8 +82,8 @@ _ARM = _arms.arm_numbers(
         directions='none',
         miss_weights=(1.429, 1.429, 0.0, 0.0, 0.0, 0.0),
         size=0.7,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -236,7 +236,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="position",
         counted=(True, True, False),
         formulas=_functions.Formulas(_formulas, 17, 16, _PLACES),

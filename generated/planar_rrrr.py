@@ -57,6 +57,28 @@ a = 0.25  # link length 1 [m]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=1,
+    size=1.0,
+    coordinates=(0, 1),
+    directions='none',
+    joints=(
+        _joints.Joint(place=0, lowest=-2.0943951023931953, highest=2.0943951023931953),
+        _joints.Joint(place=1, lowest=-2.0943951023931953, highest=2.0943951023931953),
+        _joints.Joint(place=2, lowest=-2.0943951023931953, highest=2.0943951023931953),
+        _joints.Joint(place=3, lowest=-2.0943951023931953, highest=2.0943951023931953),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.25, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.25, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.25, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.25, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
+    ),
+    redundant=True,
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -70,7 +92,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.0, 1.0, 0.0, 0.0, 0.0, 0.0),
         size=1.0,
         steps=('clamps',),
-    )
+    ),
 )
 
 
@@ -150,28 +172,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=1,
-    size=1.0,
-    coordinates=(0, 1),
-    directions='none',
-    joints=(
-        _joints.Joint(place=0, lowest=-2.0943951023931953, highest=2.0943951023931953),
-        _joints.Joint(place=1, lowest=-2.0943951023931953, highest=2.0943951023931953),
-        _joints.Joint(place=2, lowest=-2.0943951023931953, highest=2.0943951023931953),
-        _joints.Joint(place=3, lowest=-2.0943951023931953, highest=2.0943951023931953),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.25, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.25, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.25, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.25, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
-    ),
-    redundant=True,
-)
 _whole = _runtime("numerical.compiled")
 _NUMBERS = _joints.arm_numbers(_LINKS)
 _all_joints = _runtime("numerical.search").all_joints
@@ -207,7 +207,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="position",
         counted=(True, True, False),
         formulas=None,

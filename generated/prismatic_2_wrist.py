@@ -112,8 +112,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.8065, 0.8065, 0.8065, 1.0, 1.0, 1.0),
         size=1.24,
-        steps=('regular', 'merges', 'follows seed'),
-    )
+        steps=('merges', 'follows seed'),
+    ),
 )
 
 
@@ -617,7 +617,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 30, 32, _PLACES),

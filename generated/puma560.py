@@ -117,19 +117,10 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.5862, 0.5862, 0.5862, 1.0, 1.0, 1.0),
         size=1.70578,
-        steps=(
-            'keeps limits',
-            'regular',
-            'merges',
-            'refines',
-            'clamps',
-            'clamps far',
-            'winds',
-            'follows seed',
-        ),
+        steps=('keeps limits', 'merges', 'refines', 'clamps', 'clamps far', 'winds', 'follows seed'),
         choosable=(3, 1, 0),
         cuts=52,
-    )
+    ),
 )
 
 
@@ -628,7 +619,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 32, 48, _PLACES),

@@ -107,6 +107,67 @@ f3 = 0.0016085433446793326  # ca2 * ca1
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=1.7112988821471,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0, zero=0.0004277699642),
+        _joints.Joint(place=1, zero=0.0006617156617),
+        _joints.Joint(place=2, zero=-0.0018179220006),
+        _joints.Joint(place=3, zero=8.90468712e-05),
+        _joints.Joint(place=4, zero=0.0009695294734),
+        _joints.Joint(place=5, zero=-0.0022050175347),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.0026544606897, 0.0, 0.0016085442592340678, -0.9999987062918462,
+                0.0, 0.0, 0.9999987062918462, 0.0016085442592340678, 0.6712591624431,
+            ),
+            offset=0.0004277699642,
+        ),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.4314454936115, 0.0, 0.9999994314394958, -0.001066358610003491, 0.0,
+                0.0, 0.001066358610003491, 0.9999994314394958, -0.000143425944,
+            ),
+            offset=0.0006617156617,
+        ),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, 0.0201858398555, 0.0, 0.0017412729567630927, 0.9999984839830959, 0.0,
+                0.0, -0.9999984839830959, 0.0017412729567630927, 0.1490653237899,
+            ),
+            offset=-0.0018179220006,
+        ),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, -0.001863305965, 0.0, 0.001238887228280428, -0.9999992325789233, 0.0,
+                0.0, 0.9999992325789233, 0.001238887228280428, 0.432695688237,
+            ),
+            offset=8.90468712e-05,
+        ),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, -6.29954602e-05, 0.0, 0.0007308690395286796, 0.9999997329151878, 0.0,
+                0.0, -0.9999997329151878, 0.0007308690395286796, -0.00062817974,
+            ),
+            offset=0.0009695294734,
+        ),
+        _joints.ChainJoint(
+            after=(
+                1.0, 0.0, 0.0, -9.3840846e-05, 0.0, 0.9999988042061223, 0.0015464754525777457, 0.0,
+                0.0, -0.0015464754525777457, 0.9999988042061223, -0.0012011655652,
+            ),
+            offset=-0.0022050175347,
+        ),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -119,7 +180,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.5844, 0.5844, 0.5844, 1.0, 1.0, 1.0),
         size=1.7112988821471,
-    )
+    ),
 )
 
 
@@ -366,67 +427,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=1.7112988821471,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(place=0, zero=0.0004277699642),
-        _joints.Joint(place=1, zero=0.0006617156617),
-        _joints.Joint(place=2, zero=-0.0018179220006),
-        _joints.Joint(place=3, zero=8.90468712e-05),
-        _joints.Joint(place=4, zero=0.0009695294734),
-        _joints.Joint(place=5, zero=-0.0022050175347),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.0026544606897, 0.0, 0.0016085442592340678, -0.9999987062918462,
-                0.0, 0.0, 0.9999987062918462, 0.0016085442592340678, 0.6712591624431,
-            ),
-            offset=0.0004277699642,
-        ),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.4314454936115, 0.0, 0.9999994314394958, -0.001066358610003491, 0.0,
-                0.0, 0.001066358610003491, 0.9999994314394958, -0.000143425944,
-            ),
-            offset=0.0006617156617,
-        ),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, 0.0201858398555, 0.0, 0.0017412729567630927, 0.9999984839830959, 0.0,
-                0.0, -0.9999984839830959, 0.0017412729567630927, 0.1490653237899,
-            ),
-            offset=-0.0018179220006,
-        ),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, -0.001863305965, 0.0, 0.001238887228280428, -0.9999992325789233, 0.0,
-                0.0, 0.9999992325789233, 0.001238887228280428, 0.432695688237,
-            ),
-            offset=8.90468712e-05,
-        ),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, -6.29954602e-05, 0.0, 0.0007308690395286796, 0.9999997329151878, 0.0,
-                0.0, -0.9999997329151878, 0.0007308690395286796, -0.00062817974,
-            ),
-            offset=0.0009695294734,
-        ),
-        _joints.ChainJoint(
-            after=(
-                1.0, 0.0, 0.0, -9.3840846e-05, 0.0, 0.9999988042061223, 0.0015464754525777457, 0.0,
-                0.0, -0.0015464754525777457, 0.9999988042061223, -0.0012011655652,
-            ),
-            offset=-0.0022050175347,
-        ),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -519,7 +519,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

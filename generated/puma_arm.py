@@ -96,8 +96,8 @@ _ARM = _arms.arm_numbers(
         directions='none',
         miss_weights=(0.5862, 0.5862, 0.5862, 0.0, 0.0, 0.0),
         size=1.70578,
-        steps=('regular', 'merges', 'refines', 'follows seed'),
-    )
+        steps=('merges', 'refines', 'follows seed'),
+    ),
 )
 
 
@@ -343,7 +343,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="position",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 19, 16, _PLACES),

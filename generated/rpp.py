@@ -71,8 +71,8 @@ _ARM = _arms.arm_numbers(
         directions='none',
         miss_weights=(2.0, 2.0, 2.0, 0.0, 0.0, 0.0),
         size=0.5,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -197,7 +197,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="position",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 19, 2, _PLACES),

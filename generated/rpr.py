@@ -79,8 +79,8 @@ _ARM = _arms.arm_numbers(
         directions='none',
         miss_weights=(1.25, 1.25, 1.25, 0.0, 0.0, 0.0),
         size=0.8,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -261,7 +261,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="position",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 20, 16, _PLACES),

@@ -96,10 +96,10 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(1.25, 1.25, 1.25, 1.0, 1.0, 1.0),
         size=0.7999999999999999,
-        steps=('keeps limits', 'regular', 'clamps', 'clamps far', 'winds', 'follows seed'),
+        steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
         choosable=(0,),
         cuts=52,
-    )
+    ),
 )
 
 
@@ -337,7 +337,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 19, 16, _PLACES),

@@ -89,8 +89,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(1.818, 1.818, 1.818, 1.0, 1.0, 1.0),
         size=0.55,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -299,7 +299,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 18, 16, _PLACES),

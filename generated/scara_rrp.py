@@ -84,8 +84,8 @@ _ARM = _arms.arm_numbers(
         directions='none',
         miss_weights=(0.8333, 0.8333, 0.8333, 0.0, 0.0, 0.0),
         size=1.2,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -249,7 +249,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="position",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 18, 16, _PLACES),

@@ -93,8 +93,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.7692, 0.7692, 0.7692, 1.0, 1.0, 1.0),
         size=1.3,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -385,7 +385,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 20, 16, _PLACES),

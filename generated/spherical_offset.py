@@ -80,8 +80,8 @@ _ARM = _arms.arm_numbers(
         directions='none',
         miss_weights=(6.667, 6.667, 6.667, 0.0, 0.0, 0.0),
         size=0.15,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -267,7 +267,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="position",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 20, 16, _PLACES),

@@ -114,8 +114,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.5618, 0.5618, 0.5618, 1.0, 1.0, 1.0),
         size=1.7800000000000005,
-        steps=('regular', 'merges', 'refines', 'follows seed'),
-    )
+        steps=('merges', 'refines', 'follows seed'),
+    ),
 )
 
 
@@ -625,7 +625,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 39, 48, _PLACES),

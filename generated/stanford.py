@@ -102,10 +102,10 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.7874, 0.7874, 0.7874, 1.0, 1.0, 1.0),
         size=1.27,
-        steps=('keeps limits', 'regular', 'clamps', 'clamps far', 'follows seed'),
+        steps=('keeps limits', 'clamps', 'clamps far', 'follows seed'),
         choosable=(3, 1, 0),
         cuts=52,
-    )
+    ),
 )
 
 
@@ -512,7 +512,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 28, 32, _PLACES),

@@ -120,19 +120,10 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.6545, 0.6545, 0.6545, 1.0, 1.0, 1.0),
         size=1.5280000000000002,
-        steps=(
-            'keeps limits',
-            'regular',
-            'merges',
-            'refines',
-            'clamps',
-            'clamps far',
-            'winds',
-            'follows seed',
-        ),
+        steps=('keeps limits', 'merges', 'refines', 'clamps', 'clamps far', 'winds', 'follows seed'),
         choosable=(3, 1, 0),
         cuts=52,
-    )
+    ),
 )
 
 
@@ -733,7 +724,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 41, 48, _PLACES),

@@ -111,8 +111,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(1.149, 1.149, 1.149, 1.0, 1.0, 1.0),
         size=0.8700000000000001,
-        steps=('regular', 'merges', 'refines', 'follows seed'),
-    )
+        steps=('merges', 'refines', 'follows seed'),
+    ),
 )
 
 
@@ -646,7 +646,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 26, 48, _PLACES),

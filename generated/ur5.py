@@ -112,7 +112,6 @@ _ARM = _arms.arm_numbers(
         steps=(
             'retries',
             'keeps limits',
-            'regular',
             'merges',
             'refines',
             'clamps',
@@ -123,7 +122,7 @@ _ARM = _arms.arm_numbers(
         choosable=(5, 1, 0),
         together=(0, 5),
         cuts=52,
-    )
+    ),
 )
 
 
@@ -638,7 +637,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 25, 48, _PLACES),

@@ -97,8 +97,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(10.0, 10.0, 10.0, 1.0, 1.0, 1.0),
         size=0.1,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -453,7 +453,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 19, 16, _PLACES),

@@ -70,8 +70,8 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.0, 0.0, 0.0, 1.0, 1.0, 1.0),
         size=1.0,
-        steps=('regular', 'follows seed'),
-    )
+        steps=('follows seed',),
+    ),
 )
 
 
@@ -217,7 +217,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="orientation",
         counted=(False, False, False),
         formulas=_functions.Formulas(_formulas, 18, 16, _PLACES),

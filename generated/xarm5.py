@@ -112,10 +112,10 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.9254, 0.9254, 0.9254, 1.0, 1.0, 1.0),
         size=1.080646614543747,
-        steps=('retries', 'regular', 'follows seed'),
+        steps=('retries', 'follows seed'),
         choosable=(1, 0),
         cuts=52,
-    )
+    ),
 )
 
 
@@ -603,7 +603,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 25, 32, _PLACES),

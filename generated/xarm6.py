@@ -79,6 +79,37 @@ d6 = 0.097  # z of the home pose [m]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=1.149486614543747,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0),
+        _joints.Joint(place=1),
+        _joints.Joint(place=2),
+        _joints.Joint(place=3, facing=-1.0),
+        _joints.Joint(place=4),
+        _joints.Joint(place=5, facing=-1.0),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.267)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.2845, 0.0, 1.0, 0.0, 0.0535, 0.0, 0.0, 1.0, 0.0)),
+        _joints.ChainJoint((0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0775, 0.0, 1.0, 0.0, 0.0)),
+        _joints.ChainJoint(
+            after=(0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, -0.3425),
+            sign=-1.0,
+        ),
+        _joints.ChainJoint((0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.076, 0.0, 1.0, 0.0, 0.0)),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.097),
+            sign=-1.0,
+        ),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -91,7 +122,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.87, 0.87, 0.87, 1.0, 1.0, 1.0),
         size=1.149486614543747,
-    )
+    ),
 )
 
 
@@ -250,37 +281,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=1.149486614543747,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(place=0),
-        _joints.Joint(place=1),
-        _joints.Joint(place=2),
-        _joints.Joint(place=3, facing=-1.0),
-        _joints.Joint(place=4),
-        _joints.Joint(place=5, facing=-1.0),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.267)),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.2845, 0.0, 1.0, 0.0, 0.0535, 0.0, 0.0, 1.0, 0.0)),
-        _joints.ChainJoint((0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0775, 0.0, 1.0, 0.0, 0.0)),
-        _joints.ChainJoint(
-            after=(0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, -0.3425),
-            sign=-1.0,
-        ),
-        _joints.ChainJoint((0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.076, 0.0, 1.0, 0.0, 0.0)),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.097),
-            sign=-1.0,
-        ),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -374,7 +374,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

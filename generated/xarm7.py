@@ -83,6 +83,39 @@ offset2 = 3.141592653589793  # offset of joint 2 [rad]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=1.2055000000000002,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(place=0, zero=3.141592653589793),
+        _joints.Joint(place=1, zero=3.141592653589793),
+        _joints.Joint(place=3),
+        _joints.Joint(place=4),
+        _joints.Joint(place=5),
+        _joints.Joint(place=6),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.267),
+            offset=3.141592653589793,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0),
+            offset=3.141592653589793,
+        ),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0525, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.293)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0775, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.3425)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.076, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0)),
+        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.097)),
+    ),
+    free=(2,),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -96,7 +129,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.8295, 0.8295, 0.8295, 1.0, 1.0, 1.0),
         size=1.2055000000000002,
         given=(2,),
-    )
+    ),
 )
 
 
@@ -284,39 +317,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=1.2055000000000002,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(place=0, zero=3.141592653589793),
-        _joints.Joint(place=1, zero=3.141592653589793),
-        _joints.Joint(place=3),
-        _joints.Joint(place=4),
-        _joints.Joint(place=5),
-        _joints.Joint(place=6),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.267),
-            offset=3.141592653589793,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0),
-            offset=3.141592653589793,
-        ),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0525, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.293)),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0775, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0)),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.3425)),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.076, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0)),
-        _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.097)),
-    ),
-    free=(2,),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -410,7 +410,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

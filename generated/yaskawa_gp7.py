@@ -122,10 +122,10 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.7273, 0.7273, 0.7273, 1.0, 1.0, 1.0),
         size=1.375,
-        steps=('keeps limits', 'regular', 'clamps', 'clamps far', 'winds', 'follows seed'),
+        steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
         choosable=(3, 1, 0),
         cuts=52,
-    )
+    ),
 )
 
 
@@ -707,7 +707,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=_functions.Formulas(_formulas, 26, 48, _PLACES),

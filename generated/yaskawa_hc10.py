@@ -84,6 +84,79 @@ offset6 = 3.141592653589793  # offset of joint 6 [rad]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
+_joints = _runtime("numerical.arm")
+# The joints, what the task names, and the forward model with all links.
+_LINKS = _joints.Arm(
+    rows=16,
+    size=1.767,
+    coordinates=(0, 1, 2),
+    directions='rotation',
+    joints=(
+        _joints.Joint(
+            place=0,
+            lowest=-3.141592653589793,
+            highest=3.141592653589793,
+            zero=3.141592653589793,
+        ),
+        _joints.Joint(
+            place=1,
+            lowest=-3.141592653589793,
+            highest=3.141592653589793,
+            zero=1.5707963267948966,
+        ),
+        _joints.Joint(
+            place=2,
+            lowest=-0.08726646259971647,
+            highest=6.19591884457987,
+            zero=1.5707963267948966,
+        ),
+        _joints.Joint(
+            place=3,
+            lowest=-3.141592653589793,
+            highest=3.141592653589793,
+            zero=3.141592653589793,
+        ),
+        _joints.Joint(
+            place=4,
+            lowest=-3.141592653589793,
+            highest=3.141592653589793,
+            zero=3.141592653589793,
+        ),
+        _joints.Joint(
+            place=5,
+            lowest=-3.141592653589793,
+            highest=3.141592653589793,
+            zero=3.141592653589793,
+        ),
+    ),
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    chain=(
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.275),
+            offset=3.141592653589793,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.7, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0),
+            offset=1.5707963267948966,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0),
+            offset=1.5707963267948966,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -0.5),
+            offset=3.141592653589793,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -0.162),
+            offset=3.141592653589793,
+        ),
+        _joints.ChainJoint(
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.13),
+            offset=3.141592653589793,
+        ),
+    ),
+)
 _ARM = _arms.arm_numbers(
     _arms.Arm(
         types=JOINT_TYPES,
@@ -97,7 +170,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5659, 0.5659, 0.5659, 1.0, 1.0, 1.0),
         size=1.767,
         steps=('clamps', 'winds'),
-    )
+    ),
 )
 
 
@@ -260,79 +333,6 @@ def jacobian(q):
     return J
 
 
-_joints = _runtime("numerical.arm")
-# The joints, what the task names, and the forward model with all links.
-_LINKS = _joints.Arm(
-    rows=16,
-    size=1.767,
-    coordinates=(0, 1, 2),
-    directions='rotation',
-    joints=(
-        _joints.Joint(
-            place=0,
-            lowest=-3.141592653589793,
-            highest=3.141592653589793,
-            zero=3.141592653589793,
-        ),
-        _joints.Joint(
-            place=1,
-            lowest=-3.141592653589793,
-            highest=3.141592653589793,
-            zero=1.5707963267948966,
-        ),
-        _joints.Joint(
-            place=2,
-            lowest=-0.08726646259971647,
-            highest=6.19591884457987,
-            zero=1.5707963267948966,
-        ),
-        _joints.Joint(
-            place=3,
-            lowest=-3.141592653589793,
-            highest=3.141592653589793,
-            zero=3.141592653589793,
-        ),
-        _joints.Joint(
-            place=4,
-            lowest=-3.141592653589793,
-            highest=3.141592653589793,
-            zero=3.141592653589793,
-        ),
-        _joints.Joint(
-            place=5,
-            lowest=-3.141592653589793,
-            highest=3.141592653589793,
-            zero=3.141592653589793,
-        ),
-    ),
-    base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-    chain=(
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.275),
-            offset=3.141592653589793,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.7, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0),
-            offset=1.5707963267948966,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0),
-            offset=1.5707963267948966,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -0.5),
-            offset=3.141592653589793,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -0.162),
-            offset=3.141592653589793,
-        ),
-        _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.13),
-            offset=3.141592653589793,
-        ),
-    ),
-)
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
@@ -422,7 +422,7 @@ _CALLS = _functions.of_robot(
     _HOW,
     _functions.Solver(
         arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None),
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
         task="pose",
         counted=(True, True, True),
         formulas=None,

@@ -1,1 +1,1 @@
-"""Arms that nothing else solves: damped least squares from many starts."""
+"""What damped least squares know of an arm; the steps themselves are in the runtime."""

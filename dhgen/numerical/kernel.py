@@ -1,4 +1,4 @@
-"""What the numerical solver knows of an arm and its task, and every constant of the method."""
+"""What least squares know of an arm and its task."""
 
 from __future__ import annotations
 
@@ -17,44 +17,6 @@ if TYPE_CHECKING:
     from dhgen.kinematics.numeric import NumericArm
 
 MOST = 16  # rows of an arm with finitely many solutions: what a general arm has at most
-# Damping over the square of the miss (the Gauss-Newton step itself near a solution), and what is
-# always added, so that a singular arm has a step: below the square of what counts as singular.
-DAMPING = 0.1
-FLOOR = 1e-13
-# Where steps get slow at a miss below this less is added: what always is keeps them from going on
-# where joints hardly move the tool. Beside singular places the last digits count.
-NEARLY = 1e-6
-FINE = TOLERANCES.fine
-LONGEST = 2.0  # of a step's components [rad, arm sizes]
-STEPS = 40  # from a start; 7 to 16 are usual
-SAME = 1e-6  # solutions closer than this are one [rad, arm sizes]
-TOGETHER = 1e-3  # of rows that are refined: singular ones closer than this are one
-STARTS = 48  # in a round; the search ends with the first round that finds nothing new
-ROUNDS = 8
-FEW_STARTS = 12  # beside what another algorithm found, where that is not certainly everything
-REDUNDANT_STARTS = 24  # of an arm with infinitely many solutions
-# Steps of a row that is not exact. Double roots take a quarter off with each; beside a singular
-# place a joint that is nearly free may be anywhere, and three steps are one of it.
-TIGHTENINGS = 72
-# Where many solutions meet steps stay where the arm is singular and get slow. From both sides of it
-# they lead further, as often as this, while less than this part of the miss is left.
-ESCAPES = 8
-STUCK = 0.9
-SPARE = 1e-3  # of what counts as exact: steps that miss by less than this have come to an end
-LOOSE = TOLERANCES.promised / TOLERANCES.exact  # times what counts as exact is still a solution
-SURE = 1e-4  # a step longer than this would lead elsewhere [rad, arm sizes]: a row is not known yet
-# How far the root of a row is moved where steps from it lead nowhere [rad], powers of two.
-BESIDE = tuple(side * 2.0**-power for power in range(15, 40, 3) for side in (1.0, -1.0))
-# How far a seed is turned so that no close root takes its value [rad]: beyond a right angle, where
-# the hidden root is, and no part of a turn, where others are at home poses.
-AWAY = 2.0
-# Where the other of two solutions is looked for, as parts of the way from their double root to one;
-# at none of it where the one came from the seed, and the root itself may lead to the other.
-ACROSS = (0.0, -1.0, -2.0, -0.5, -4.0)
-SINGULAR = 1e-4  # what is left of a generic direction when all that moves the tool is taken away
-# Just beyond an end of its range a joint is taken for one on that end, not for one that turned to
-# the other, if the seed is nearer than this [rad].
-BESIDE_SEED = 0.15
 
 
 @dataclass(frozen=True, slots=True)

@@ -36,6 +36,7 @@ def runtime_arm(kernel: NumericalKernel) -> Arm:
         free=tuple(number - 1 for number in chain.free),
         redundant=kernel.redundant,
         checked=kernel.checked,
+        arm_angle=kernel.elbow,
     )
 
 

@@ -6,16 +6,13 @@ Every value is an array of shape (poses, 2 or 1, 2 or 1, ...), one place for eac
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.numerical.both_sides import both_sides
-from dhgen.numerical.kernel import AWAY
-from dhgen.numerical.tighten import tighten
 from dhgen.program.all_joints import whole_numbers, whole_solver
 from dhgen.program.circle import circle_roots, is_close
+from dhgen.program.completion import Completion
 from dhgen.program.ir import (
     AllJoints,
     Apply,
@@ -27,6 +24,7 @@ from dhgen.program.ir import (
     Roots,
     Variable,
 )
+from dhgen.runtime.python.status import CLOSE, OK, UNREACHABLE
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -76,11 +74,12 @@ def interpret(
     kernel = program.tightened or program.led
     if kernel is None:
         return rows
-    q = rows.q.copy()
-    for k in np.flatnonzero(rows.close.any(axis=1)):
-        moved = partial(run.moved, int(k))
-        q[k] = both_sides(kernel, poses[k], q[k], rows.close[k], program.turning, moved)
-    q = tighten(kernel, poses, q, run.arm_angles())
+    completion, q = Completion(kernel, rows.q.shape[1], program.turning), rows.q.copy()
+    doubtful = rows.close | completion.may_miss(poses, q)
+    for k in np.flatnonzero(doubtful.any(axis=1)):
+        status = np.where(rows.close[k], CLOSE, np.where(rows.solved[k], OK, UNREACHABLE))
+        given = run.given(int(k))
+        completion.complete(run.solve, poses[k], given, q[k], status.astype(np.uint8))
     solved = np.asarray(~np.isnan(q).any(axis=-1))
     return replace(rows, q=q, solved=solved, free=rows.free & solved)
 
@@ -122,10 +121,24 @@ class _Run:
                 [2 if p == place + 1 else 1 for p in range(len(self._shape))]
             )
 
-    def arm_angles(self) -> Array:
-        """The first value that is given for each pose, zero without any."""
-        values = self._given["free"]
-        return values[:, 0] if values.shape[1] else np.zeros(len(values))
+    def given(self, pose: int) -> tuple[FloatArray, FloatArray]:
+        """What the caller gives besides a pose, and the seed."""
+        return self._given["free"][pose], self._given["seed"][pose]
+
+    def solve(
+        self,
+        pose: tuple[float, ...],
+        free: FloatArray,
+        seed: FloatArray,
+        moved: float,
+        q: FloatArray,
+        status: Array,
+    ) -> None:
+        """Fills the rows of a pose that have a solution, with all roots moved by an angle."""
+        T = np.array([*pose, 0.0, 0.0, 0.0, 1.0]).reshape(1, 4, 4)
+        rows = _Run(self._program, T, seed, free, np.array([moved])).rows()
+        q[rows.solved[0]] = rows.q[0, rows.solved[0]]
+        status[rows.solved[0]] = OK
 
     def outputs(self) -> list[Array]:
         with np.errstate(all="ignore"):
@@ -181,17 +194,6 @@ class _Run:
             return np.moveaxis(whole, -1, statement.axis + 1).squeeze(statement.axis + 2)
 
         return along_axis(np.array(found)) + self._column(self._by), along_axis(np.array(close))
-
-    def moved(self, pose: int, angles: Array) -> Array:
-        """The rows (M, N, n) of one pose with all roots of polynomials moved by angles (M,).
-
-        The seed is turned away from them: a close root in its place would take its value.
-        """
-        poses = np.broadcast_to(self._poses[pose], (len(angles), 4, 4))
-        away, free = self._given["seed"][pose].copy(), self._given["free"][pose]
-        for joint, _ in self._program.turning[:1]:
-            away[joint - 1] += AWAY
-        return _Run(self._program, poses, away, free, angles).rows().q
 
     def _all_joints(self, statement: AllJoints) -> dict[str, Array]:
         """All joints of all solutions along the only axis, by the runtime."""

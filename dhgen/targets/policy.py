@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.program.regular.regular import tells_regular
+from dhgen.program.walk import finds_roots
 from dhgen.targets.module import stands_on_limits
 from dhgen.targets.walk import (
     checks_again,
@@ -42,6 +43,11 @@ class Policy:
         checks: Whether those values decide on whether the arm can take the pose.
         keeps_limits: Whether others are looked for where the seed's lead beyond limits.
         completes: Whether rows may miss their pose, be lost or nearly meet.
+        adds_others: Whether a joint may have one of a few values, and all of them are rows.
+        ascends: Whether rows are the roots of a polynomial, in their order.
+        equations_end_all: Whether equations may end all rows of a pose that has solutions.
+        root_turns: Joints, from 1, whose values add up to a root of a polynomial that may nearly
+            meet another one, each with its sign.
         merges: Whether branches that meet may come out apart: one root follows another.
         refines: Whether rows of a root that follows another are led to solutions.
         clamps: Whether joints are put on limits near singular poses.
@@ -57,6 +63,10 @@ class Policy:
     checks: bool
     keeps_limits: bool
     completes: bool
+    adds_others: bool
+    ascends: bool
+    equations_end_all: bool
+    root_turns: tuple[tuple[int, int], ...]
     merges: bool
     refines: bool
     clamps: bool
@@ -70,7 +80,7 @@ class Policy:
     @property
     def chooses(self) -> bool:
         """Whether other values than the seed's are looked for where a joint is free."""
-        return self.retries or self.keeps_limits
+        return self.retries or self.keeps_limits or self.adds_others
 
 
 def policy_of(module: SolverModule) -> Policy:
@@ -83,6 +93,10 @@ def policy_of(module: SolverModule) -> Policy:
         checks=checks,
         keeps_limits=bool(joints) and any(joint.limits for joint in module.chain.joints),
         completes=completes,
+        adds_others=completes and checks and solver.rows > 1,
+        ascends=finds_roots(solver) and len(solver.axes) == 1,
+        equations_end_all=tells_regular(solver),
+        root_turns=solver.turning if completes and finds_roots(solver) else (),
         merges=follows_seed and roots_in_a_row(solver) > 1,
         refines=solver.led is not None,
         clamps=stands_on_limits(module),

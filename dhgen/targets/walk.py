@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.ir import AllJoints, Apply, Failure, Guard, Joint, Roots
 from dhgen.program.role import Source
-from dhgen.program.walk import expressions, finds_roots
+from dhgen.program.walk import expressions
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -37,9 +37,10 @@ def roots_in_a_row(program: Program) -> int:
     )
 
 
-def parted(program: Program) -> NumericalKernel | None:
-    """What takes rows to their solutions where roots nearly meet; None where there are no roots."""
-    return program.tightened if finds_roots(program) else None
+def descents(program: Program) -> NumericalKernel | None:
+    """What least squares know of the arm, where they solve it or complete its rows."""
+    whole = whole_arm(program)
+    return program.tightened if whole is None else whole.descent
 
 
 def whole_arm(program: Program) -> AllJoints | None:

@@ -12,15 +12,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .jit import calling
+from .jit import calling, of_file
 from .places import (
     CHOOSABLE,
+    DESCENTS,
     ENTRIES,
     GIVEN_JOINTS,
     JOINTS,
     MISS_WEIGHTS,
     RECORD,
     RETRIES,
+    ROOT_TURNS,
     TOGETHER,
 )
 
@@ -29,30 +31,42 @@ if TYPE_CHECKING:
 
     from .arrays import Floats
 
-SOLVE, FK, JACOBIAN, COMPLETE = range(4)  # places among the robot's functions
-ROBOT = "UniTuple(int64, 4)"  # what holds them, in numba's words
+OWN = of_file(__file__)
+
+SOLVE, FK, JACOBIAN, ARM_ANGLE, ARM_ANGLE_MISS = range(5)  # places among the robot's functions
+ROBOT = "UniTuple(int64, 5)"  # what holds them, in numba's words
 POSE = "UniTuple(float64, 12)"  # the upper three rows
 # pose, q_free, seed, moved, q, status: fills the rows of branches that have a solution; roots of
 # polynomials are moved by an angle
 SOLVES = f"void({POSE}, float64[::1], float64[::1], float64, float64[:, ::1], uint8[::1])"
-# pose, q_free, seed, begun, q, status: works on all rows where roots of polynomials nearly meet or
-# rows miss the pose; begun is the first row that was not simply out of reach, or negative
-COMPLETES = f"void({POSE}, float64[::1], float64[::1], int64, float64[:, ::1], uint8[::1])"
+# pose (3, 4), q_free, q, off: by how much q misses the arm angle, and how fast joints 1, 2 and 3
+# change that
+MISSES = "void(float64[:, ::1], float64[::1], float64[::1], float64[::1])"
 
-Robot = tuple[int, int, int, int]
+Robot = tuple[int, int, int, int, int]
 Pose = tuple[float, ...]
 
-solve_at, complete_at = calling(SOLVES), calling(COMPLETES)
+solve_at, miss_at = calling(SOLVES), calling(MISSES)
 fk_at = calling("float64[:, ::1](float64[::1])")
 jacobian_at = calling("float64[:, ::1](float64[::1])")
+arm_angle_at = calling("float64(float64[::1])")
+
+
+@OWN.inner
+def descents_of(arm: Floats) -> Floats:
+    """The numbers of an arm that descents work on."""
+    return arm[int(arm[DESCENTS]) :]
+
 
 # What may have to be done around the formulas.
 STEPS = (
     "retries",  # other values of free joints may reach
     "checks",  # they may also meet the pose
     "keeps limits",  # they may keep limits
-    "regular",  # regular poses are left to fast code
-    "completes",  # the robot's own function works on all rows
+    "completes",  # rows may miss their pose, be lost or nearly meet
+    "adds others",  # a joint may have one of a few values: all of them are rows
+    "ascends",  # rows are the roots of a polynomial, in their order
+    "equations end all",  # rows of a pose that has solutions, where it is not regular
     "merges",  # branches that meet may come out apart
     "refines",  # rows need refining before they are compared
     "clamps",  # joints are clamped to limits
@@ -82,6 +96,7 @@ class Arm:
         given: Joints whose values the caller gives, from 0.
         choosable: Joints that may be free, the last first.
         together: Joints that may have to be chosen together.
+        root_turns: Joints whose values add up to a root of a polynomial, each with its sign.
         cuts: Of an interval by golden section.
     """
 
@@ -100,16 +115,23 @@ class Arm:
     given: tuple[int, ...] = ()
     choosable: tuple[int, ...] = ()
     together: tuple[int, ...] = ()
+    root_turns: tuple[tuple[int, float], ...] = ()
     cuts: int = 0
 
 
-def arm_numbers(arm: Arm) -> Floats:
+def arm_numbers(arm: Arm, descents: Sequence[float] | Floats = ()) -> Floats:
     """The array of an arm.
+
+    Args:
+        arm: The arm.
+        descents: The numbers that descents work on, where rows are completed by such.
 
     Raises:
         ValueError: A step has no name in STEPS.
     """
-    numbers = np.zeros(JOINTS + RECORD * len(arm.types))
+    begin = JOINTS + RECORD * len(arm.types)
+    numbers = np.zeros(begin + len(descents))
+    numbers[DESCENTS], numbers[begin:] = begin, descents
     directions = ("none", "pointing", "rotation").index(arm.directions)
     numbers[:5] = len(arm.types), arm.rows, directions, arm.cuts, 1.0 / arm.size
     numbers[MISS_WEIGHTS : MISS_WEIGHTS + 6] = arm.miss_weights
@@ -122,6 +144,7 @@ def arm_numbers(arm: Arm) -> Floats:
         (CHOOSABLE, arm.choosable),
         (TOGETHER, arm.together),
         (ENTRIES, arm.entries),
+        (ROOT_TURNS, [x for turn in arm.root_turns for x in turn]),
     )
     for at, places in lists:
         numbers[at : at + 1 + len(places)] = len(places), *places

@@ -6,8 +6,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from .arm import COMPLETE, POSE, ROBOT, SOLVE, complete_at, solve_at
+from .arm import POSE, ROBOT, SOLVE, solve_at
 from .clamp import clamp_to_limits
+from .complete import complete_rows
 from .duplicates import remove_duplicates
 from .follow_seed import follow_seed
 from .jit import of_file
@@ -22,7 +23,6 @@ from .places import (
     LOWEST,
     MERGES,
     RECORD,
-    REGULAR,
     ROWS,
     WINDS,
 )
@@ -51,13 +51,13 @@ def _solve_rows(
     """Fills the rows of a pose, before any of them is clamped to limits."""
     rows, dof = int(arm[ROWS]), int(arm[DOF])
     solve_at(robot[SOLVE], pose, q_free, seed, 0.0, q, status)
-    begun = 0 if arm[REGULAR] > 0.0 else -1  # regular poses left: equations may have ended all rows
+    begun = -1
     for row in range(rows - 1, -1, -1):
         if status[row] != UNREACHABLE:
             begun = row
     retry_rows(arm, robot, pose, q_free, seed, q, status)
     if arm[COMPLETES] > 0.0:
-        complete_at(robot[COMPLETE], pose, q_free, seed, begun, q, status)
+        complete_rows(arm, robot, pose, q_free, seed, begun, q, status)
     if arm[MERGES] > 0.0:
         remove_duplicates(arm, robot, pose, q, status)
     for row in range(rows if arm[WINDS] > 0.0 else 0):

@@ -44,10 +44,10 @@ if TYPE_CHECKING:
 
 OWN = of_file(__file__)
 
-_TASK = f"Tuple((float64[::1], {ROBOT}, {POSE}, float64[::1]))"
-_SEARCH = "Tuple((int64, int64, boolean, float64))"
-_FOUND = "Tuple((float64[:, ::1], uint8[::1]))"
-_ATTEMPTS = f"{_TASK}, {_SEARCH}, float64[::1]"
+TASK = f"Tuple((float64[::1], {ROBOT}, {POSE}, float64[::1]))"
+SEARCH = "Tuple((int64, int64, boolean, float64))"
+FOUND = "Tuple((float64[:, ::1], uint8[::1]))"
+ATTEMPTS = f"{TASK}, {SEARCH}, float64[::1]"
 
 HALF_FAN = 32  # values of a free joint that are tried to each side of the first
 # How far a joint is moved whose angle has few digits [rad]: from rounding, doubled again and again.
@@ -88,7 +88,7 @@ def shortfall(task: Task, row: int, found: Found) -> float:
     return 0.0 if miss <= FREE else -miss / (1.0 + miss)
 
 
-@OWN.apart(f"float64({_ATTEMPTS}, float64, {_FOUND})")
+@OWN.apart(f"float64({ATTEMPTS}, float64, {FOUND})")
 def attempt(task: Task, search: Search, seed: Floats, moved: float, found: Found) -> float:
     """Solves with the joint moved. Returns 0 if that solves the row, else less."""
     arm, robot, pose, q_free = task
@@ -120,7 +120,7 @@ def _peak(task: Task, search: Search, seed: Floats, low: float, high: float, fou
     return low
 
 
-@OWN.apart(f"float64({_ATTEMPTS}, float64, float64, {_FOUND})")
+@OWN.apart(f"float64({ATTEMPTS}, float64, float64, {FOUND})")
 def summit(
     task: Task, search: Search, seed: Floats, low: float, high: float, found: Found
 ) -> float:
@@ -153,13 +153,13 @@ def _nearest_end(
 
 
 @OWN.inner
-def _fan(arm: Floats, joint: int) -> float:
+def fan(arm: Floats, joint: int) -> float:
     """From one value of a joint that is tried to the next."""
     step: float = arm[FAN_STEP + RECORD * joint]
     return step
 
 
-@OWN.apart(f"float64({_ATTEMPTS}, {_FOUND})")
+@OWN.apart(f"float64({ATTEMPTS}, {FOUND})")
 def _working_value(task: Task, search: Search, seed: Floats, found: Found) -> float:
     """How far a free joint has to be moved from the seed's value until it works, or NaN.
 
@@ -169,7 +169,7 @@ def _working_value(task: Task, search: Search, seed: Floats, found: Found) -> fl
     """
     if attempt(task, search, seed, 0.0, found) == 0.0:
         return 0.0
-    step, nearest, here, exactly = _fan(task[0], search[1]), math.nan, -math.inf, False
+    step, nearest, here, exactly = fan(task[0], search[1]), math.nan, -math.inf, False
     after = attempt(task, search, seed, -HALF_FAN * step, found)
     for k in range(-HALF_FAN, HALF_FAN + 1):
         before, here = here, after
@@ -223,7 +223,7 @@ def _working_digits(task: Task, search: Search, seed: Floats, found: Found) -> f
 @OWN.inner
 def _nearest_miss(task: Task, search: Search, seed: Floats, found: Found) -> float:
     """How far a free joint has to be moved until the arm comes nearest to its pose."""
-    step = _fan(task[0], search[1])
+    step = fan(task[0], search[1])
     first = attempt(task, search, seed, 0.0, found)
     best, at = first, 0.0
     for k in range(-HALF_FAN, HALF_FAN + 1):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from dhgen.kinematics.build import build_chain
-from dhgen.numerical.kernel import FEW_STARTS, numerical_kernel
+from dhgen.numerical.kernel import numerical_kernel
 from dhgen.numerical.runtime_arm import runtime_arm
 from dhgen.program.interpret import interpret
 from dhgen.robot.load import load
@@ -381,10 +381,11 @@ def test_nearly_free_joints_do_not_leave_a_pose_without_rows(tmp_path: Path) -> 
             np.testing.assert_allclose(solver.fk(np.ascontiguousarray(row)), T, atol=1e-9)
     kernel = numerical_kernel(build_chain(arm), redundant=False)
     numbers, descent = arm_numbers(runtime_arm(kernel)), plain("numerical.descent")
-    for start in range(FEW_STARTS):
+    goal = T[:3].copy(), np.zeros(0), 0
+    for start in range(plain("general.rows").STARTS):
         u = np.empty(6)
         descent.start_of(numbers, start, np.zeros(6), u)
-        missed = descent.descend(numbers, T[:3].copy(), np.zeros(6), u)
+        missed = descent.descend(numbers, goal, np.zeros(6), u)
         assert missed <= TOLERANCES.polished
 
 

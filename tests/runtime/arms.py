@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.runtime.python.arm import Arm
+from dhgen.runtime.python.numerical.arm import Arm as Links
+from dhgen.runtime.python.numerical.arm import ChainJoint, Joint
 from tests.runtime.plain import part
 
 if TYPE_CHECKING:
@@ -49,6 +51,25 @@ def called(kind: str, module: str, name: str) -> Any:
     return njit(error_model="numpy")(lambda *values: function(*values))  # noqa: PLW0108  numba wants one
 
 
+def links_of(**others: Any) -> Links:
+    """The same arm as descents work on it."""
+    joints = tuple(ChainJoint(_along_x(length)) for length in LENGTHS.tolist())
+    arm = Links(
+        rows=2,
+        size=0.5,
+        coordinates=(0, 1),
+        directions="none",
+        joints=(Joint(0), Joint(1)),
+        base=_along_x(0.0),
+        chain=joints,
+    )
+    return replace(arm, **others)
+
+
+def _along_x(length: float) -> tuple[float, ...]:
+    return (1.0, 0.0, 0.0, length, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)
+
+
 def elbow(q: Any, sign: float) -> Any:
     """The joint values of the other row: the arm mirrored at the line to its tool."""
     x, y = position(q)
@@ -73,7 +94,10 @@ def pose_at(q: Any) -> tuple[float, ...]:
 
 @cache
 def planar(kind: str) -> Any:
-    """A robot of two turning joints in the plane: its functions, by addresses."""
+    """A robot of two turning joints in the plane: its functions, by addresses.
+
+    In the place of the arm angle is joint 1.
+    """
     how, arm = part(kind, "jit").of_file(__file__), part(kind, "arm")
     array = "float64[:, ::1](float64[::1])"
     a, b = 0.5, 0.4
@@ -113,7 +137,15 @@ def planar(kind: str) -> Any:
             q[row, 1] = (math.pi - angle if row == 1 else angle) - seed[0]
             status[row] = 2
 
-    given = how.addresses("solve", "fk", "jacobian", None)
+    @how.apart("float64(float64[::1])")  # type: ignore[untyped-decorator]
+    def first_joint(q: Any) -> Any:
+        return q[0]
+
+    @how.apart(arm.MISSES)  # type: ignore[untyped-decorator]
+    def first_joint_miss(T: Any, q_free: Any, q: Any, off: Any) -> None:  # noqa: ARG001
+        off[0], off[1], off[2], off[3] = q_free[0] - q[0], 1.0, 0.0, 0.0
+
+    given = how.addresses("solve", "fk", "jacobian", "first_joint", "first_joint_miss")
     if kind == "plain":
         return given()
     from numba import njit  # noqa: PLC0415  only where there is one

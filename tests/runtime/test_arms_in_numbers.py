@@ -42,16 +42,16 @@ def test_misses_change_as_their_jacobian_says(name: str) -> None:
     kernel = numerical_kernel(chain, redundant=False)
     arm, measure_miss = arm_numbers(runtime_arm(kernel)), plain("numerical.descent").measure_miss
     q = np.random.default_rng(2).uniform(-1.0, 1.0, chain.dof)
-    T = numeric_arm(chain).pose(q)[:3].copy()
+    goal = numeric_arm(chain).pose(q)[:3].copy(), np.zeros(0), None
     u = q[list(kernel.solved)] / kernel.units
     e, A = np.empty(kernel.equations), np.empty((kernel.equations, len(u)))
-    assert measure_miss(arm, T, q.copy(), u, e, A) < 1e-14
+    assert measure_miss(arm, goal, q.copy(), u, e, A) < 1e-14
     for j in range(len(u)):
         ends = []
         for step in (1e-6, -1e-6):
             moved, ignored = u.copy(), A.copy()
             moved[j] += step
-            measure_miss(arm, T, q.copy(), moved, e, ignored)
+            measure_miss(arm, goal, q.copy(), moved, e, ignored)
             ends.append(e.copy())
         np.testing.assert_allclose((ends[1] - ends[0]) / 2e-6, A[:, j], atol=1e-8)
 

@@ -10,7 +10,16 @@ import pytest
 
 from dhgen.runtime import c_runtime_files
 from dhgen.runtime.python import pose, tolerances
-from dhgen.runtime.python.numerical import descent, family, keep, solutions
+from dhgen.runtime.python.numerical import (
+    descent,
+    family,
+    keep,
+    other_values,
+    refine_rows,
+    search_lost_rows,
+    solutions,
+    split_close_roots,
+)
 from dhgen.tolerances import DOUBLE, SINGLE
 
 if TYPE_CHECKING:
@@ -107,6 +116,32 @@ IN_DESCENTS = {
     "LIMIT": family.LIMIT,
     "ROW_TIE": solutions.TIE,
 }
+
+
+# The same where rows are completed.
+IN_ROWS = (
+    (refine_rows, ("ROW_STEPS", "ESCAPES", "STUCK", "SPARE", "SURE", "LOOSE")),
+    (other_values, ("CLOSE_FAN", "TOGETHER")),
+    (split_close_roots, ("TURNED_AWAY", "FIRST_POWER", "LAST_POWER", "POWER_STEP")),
+    (search_lost_rows, ("SEARCH_STARTS",)),
+)
+FAULTS = ("IS_BEYOND_LIMITS", "IS_INEXACT", "IS_MISSING")
+ACROSS = re.compile(r"dhgen_across\[5\] = \{(.*)\}")
+
+
+def test_completed_rows_are_alike_in_python() -> None:
+    files, found = c_runtime_files(), table(DOUBLE)
+    for module, _ in IN_ROWS:
+        name = module.__name__.rpartition(".")[2]
+        found |= defined(files[f"dhgen/numerical/{name}.h"])
+    ours = {name: getattr(module, name) for module, names in IN_ROWS for name in names}
+    assert {name: found[name] for name in ours} == ours
+    across = ACROSS.search(files["dhgen/numerical/split_close_roots.h"])
+    assert across is not None
+    assert tuple(map(float, across[1].split(","))) == split_close_roots.ACROSS
+    wrong = {each: getattr(search_lost_rows, each) for each in FAULTS}
+    listed = ", ".join(f"DHGEN_{name} = {number}" for name, number in wrong.items())
+    assert f"enum {{ {listed} }};" in files["dhgen/numerical/search_lost_rows.h"]
 
 
 def test_descents_are_alike_in_python() -> None:

@@ -15,7 +15,6 @@ import pytest
 from jinja2 import nodes
 
 from dhgen.printing.templates import render
-from dhgen.targets import writing
 from dhgen.targets.c import files as c
 from dhgen.targets.python import files as python
 from dhgen.tolerances import Tolerances
@@ -163,7 +162,7 @@ def filled(robot: str) -> tuple[tuple[str, dict[str, object]], ...]:
 
     module = made(robot).module
     with pytest.MonkeyPatch.context() as patch:
-        for place in (c, python, writing):
+        for place in (c, python):
             patch.setattr(place, "render", filled_in)
         c.c_files(module)
         python.python_files(module)

@@ -19,8 +19,8 @@ from dhgen.general.hidden_slide import UNIT
 from dhgen.general.no_turn import NEARLY_NONE, NEARLY_NONE_IN_DOUBT
 from dhgen.kinematics.chain import Slide, Turn
 from dhgen.kinematics.neighbours import EXACT, axis_triples, short_number
-from dhgen.numerical import kernel as constants
 from dhgen.paul.refusal.unsolved import NEARLY_CONCURRENT, NEARLY_PARALLEL
+from dhgen.runtime.plain import plain
 from dhgen.runtime.python.general.tables import SAMPLES
 from dhgen.tolerances import TOLERANCES
 
@@ -250,14 +250,15 @@ def joint_symbol(kernel: GeneralKernel, place: int) -> Symbol:
 
 def numerical_section(kernel: NumericalKernel, chain: Chain) -> list[Block]:
     """What replaces the steps of Paul's method."""
+    search = plain("numerical.search")
     return blocks_of(
         "numerical",
         redundant=kernel.redundant,
         size=size_in_words(chain),
-        damping=constants.DAMPING,
-        starts=constants.STARTS,
-        more_starts=constants.REDUNDANT_STARTS - 1,
-        rounds=constants.ROUNDS,
+        damping=plain("numerical.descent").DAMPING,
+        starts=search.STARTS,
+        more_starts=search.REDUNDANT_STARTS - 1,
+        rounds=search.ROUNDS,
         rows=kernel.rows,
         residual=f"{kernel.residual:.0e}",
     )

@@ -2,7 +2,7 @@
 """Where an arm's numbers stand in the array that the runtime around closed forms gets.
 
 0 ... JOINTS      the arm's own: sizes, steps, lists of places
-JOINTS ...        a record for each joint
+JOINTS ...        a record for each joint, then the numbers that descents work on
 """
 
 from __future__ import annotations
@@ -16,18 +16,22 @@ MISS_WEIGHTS = 5  # six: what the entries of a miss count in refining, lengths i
 NO_DIRECTION, POINTING, ROTATION = 0.0, 1.0, 2.0  # of the tool's directions: none, its z axis, all
 
 # Whether a step is taken around the formulas, each under its name in `arm.STEPS`.
-RETRIES, CHECKS, KEEPS_LIMITS, REGULAR, COMPLETES = range(11, 16)
-MERGES, REFINES, CLAMPS, CLAMPS_FAR, WINDS, FOLLOWS_SEED = range(16, 22)
+RETRIES, CHECKS, KEEPS_LIMITS = range(11, 14)
+COMPLETES, ADDS_OTHERS, ASCENDS, EQUATIONS_END_ALL = range(14, 18)
+MERGES, REFINES, CLAMPS, CLAMPS_FAR, WINDS, FOLLOWS_SEED = range(18, 24)
+
+DESCENTS = 24  # where the numbers of the arm begin that descents work on (numerical/places.py)
 
 # Lists: how many there are, and from the next place on joints or entries of a pose, from 0.
 MOST = 16
-GIVEN_JOINTS = 22  # whose values the caller gives
+GIVEN_JOINTS = 25  # whose values the caller gives
 CHOOSABLE = GIVEN_JOINTS + 1 + MOST  # that may be free, the last first
 TOGETHER = CHOOSABLE + 1 + MOST  # that may have to be chosen together
 ENTRIES = TOGETHER + 1 + MOST  # of a pose that count, in sixteen numbers
+ROOT_TURNS = ENTRIES + 1 + MOST  # whose values add up to a root of a polynomial, each with its sign
 
 # The record of a joint, and where its numbers stand for the first of them.
-JOINTS = ENTRIES + 1 + MOST
+JOINTS = ROOT_TURNS + 1 + MOST
 RECORD = 7
 LOWEST, HIGHEST = JOINTS, JOINTS + 1  # the limits, with the slack for rounding [rad or length]
 TURNS = JOINTS + 2  # 1 for a joint that turns, 0 for one that slides

@@ -6,12 +6,11 @@ from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING
 
-from dhgen.numerical.kernel import REDUNDANT_STARTS, STARTS
-from dhgen.program.regular.regular import tells_regular
+from dhgen.runtime.plain import plain
 from dhgen.runtime.python.numerical.arm import strides
 from dhgen.targets.layout import c_array
-from dhgen.targets.solver.searches import searches_of
-from dhgen.targets.walk import parted, whole_arm
+from dhgen.targets.policy import policy_of
+from dhgen.targets.walk import descents, whole_arm
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -80,7 +79,7 @@ class Descents:
 def c_descents(module: SolverModule) -> Descents | None:
     """The table of a robot, where it is solved by descents or its rows may miss their pose."""
     whole = whole_arm(module.solver)
-    kernel = module.solver.tightened if whole is None else whole.descent
+    kernel = descents(module.solver)
     if kernel is None:
         return None
     chain, name = kernel.arm.chain, module.name
@@ -88,7 +87,8 @@ def c_descents(module: SolverModule) -> Descents | None:
     units, count = kernel.units, len(kernel.solved)
     bounds = (kernel.lowest, kernel.highest) if kernel.bounded else ((), ())
     words = (int(kernel.redundant), int(kernel.limited), int(kernel.checked))
-    starts = REDUNDANT_STARTS if kernel.redundant else STARTS
+    search = plain("numerical.search")
+    starts = search.REDUNDANT_STARTS if kernel.redundant else search.STARTS
     given = f"{len(chain.free)}, {'given_places' if chain.free else '0'}"
     return Descents(
         joints=_places("solved", kernel.solved),
@@ -122,19 +122,18 @@ def c_descents(module: SolverModule) -> Descents | None:
 
 
 def _turns(module: SolverModule) -> str:
-    if parted(module.solver) is None:
-        return ""
-    turning = module.solver.turning
+    turning = policy_of(module).root_turns
     entries = [f"{{ {joint - 1}, {float(sign)!r} }}" for joint, sign in turning]
-    return c_array(f"static const struct dhgen_root_turn turns[{len(entries)}]", entries)
+    head = f"static const struct dhgen_root_turn turns[{len(entries)}]"
+    return c_array(head, entries) if entries else ""
 
 
 def _completion(module: SolverModule, kernel: NumericalKernel) -> str:
     """What `dhgen_complete_rows` does."""
-    searches = searches_of(module)
-    turns = 0 if parted(module.solver) is None else len(module.solver.turning)
-    flags = f"{int(searches.others)}, /* adds others */ {int(searches.ascend)}, /* ascends */"
-    flags += f" {int(tells_regular(module.solver))}, /* equations end all */"
+    policy = policy_of(module)
+    turns = len(policy.root_turns)
+    flags = f"{int(policy.adds_others)}, /* adds others */ {int(policy.ascends)}, /* ascends */"
+    flags += f" {int(policy.equations_end_all)}, /* equations end all */"
     arm_angle = f"{module.name}_arm_angle" if kernel.elbow else "0"
     return f"&descents, {'turns' if turns else '0'}, {turns}, {flags} {arm_angle}"
 

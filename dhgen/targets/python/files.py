@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.printing.templates import named, render
 from dhgen.program.regular.flatten import flatten
+from dhgen.program.walk import finds_roots
 from dhgen.runtime.python import INTERFACE
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import regular_solver
@@ -20,18 +21,15 @@ from dhgen.targets.python.texts import (
     python_pose,
     python_tables,
 )
-from dhgen.targets.python.whole import IN_PYTHON
+from dhgen.targets.python.whole import Whole, python_whole
 from dhgen.targets.scalar import pose_entries
 from dhgen.targets.solver.bodies import Bodies, bodies_of
-from dhgen.targets.solver.calls import Calls
 from dhgen.targets.solver.common import common_of
-from dhgen.targets.solver.parts import Parts, parts_of
-from dhgen.targets.walk import uses
+from dhgen.targets.walk import uses, whole_arm
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Program
     from dhgen.targets.module import SolverModule
-    from dhgen.targets.solver.common import Common
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,9 +40,10 @@ class PythonSolver:
         comments: What the module says of itself.
         tables: Its constants.
         pose: How a pose is read.
-        calls: How functions are called and compiled.
         bodies: The programs.
-        parts: Functions that have templates of their own.
+        whole: What solves for all joints at once, where that is done.
+        functions: Those that the runtime calls, by their names.
+        compiled: Those that compile parts of the runtime that only some robots need.
         regular: The formulas of regular poses, where there is a program for them.
         arctangent: Whether the solver takes arctangents.
     """
@@ -52,9 +51,10 @@ class PythonSolver:
     comments: PythonComments
     tables: PythonTables
     pose: PythonPose
-    calls: Calls
     bodies: Bodies
-    parts: Parts
+    whole: Whole | None
+    functions: str
+    compiled: str
     regular: Formulas | None
     arctangent: bool
 
@@ -62,26 +62,44 @@ class PythonSolver:
 def python_files(module: SolverModule) -> dict[str, str]:
     """The module by its name."""
     common = common_of(module)
-    solver = python_solver(module, common)
+    solver = python_solver(module)
     text = render("python/solver.py.jinja", **named(common), **named(solver), interface=INTERFACE)
     return {f"{module.name}.py": text}
 
 
-def python_solver(module: SolverModule, common: Common) -> PythonSolver:
+def python_solver(module: SolverModule) -> PythonSolver:
     """What the templates name of a robot."""
     regular = regular_solver(module)
     flat = None if regular is None else flatten(regular)
-    calls = Calls(free_parameter=", q_free", free_argument=", q_free")
     return PythonSolver(
         comments=python_comments(module, flat),
         tables=python_tables(module, flat),
         pose=python_pose(module),
-        calls=calls,
         bodies=bodies_of(module, Python(), _assignments, _entries),
-        parts=parts_of(module, common, calls, IN_PYTHON),
+        whole=python_whole(module.solver),
+        functions=_functions(module),
+        compiled=_compiled(module),
         regular=None if flat is None else formulas_of(flat, module.chain.given),
         arctangent=uses(module.solver, "atan2"),
     )
+
+
+def _functions(module: SolverModule) -> str:
+    """The functions that the runtime calls, in its order, by their names."""
+    ours = ["_solve", "fk", "jacobian"]
+    if module.plane_miss is not None:
+        ours += ["arm_angle", "_arm_angle_miss"]
+    return ", ".join([*(f'"{name}"' for name in ours), *["None"] * (5 - len(ours))])
+
+
+def _compiled(module: SolverModule) -> str:
+    """What compiles the parts of the runtime that not all robots need."""
+    needed = {
+        "_whole.compile_apart,": whole_arm(module.solver) is not None,
+        "_circle.OWN.compile_apart,": finds_roots(module.solver),
+        '_runtime("complete").compile_apart,': module.solver.tightened is not None,
+    }
+    return " ".join(name for name, does in needed.items() if does)
 
 
 def _entries(program: Program) -> list[str]:

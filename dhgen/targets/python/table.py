@@ -21,19 +21,21 @@ if TYPE_CHECKING:
 NAMED = {"types": "JOINT_TYPES", "limits": "JOINT_LIMITS"}
 
 
-def arm_lines(module: SolverModule, *, regular: bool) -> list[str]:
-    """The expression for a robot's table, indented."""
-    arm = _arm(module, regular=regular)
+def arm_lines(module: SolverModule) -> list[str]:
+    """The expressions that a robot's table is made of, indented."""
+    arm = _arm(module)
     lines = [f"{INDENT}_arms.Arm("]
     for each in fields(arm):
         value = getattr(arm, each.name)
         if value != each.default:
             text = NAMED.get(each.name) or literal(value, {}, INDENT * 2)
             lines.append(f"{INDENT * 2}{each.name}={text},")
-    return [*lines, f"{INDENT})"]
+    links = module.solver.tightened is not None
+    numbers = [f"{INDENT}_joints.arm_numbers(_LINKS),"] if links else []
+    return [*lines, f"{INDENT}),", *numbers]
 
 
-def _arm(module: SolverModule, *, regular: bool) -> Arm:
+def _arm(module: SolverModule) -> Arm:
     chain, policy = module.chain, policy_of(module)
     measures = policy.checks or policy.completes
     return Arm(
@@ -48,22 +50,25 @@ def _arm(module: SolverModule, *, regular: bool) -> Arm:
         miss_weights=tuple(map(float, miss_weights(chain))),
         size=chain.size,
         entries=tuple(e.place for e in named_entries(chain)) if measures else (),
-        steps=_steps(policy, regular=regular),
+        steps=_steps(policy),
         given=tuple(number - 1 for number in chain.free),
         choosable=policy.choosable if policy.chooses else (),
         together=policy.together if policy.retries else (),
+        root_turns=tuple((joint - 1, float(sign)) for joint, sign in policy.root_turns),
         cuts=policy.cuts if policy.chooses else 0,
     )
 
 
-def _steps(policy: Policy, *, regular: bool) -> tuple[str, ...]:
+def _steps(policy: Policy) -> tuple[str, ...]:
     """What has to be done around the formulas."""
     steps = {
         "retries": policy.retries,
         "checks": policy.retries and policy.checks,
         "keeps limits": policy.keeps_limits,
-        "regular": regular,
         "completes": policy.completes,
+        "adds others": policy.adds_others,
+        "ascends": policy.completes and policy.ascends,
+        "equations end all": policy.completes and policy.equations_end_all,
         "merges": policy.merges,
         "refines": policy.refines,
         "clamps": policy.clamps,

@@ -11,6 +11,7 @@ from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import WIDTH, paragraph
 from dhgen.targets.module import made_text
 from dhgen.targets.python.table import arm_lines
+from dhgen.targets.python.whole import python_links
 from dhgen.targets.scalar import pose_entries
 from dhgen.targets.solver.task import meaning
 
@@ -53,6 +54,7 @@ class PythonTables:
         limits: Of each joint.
         branches: The name of every row.
         free_joints: Whose values the caller gives; empty without any.
+        links: The arm as descents work on it; empty where none do.
         arm: What the arm's table in the runtime is made of.
         constants: Of the programs, as lines.
     """
@@ -60,6 +62,7 @@ class PythonTables:
     limits: Sequence[str]
     branches: Sequence[str]
     free_joints: str
+    links: str
     arm: Sequence[str]
     constants: Sequence[str]
 
@@ -133,7 +136,8 @@ def python_tables(module: SolverModule, flat: Flat | None) -> PythonTables:
         limits=[f"({pair[0]!r}, {pair[1]!r})" if pair else none for pair in limits],
         branches=module.branches,
         free_joints=f"({', '.join(map(str, free))},)" if free else "",
-        arm=arm_lines(module, regular=flat is not None),
+        links=python_links(module.solver),
+        arm=arm_lines(module),
         constants=[line for each in constants for line in _constant(each)],
     )
 

@@ -1,4 +1,4 @@
-"""Arms that are solved as a whole: their numbers, and the call of the runtime's solver."""
+"""Arms that descents work on: their numbers, and what solves for all joints at once."""
 
 from __future__ import annotations
 
@@ -7,47 +7,40 @@ from typing import TYPE_CHECKING
 
 from dhgen.general.runtime_loop import runtime_loop
 from dhgen.numerical.runtime_arm import runtime_arm
-from dhgen.printing.templates import render
 from dhgen.runtime.python.general.arm import Loop
 from dhgen.runtime.python.numerical.arm import Arm
-from dhgen.targets.numerical.arrays import python_arrays
 from dhgen.targets.python.literal import literal
-from dhgen.targets.writing import Writing
+from dhgen.targets.walk import descents, whole_arm
 
 if TYPE_CHECKING:
-    from dhgen.program.ir import AllJoints
+    from dhgen.program.ir import Program
 
 MODULES = {Arm.__module__: "_joints", Loop.__module__: "_loops"}
 
 
 @dataclass(frozen=True, slots=True)
 class Whole:
-    """What the template names.
+    """What the template of such a solver names.
 
     Attributes:
-        arm: The joints, the task and the forward model.
         loop: The loop of the general algorithm; empty where descents alone find solutions.
         given: Whether the caller gives values of joints.
     """
 
-    arm: str
     loop: str
     given: bool
 
 
-def python_all_joints(whole: AllJoints) -> str:
-    """The numbers of the arm, and what solves for all joints."""
-    kernel = whole.general
-    texts = Whole(
-        arm=literal(runtime_arm(whole.descent), MODULES),
-        loop="" if kernel is None else literal(runtime_loop(kernel), MODULES),
-        given=whole.given,
-    )
-    return render("python/whole.py.jinja", whole=texts)
+def python_links(program: Program) -> str:
+    """The joints, the task and the forward model that descents work on; empty without any."""
+    kernel = descents(program)
+    return "" if kernel is None else literal(runtime_arm(kernel), MODULES)
 
 
-IN_PYTHON = Writing(
-    "python/{}.py.jinja",
-    python_arrays,
-    lambda whole, _, __: python_all_joints(whole),
-)
+def python_whole(program: Program) -> Whole | None:
+    """What solves for all joints at once, where that is done."""
+    whole = whole_arm(program)
+    if whole is None:
+        return None
+    loop = "" if whole.general is None else literal(runtime_loop(whole.general), MODULES)
+    return Whole(loop, whole.given)

@@ -9,7 +9,6 @@ from dhgen.status import Status
 from dhgen.targets.solver.given import Given, given_of
 from dhgen.targets.solver.module import Module, module_of
 from dhgen.targets.solver.programs import Programs, programs_of
-from dhgen.targets.solver.searches import Searches, searches_of
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
@@ -23,14 +22,12 @@ class Common:
         module: What it is called, and what it solves for.
         given: What the caller gives besides the pose.
         programs: What the programs do.
-        searches: How other values of free joints are looked for where rows are completed.
         status: What a row holds.
     """
 
     module: Module
     given: Given
     programs: Programs
-    searches: Searches
     status: type[Status]
 
 
@@ -40,6 +37,5 @@ def common_of(module: SolverModule) -> Common:
         module=module_of(module),
         given=given_of(module.chain),
         programs=programs_of(module),
-        searches=searches_of(module),
         status=Status,
     )

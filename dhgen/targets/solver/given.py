@@ -10,14 +10,6 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class GivenPlace:
-    """A joint whose value the caller gives: its place in the arm, and among those, from 0."""
-
-    joint: int
-    place: int
-
-
-@dataclass(frozen=True, slots=True)
 class Given:
     """Values that the caller gives.
 
@@ -48,8 +40,3 @@ def given_of(chain: Chain) -> Given:
         ),
         fault="the arm angle" if angle else "a free joint's value",
     )
-
-
-def given_places(chain: Chain) -> tuple[GivenPlace, ...]:
-    """The joints whose values the caller gives."""
-    return tuple(GivenPlace(number - 1, place) for place, number in enumerate(chain.free))

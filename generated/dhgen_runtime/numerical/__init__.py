@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Damped least squares: what takes joint values to solutions, and tells solutions apart.
 
-In reading order: places (the numbers of an arm), forward (pose and Jacobian), descent (steps to a
-solution), solutions (which of them are one), family (the member of a continuum that is nearest to
-the seed), keep (how a solution joins others), search (all joints from starts alone).
+In reading order: places (the numbers of an arm), goal (what is to be met), forward (pose and
+Jacobian), descent (steps to a solution), solutions (which of them are one), family (the member of a
+continuum that is nearest to the seed), keep (how a solution joins others), search (all joints from
+starts alone). For rows of formulas: refine_rows, other_values, split_close_roots, search_lost_rows.
 """

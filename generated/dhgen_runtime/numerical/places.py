@@ -21,9 +21,10 @@ DIRECTIONS = 11  # NO_DIRECTION, ROTATION or POINTING
 REDUNDANT = 12  # whether every pose has infinitely many solutions
 LIMITED = 13  # whether a joint that is solved for has limits
 CHECKED = 14  # whether the task names more than the joints can choose
+ARM_ANGLE = 15  # whether the caller gives it: the last equation
 # Where the lists begin
-FREE = 15  # places of the joints whose values the caller gives
-CHAIN = 16  # the forward model
+FREE = 16  # places of the joints whose values the caller gives
+CHAIN = 17  # the forward model
 
 NO_DIRECTION, ROTATION, POINTING = 0.0, 1.0, 2.0  # of the tool's directions: none, all, its z axis
 

@@ -11,25 +11,23 @@ import numpy as np
 from ..jit import of_file
 from .descent import descend, descend_towards, start_of, wrap_angles
 from .forward import take
+from .goal import GOAL, NO_ARM_ANGLE, given_joints, goal_of, in_units, take_units
 from .keep import keep
 from .places import (
     DOF,
-    FREE,
-    GIVEN,
     HIGHEST,
     LOWEST,
-    PLACE,
     RECORD,
     REDUNDANT,
     RESIDUAL,
     ROWS,
     SOLVED,
-    UNIT,
 )
 from .solutions import sort_rows
 
 if TYPE_CHECKING:
     from ..arrays import Bools, Floats
+    from .goal import Goal
 
 OWN = of_file(__file__)
 apart, inner, jit = OWN.apart, OWN.inner, OWN.jit
@@ -41,40 +39,12 @@ ROUNDS = 8
 REDUNDANT_STARTS = 24  # of an arm with infinitely many solutions, of which the nearest is kept
 
 
-@inner
-def matrix_of(pose: tuple[float, ...]) -> Floats:
-    """Returns the upper rows (3, 4) of a pose."""
-    T = np.empty((3, 4))
-    for i in range(3):
-        for j in range(4):
-            T[i, j] = pose[4 * i + j]
-    return T
-
-
-@inner
-def given_joints(arm: Floats, q_free: Floats) -> Floats:
-    """Returns joint values that are zero but where the caller gives them."""
-    joints, at = np.zeros(int(arm[DOF])), int(arm[FREE])
-    for k in range(int(arm[GIVEN])):
-        joints[int(arm[at + k])] = q_free[k]
-    return joints
-
-
-@inner
-def seed_in_units(arm: Floats, seed: Floats) -> Floats:
-    """Returns the seed's values of the joints that are solved for, in units."""
-    near = np.empty(int(arm[SOLVED]))
-    for j in range(len(near)):
-        near[j] = seed[int(arm[PLACE + RECORD * j])] / arm[UNIT + RECORD * j]
-    return near
-
-
 @apart(
-    "boolean(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64[::1], "
+    f"boolean(float64[::1], {GOAL}, float64[::1], float64[::1], float64[::1], "
     "float64[::1], float64[::1])"
 )
 def _nearest_solution(
-    arm: Floats, T: Floats, q: Floats, near: Floats, low: Floats, high: Floats, best: Floats
+    arm: Floats, goal: Goal, q: Floats, near: Floats, low: Floats, high: Floats, best: Floats
 ) -> bool:
     """Looks for one of infinitely many solutions near to the seed; returns whether there is one."""
     solved = int(arm[SOLVED])
@@ -83,7 +53,7 @@ def _nearest_solution(
         start_of(arm, k, near, u)
         for j in range(solved):
             u[j] = min(max(u[j], low[j]), high[j])
-        if descend_towards(arm, T, q, u, near, low, high) > arm[RESIDUAL]:
+        if descend_towards(arm, goal, q, u, near, low, high) > arm[RESIDUAL]:
             continue
         square = 0.0
         for j in range(solved):
@@ -96,21 +66,20 @@ def _nearest_solution(
 
 @inner
 def _one_of_many(
-    arm: Floats, T: Floats, joints: Floats, near: Floats, q: Floats, found: Bools
+    arm: Floats, goal: Goal, joints: Floats, near: Floats, q: Floats, found: Bools
 ) -> None:
     """Fills the only row of an arm with infinitely many solutions; inside the limits if it can."""
     solved = int(arm[SOLVED])
     u, low, high = np.zeros(solved), np.empty(solved), np.empty(solved)
     for j in range(solved):
         low[j], high[j] = arm[LOWEST + RECORD * j], arm[HIGHEST + RECORD * j]
-    found[0] = _nearest_solution(arm, T, joints, near, low, high, u)
+    found[0] = _nearest_solution(arm, goal, joints, near, low, high, u)
     if not found[0]:
         low[:], high[:] = -math.inf, math.inf
-        found[0] = _nearest_solution(arm, T, joints, near, low, high, u)
+        found[0] = _nearest_solution(arm, goal, joints, near, low, high, u)
     wrap_angles(arm, u)
     take(q[0], joints)
-    for j in range(solved):
-        q[0, int(arm[PLACE + RECORD * j])] = arm[UNIT + RECORD * j] * u[j]
+    take_units(arm, u, q[0])
 
 
 @apart(
@@ -121,12 +90,16 @@ def all_joints(
     arm: Floats, pose: tuple[float, ...], q_free: Floats, seed: Floats
 ) -> tuple[Floats, Bools, Bools]:
     """Returns rows of joint values, which hold a solution, and where a joint was indeterminate."""
-    T, joints, near = matrix_of(pose), given_joints(arm, q_free), seed_in_units(arm, seed)
+    goal, joints, near = (
+        goal_of(pose, q_free, NO_ARM_ANGLE),
+        given_joints(arm, q_free),
+        in_units(arm, seed),
+    )
     rows, solved = int(arm[ROWS]), int(arm[SOLVED])
     q = np.zeros((rows, int(arm[DOF])))
     found, chosen = np.zeros(rows, np.bool_), np.zeros(rows, np.bool_)
     if arm[REDUNDANT] > 0.0:
-        _one_of_many(arm, T, joints, near, q, found)
+        _one_of_many(arm, goal, joints, near, q, found)
         return q, found, chosen
     u = np.zeros(solved)
     kept, kinds = np.empty((rows, solved)), np.empty(rows, np.int64)
@@ -137,8 +110,8 @@ def all_joints(
                 break
             before = count
         start_of(arm, k, near, u)
-        if descend(arm, T, joints, u) <= arm[RESIDUAL]:
-            count = keep(arm, T, joints, near, kept, kinds, count, u)
+        if descend(arm, goal, joints, u) <= arm[RESIDUAL]:
+            count = keep(arm, goal, joints, near, kept, kinds, count, u)
     sort_rows(arm, kept, kinds, count, joints, q, found, chosen)
     return q, found, chosen
 

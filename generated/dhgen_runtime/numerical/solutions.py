@@ -18,18 +18,17 @@ from .descent import (
     wrap_angles,
 )
 from .forward import take
+from .goal import GOAL, take_units
 from .places import (
     CHECKED,
     EQUATIONS,
-    PLACE,
-    RECORD,
     RESIDUAL,
     SOLVED,
-    UNIT,
 )
 
 if TYPE_CHECKING:
     from ..arrays import Bools, Floats, Ints
+    from .goal import Goal
 
 OWN = of_file(__file__)
 apart, inner = OWN.apart, OWN.inner
@@ -53,8 +52,8 @@ FELT = 0.01  # how far from where it began, and from the other side, a solution 
 TIE = 1e-9  # values closer than this don't decide which of two rows comes first [rad or length]
 
 
-@apart("int64(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64)")
-def continuum(arm: Floats, T: Floats, q: Floats, u: Floats, enough: float) -> int:
+@apart(f"int64(float64[::1], {GOAL}, float64[::1], float64[::1], float64)")
+def continuum(arm: Floats, goal: Goal, q: Floats, u: Floats, enough: float) -> int:
     """Returns whether u is one of a continuum of solutions: 1 if there are others to both sides.
 
     They miss the pose by no more than `enough`. 0 if it is a singular solution that stands alone,
@@ -63,14 +62,14 @@ def continuum(arm: Floats, T: Floats, q: Floats, u: Floats, enough: float) -> in
     solved = int(arm[SOLVED])
     e, A = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), solved))
     along, end, other = np.empty(solved), np.empty(solved), np.full(solved, np.inf)
-    measure_miss(arm, T, q, u, e, A)
+    measure_miss(arm, goal, q, u, e, A)
     if sideways(arm, A, along) <= SINGULAR:
         return -1
     for side in (1.0, -1.0):
         gap = across = 0.0
         for j in range(solved):
             end[j] = u[j] + side * FEELER * along[j]
-        miss = descend(arm, T, q, end)
+        miss = descend(arm, goal, q, end)
         for j in range(solved):
             gap, across = max(gap, abs(end[j] - u[j])), max(across, abs(end[j] - other[j]))
         if miss > enough or min(gap, across) <= FELT:
@@ -79,18 +78,18 @@ def continuum(arm: Floats, T: Floats, q: Floats, u: Floats, enough: float) -> in
     return 1
 
 
-@apart("float64(float64[::1], float64[:, ::1], float64[::1], float64[::1])")
-def enough_beside(arm: Floats, T: Floats, q: Floats, u: Floats) -> float:
+@apart(f"float64(float64[::1], {GOAL}, float64[::1], float64[::1])")
+def enough_beside(arm: Floats, goal: Goal, q: Floats, u: Floats) -> float:
     """Returns what others may miss beside a solution: an exact one leaves exact ones only."""
     if arm[CHECKED] == 0.0:
         return SOLUTION
     e, A = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), int(arm[SOLVED])))
-    return SOLUTION if measure_miss(arm, T, q, u, e, A) <= SOLUTION else arm[RESIDUAL]
+    return SOLUTION if measure_miss(arm, goal, q, u, e, A) <= SOLUTION else arm[RESIDUAL]
 
 
-@apart("boolean(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64[::1], float64)")
+@apart(f"boolean(float64[::1], {GOAL}, float64[::1], float64[::1], float64[::1], float64)")
 def _solves_between(
-    arm: Floats, T: Floats, q: Floats, u: Floats, way: Floats, length: float
+    arm: Floats, goal: Goal, q: Floats, u: Floats, way: Floats, length: float
 ) -> bool:
     """Whether solutions lie all along the way from one to another.
 
@@ -99,17 +98,17 @@ def _solves_between(
     solved = int(arm[SOLVED])
     e, A = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), solved))
     end, step = np.empty(solved), np.empty(solved)
-    enough = enough_beside(arm, T, q, u)
+    enough = enough_beside(arm, goal, q, u)
     for part in BETWEEN:
         for j in range(solved):
             end[j] = u[j] + part * way[j]
-        miss = measure_miss(arm, T, q, end, e, A)
+        miss = measure_miss(arm, goal, q, end, e, A)
         for _ in range(STEPS_ASIDE):
             if miss > enough:
                 damped_step(A, e, miss, FLOOR, step)
                 for j in range(solved):
                     end[j] += step[j]
-                miss = measure_miss(arm, T, q, end, e, A)
+                miss = measure_miss(arm, goal, q, end, e, A)
         if miss > enough:
             return False
         for j in range(solved):
@@ -118,8 +117,8 @@ def _solves_between(
     return True
 
 
-@apart("boolean(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64[::1], boolean)")
-def is_same(arm: Floats, T: Floats, q: Floats, known: Floats, u: Floats, loose: bool) -> bool:
+@apart(f"boolean(float64[::1], {GOAL}, float64[::1], float64[::1], float64[::1], boolean)")
+def is_same(arm: Floats, goal: Goal, q: Floats, known: Floats, u: Floats, loose: bool) -> bool:
     """Whether a solution is taken for one that is known; loosely where both are singular."""
     solved = int(arm[SOLVED])
     between, gap = np.empty(solved), 0.0
@@ -130,16 +129,16 @@ def is_same(arm: Floats, T: Floats, q: Floats, known: Floats, u: Floats, loose: 
         gap = max(gap, abs(between[j]))
     if gap < SAME:
         return True
-    return loose and gap < NEIGHBOURS and _solves_between(arm, T, q, known, between, gap)
+    return loose and gap < NEIGHBOURS and _solves_between(arm, goal, q, known, between, gap)
 
 
 @apart(
-    "int64(float64[::1], float64[:, ::1], float64[::1], float64[:, ::1], int64[::1], int64, "
+    f"int64(float64[::1], {GOAL}, float64[::1], float64[:, ::1], int64[::1], int64, "
     "float64[::1], boolean)"
 )
 def find_known(
     arm: Floats,
-    T: Floats,
+    goal: Goal,
     q: Floats,
     kept: Floats,
     kinds: Ints,
@@ -149,7 +148,7 @@ def find_known(
 ) -> int:
     """Returns which of those found before a solution is; -1 for none."""
     for k in range(count):
-        if is_same(arm, T, q, kept[k], u, singular and kinds[k] >= 0):
+        if is_same(arm, goal, q, kept[k], u, singular and kinds[k] >= 0):
             return k
     return -1
 
@@ -180,9 +179,7 @@ def sort_rows(
     """Fills rows by the first joint, then by the second and so on."""
     for k in range(count):
         row = k
-        for j in range(int(arm[SOLVED])):
-            at = RECORD * j
-            joints[int(arm[PLACE + at])] = arm[UNIT + at] * kept[k, j]
+        take_units(arm, kept[k], joints)
         while row > 0 and _comes_before(joints, q[row - 1]):
             take(q[row], q[row - 1])
             chosen[row] = chosen[row - 1]

@@ -15,6 +15,7 @@ import numpy as np
 from ..jit import of_file
 from ..numerical.descent import EXACT, descend, start_of, wrap_angles
 from ..numerical.forward import take
+from ..numerical.goal import NO_ARM_ANGLE, given_joints, goal_of, in_units
 from ..numerical.keep import keep
 from ..numerical.places import (
     CHECKED,
@@ -27,13 +28,13 @@ from ..numerical.places import (
     UNIT,
     ZERO,
 )
-from ..numerical.search import given_joints, matrix_of, seed_in_units
 from ..numerical.solutions import sort_rows
 from .places import POINTING_LOOP
 from .search import solve_loop
 
 if TYPE_CHECKING:
     from ..arrays import Bools, Floats, Ints
+    from ..numerical.goal import Goal
 
 OWN = of_file(__file__)
 apart, inner, jit = OWN.apart, OWN.inner, OWN.jit
@@ -71,7 +72,7 @@ def _in_units(arm: Floats, angles: Floats, u: Floats) -> None:
 @inner
 def _keep_all(
     arm: Floats,
-    T: Floats,
+    goal: Goal,
     joints: Floats,
     near: Floats,
     angles: Floats,
@@ -90,15 +91,15 @@ def _keep_all(
             take(kept[count], u)
             count += 1
         else:
-            descend(arm, T, joints, u)
-            count = keep(arm, T, joints, near, kept, kinds, count, u)
+            descend(arm, goal, joints, u)
+            count = keep(arm, goal, joints, near, kept, kinds, count, u)
     return count
 
 
 @inner
 def _keep_without_turn(
     arm: Floats,
-    T: Floats,
+    goal: Goal,
     joints: Floats,
     near: Floats,
     angles: Floats,
@@ -128,8 +129,8 @@ def _keep_without_turn(
                 count += 1
             continue
         start = not exact and abs(angles[k, solved]) < nearly_none
-        if start and descend(arm, T, joints, u) <= arm[RESIDUAL]:
-            count = keep(arm, T, joints, near, kept, kinds, count, u)
+        if start and descend(arm, goal, joints, u) <= arm[RESIDUAL]:
+            count = keep(arm, goal, joints, near, kept, kinds, count, u)
     return count
 
 
@@ -144,7 +145,8 @@ def all_joints(
 
     Such a joint follows the seed.
     """
-    T, joints, near = matrix_of(pose), given_joints(arm, q_free), seed_in_units(arm, seed)
+    goal = goal_of(pose, q_free, NO_ARM_ANGLE)
+    T, joints, near = goal[0], given_joints(arm, q_free), in_units(arm, seed)
     rows, solved = int(arm[ROWS]), int(arm[SOLVED])
     flat = T.copy().reshape(12)
     if arm[POINTING_LOOP] > 0.0:
@@ -156,18 +158,20 @@ def all_joints(
     found, chosen = np.zeros(rows, np.bool_), np.zeros(rows, np.bool_)
     kept, kinds, count = np.empty((rows, solved)), np.full(rows, -1, np.int64), 0
     u = near.copy()
-    if not certain and descend(arm, T, joints, u) <= arm[RESIDUAL]:
-        count = keep(arm, T, joints, near, kept, kinds, count, u)
+    if not certain and descend(arm, goal, joints, u) <= arm[RESIDUAL]:
+        count = keep(arm, goal, joints, near, kept, kinds, count, u)
     first = 1  # of the starts
     if arm[CHECKED] > 0.0:
-        count = _keep_without_turn(arm, T, joints, near, angles, many, certain, kept, kinds, count)
+        count = _keep_without_turn(
+            arm, goal, joints, near, angles, many, certain, kept, kinds, count
+        )
         first, certain = 0, certain and count > 0
     else:
-        count = _keep_all(arm, T, joints, near, angles, many, certain, kept, kinds, count)
+        count = _keep_all(arm, goal, joints, near, angles, many, certain, kept, kinds, count)
     for k in range(first, 0 if certain else STARTS):
         start_of(arm, k, near, u)
-        if descend(arm, T, joints, u) <= arm[RESIDUAL]:
-            count = keep(arm, T, joints, near, kept, kinds, count, u)
+        if descend(arm, goal, joints, u) <= arm[RESIDUAL]:
+            count = keep(arm, goal, joints, near, kept, kinds, count, u)
     sort_rows(arm, kept, kinds, count, joints, q, found, chosen)
     return q, found, chosen
 

@@ -76,6 +76,7 @@ class Arm:
         free: Places of the joints whose values the caller gives.
         redundant: Whether every pose has infinitely many solutions.
         checked: Whether the task names more than the joints can choose.
+        arm_angle: Whether the caller gives the arm angle: one more equation.
     """
 
     rows: int
@@ -88,6 +89,7 @@ class Arm:
     free: tuple[int, ...] = ()
     redundant: bool = False
     checked: bool = False
+    arm_angle: bool = False
 
 
 def strides(dimension: int) -> tuple[float, ...]:
@@ -135,13 +137,13 @@ def arm_numbers(
     for link in arm.chain:
         chain += [float(link.turns), link.sign, link.offset, *link.after]
     limited = any(j.lowest > -math.inf or j.highest < math.inf for j in arm.joints)
-    entries = len(arm.coordinates) + (3 if arm.directions != "none" else 0)
+    entries = len(arm.coordinates) + (3 if arm.directions != "none" else 0) + arm.arm_angle
     head = [
         *(len(arm.chain), len(arm.joints), entries, arm.rows, len(arm.free), arm.size),
         ROUNDED_RESIDUAL if arm.checked else RESIDUAL,
         *(len(arm.coordinates), *arm.coordinates, *[0] * (3 - len(arm.coordinates))),
         ("none", "rotation", "pointing").index(arm.directions),
-        *(arm.redundant, limited, arm.checked),
+        *(arm.redundant, limited, arm.checked, arm.arm_angle),
     ]
     return _joined(head, joints, [[*map(float, arm.free)], chain], loop, lists)
 

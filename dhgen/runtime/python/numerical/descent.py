@@ -12,9 +12,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..arm import miss_at
 from ..jit import of_file
 from .forward import forward, take
+from .goal import GOAL, take_units
 from .places import (
+    ARM_ANGLE,
     COORDINATE,
     COORDINATES,
     DIRECTIONS,
@@ -31,11 +34,11 @@ from .places import (
     SPAN_WIDTH,
     STRIDE,
     TURNS,
-    UNIT,
 )
 
 if TYPE_CHECKING:
     from ..arrays import Floats
+    from .goal import Goal
 
 OWN = of_file(__file__)
 apart, inner = OWN.apart, OWN.inner
@@ -107,16 +110,11 @@ def _missing_direction(T: Floats, P: Floats, vector: Floats) -> None:
     _rotation_vector(axis, cosine, vector)
 
 
-@apart(
-    "float64(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64[::1], "
-    "float64[:, ::1])"
-)
-def measure_miss(arm: Floats, T: Floats, q: Floats, u: Floats, e: Floats, A: Floats) -> float:
+@apart(f"float64(float64[::1], {GOAL}, float64[::1], float64[::1], float64[::1], float64[:, ::1])")
+def measure_miss(arm: Floats, goal: Goal, q: Floats, u: Floats, e: Floats, A: Floats) -> float:
     """Returns by how much u misses the pose: the length of e, whose Jacobian goes into A."""
-    solved, dof = int(arm[SOLVED]), int(arm[DOF])
-    for j in range(solved):
-        at = RECORD * j
-        q[int(arm[PLACE + at])] = arm[UNIT + at] * u[j]
+    (T, q_free, arm_angle_miss), solved, dof = goal, int(arm[SOLVED]), int(arm[DOF])
+    take_units(arm, u, q)
     P, J = np.empty(12), np.empty((6, dof))
     forward(arm, q, P, J)
     coordinates = int(arm[COORDINATES])
@@ -139,6 +137,12 @@ def measure_miss(arm: Floats, T: Floats, q: Floats, u: Floats, e: Floats, A: Flo
         _missing_rotation(T, P, e[coordinates:])
     elif arm[DIRECTIONS] == POINTING:
         _missing_direction(T, P, e[coordinates:])
+    if arm[ARM_ANGLE] > 0.0:
+        off, last = np.empty(4), int(arm[EQUATIONS]) - 1
+        miss_at(arm_angle_miss, T, q_free, q, off)
+        e[last] = off[0]
+        for j in range(solved):
+            A[last, j] = off[1 + j] if j < 3 else 0.0
     square = 0.0
     for i in range(int(arm[EQUATIONS])):
         square += e[i] * e[i]
@@ -205,8 +209,8 @@ def damped_step(A: Floats, e: Floats, length: float, floor: float, step: Floats)
         step[j] = total[j]
 
 
-@apart("float64(float64[::1], float64[:, ::1], float64[::1], float64[::1])")
-def descend(arm: Floats, T: Floats, q: Floats, u: Floats) -> float:
+@apart(f"float64(float64[::1], {GOAL}, float64[::1], float64[::1])")
+def descend(arm: Floats, goal: Goal, q: Floats, u: Floats) -> float:
     """Takes u to where damped least squares lead; returns by how much that misses the pose.
 
     Near to it less damping than usual leads further, where joints hardly move the tool: there a
@@ -218,7 +222,7 @@ def descend(arm: Floats, T: Floats, q: Floats, u: Floats) -> float:
     least, best, step, floor = math.inf, u.copy(), np.empty(solved), FLOOR
     last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
     for _ in range(STEPS + 1):
-        length = measure_miss(arm, T, q, u, e, A)
+        length = measure_miss(arm, goal, q, u, e, A)
         slow = length >= max(0.5 * last, left)
         stalled = slow and least <= (SOLUTION if floor < FLOOR else EXACT)
         if slow and least <= NEARLY:
@@ -278,11 +282,11 @@ def _limited_step(
 
 
 @apart(
-    "float64(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64[::1], "
+    f"float64(float64[::1], {GOAL}, float64[::1], float64[::1], float64[::1], "
     "float64[::1], float64[::1])"
 )
 def descend_towards(
-    arm: Floats, T: Floats, q: Floats, u: Floats, near: Floats, low: Floats, high: Floats
+    arm: Floats, goal: Goal, q: Floats, u: Floats, near: Floats, low: Floats, high: Floats
 ) -> float:
     """Takes u to a solution on the way to `near`; returns by how much it misses the pose."""
     solved = int(arm[SOLVED])
@@ -290,7 +294,7 @@ def descend_towards(
     least, best, step, pull = math.inf, u.copy(), np.empty(solved), PULL
     wish = np.empty(solved)
     for k in range(1, PULLED_STEPS + STEPS + 1):
-        length = measure_miss(arm, T, q, u, e, A)
+        length = measure_miss(arm, goal, q, u, e, A)
         if pull == 0.0:
             if length >= 0.5 * least and least <= SOLUTION:
                 break

@@ -23,11 +23,13 @@ from .descent import (
     wrap_angles,
 )
 from .forward import take
+from .goal import GOAL
 from .places import EQUATIONS, HIGHEST, LIMITED, LOWEST, RECORD, SOLVED, TURNS
 from .solutions import SINGULAR
 
 if TYPE_CHECKING:
     from ..arrays import Floats
+    from .goal import Goal
 
 OWN = of_file(__file__)
 apart, inner = OWN.apart, OWN.inner
@@ -101,12 +103,12 @@ def _product(a: Floats, b: Floats) -> float:
 
 
 @apart(
-    "boolean(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64, float64, "
+    f"boolean(float64[::1], {GOAL}, float64[::1], float64[::1], float64, float64, "
     "float64[::1], float64[::1], float64[::1])"
 )
 def _walk_on(
     arm: Floats,
-    T: Floats,
+    goal: Goal,
     q: Floats,
     near: Floats,
     step: float,
@@ -120,9 +122,9 @@ def _walk_on(
     e, A, way = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), solved)), u.copy()
     for j in range(solved):
         u[j] += step * along[j]
-    if descend(arm, T, q, u) > enough:
+    if descend(arm, goal, q, u) > enough:
         return False
-    measure_miss(arm, T, q, u, e, A)
+    measure_miss(arm, goal, q, u, e, A)
     length = null_part(A, along)
     _shortest_way(arm, u, near, way)
     walk[FALL] = _product(way, along)
@@ -153,12 +155,12 @@ def _keep_nearer(arm: Floats, near: Floats, u: Floats, walk: Floats, best: Float
 
 
 @apart(
-    "void(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64, float64[::1], "
+    f"void(float64[::1], {GOAL}, float64[::1], float64[::1], float64, float64[::1], "
     "float64[::1], float64[::1], float64[::1])"
 )
 def _walk_to_least(
     arm: Floats,
-    T: Floats,
+    goal: Goal,
     q: Floats,
     near: Floats,
     enough: float,
@@ -172,7 +174,7 @@ def _walk_to_least(
     for _ in range(LEAST_STEPS):
         before = walk[FALL]
         step = min(max(per_fall * before, -WALK_STEP), WALK_STEP)
-        if not _walk_on(arm, T, q, near, step, enough, u, along, walk):
+        if not _walk_on(arm, goal, q, near, step, enough, u, along, walk):
             return
         if abs(step) < LEAST_SETTLED:
             break
@@ -194,7 +196,7 @@ def _note_inside(arm: Floats, near: Floats, u: Floats, walk: Floats, kept: Float
 @inner
 def _walk_along(
     arm: Floats,
-    T: Floats,
+    goal: Goal,
     q: Floats,
     near: Floats,
     enough: float,
@@ -210,11 +212,11 @@ def _walk_along(
     walk[FALL] = _product(way, along)
     for k in range(WALK_STEPS):
         before = walk[FALL]
-        if not _walk_on(arm, T, q, near, WALK_STEP, enough, u, along, walk):
+        if not _walk_on(arm, goal, q, near, WALK_STEP, enough, u, along, walk):
             return False
         after = walk[FALL]
         if before >= 0.0 > after:
-            _walk_to_least(arm, T, q, near, enough, u.copy(), along.copy(), walk, best)
+            _walk_to_least(arm, goal, q, near, enough, u.copy(), along.copy(), walk, best)
             walk[FALL] = after
         if arm[LIMITED] > 0.0:
             _note_inside(arm, near, u, walk, inside)
@@ -224,9 +226,9 @@ def _walk_along(
     return False
 
 
-@apart("void(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64, float64[::1])")
+@apart(f"void(float64[::1], {GOAL}, float64[::1], float64[::1], float64, float64[::1])")
 def go_to_nearest_member(
-    arm: Floats, T: Floats, q: Floats, near: Floats, enough: float, u: Floats
+    arm: Floats, goal: Goal, q: Floats, near: Floats, enough: float, u: Floats
 ) -> None:
     """Takes a member of a continuum to the one that is nearest to the seed.
 
@@ -236,17 +238,17 @@ def go_to_nearest_member(
     e, A = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), solved))
     first, best, inside = np.empty(solved), u.copy(), u.copy()
     walk = np.array([0.0, math.inf, -1.0, math.inf])
-    measure_miss(arm, T, q, u, e, A)
+    measure_miss(arm, goal, q, u, e, A)
     sideways(arm, A, first)
     for side in range(2):
         for j in range(solved):
             first[j] = -first[j] if side else first[j]
-        if _walk_along(arm, T, q, near, enough, u.copy(), first, walk, best, inside):
+        if _walk_along(arm, goal, q, near, enough, u.copy(), first, walk, best, inside):
             break
     take(u, best)
     if walk[BEST_INSIDE] < 1.0 and walk[INSIDE_SQUARE] < math.inf:
         low, high = np.empty(solved), np.empty(solved)
         for j in range(solved):
             low[j], high[j] = arm[LOWEST + RECORD * j], arm[HIGHEST + RECORD * j]
-        if descend_towards(arm, T, q, inside, near, low, high) <= enough:
+        if descend_towards(arm, goal, q, inside, near, low, high) <= enough:
             take(u, inside)

@@ -11,11 +11,13 @@ from ..jit import of_file
 from .descent import descend, descend_towards, measure_miss, wrap_angles
 from .family import LIMIT, clamp, go_to_nearest_member
 from .forward import take
+from .goal import GOAL
 from .places import EQUATIONS, HIGHEST, LIMITED, LOWEST, RECORD, ROWS, SOLVED
 from .solutions import continuum, enough_beside, find_known, is_same
 
 if TYPE_CHECKING:
     from ..arrays import Floats, Ints
+    from .goal import Goal
 
 OWN = of_file(__file__)
 apart, inner = OWN.apart, OWN.inner
@@ -26,10 +28,8 @@ FARTHER_ON = (0.0, 1.0, 3.0, 7.0, 15.0)
 PROMISED = 1e-11  # a row misses its pose by no more [arm sizes, rad]
 
 
-@apart(
-    "boolean(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[::1])"
-)
-def _leads_inside(arm: Floats, T: Floats, q: Floats, near: Floats, u: Floats, end: Floats) -> bool:
+@apart(f"boolean(float64[::1], {GOAL}, float64[::1], float64[::1], float64[::1], float64[::1])")
+def _leads_inside(arm: Floats, goal: Goal, q: Floats, near: Floats, u: Floats, end: Floats) -> bool:
     """Takes joint values on a way from u to a solution inside the limits; whether it can.
 
     It is as exact as a row has to be, and farther on if steps lead back.
@@ -42,18 +42,18 @@ def _leads_inside(arm: Floats, T: Floats, q: Floats, near: Floats, u: Floats, en
     for part in FARTHER_ON:
         for j in range(solved):
             end[j] = start[j] + part * way[j]
-        if descend(arm, T, q, end) <= PROMISED and clamp(arm, end, near, inside) <= LIMIT:
+        if descend(arm, goal, q, end) <= PROMISED and clamp(arm, end, near, inside) <= LIMIT:
             return True
     return False
 
 
 @apart(
-    "void(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], "
+    f"void(float64[::1], {GOAL}, float64[::1], float64[::1], float64[:, ::1], int64[::1], "
     "int64, boolean, float64, float64[::1])"
 )
 def _move_inside(
     arm: Floats,
-    T: Floats,
+    goal: Goal,
     q: Floats,
     near: Floats,
     kept: Floats,
@@ -76,18 +76,20 @@ def _move_inside(
         low[j], high[j] = arm[LOWEST + RECORD * j], arm[HIGHEST + RECORD * j]
     for from_seed in range(2):
         clamp(arm, near if from_seed else u, near, end)
-        if descend_towards(arm, T, q, end, near, low, high) > enough:
+        if descend_towards(arm, goal, q, end, near, low, high) > enough:
             continue
-        if alone and not _leads_inside(arm, T, q, near, u, end):
+        if alone and not _leads_inside(arm, goal, q, near, u, end):
             continue
-        new = find_known(arm, T, q, kept, kinds, count, end, True) < 0
-        if new and (not alone or is_same(arm, T, q, u, end, True)):
+        new = find_known(arm, goal, q, kept, kinds, count, end, True) < 0
+        if new and (not alone or is_same(arm, goal, q, u, end, True)):
             take(u, end)
             return
 
 
 @inner
-def _takes_place(arm: Floats, T: Floats, q: Floats, near: Floats, u: Floats, known: Floats) -> bool:
+def _takes_place(
+    arm: Floats, goal: Goal, q: Floats, near: Floats, u: Floats, known: Floats
+) -> bool:
     """Whether a solution is kept instead of a known one that it is taken for.
 
     It is inside the limits, and as exact as a row has to be; the other one is not inside.
@@ -96,16 +98,16 @@ def _takes_place(arm: Floats, T: Floats, q: Floats, near: Floats, u: Floats, kno
     if clamp(arm, known, near, end) <= LIMIT or clamp(arm, u, near, end) > LIMIT:
         return False
     e, A = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), int(arm[SOLVED])))
-    return measure_miss(arm, T, q, u, e, A) <= PROMISED
+    return measure_miss(arm, goal, q, u, e, A) <= PROMISED
 
 
 @apart(
-    "int64(float64[::1], float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], "
+    f"int64(float64[::1], {GOAL}, float64[::1], float64[::1], float64[:, ::1], int64[::1], "
     "int64, float64[::1])"
 )
 def keep(
     arm: Floats,
-    T: Floats,
+    goal: Goal,
     q: Floats,
     near: Floats,
     kept: Floats,
@@ -117,23 +119,23 @@ def keep(
 
     Where one is exact the pose has not been rounded: then all have to be exact.
     """
-    enough = enough_beside(arm, T, q, u)
-    before = enough_beside(arm, T, q, kept[0]) if count else enough
+    enough = enough_beside(arm, goal, q, u)
+    before = enough_beside(arm, goal, q, kept[0]) if count else enough
     if before < enough:
         return count
     if before > enough:
         count = 0
-    if count == int(arm[ROWS]) or find_known(arm, T, q, kept, kinds, count, u, False) >= 0:
+    if count == int(arm[ROWS]) or find_known(arm, goal, q, kept, kinds, count, u, False) >= 0:
         return count
     limited = arm[LIMITED] > 0.0
-    kind = continuum(arm, T, q, u, enough)
+    kind = continuum(arm, goal, q, u, enough)
     if kind == 1:
-        go_to_nearest_member(arm, T, q, near, enough, u)
+        go_to_nearest_member(arm, goal, q, near, enough, u)
     if limited and kind >= 0:
-        _move_inside(arm, T, q, near, kept, kinds, count, kind == 0, enough, u)
+        _move_inside(arm, goal, q, near, kept, kinds, count, kind == 0, enough, u)
     wrap_angles(arm, u)
-    k = find_known(arm, T, q, kept, kinds, count, u, kind >= 0)
-    if k >= 0 and not (limited and _takes_place(arm, T, q, near, u, kept[k])):
+    k = find_known(arm, goal, q, kept, kinds, count, u, kind >= 0)
+    if k >= 0 and not (limited and _takes_place(arm, goal, q, near, u, kept[k])):
         return count
     k = count if k < 0 else k
     kinds[k] = kind

@@ -1,1 +1,0 @@
-"""What the templates of the numerical solver are filled in with: strings and numbers."""
