@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
@@ -23,13 +23,15 @@ def numbers(values: Any, shape: object, name: str) -> FloatArray:  # noqa: ANN40
     """Values as a contiguous array of float64.
 
     Args:
-        values: What the caller gave: an array, or anything that numpy makes one of.
+        values: What the caller gave: an array, anything that numpy makes one of, or a transform of
+            scipy's, which has `as_matrix`.
         shape: The shape that is wanted, for the message; not looked at.
         name: What the values are called in the message.
 
     Raises:
         ValueError: They are no real numbers.
     """
+    values = _matrix_of(values, name)
     try:
         array = np.ascontiguousarray(values)
         if array.dtype != FLOAT:
@@ -43,6 +45,21 @@ def numbers(values: Any, shape: object, name: str) -> FloatArray:  # noqa: ANN40
     return array
 
 
+def _matrix_of(values: Any, name: str) -> Any:  # noqa: ANN401
+    """What is a pose by its own words, as a matrix; all else as it is.
+
+    Raises:
+        ValueError: It is a rotation, which has no position.
+    """
+    if not hasattr(values, "as_matrix"):
+        return values
+    matrix = values.as_matrix()
+    if np.shape(matrix)[-1:] == (3,):
+        told = f"put {name}.as_matrix() into the upper left of a matrix (4, 4)"
+        raise ValueError(f"{name} is a rotation without a position: {told}")
+    return matrix
+
+
 def array_of(values: Any, shape: tuple[int, ...], name: str) -> FloatArray:  # noqa: ANN401
     """Values as a contiguous array of float64 with a given shape.
 
@@ -51,8 +68,30 @@ def array_of(values: Any, shape: tuple[int, ...], name: str) -> FloatArray:  # n
     """
     array = numbers(values, shape, name)
     if array.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {np.shape(values)}") from None
+        many = "; ik_batch takes many poses" if array.shape[1:] == shape == (4, 4) else ""
+        raise ValueError(f"{name} must have shape {shape}, not {array.shape}{many}") from None
     return array
+
+
+def of_each(function: Callable[[FloatArray], Any], q: Any, dof: int) -> Any:  # noqa: ANN401
+    """A function of joint values, or of each in a stack of them.
+
+    Args:
+        function: Gets an array (dof,).
+        q: Joint values (dof,), or a stack (..., dof): then its results stand in a stack alike.
+        dof: How many joint values.
+
+    Raises:
+        ValueError: They are no real numbers, or as many as there are joints.
+    """
+    array = numbers(q, (dof,), "q")
+    if array.ndim < 2 or array.shape[-1] != dof:
+        return function(array_of(array, (dof,), "q"))
+    shape = np.shape(function(np.zeros(dof)))  # of none there is nothing to look at
+    stack = np.empty((array.size // dof, *shape))
+    for k, values in enumerate(array.reshape(-1, dof)):
+        stack[k] = function(values)
+    return stack.reshape(*array.shape[:-1], *shape)
 
 
 def demand_array(name: str, array: Any, shape: tuple[int, ...], kind: np.dtype[Any]) -> None:  # noqa: ANN401

@@ -11,7 +11,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .arguments import BYTE, FLOAT, array_of, demand_array, is_number, numbers, span
+from .arguments import (
+    BYTE,
+    FLOAT,
+    array_of,
+    demand_array,
+    is_number,
+    numbers,
+    of_each,
+    span,
+)
 from .jit import overload
 from .nearest import nearest
 from .status import INVALID_POSE, OUT_OF_LIMITS
@@ -93,7 +102,8 @@ class Choice:
 def of_joints(how: Compiling, dof: int) -> Callable[[Callable[[Any], Any]], Callable[[Any], Any]]:
     """Compiles a function of joint values.
 
-    Python calls it with any numbers, other numba functions with an array.
+    Python calls it with any numbers, or with a stack of them for a stack of results; other numba
+    functions with an array.
 
     Args:
         how: How the functions of the robot's file are compiled.
@@ -103,7 +113,7 @@ def of_joints(how: Compiling, dof: int) -> Callable[[Callable[[Any], Any]], Call
     def decorate(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
         @functools.wraps(function)
         def call(q: Any) -> Any:  # noqa: ANN401
-            return compiled(array_of(q, (dof,), "q"))
+            return of_each(compiled, q, dof)
 
         def inner(q: Any) -> Any:  # noqa: ANN401
             return compiled(q)

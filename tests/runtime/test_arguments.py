@@ -7,7 +7,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from dhgen.runtime.python.arguments import array_of, demand_array, numbers, results, span
+from dhgen.runtime.python.arguments import (
+    array_of,
+    demand_array,
+    numbers,
+    of_each,
+    results,
+    span,
+)
 
 
 @pytest.mark.parametrize(
@@ -32,6 +39,39 @@ def test_what_is_no_number(values: Any) -> None:
 def test_shapes_are_named() -> None:
     with pytest.raises(ValueError, match=r"^q must have shape \(2,\), not \(3,\)$"):
         array_of([1, 2, 3], (2,), "q")
+
+
+class Transform:
+    """A transform as scipy's are: no sequence, no array, but a matrix that it is asked for."""
+
+    def __init__(self, matrix: Any) -> None:
+        self._matrix = matrix
+
+    def as_matrix(self) -> Any:
+        return self._matrix
+
+
+def test_transforms_say_their_matrix() -> None:
+    assert array_of(Transform(2.0 * np.eye(4)), (4, 4), "T").tolist() == (2.0 * np.eye(4)).tolist()
+    with pytest.raises(ValueError, match=r"^T is a rotation without a position: put T.as_matrix"):
+        array_of(Transform(np.eye(3)), (4, 4), "T")
+    with pytest.raises(ValueError, match=r"^T must have shape \(4, 4\), not \(2, 4, 4\); ik_batch"):
+        array_of(Transform(np.array([np.eye(4)] * 2)), (4, 4), "T")
+
+
+def test_stacks_of_joint_values() -> None:
+    def turned(q: Any) -> Any:
+        return np.outer(q, q)
+
+    q = np.arange(12.0).reshape(3, 2, 2)
+    stack = of_each(turned, q, 2)
+    assert stack.shape == (3, 2, 2, 2)
+    assert stack[1, 0].tolist() == np.outer(q[1, 0], q[1, 0]).tolist()
+    assert of_each(turned, np.empty((0, 2)), 2).shape == (0, 2, 2)
+    assert of_each(np.sum, [[1, 2], [3, 4]], 2).tolist() == [3.0, 7.0]
+    assert of_each(turned, (1, 2), 2).tolist() == [[1.0, 2.0], [2.0, 4.0]]
+    with pytest.raises(ValueError, match=r"^q must have shape \(2,\), not \(2, 3\)$"):
+        of_each(turned, np.zeros((2, 3)), 2)
 
 
 @pytest.mark.parametrize(

@@ -135,7 +135,7 @@ def ik_all(T: ArrayLike, q_seed: ArrayLike | None = None) -> tuple[FloatArray, S
     try:
         pose = contiguous(T)
         if pose.dtype is not FLOAT:
-            pose = numbers(pose, (4, 4), "T")
+            pose = numbers(T, (4, 4), "T")
         if q_seed is None:
             unseeded(pose, q, status)
         else:

@@ -14,6 +14,7 @@ import numpy as np
 from .arguments import BYTE, FLOAT, array_of, demand_array, numbers, results
 from .entry import Choice, demand_filled, poses_of, share
 from .jit import carray, lent_rows, lent_statuses, lent_values, room
+from .left_to_the_seed import nearest_that_works
 from .nearest import nearest
 
 if TYPE_CHECKING:
@@ -32,6 +33,8 @@ DOF: int
 ROWS: int
 GIVEN: int  # how many values the caller gives
 choice: Choice
+given_of_joints: Callable[[FloatArray], Any]  # what the caller would give, of joint values
+reach: float  # how far from the seed's value others of a single one are tried
 kinematics: tuple[Callable[[Any], Any], ...]  # its functions of joint values, fk first
 apart: tuple[Callable[[], None], ...]  # each compiles what stands apart in a file
 into: Callable[..., int]  # all solutions of a pose, merged into what calls it
@@ -127,8 +130,17 @@ def ik_into(
         raise
 
 
+def given_values(q_free: Any, q_seed: Any) -> FloatArray:  # noqa: ANN401
+    """What the caller gives, or leaves to the seed."""
+    if q_free is not None:
+        return numbers(q_free, (GIVEN,), "q_free")
+    if q_seed is None:
+        raise TypeError("q_free is missing, and there is no q_seed to take it from")
+    return array_of(given_of_joints(array_of(q_seed, (DOF,), "q_seed")), (GIVEN,), "q_free")
+
+
 def ik_all(
-    T: ArrayLike, q_free: ArrayLike, q_seed: ArrayLike | None = None
+    T: ArrayLike, q_free: ArrayLike | None = None, q_seed: ArrayLike | None = None
 ) -> tuple[FloatArray, Statuses]:
     """All solutions: q ({ROWS}, {DOF}) and status ({ROWS},).
 
@@ -136,18 +148,19 @@ def ik_all(
 
     Args:
         T: Pose (4, 4).
-        q_free: {given} ({GIVEN},).
+        q_free: {given} ({GIVEN},); the seed's without it.
         q_seed: Values for joints that are indeterminate at this pose ({DOF},); zeros without it.
 
     Raises:
         ValueError: An argument has the wrong shape, or the seed is not finite.
+        TypeError: There is neither q_free nor a seed.
     """
     q, status = empty((ROWS, DOF)), empty(ROWS, BYTE)
-    values = numbers(q_free, (GIVEN,), "q_free")
+    values = given_values(q_free, q_seed)
     try:
         pose = contiguous(T)
         if pose.dtype is not FLOAT:
-            pose = numbers(pose, (4, 4), "T")
+            pose = numbers(T, (4, 4), "T")
         if q_seed is None:
             unseeded(pose, values, q, status)
         else:
@@ -155,14 +168,14 @@ def ik_all(
     except Exception:
         # Shapes are looked at in there: only who fails is asked again, and told which one it is.
         array_of(T, (4, 4), "T")
-        array_of(q_free, (GIVEN,), "q_free")
+        array_of(values, (GIVEN,), "q_free")
         raise
     return q, status
 
 
 def ik(
     T: ArrayLike,
-    q_free: ArrayLike,
+    q_free: ArrayLike | None = None,
     q_seed: ArrayLike | None = None,
     *,
     branch: str | int | None = None,
@@ -174,7 +187,8 @@ def ik(
 
     Args:
         T: Pose (4, 4).
-        q_free: {given} ({GIVEN},).
+        q_free: {given} ({GIVEN},). Without it the seed's,
+            or where that leads to no solution the nearest that does, if it is one value.
         q_seed: Where the arm is ({DOF},); zeros without it.
         branch: Only this branch: a name from BRANCHES, or its row.
         limits: Whether joint limits count: True or False.
@@ -182,9 +196,25 @@ def ik(
     Raises:
         Unreachable: There is no such solution; the message says why.
         ValueError: T is not a valid pose, branch does not exist, or limits is not True or False.
+        TypeError: There is neither q_free nor a seed.
     """
-    rows = choice.rows(branch, limits)
-    return choice.nearest(ik_all(T, q_free, q_seed), q_seed, rows, limits)
+    rows, values = choice.rows(branch, limits), given_values(q_free, q_seed)
+    try:
+        return choice.nearest(ik_all(T, values, q_seed), q_seed, rows, limits)
+    except choice.unreachable:
+        found = None
+
+        def attempt(value: float) -> FloatArray | None:
+            try:
+                return choice.nearest(ik_all(T, [value], q_seed), q_seed, rows, limits)
+            except choice.unreachable:
+                return None
+
+        if q_free is None and GIVEN == 1:
+            found = nearest_that_works(attempt, values[0], reach)
+        if found is None:
+            raise
+        return found
 
 
 def ik_batch(

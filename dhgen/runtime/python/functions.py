@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from types import FunctionType
 from typing import TYPE_CHECKING, Any
@@ -22,7 +23,7 @@ from . import (
 )
 from .entry import Choice
 from .jit import COMPILED, overload
-from .places import CLAMPS, FOLLOWS_SEED, KEEPS_LIMITS, MERGES, RETRIES
+from .places import CLAMPS, FOLLOWS_SEED, KEEPS_LIMITS, MERGES, PER_LENGTH, RETRIES
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -144,6 +145,7 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
         "given_must": f"q_free must have shape ({given},)",
         "__name__": robot["__name__"],
         **(solver.formulas.names(given) if solver.formulas else {}),
+        **(_given_names(robot, solver) if given else {}),
     }
 
     def add(name: str, compiled: Callable[[Any], Any] = lambda function: function) -> None:
@@ -160,6 +162,8 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
     names["regular"] = names[fast]
     for name in ("read", "is_exact"):
         add(name, how.njit(forceinline=True))
+    if given:
+        add("given_values")
     add("careful", how.jit)
     add("into", how.merged)
     for name in ("unseeded", "seeded"):
@@ -175,6 +179,17 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
         names[name].__doc__ = texts[name].__doc__.format(**facts)
     overload(names["ik_into"], strict=False)(lambda *_, **__: names["compiled_into"])
     return names
+
+
+def _given_names(robot: Mapping[str, Any], solver: Solver) -> dict[str, Any]:
+    """What functions name that leave to the seed what the caller gives."""
+    if "FREE_JOINTS" not in robot:  # the arm angle
+        return {"given_of_joints": lambda q: [robot["arm_angle"](q)], "reach": math.pi}
+    places = [number - 1 for number in robot["FREE_JOINTS"]]
+    low, high = robot["JOINT_LIMITS"][places[0]]
+    stroke = high - low if math.isfinite(high - low) else 1.0 / solver.arm[PER_LENGTH]
+    turns = robot["JOINT_TYPES"][places[0]] == "R"
+    return {"given_of_joints": lambda q: q[places], "reach": math.pi if turns else stroke}
 
 
 def _needed(arm: Floats) -> list[Callable[[], None]]:

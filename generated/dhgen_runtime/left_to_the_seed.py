@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+"""What callers give besides a pose, left to the seed: joint values, or the arm angle."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    FloatArray = NDArray[np.float64]
+
+FAN = 64  # values that are tried to each side of the seed's
+HALVINGS = 52  # until an interval is as small as rounding
+
+
+def nearest_that_works(
+    attempt: Callable[[float], FloatArray | None], value: float, reach: float
+) -> FloatArray | None:
+    """The solution with the value nearest to the seed's that has one; None if none is found.
+
+    A fan of values shows where it works, bisection the end that is nearest to the seed; of two that
+    are equally near the lower one. What works only between two values of the fan is overlooked.
+
+    Args:
+        attempt: The solution with a value, or None.
+        value: The seed's.
+        reach: How far from it others are tried [rad or length].
+    """
+    for k in range(1, FAN + 1):
+        for side in (-1.0, 1.0):
+            outer, inner = value + side * reach * k / FAN, value + side * reach * (k - 1) / FAN
+            found = attempt(outer)
+            if found is not None:
+                return _nearest_end(attempt, inner, outer, found)
+    return None
+
+
+def _nearest_end(
+    attempt: Callable[[float], FloatArray | None], inner: float, outer: float, found: FloatArray
+) -> FloatArray:
+    """The solution at the end of values that work, between one that does not and one that does."""
+    for _ in range(HALVINGS):
+        middle = 0.5 * (inner + outer)
+        between = attempt(middle)
+        if between is None:
+            inner = middle
+        else:
+            outer, found = middle, between
+    return found
