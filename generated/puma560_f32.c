@@ -15,6 +15,7 @@
 #endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
+#undef DHGEN_SHARED /* the whole runtime is in this file */
 /* What robots' public functions do: all solutions of a pose, the one nearest to a seed, and all of
  * many poses. */
 

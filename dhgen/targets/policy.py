@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.regular.regular import tells_regular
 from dhgen.program.walk import finds_roots
+from dhgen.runtime.python.limits import NEARLY_A_TURN
 from dhgen.targets.module import stands_on_limits
 from dhgen.targets.walk import (
     checks_again,
@@ -30,8 +31,6 @@ FAN = 64  # values of a free joint that are tried first
 # Of an interval, until one of a turn is as small as rounding: by bisection, and by golden section,
 # which leaves 0.62 of it.
 HALVINGS, GOLDEN_CUTS = 52, 72
-# Limits so far apart leave next to no gap [rad]: beside a singular pose rounding leads across.
-LEAST_WHOLE = 2.0 * math.pi - 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +100,7 @@ def policy_of(module: SolverModule) -> Policy:
         refines=solver.led is not None,
         clamps=stands_on_limits(module),
         clamps_far=stands_on_limits(module) and tells_regular(solver),
-        winds=stands_on_limits(module) and _widest_turn(module) > LEAST_WHOLE,
+        winds=stands_on_limits(module) and _widest_turn(module) > NEARLY_A_TURN,
         follows_seed=follows_seed,
         choosable=_places(joints),
         together=() if completes else _places(lost_together(solver)),

@@ -13,11 +13,10 @@ import numpy as np
 
 from .arm import POSE, ROBOT
 from .jit import of_file
-from .limits import BESIDE_SEED
 from .places import DOF, REFINES, ROWS
 from .refine import add_step, half_way, measure_miss, refine
 from .status import UNREACHABLE
-from .tolerances import EXACT, MERGE, PROMISED, TOGETHER
+from .tolerances import BESIDE_SEED, EXACT, MERGE, PROMISED, TOGETHER
 
 if TYPE_CHECKING:
     from .arm import Pose, Robot

@@ -13,11 +13,11 @@ import numpy as np
 
 from .arm import POSE, ROBOT
 from .jit import of_file
-from .limits import BESIDE_SEED, past_an_end, past_ends
+from .limits import past_an_end, past_ends
 from .places import CLAMPS, DOF, GIVEN_JOINTS, ROWS, WINDS
 from .refine import copy_row, half_way, measure_miss, refine, refine_inside
 from .status import FREE_JOINT, UNREACHABLE
-from .tolerances import APART_BY, EXACT, FAMILY, LIMIT, TOGETHER
+from .tolerances import APART_BY, BESIDE_SEED, EXACT, FAMILY, LIMIT, TOGETHER
 from .turns import turned
 
 if TYPE_CHECKING:

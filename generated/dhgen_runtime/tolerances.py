@@ -7,6 +7,9 @@ Lengths are relative to the size of the arm; a pose is rounded to a few 1e-16 of
 
 from __future__ import annotations
 
+# Seeds that are nearer to a value are beside it [rad, arm sizes]: a step may be longer than the
+# whole way.
+BESIDE_SEED = 0.15
 # A joint value may miss its limit by this [rad]: rounding of the angle itself. Searches end where
 # branches that meet are as near.
 LIMIT = 1e-9

@@ -35,7 +35,7 @@ from dhgen.runtime.python.general import (
     tables,
     wrist,
 )
-from dhgen.runtime.python.numerical import descent, family, keep, solutions
+from dhgen.runtime.python.numerical import descent, family, solutions
 from dhgen.verify.native import c_compiler
 
 if TYPE_CHECKING:
@@ -273,7 +273,7 @@ SHARED = {
     tables: ("SAMPLES CELLS HALF_CELLS WIDTH", {}),
     loop: ("TINY", {}),
     descent: (
-        "SOLUTION PULLED_STEPS PULL FINE EXACT",
+        "SOLUTION PULLED_STEPS PULL",
         {
             "SMALL_SINE": "ASIDE",
             "DESCENT_DAMPING": "DAMPING",
@@ -293,9 +293,8 @@ SHARED = {
     ),
     family: (
         "WALK_STEP WALK_STEPS WALK_CLOSED LEAST_STEPS LEAST_SETTLED EQUALLY_NEAR MEMBER_TIE",
-        {"BESIDE_SEED": "BESIDE_SEED", "LIMIT": "LIMIT", "DOUBTFUL": "DOUBTFUL"},
+        {},
     ),
-    keep: ("PROMISED", {}),
     rows: ("NEARLY_NONE", {"FEW_STARTS": "STARTS", "NEARLY_NONE_IN_DOUBT": "NEARLY_NONE_IN_DOUBT"}),
 }
 

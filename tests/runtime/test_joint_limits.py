@@ -10,6 +10,7 @@ import pytest
 
 from dhgen.runtime.python.arm import STEPS, arm_numbers
 from dhgen.runtime.python.limits import NEARLY_A_TURN
+from dhgen.runtime.python.places import DESCENTS, RETRIES
 from dhgen.runtime.python.turns import TURN
 from tests.runtime.arms import arm_of, called
 from tests.runtime.plain import KINDS
@@ -69,6 +70,6 @@ def test_a_step_without_a_name_is_refused() -> None:
 
 def test_every_step_has_a_place_of_its_own() -> None:
     numbers = [arm_numbers(arm_of("R", LIMITS[:1], steps=(step,))) for step in STEPS]
-    places = [int(np.flatnonzero(each[11:22])[0]) for each in numbers]
+    places = [int(np.flatnonzero(each[RETRIES:DESCENTS])[0]) for each in numbers]
     assert places == sorted(set(places))
     assert all(b == a + 1 for a, b in pairwise(places))

@@ -12,8 +12,6 @@ from dhgen.runtime import c_runtime_files
 from dhgen.runtime.python import pose, tolerances
 from dhgen.runtime.python.numerical import (
     descent,
-    family,
-    keep,
     other_values,
     refine_rows,
     search_lost_rows,
@@ -62,7 +60,7 @@ def expected(known: Tolerances) -> dict[str, float]:
         "FAMILY": max(1e-6, 10.0 * known.exact),
         # of the runtime alone
         "LAST_ROW": pose.LAST_ROW if known is DOUBLE.tolerances else 1e-6,
-        "BESIDE_SEED": family.BESIDE_SEED,
+        "BESIDE_SEED": tolerances.BESIDE_SEED,
     }
 
 
@@ -93,12 +91,10 @@ def test_tolerances_of_closed_forms_are_alike_in_python() -> None:
 # Numbers of the numerical solver: in C, and as Python calls them.
 IN_DESCENTS = {
     "SOLUTION": descent.SOLUTION,
-    "EXACT": descent.EXACT,
     "SMALL_SINE": descent.ASIDE,
     "DESCENT_DAMPING": descent.DAMPING,
     "DAMPING_FLOOR": descent.FLOOR,
     "SLOW_MISS": descent.NEARLY,
-    "FINE": descent.FINE,
     "LONGEST_STEP": descent.LONGEST,
     "DESCENT_STEPS": descent.STEPS,
     "PULL": descent.PULL,
@@ -111,9 +107,6 @@ IN_DESCENTS = {
     "SINGULAR_LENGTH": solutions.SINGULAR,
     "FEELER": solutions.FEELER,
     "FELT": solutions.FELT,
-    "DOUBTFUL": family.DOUBTFUL,
-    "PROMISED": keep.PROMISED,
-    "LIMIT": family.LIMIT,
     "ROW_TIE": solutions.TIE,
 }
 

@@ -39,6 +39,19 @@ def test_it_is_the_same_machine_code(name: str) -> None:
         assert assembler(name, alone, *flags) == assembler(name, folder(), *flags)
 
 
+@pytest.mark.parametrize("name", ["general_6r", "scara"])
+def test_among_robots_that_share_the_runtime_it_keeps_its_own(name: str) -> None:
+    alone = folder() / "alone"
+    write_files(alone, c_files(made(name).module, single_file=True))
+    assert assembler(name, alone, "-O0", "-DDHGEN_SHARED") == assembler(name, folder(), "-O0")
+
+
+def test_single_precision_among_robots_that_share_the_runtime() -> None:
+    made("scara")
+    same = assembler("scara_f32", folder(), "-O0")
+    assert assembler("scara_f32", folder(), "-O0", "-DDHGEN_SHARED") == same
+
+
 def test_the_command_writes_and_compares_it(tmp_path: Path) -> None:
     """Verified like the others, and beside no folder of the runtime's C."""
     words = [str(ROBOTS / "planar_rr.yaml"), "--single-file", "--out", str(tmp_path)]

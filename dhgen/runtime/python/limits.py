@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from .jit import of_file
 from .places import DOF, HIGHEST, LOWEST, RECORD, SLACK, TURNS, WEIGHT, WINDS
-from .tolerances import DOUBTFUL
+from .tolerances import BESIDE_SEED, DOUBTFUL
 from .turns import TURN, turned
 
 if TYPE_CHECKING:
@@ -18,9 +18,6 @@ OWN = of_file(__file__)
 
 # Ranges wider than this leave next to no gap [rad]: beside a singular pose rounding leads across.
 NEARLY_A_TURN = TURN - 0.1
-# Seeds that are nearer to a value are beside it [rad, arm sizes]: a step may be longer than the
-# whole way.
-BESIDE_SEED = 0.15
 
 
 @OWN.inner

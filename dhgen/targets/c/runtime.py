@@ -10,11 +10,16 @@ from dhgen.runtime import c_runtime_files
 VECTORS = "dhgen/vectors.h"
 _INCLUDE = re.compile(r'#include "((?:\.\./)*[\w/]+\.h)"\n')
 _GUARD = re.compile(r"#ifndef (DHGEN_\w+_H)\n#define \1\n(.*)#endif\n", re.DOTALL)
+# Also in a program whose other robots share the runtime.
+_ALONE = "#undef DHGEN_SHARED /* the whole runtime is in this file */\n"
 _LICENCE = "/* SPDX-License-Identifier: MIT\n *\n * "
 
 
 def in_one_file(source: str, *, vectors: bool) -> str:
     """A source with what it includes of the runtime pasted into it, also of vectors or not."""
+    first = source.find('#include "dhgen/')
+    if first >= 0:
+        source = source[:first] + _ALONE + source[first:]
     return _pasted(source, "", set() if vectors else {VECTORS})
 
 

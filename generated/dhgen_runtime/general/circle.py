@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
-from ..numerical.descent import TURN
+from ..turns import TURN
 from .tables import CELLS, DEGREE, GRID_C, GRID_S, HALF_CELLS, HARMONICS, SAMPLES, WIDTH
 
 if TYPE_CHECKING:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
-from ..numerical.descent import EXACT
 from ..numerical.solutions import TIE
+from ..tolerances import EXACT
 from .attempts import try_closed_form, try_formulation
 from .candidates import PLACES, count_singular, in_loop, offer, rank
 from .loop import POSE, close, follow, vanishing

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
+from ..tolerances import BESIDE_SEED, DOUBTFUL, LIMIT
+from ..turns import TURN
 from .descent import (
-    TURN,
     descend,
     descend_towards,
     measure_miss,
@@ -48,13 +49,6 @@ LEAST_SETTLED = 1e-11
 # values that differ by more than the second decide [rad, arm sizes].
 EQUALLY_NEAR = 1e-7
 MEMBER_TIE = 1e-6
-# Just beyond an end of its range a joint is taken for one on that end, not for one that turned to
-# the other, if the seed is nearer than this [rad].
-BESIDE_SEED = 0.15
-# Just beyond an end is by less than this [rad]: an angle taken from a vector that hardly fixes it
-# is good to 1e-3.
-DOUBTFUL = 1e-2
-LIMIT = 1e-9  # a joint value may miss its limit by this [rad, arm sizes]: rounding of the angle
 # What is known of a walk beside where it is: how the distance from the seed falls along it; the
 # square of that of the best member where it is least, and whether that is inside the limits, -1
 # where there is none; the square of that of the nearest one inside that the walk came by.

@@ -13,8 +13,8 @@ from ..jit import of_file
 from ..refine import copy_row, missed_by
 from ..retry import TASK
 from ..status import UNREACHABLE
-from .descent import EXACT, FINE, damped_step, measure_miss, shorten, sideways, wrap_angles
-from .family import DOUBTFUL
+from ..tolerances import DOUBTFUL, EXACT, FINE
+from .descent import damped_step, measure_miss, shorten, sideways, wrap_angles
 from .forward import take
 from .goal import GOAL, goal_of, in_units, take_units
 from .places import (

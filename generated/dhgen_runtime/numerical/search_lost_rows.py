@@ -20,9 +20,9 @@ from ..places import CLAMPS, KEEPS_LIMITS
 from ..refine import copy_row, refine
 from ..retry import TASK
 from ..status import FREE_JOINT, UNREACHABLE
+from ..tolerances import DOUBTFUL
 from . import places
 from .descent import descend, start_of
-from .family import DOUBTFUL
 from .goal import GOAL, given_joints, goal_of, in_units, take_units
 from .refine_rows import LOOSE, ROW_STEPS, SURE, approach, empty_row, escape, exactness
 

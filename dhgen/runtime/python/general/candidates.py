@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import carray, of_file, room
-from ..numerical.descent import SOLUTION, TURN
+from ..numerical.descent import SOLUTION
+from ..turns import TURN
 from .places import ADVANCE_C, ADVANCE_S, ANY_SLIDE, MOST, SLIDES
 from .refine import pivot, refine_sliding, refine_turning
 

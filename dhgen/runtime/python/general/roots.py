@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import carray, of_file, room
-from ..numerical.descent import TURN
+from ..turns import TURN
 from .circle import COMPLETE, DOUBLE, LIFTED, ROOTS, UNSEEN, add_root, find_roots, fit
 from .equations import fold, independence, nearness
 from .four_turns import four_turns_polynomial

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
-from ..numerical.descent import EXACT, descend, start_of, wrap_angles
+from ..numerical.descent import descend, start_of, wrap_angles
 from ..numerical.forward import take
 from ..numerical.goal import NO_ARM_ANGLE, given_joints, goal_of, in_units
 from ..numerical.keep import keep
@@ -29,6 +29,7 @@ from ..numerical.places import (
     ZERO,
 )
 from ..numerical.solutions import sort_rows
+from ..tolerances import EXACT
 from .places import POINTING_LOOP
 from .search import solve_loop
 

@@ -14,6 +14,8 @@ import numpy as np
 
 from ..arm import miss_at
 from ..jit import of_file
+from ..tolerances import EXACT, FINE
+from ..turns import TURN
 from .forward import forward, take
 from .goal import GOAL, take_units
 from .places import (
@@ -44,12 +46,9 @@ OWN = of_file(__file__)
 apart, inner = OWN.apart, OWN.inner
 
 
-TURN = 2.0 * math.pi
 # A candidate is a solution if it misses the whole pose by no more [arm sizes, rad]: far above
 # rounding, far below where a near miss ends.
 SOLUTION = 1e-10
-# A row that misses its pose by no more is exact, but for rounding [arm sizes, rad].
-EXACT = 1e-12
 # A sine below this gives no axis to turn about: rounding of the product of two rotations is 1e-15,
 # and the angle that belongs to it is as small or half a turn.
 ASIDE = 1e-9
@@ -59,11 +58,10 @@ ANY_TURN = (math.pi * 0.48, math.pi * 0.6, math.pi * 0.64)
 # always added, so that a singular arm has a step: below the square of what counts as singular.
 DAMPING = 0.1
 FLOOR = 1e-13
-# Where steps get slow at a miss below this [arm sizes, rad] less is added: what always is keeps
-# them from going on where joints hardly move the tool. Beside singular places the last digits
-# count; the root of what is added then is still far above rounding of the miss.
+# Where steps get slow at a miss below this [arm sizes, rad] FINE is added instead: what always is
+# keeps them from going on where joints hardly move the tool. Beside singular places the last digits
+# count.
 NEARLY = 1e-6
-FINE = 1e-26
 LONGEST = (
     2.0  # of a step's components [rad, arm sizes]: a farther one says nothing of the arm there
 )

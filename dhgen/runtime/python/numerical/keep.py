@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
+from ..tolerances import LIMIT, PROMISED
 from .descent import descend, descend_towards, measure_miss, wrap_angles
-from .family import LIMIT, clamp, go_to_nearest_member
+from .family import clamp, go_to_nearest_member
 from .forward import take
 from .goal import GOAL
 from .places import EQUATIONS, HIGHEST, LIMITED, LOWEST, RECORD, ROWS, SOLVED
@@ -25,7 +26,6 @@ apart, inner = OWN.apart, OWN.inner
 # Where a solution beyond a limit is one of two that nearly meet the other lies across a singular
 # place, and from the limit steps may lead back: how far to go on, as parts of the way there.
 FARTHER_ON = (0.0, 1.0, 3.0, 7.0, 15.0)
-PROMISED = 1e-11  # a row misses its pose by no more [arm sizes, rad]
 
 
 @apart(f"boolean(float64[::1], {GOAL}, float64[::1], float64[::1], float64[::1], float64[::1])")
