@@ -18,7 +18,7 @@ verbs:
   dhgen FILE ...           derive, show a summary, verify, and write generated/ (or --out DIR)
   dhgen --check FILE ...   compare generated/ with what the compiler makes; exit 1 when it is stale
   dhgen --numerical FILE   fall back to the numerical solver where nothing else works
-  dhgen --single-file FILE write C that includes no file but its header
+  dhgen --single-file FILE write C and Python that hold what they need of the runtime
   dhgen explain FILE       print the whole derivation (--alternatives: all valid steps, by number)
   dhgen survey PATH ...    test many arms: are all solutions found? (--poses, --recall)
   dhgen --version          print the version
@@ -49,8 +49,7 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument(
         "--single-file",
         action="store_true",
-        help="write C that holds what it needs of the runtime, in place of the folder dhgen/: the "
-        "same machine code",
+        help="write C and Python that hold what they need of the runtime, in place of its folders",
     )
     made.add_argument(
         "--version", action="version", version=f"dhgen {__version__}", help="print the version"

@@ -54,7 +54,7 @@ def compare(
         files: The robot files.
         out: The folder.
         options: What the command that mends it has to say besides a robot file.
-        single_file: Whether the C holds what it needs of the runtime.
+        single_file: Whether C and Python hold what they need of the runtime.
     """
     expected: dict[str, str] = {}
     makers: dict[str, Path] = {}

@@ -78,7 +78,7 @@ def compile_loaded(
         file: The robot file, read.
         tell: Is told what is being done, for progress.
         out: The folder that the files are for, where it is known.
-        single_file: Whether the C holds what it needs of the runtime.
+        single_file: Whether C and Python hold what they need of the runtime.
 
     Raises:
         UnsolvedError: No derivation solves the arm.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.runtime import python_runtime_files, runtime_files
+from dhgen.runtime import runtime_files
 from dhgen.runtime.helpers import helper_files
 from dhgen.targets.c.files import c_files
 from dhgen.targets.python.files import python_files
@@ -21,12 +21,12 @@ def emit(
     Args:
         module: The programs.
         single: The same for single precision, if it is asked for: C only.
-        single_file: Whether the C holds what it needs of the runtime.
+        single_file: Whether C and Python hold what they need of the runtime.
     """
     return {
-        **python_files(module),
+        **python_files(module, single_file=single_file),
         **c_files(module, single_file=single_file),
         **({} if single is None else c_files(single)),
         **helper_files(),
-        **(python_runtime_files() if single_file else runtime_files()),
+        **({} if single_file else runtime_files()),
     }

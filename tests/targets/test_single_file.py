@@ -1,19 +1,23 @@
-"""C that holds what it needs of the runtime: the same machine code, in one file."""
+"""Robots that hold what they need of the runtime: the same machine code, in one file."""
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
+import sys
 from typing import TYPE_CHECKING
 
+import numpy as np
 import pytest
 
 from dhgen.atomic_write import write_files
 from dhgen.cli import main
 from dhgen.runtime import runtime_files
 from dhgen.targets.c.files import c_files
+from dhgen.targets.python.files import python_files
 from dhgen.verify.native import c_compiler
-from tests.targets.made import ROBOTS, folder, made
+from tests.targets.made import ROBOTS, folder, made, without_numba
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -52,11 +56,74 @@ def test_single_precision_among_robots_that_share_the_runtime() -> None:
     assert assembler("scara_f32", folder(), "-O0", "-DDHGEN_SHARED") == same
 
 
+# Run with an empty folder in the path: every function stands in the file where it says, and a
+# second process finds all that numba compiled.
+ALONE = """
+import importlib
+import sys
+from types import CodeType
+import numpy as np
+from numba.core import event
+
+with event.install_recorder("numba:compile") as compiled:
+    robot = importlib.import_module(sys.argv[1])
+    q = np.full(robot.DOF, 0.3)
+    rows, status = robot.ik_all(robot.fk(q))
+print(rows.tobytes().hex(), status.tolist(), len(compiled.buffer))
+lines = open(robot.__file__).read().split("\\n")
+checked = 0
+for name, module in list(sys.modules.items()):
+    for known in vars(module).values() if "dhgen_runtime." in name else ():
+        code = getattr(getattr(known, "py_func", known), "__code__", None)
+        here = isinstance(code, CodeType) and code.co_filename == robot.__file__
+        if here and code.co_name != "<lambda>":
+            begin = "".join(lines[code.co_firstlineno - 1 :][:9])
+            assert f"def {code.co_name}(" in begin, (code, begin)
+            checked += 1
+assert checked > 20
+assert not [name for name in sys.modules if name.startswith("dhgen")]
+"""
+
+
+def alone_in(directory: Path, name: str, **environment: str) -> str:
+    """What a clean process says of a module that is alone in its folder."""
+    done = subprocess.run(
+        [sys.executable, "-c", ALONE, name],
+        cwd=directory,
+        env={key: value for key, value in os.environ.items() if key != "PYTHONPATH"} | environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.stderr == ""
+    return done.stdout
+
+
+@pytest.mark.parametrize("name", ["cuspidal_3r", "general_4r2p", "planar_rrrr", "scara"])
+def test_a_module_alone_gives_the_same_answers(name: str, tmp_path: Path) -> None:
+    """In plain Python, where nothing is rounded otherwise, in a folder with an awkward name."""
+    directory = tmp_path / "a.b#c%2E"
+    write_files(directory, python_files(made(name).module, single_file=True))
+    robot = without_numba(made(name).files[f"{name}.py"], name)
+    rows, status = robot.ik_all(robot.fk(np.full(robot.DOF, 0.3)))
+    said = alone_in(directory, name, NUMBA_DISABLE_JIT="1")
+    assert said == f"{rows.tobytes().hex()} {status.tolist()} 0\n"
+
+
+@pytest.mark.slow
+def test_what_numba_makes_of_a_module_alone_is_kept(tmp_path: Path) -> None:
+    write_files(tmp_path, python_files(made("planar_rr").module, single_file=True))
+    first, second = (alone_in(tmp_path, "planar_rr", NUMBA_CACHE_DIR="") for _ in range(2))
+    assert first.split()[:-1] == second.split()[:-1]
+    assert int(first.split()[-1]) > 0
+    assert int(second.split()[-1]) == 0
+
+
 def test_the_command_writes_and_compares_it(tmp_path: Path) -> None:
-    """Verified like the others, and beside no folder of the runtime's C."""
+    """Verified like the others, and beside no folder of the runtime."""
     words = [str(ROBOTS / "planar_rr.yaml"), "--single-file", "--out", str(tmp_path)]
     assert main(words) == 0
     assert main(["--check", *words]) == 0
-    names = {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*.[ch]")}
+    names = {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*.*")}
     assert not names & set(runtime_files())
     assert main(["--check", *words[:1], *words[2:]]) == 1  # without the option others are expected

@@ -112,9 +112,12 @@ class Compiling:
         Args:
             path: The file; need not exist, and is compiled anew in every process then.
         """
-        self.digest = digest_of(path)
-        self._cache = _keeps(str(path.parent), str(path))
-        self.key = f"{path.stem} {self.digest}"
+        # One that holds the whole runtime names the module that asks behind itself.
+        file = path if path.is_file() else Path(str(path).rpartition("#")[0])
+        self.digest = digest_of(file)
+        self._cache = _keeps(str(file.parent), str(file))
+        # A dot would be one between packages.
+        self.key = f"{path.name.replace('.', ' ')} {self.digest}"
         # A second import of the text finds the functions of the first.
         module = sys.modules.setdefault(self.key, ModuleType(self.key)) if COMPILED else None
         self._apart: dict[str, tuple[Any, Any]] = (

@@ -13,6 +13,7 @@ from dhgen.targets.layout import INDENT
 from dhgen.targets.module import regular_solver
 from dhgen.targets.python.formulas import Formulas, formulas_of
 from dhgen.targets.python.language import Python
+from dhgen.targets.python.single_file import in_one_file
 from dhgen.targets.python.texts import (
     PythonComments,
     PythonPose,
@@ -59,12 +60,17 @@ class PythonSolver:
     arctangent: bool
 
 
-def python_files(module: SolverModule) -> dict[str, str]:
-    """The module by its name."""
+def python_files(module: SolverModule, *, single_file: bool = False) -> dict[str, str]:
+    """The module by its name.
+
+    Args:
+        module: The robot.
+        single_file: Whether it holds what it needs of the runtime.
+    """
     common = common_of(module)
     solver = python_solver(module)
     text = render("python/solver.py.jinja", **named(common), **named(solver), interface=INTERFACE)
-    return {f"{module.name}.py": text}
+    return {f"{module.name}.py": in_one_file(text) if single_file else text}
 
 
 def python_solver(module: SolverModule) -> PythonSolver:
