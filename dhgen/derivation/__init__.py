@@ -15,6 +15,8 @@
 | types           | a printer for each equation type                                            |
 | conditions      | where a combination vanishes, in joint angles                               |
 | effects         | what that means for the arm, and what the program does there                |
+| example         | a pose to work through, and its rows                                        |
+| values          | what a printed formula is worth in numbers                                  |
 | geometry        | how axes lie, and the arm's size                                            |
 | notation        | letters, cells, polynomials and matrices as formulas                        |
 | text            | formulas and documents as values, templates, Markdown, plain text           |

@@ -10,6 +10,7 @@ from dhgen.derivation.sections.closing import (
     singular_section,
     solutions_section,
 )
+from dhgen.derivation.sections.example import example_section
 from dhgen.derivation.sections.forward import forward_in_short, forward_section
 from dhgen.derivation.sections.general import general_section, numerical_section
 from dhgen.derivation.sections.inverse import inverse_beginning
@@ -52,6 +53,7 @@ def _sections(story: Story) -> list[Block]:
         *(block for blocks, _ in steps for block in blocks),
         *joint_values(story),
         *solutions_section(story),
+        *example_section(story),
         *singular_section(
             [*arm_angle_places(story), *(each for _, found in steps for each in found)]
         ),

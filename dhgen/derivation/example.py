@@ -1,0 +1,139 @@
+"""A pose to work through in numbers: regular, inside the limits, with as many rows as there are."""
+
+from __future__ import annotations
+
+import math
+import random
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.kinematics.given import given_values
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.program.interpret import interpret
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.arrays import FloatArray
+    from dhgen.derivation.story import Story
+    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.numeric import NumericArm
+
+TRIES = 64
+STEP = 5  # joint values are whole multiples of so many degrees
+FINE = 0.02  # lengths are multiples of about this part of the arm's size
+MARGIN = 0.08  # of a range, kept from its ends
+REGULAR = 0.05  # least singular value of the Jacobian, lengths in arm sizes
+APART = 0.1  # of two rows [rad, arm sizes]
+
+
+@dataclass(frozen=True, slots=True)
+class Example:
+    """A pose with all its rows.
+
+    Attributes:
+        q: Joint values that lead to it, (n,).
+        T: The pose, (4, 4).
+        given: What the caller gives besides it, (k,).
+        rows: Joint values by row, (B, n), NaN where there is no solution.
+        inside: Which rows keep the limits, (B,).
+        followed: The row that is worked through.
+    """
+
+    q: FloatArray
+    T: FloatArray
+    given: FloatArray
+    rows: FloatArray
+    inside: NDArray[np.bool_]
+    followed: int
+
+
+def find_example(story: Story) -> Example | None:
+    """The first pose with the most rows, among some that are drawn; None if none is regular."""
+    arm = numeric_arm(story.algebra.chain)
+    q = _drawn(arm.chain)
+    q = q[_are_regular(arm, q)]
+    if not len(q):
+        return None
+    T, given = arm.pose(q), given_values(arm, q)
+    found = interpret(story.program, T, np.zeros_like(q), given)
+    inside = found.solved & _are_inside(arm.chain, found.q)
+    counts = inside.sum(axis=1) * 100 + found.solved.sum(axis=1)
+    good = np.array([_are_apart(arm.chain, rows) for rows in found.q])
+    good &= ~found.free.any(axis=1) & ~found.close.any(axis=1) & inside.any(axis=1)
+    if not good.any():
+        return None
+    best = int(np.argmax(np.where(good, counts, -1)))
+    away = np.abs(_turned(arm.chain, found.q[best] - q[best])).max(axis=1)
+    followed = int(np.nanargmin(away))
+    return Example(
+        q[best],
+        T[best],
+        given[best],
+        _turned_rows(arm.chain, found.q[best]),
+        inside[best],
+        followed,
+    )
+
+
+def _drawn(chain: Chain) -> FloatArray:
+    """Joint values in round numbers, inside the limits, (TRIES, n)."""
+    source = random.Random(1)  # noqa: S311 - an example, no secret
+    digits = -math.floor(math.log10(FINE * chain.size))
+    q = np.empty((TRIES, chain.dof))
+    for row in q:
+        for place, (joint, turns) in enumerate(zip(chain.joints, chain.turning, strict=True)):
+            low, high = joint.limits or ((-math.pi, math.pi) if turns else (0.0, chain.size))
+            low, high = max(low, -math.pi if turns else low), min(high, math.pi if turns else high)
+            value = low + (high - low) * source.uniform(MARGIN, 1.0 - MARGIN)
+            if turns:
+                row[place] = math.radians(STEP * round(math.degrees(value) / STEP))
+            else:
+                row[place] = round(value, max(digits, 0))
+    return q
+
+
+def _are_regular(arm: NumericArm, q: FloatArray) -> NDArray[np.bool_]:
+    """Whether no joint's motion is made by the others', (N,)."""
+    chain = arm.chain
+    scale = np.array([1.0 if turns else chain.size for turns in chain.turning])
+    J = arm.jacobian(q) * scale
+    J[:, :3] /= chain.size
+    rank = min(6, chain.dof)
+    return np.asarray(np.linalg.svd(J, compute_uv=False)[:, rank - 1] > REGULAR)
+
+
+def _are_inside(chain: Chain, q: FloatArray) -> NDArray[np.bool_]:
+    """Which rows (N, B, n) keep the limits, whole turns aside, (N, B)."""
+    kept = np.ones(q.shape[:2], bool)
+    for place, (joint, turns) in enumerate(zip(chain.joints, chain.turning, strict=True)):
+        if joint.limits is not None:
+            low, high = joint.limits
+            value = q[..., place]
+            if turns:
+                value = low + np.remainder(value - low, 2.0 * np.pi)
+            kept &= (low <= value) & (value <= high)
+    return kept
+
+
+def _turned(chain: Chain, off: FloatArray) -> FloatArray:
+    """Differences of joint values without whole turns, lengths in arm sizes."""
+    with np.errstate(invalid="ignore"):
+        turned = np.remainder(off + np.pi, 2.0 * np.pi) - np.pi
+    return np.asarray(np.where(chain.turning, turned, off / chain.size))
+
+
+def _turned_rows(chain: Chain, q: FloatArray) -> FloatArray:
+    """Joint values of which angles are in (-pi, pi]."""
+    turned = np.pi - np.remainder(np.pi - q, 2.0 * np.pi)
+    return np.asarray(np.where(chain.turning, turned, q))
+
+
+def _are_apart(chain: Chain, rows: FloatArray) -> bool:
+    """Whether no two rows (B, n) are next to each other."""
+    held = rows[~np.isnan(rows).any(axis=1)]
+    one, other = np.triu_indices(len(held), 1)
+    gaps = np.abs(_turned(chain, held[one] - held[other])).max(axis=1)
+    return bool(gaps.min(initial=np.inf) > APART)

@@ -1,0 +1,208 @@
+"""A pose worked through in numbers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.derivation.example import find_example
+from dhgen.derivation.notation.names import branch_sign, joint_symbol, target, unknown_symbol
+from dhgen.derivation.sections.forward import POSE, moved_left
+from dhgen.derivation.sections.shoulder import PSI
+from dhgen.derivation.steps import step_blocks
+from dhgen.derivation.text.blocks import (
+    Display,
+    Heading,
+    Paragraph,
+    Prose,
+    Table,
+    display,
+    joined,
+    paragraph,
+    say,
+)
+from dhgen.derivation.text.formula import Listing, Matrix, Relation, Symbol, equal
+from dhgen.derivation.text.lines import WIDTH, width
+from dhgen.derivation.values import degrees, figures, letters_at, signs_of_row, value_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from dhgen.arrays import FloatArray
+    from dhgen.derivation.example import Example
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.formula import Formula
+
+NEXT = 4  # columns between two equations in a line
+
+
+def example_section(story: Story) -> list[Block]:
+    """The example; nothing for arms without steps, or where no pose that was drawn is regular."""
+    example = find_example(story) if story.steps else None
+    if example is None:
+        return []
+    return [
+        Heading(2, say("An example")),
+        *_pose(story, example),
+        *_steps(story, example),
+        *_rows(story, example),
+    ]
+
+
+def _pose(story: Story, example: Example) -> list[Block]:
+    """The pose, what the caller gives besides it, and U_0."""
+    unit = story.robot.length_unit
+    values = joined([say("{}", equal(*each)) for each in _joint_values(story, example.q)])
+    blocks: list[Block] = [
+        paragraph(
+            f"Angles are in degrees, lengths in {unit}. Numbers are rounded to five digits where "
+            "they are printed, and nowhere before. With {} the tool is at",
+            values,
+        ),
+        display(equal(POSE, _matrix(example.T, story))),
+    ]
+    if any(moved_left(story)):
+        letters = letters_at(story, list(example.q), example.T)
+        entries = [letters[story.letters[f"t{k // 4 + 1}{k % 4 + 1}"].text] for k in range(12)]
+        U = np.vstack([np.reshape(entries, (3, 4)), [0.0, 0.0, 0.0, 1.0]])
+        blocks += [paragraph("and with it"), display(equal(target(0), _matrix(U, story)))]
+    if story.robot.arm_angle:
+        blocks.append(paragraph("The arm angle is {}.", equal(PSI, degrees(example.given[0]))))
+    elif story.robot.free:
+        given = joined([say("{}", joint_symbol(joint)) for joint in story.robot.free])
+        blocks.append(paragraph("The caller gives {} besides.", given))
+    return blocks
+
+
+def _joint_values(story: Story, q: FloatArray) -> list[tuple[Formula, Formula]]:
+    return [
+        (joint_symbol(place), _shown(story, place, value)) for place, value in enumerate(q, start=1)
+    ]
+
+
+def _shown(story: Story, joint: int, value: float) -> Symbol:
+    """A joint value, as an angle or a length."""
+    if joint in story.algebra.slides:
+        return figures(value, story.algebra.chain.size)
+    return degrees(value)
+
+
+def _matrix(T: FloatArray, story: Story) -> Matrix:
+    size = max(story.algebra.chain.size, 1.0)
+    return Matrix(tuple(tuple(figures(float(x), size) for x in row) for row in T))
+
+
+def _steps(story: Story, example: Example) -> list[Block]:
+    """What the letters of every step are in one row."""
+    letters = letters_at(story, list(example.q), example.T)
+    signs = signs_of_row(story, example.followed)
+    letters |= signs
+    chosen = [
+        equal(branch_sign(place), Symbol(f"{sign:+.0f}", f"{sign:+.0f}".replace("-", "−")))
+        for place in range(len(story.program.axes))
+        if (sign := signs.get(branch_sign(place).text))
+    ]
+    name = story.branch_names[example.followed] if story.has_branch_words else ""
+    words = f"Row {example.followed}{f', {name},' if name else ''}"
+    blocks: list[Block] = [
+        paragraph(words + " has {}:", Listing(tuple(chosen)))
+        if chosen
+        else paragraph(f"{words} step by step:")
+    ]
+    for number, step in enumerate(story.steps, start=1):
+        unknowns = joined([say("{}", unknown_symbol(unknown)) for unknown in step.unknowns])
+        lines = list(_values(story, number, letters))
+        if lines:
+            blocks += [
+                paragraph(f"Step {number}, {{}}:", unknowns),
+                Display(tuple(_laid_out(lines))),
+            ]
+    return blocks
+
+
+def _values(story: Story, number: int, letters: dict[str, float]) -> Iterable[Relation]:
+    """The letters that a step defines, in its order; `letters` learns those for later steps."""
+    local = dict(letters)
+    shown: set[str] = set()
+    size = story.algebra.chain.size
+    for relation in _relations(step_blocks(story, number)[0]):
+        name = relation.sides[0]
+        if not isinstance(name, Symbol) or relation.signs[0] != "=" or name.text in shown:
+            continue
+        value = _value(relation, local)
+        if value is None:
+            continue
+        local[name.text] = value
+        shown.add(name.text)
+        yield equal(name, degrees(value) if name.text[0] == "θ" else figures(value, size))
+    letters |= {name: value for name, value in local.items() if name[0] in "DFGHM"}
+
+
+def _value(relation: Relation, letters: dict[str, float]) -> float | None:
+    """What the last side is worth of which all letters are known."""
+    for side in reversed(relation.sides[1:]):
+        try:
+            return value_of(side, letters)
+        except KeyError:
+            continue
+    return None
+
+
+def _relations(blocks: Iterable[Block]) -> Iterable[Relation]:
+    """What stands on lines of its own, or is defined in a sentence."""
+    for block in blocks:
+        if isinstance(block, Display):
+            yield from _flat(block.formulas)
+        elif isinstance(block, Paragraph) and block.prose.text.startswith(
+            ("This is", "The determ")
+        ):
+            yield from _flat(part for part in block.prose.parts if not isinstance(part, Prose))
+
+
+def _flat(formulas: Iterable[object]) -> Iterable[Relation]:
+    for formula in formulas:
+        for each in formula.items if isinstance(formula, Listing) else (formula,):
+            if isinstance(each, Relation):
+                yield each
+
+
+def _laid_out(equations: list[Relation]) -> Iterable[Formula]:
+    """Several in a line, as many as a page is wide."""
+    line: list[Relation] = []
+    for each in equations:
+        if line and sum(width(one) + NEXT for one in (*line, each)) > WIDTH:
+            yield Listing(tuple(line))
+            line = []
+        line.append(each)
+    yield Listing(tuple(line))
+
+
+def _rows(story: Story, example: Example) -> list[Block]:
+    """All rows, and the check by the forward model."""
+    solved = ~np.isnan(example.rows).any(axis=1)
+    named = story.has_branch_words
+    joints = range(1, story.dof + 1)
+    header = [say("row"), *([say("name")] * named), *(say("{}", joint_symbol(j)) for j in joints)]
+    beyond = bool((solved & ~example.inside).any())
+    header += [say("limits")] * beyond
+    lines = []
+    for row in np.flatnonzero(solved):
+        cells = [say(str(row)), *([say(story.branch_names[row])] * named)]
+        cells += [say("{}", value) for _, value in _joint_values(story, example.rows[row])]
+        cells += [say("kept" if example.inside[row] else "exceeded")] * beyond
+        lines.append(tuple(cells))
+    empty = f" {_EMPTY}" if not solved.all() else ""
+    return [
+        paragraph("All solutions:"),
+        Table(tuple(header), tuple(lines)),
+        paragraph(
+            "Put into the forward model each of them gives {} again to all digits that are printed."
+            + empty,
+            POSE,
+        ),
+    ]
+
+
+_EMPTY = "Rows that are not listed have no solution for this pose."

@@ -1,0 +1,176 @@
+"""Printed formulas as numbers: the letters of an arm at joint values, and what a formula is worth.
+
+Numbers are Python's: sums and products in the order of the formula, the same on every machine.
+"""
+
+from __future__ import annotations
+
+import math
+from decimal import Decimal
+from operator import truediv
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.notation.names import branch_sign, cosine, joint_symbol, letter, sine, theta
+from dhgen.derivation.text.formula import (
+    Call,
+    Minus,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Root,
+    Size,
+    Sum,
+    Symbol,
+)
+from dhgen.kinematics.algebra import POSE_PLACES, SHOULDER_NAMES
+from dhgen.kinematics.ring import terms_in_numbers
+from dhgen.kinematics.transform import compose, translation
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from dhgen.arrays import FloatArray
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.formula import Formula
+    from dhgen.kinematics.constants import Polynomial
+
+DIGITS = 5
+SURE = 12  # digits that rounding leaves right: what is half way between two is so on every machine
+NOTHING = 1e-13  # of the arm's size, or of one: rounding
+
+
+def value_of(formula: Formula, letters: Mapping[str, float]) -> float:
+    """What a formula is worth.
+
+    Args:
+        formula: The formula, of numbers.
+        letters: The value of every letter, by its spelling in a terminal.
+
+    Raises:
+        KeyError: A letter has no value, or the formula is none of numbers.
+    """
+    match formula:
+        case Symbol(text=text):
+            return letters[text]
+        case Number(value):
+            return value.numerator / value.denominator
+        case Minus(operand):
+            return -value_of(operand, letters)
+        case Sum(terms):
+            return sum(value_of(term, letters) for term in terms)
+        case Product(factors):
+            return math.prod(value_of(factor, letters) for factor in factors)
+        case Power(base, exponent) if exponent > 0:
+            return math.prod([value_of(base, letters)] * exponent)
+        case _:
+            function, arguments = _applied(formula)
+            return _FUNCTIONS[function](*(value_of(each, letters) for each in arguments))
+
+
+def _applied(formula: Formula) -> tuple[str, tuple[Formula, ...]]:
+    """A function and what it is of."""
+    match formula:
+        case Quotient(above, below):
+            return "/", (above, below)
+        case Root(operand):
+            return "root", (operand,)
+        case Size(operand):
+            return "size", (operand,)
+        case Call(function, arguments):
+            return function, arguments
+    raise KeyError(formula)
+
+
+def _sign(x: float) -> float:
+    return math.copysign(1.0, x)
+
+
+def _root(x: float) -> float:
+    return math.sqrt(max(x, 0.0))  # below zero by rounding
+
+
+_FUNCTIONS: dict[str, Callable[..., float]] = {
+    "/": truediv,
+    "root": _root,
+    "size": abs,
+    "atan2": math.atan2,
+    "sgn": _sign,
+    "cos": math.cos,
+    "sin": math.sin,
+    "tan": math.tan,
+}
+
+
+def letters_at(story: Story, q: Sequence[float], T: FloatArray) -> dict[str, float]:
+    """The value of every letter that steps may hold, by its spelling in a terminal.
+
+    Args:
+        story: The derivation.
+        q: Joint values, as the caller sees them.
+        T: Their pose, shape (4, 4).
+    """
+    algebra = story.algebra
+    inner = {j.number: j.sign * q[j.number - 1] + j.offset for j in algebra.chain.joints}
+    known = {constant.name: constant.value for constant in algebra.chain.constants}
+    letters = {"π": math.pi, "π/2": math.pi / 2}
+    for angle in algebra.angles:
+        total = sum(sign * inner[joint] for joint, sign in angle.terms)
+        known |= {angle.cosine: math.cos(total), angle.sine: math.sin(total)}
+        letters |= {theta(angle).text: total}
+        letters |= {cosine(angle).text: math.cos(total), sine(angle).text: math.sin(total)}
+    known |= {name: inner[joint] for joint, name in algebra.slides.items()}
+    known |= {
+        name: math.fsum(terms_in_numbers(polynomial, known))
+        for name, polynomial in _of_the_pose(story).items()
+    }
+    letters |= {story.letters[name].text: value for name, value in known.items()}
+    letters |= {joint_symbol(place).text: value for place, value in enumerate(q, start=1)}
+    for row, column in POSE_PLACES.values():
+        letters[letter("p", "p", f"{row + 1}{column + 1}").text] = float(T[row, column])
+    return letters
+
+
+def _of_the_pose(story: Story) -> dict[str, Polynomial]:
+    """The entries of U_0, coordinates of named points and entries of B_0, by joints."""
+    algebra, problem, pool = story.algebra, story.derivation.problem, story.derivation.pool
+    whole = 0, len(problem.links)
+    forward, back = problem.spans.product(*whole), problem.spans.inverse(*whole)
+    found = {name: forward.entry(*place) for name, place in POSE_PLACES.items()}
+    seen = [(point.names, point.in_tool, forward) for point in pool.points]
+    seen += [(point.names, point.in_base, back) for point in pool.base_points]
+    for names, coordinates, transform in seen:
+        point = compose(transform, translation(algebra.ring, coordinates), algebra.normal)
+        found |= dict(zip(names, point.translation, strict=False))
+    if algebra.chain.arm_angle:
+        shoulder = problem.spans.product(0, 3)
+        for row, entries in enumerate(SHOULDER_NAMES):
+            found |= {name: shoulder.entry(row, place) for place, name in enumerate(entries)}
+    return found
+
+
+def signs_of_row(story: Story, row: int) -> dict[str, float]:
+    """The branch signs of a row, from 0, by their spelling in a terminal."""
+    signs: dict[str, float] = {}
+    for place, axis in reversed(list(enumerate(story.program.axes))):
+        row, chosen = divmod(row, axis.count)
+        if axis.count == 2:
+            signs[branch_sign(place).text] = -1.0 if chosen else 1.0
+    return signs
+
+
+def figures(value: float, size: float = 1.0) -> Symbol:
+    """A number to five digits; what is rounding beside `size` is zero."""
+    if abs(value) <= NOTHING * size:
+        return Symbol("0", "0")
+    exact = Decimal(f"{value:.{SURE}g}")
+    places = DIGITS - 1 - exact.adjusted()
+    text = f"{round(exact, places) if places > 0 else exact.to_integral_value():f}"
+    text = text.rstrip("0").rstrip(".") if "." in text else text
+    return Symbol(text, text.replace("-", "−"))
+
+
+def degrees(value: float) -> Symbol:
+    """An angle in degrees, to five digits."""
+    shown = figures(math.degrees(value), 100.0)
+    return Symbol(rf"{shown.latex}^\circ", f"{shown.text}°")

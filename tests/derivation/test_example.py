@@ -1,0 +1,134 @@
+"""The example of a derivation: its numbers are what its formulas say, by another evaluation."""
+
+from __future__ import annotations
+
+import math
+import re
+from contextlib import suppress
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.derivation.example import find_example
+from dhgen.derivation.sections.example import example_section
+from dhgen.derivation.steps import step_blocks
+from dhgen.derivation.text.blocks import Display, Paragraph, Table
+from dhgen.derivation.text.formula import Listing, Relation, Symbol
+from dhgen.derivation.values import figures
+from dhgen.survey.oracle.forward import forward
+from tests.derivation.stories import NAMES, story
+from tests.derivation.test_formulas_hold import relations
+from tests.derivation.values import Letters, evaluate, indexed, letters_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from dhgen.derivation.story import Story
+
+WITHOUT = {"planar_rrrr"}
+HALF = 0.51e-4  # of the fifth digit, relative
+
+
+def printed(text: str) -> float:
+    """A printed number; an angle in radians."""
+    number = float(text.rstrip("°").replace("−", "-"))
+    return math.radians(number) if text.endswith("°") else number
+
+
+def equations(of: Story) -> dict[int, list[tuple[str, float]]]:
+    """What the example says of each step: letters and their values."""
+    found: dict[int, list[tuple[str, float]]] = {}
+    number = 0
+    for block in example_section(of):
+        if isinstance(block, Paragraph):
+            step = re.match(r"Step (\d+), ", block.prose.text)
+            number = int(step[1]) if step else 0
+        elif isinstance(block, Display) and number:
+            for formula in block.formulas:
+                for each in formula.items if isinstance(formula, Listing) else (formula,):
+                    assert isinstance(each, Relation)
+                    name, value = each.sides
+                    assert isinstance(name, Symbol)
+                    assert isinstance(value, Symbol)
+                    found.setdefault(number, []).append((name.text, printed(value.text)))
+    return found
+
+
+def worths(relation: Relation, letters: Letters) -> Iterator[float]:
+    """What the sides of an equation are worth, but the first; of unknown letters none."""
+    for side in relation.sides[1:]:
+        with suppress(KeyError):
+            yield float(evaluate(side, letters))
+
+
+def is_close(shown: float, value: float, unit: float) -> bool:
+    return abs(shown - value) <= HALF * abs(value) + 1e-9 * unit
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_numbers_of_steps_are_what_their_formulas_are_worth(name: str) -> None:
+    of = story(name)
+    example = find_example(of)
+    if example is None:
+        assert name in WITHOUT
+        return
+    letters = {**letters_of(of, list(example.q)), "size": of.algebra.chain.size}
+    del letters["Z"], letters["E"]
+    row = example.followed
+    for place, axis in reversed(list(enumerate(of.program.axes))):
+        row, chosen = divmod(row, axis.count)
+        letters[indexed("ε", place + 1)] = 1.0 - 2.0 * chosen
+    told = equations(of)
+    assert told
+    for number in range(1, len(of.steps) + 1):
+        local = dict(letters)
+        values: dict[str, list[float]] = {}
+        for relation in relations(list(step_blocks(of, number)[0])):
+            first = relation.sides[0]
+            if isinstance(first, Symbol):
+                worth = list(worths(relation, local))
+                values.setdefault(first.text, []).extend(worth)
+                local |= {first.text: worth[-1]} if worth else {}
+        letters |= {key: value for key, value in local.items() if key[0] in "DFGHM"}
+        for letter, shown in told.get(number, []):
+            size = max(1.0, of.algebra.chain.size) ** 4
+            assert any(is_close(shown, value, size) for value in values[letter]), (letter, shown)
+            if letter.startswith("θ"):  # the step finds the row's own angle
+                off = math.remainder(shown - letters[letter], 2 * math.pi)
+                assert abs(off) < 1e-3, (letter, shown)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_its_rows_reach_its_pose(name: str) -> None:
+    of = story(name)
+    example = find_example(of)
+    if example is None:
+        return
+    (table,) = (block for block in example_section(of) if isinstance(block, Table))
+    solved = np.flatnonzero(~np.isnan(example.rows).any(axis=1))
+    assert [int(row[0].text) for row in table.rows] == solved.tolist()
+    T = forward(of.robot, example.q)
+    size = of.algebra.chain.size
+    task = example.rows[solved]
+    shown = [[cell.parts[0] for cell in row if cell.parts] for row in table.rows]
+    cells = [[printed(each.text) for each in row if isinstance(each, Symbol)] for row in shown]
+    assert np.allclose(cells, task, atol=1e-4 * max(1.0, size), rtol=1e-4)
+    miss = np.abs(forward(of.robot, task) - T)[:, :3]
+    miss[..., 3] /= size
+    if of.robot.task.kind.name == "POSE":
+        assert miss.max() < 1e-9
+    else:
+        assert (miss.reshape(len(task), 12).min(axis=1) < 1e-9).all()
+    assert example.inside[example.followed]
+
+
+def test_nothing_depends_on_the_machine() -> None:
+    """What is half way between two numbers, but for rounding, is rounded as if exactly."""
+    for value in (0.1234565, np.nextafter(0.1234565, 0), np.nextafter(0.1234565, 1)):
+        assert figures(float(value)).text == "0.12346"
+    assert figures(0.1231850000000001).text == figures(0.123185).text == "0.12318"
+    assert figures(-1e-15).text == "0"
+    assert figures(240000.0).text == "240000"
+    assert figures(123456.7).text == "123457"
+    assert figures(-0.5).text == "−0.5"
