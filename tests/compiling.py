@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
+import subprocess
+import tempfile
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
 from typing import TYPE_CHECKING
+from unittest.mock import patch
 
+import dhgen.compiler
 from dhgen.atomic_write import write_files
 from dhgen.compiler import Compilation, compile_loaded
 from dhgen.robot_files import RobotFile
-from dhgen.verify.native import PORTABLE, Build, CompiledSolver, compile_solver
+from dhgen.runtime import runtime_files
+from dhgen.verify.native import PORTABLE, Build, CompiledSolver, c_compiler, compile_solver
 
 if TYPE_CHECKING:
-    from pathlib import Path
+    from collections.abc import Mapping
 
     from dhgen.targets.module import SolverModule
+
+RUNTIME = Path(__file__).resolve().parents[1] / "generated" / "dhgen"
+_KEPT: list[tempfile.TemporaryDirectory[str]] = []
 
 
 def compile_file(path: Path) -> Compilation:
@@ -21,16 +32,45 @@ def compile_file(path: Path) -> Compilation:
 
 
 def written(path: Path, folder: Path) -> Compilation:
-    """The same, its files in a folder."""
-    compilation = compile_file(path)
-    write_files(folder, compilation.files)
+    """Its solvers in a folder, without the derivation, which takes a third of the time."""
+    with patch.object(dhgen.compiler, "derivation_document", lambda *_: ""):
+        compilation = compile_file(path)
+    write_new(folder, compilation.files)
     return compilation
+
+
+def write_new(folder: Path, files: Mapping[str, str]) -> None:
+    """Files in a folder; the runtime's hundred only where they are not there yet."""
+    known = runtime_files()
+    new = {n: text for n, text in files.items() if n not in known or not (folder / n).exists()}
+    write_files(folder, new)
 
 
 def library(module: SolverModule, folder: Path, build: Build = PORTABLE) -> CompiledSolver:
     """The C of a robot, as it lies in a folder."""
     shape = module.chain.dof, module.solver.rows, module.chain.given
     source = folder / f"{module.name}.c"
-    solver = compile_solver(source, folder, module.name, *shape, build)
+    solver = compile_solver(source, folder, module.name, *shape, sharing(source, build))
     assert solver is not None, "the tests need a C compiler"
     return solver
+
+
+def sharing(source: Path, build: Build) -> Build:
+    """A build in which general arms share the runtime, which takes longer to compile than they."""
+    if '#include "dhgen/general.h"' not in source.read_text("utf-8"):
+        return build
+    return replace(build, flags=(*build.flags, "-DDHGEN_SHARED", *_runtime(build)))
+
+
+@cache
+def _runtime(build: Build) -> tuple[str, ...]:
+    """The runtime, compiled once in this process."""
+    kept = tempfile.TemporaryDirectory(prefix="dhgen-runtime-")
+    _KEPT.append(kept)
+    objects = []
+    for name in ("dhgen", "general"):
+        objects.append(f"{kept.name}/{name}.o")
+        flags = ("-std=c99", *build.flags, "-fPIC", "-DDHGEN_SHARED", "-c", "-o", objects[-1])
+        compiler = build.compiler or c_compiler()
+        subprocess.run([str(compiler), *flags, str(RUNTIME / f"{name}.c")], check=True)
+    return tuple(objects)

@@ -17,9 +17,5 @@ STRUCTURES = (
 
 # Those whose Python numba compiles in the tests, at up to half a minute each; the Python of the
 # others runs there without it.
-COMPILED = (
-    "fanuc_crx10ia",
-    "scara",
-    "scorbot_pointing",
-    "ur5",
-)
+COMPILED = ("scara", "ur5")
+COMPILED_SLOWLY = ("fanuc_crx10ia", "scorbot_pointing")

@@ -43,7 +43,7 @@ def test_a_folder_answers_as_itself(capsys: pytest.CaptureFixture[str]) -> None:
         assert re.search(rf"^{name}: 0 of \d{{4,}} calls differ, 0 in sets$", told, re.MULTILINE)
 
 
-@pytest.mark.parametrize("way", [(), ("--python",)])
+@pytest.mark.parametrize("way", [(), pytest.param(("--python",), marks=pytest.mark.slow)])
 def test_a_changed_constant_is_noticed(
     way: tuple[str, ...], changed: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import math
 
+import pytest
+
 from benchmarks.sizes import CALLS, HEAD, measure
 
 
+@pytest.mark.slow
 def test_first_calls_and_those_from_the_cache() -> None:
     figures = measure("planar_rr", with_numba=True)
     assert len(figures) == len(HEAD) - 1

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from dhgen.robot.load import load
 from dhgen.survey.oracle.arm_angle import given_values
-from dhgen.verify.native import CompiledSolver, compile_solver
+from dhgen.verify.native import PORTABLE, CompiledSolver, compile_solver
+from tests.compiling import sharing
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -50,7 +51,8 @@ def library(name: str) -> CompiledSolver:
     """The C, compiled with warnings as errors."""
     python, count = module(name), len(robot(name).free) + robot(name).arm_angle
     source = GENERATED / f"{name}.c"
-    compiled = compile_solver(source, folder(), name, python.DOF, python.MAX_SOLUTIONS, count)
+    shape = python.DOF, python.MAX_SOLUTIONS, count
+    compiled = compile_solver(source, folder(), name, *shape, sharing(source, PORTABLE))
     assert compiled is not None, "the tests need a C compiler"
     return compiled
 

@@ -23,7 +23,7 @@ from dhgen.survey.oracle.problem import task_entries
 from dhgen.survey.singular import is_redundant
 from tests.generated.solvers import GENERATED, NAMES, given, library, module, robot
 from tests.oracle.sets import joint_sets
-from tests.structures import COMPILED
+from tests.structures import COMPILED, COMPILED_SLOWLY
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -33,10 +33,14 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
 
-COUNT = 4_000
-GENERAL = {"C": 300, "Python": 60}  # for arms with 16 rows
+COUNT = 2_000
+GENERAL = {"C": 150, "Python": 60}  # for arms with 16 rows
 # numba takes seconds for each; the modules of all arms run without it in clean processes
-ASKED = [*((name, "C") for name in NAMES), *((name, "Python") for name in COMPILED)]
+ASKED = [
+    *((name, "C") for name in NAMES),
+    *((name, "Python") for name in COMPILED),
+    *(pytest.param(name, "Python", marks=pytest.mark.slow) for name in COMPILED_SLOWLY),
+]
 RESIDUAL = 1e-11  # of the arm's size
 POLISHED = 1e-9  # the same for the general arms
 POINTER = ctypes.c_void_p
@@ -126,7 +130,7 @@ def test_random_poses(name: str, language: str) -> None:
 @pytest.mark.parametrize(("name", "language"), ASKED)
 def test_singular_poses(name: str, language: str) -> None:
     """An exact answer on every one: wrists, shoulders, stretched, folded, right angles, limits."""
-    sets = joint_sets(robot(name), count=6, seed=72)
+    sets = joint_sets(robot(name), count=3, seed=72)
     rows = module(name).MAX_SOLUTIONS
     for kind, q in sets.items():
         q = q[:: 1 + len(q) // most(name, language)]  # noqa: PLW2901

@@ -20,7 +20,7 @@ from tests.oracle.sets import all_solutions
 if TYPE_CHECKING:
     from pathlib import Path
 
-POSES = 3
+POSES = 2
 
 
 def structured_arm(kind: str, first: int, slide: int | None) -> str:

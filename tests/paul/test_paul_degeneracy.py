@@ -63,7 +63,7 @@ SLIDE_ON_A_SHOULDER = (
     "theta: q, d: 0.353, alpha: pi/2",
     "theta: -q, alpha: pi/2",
 )
-NAMES = [*ARMS, "spherical_wrist_general_arm"]
+NAMES = [*ARMS, pytest.param("spherical_wrist_general_arm", marks=pytest.mark.slow)]
 EXACT = 1e-9
 CONSISTENT = 1e-5
 

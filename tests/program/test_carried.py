@@ -76,8 +76,8 @@ def test_rows_are_those_of_what_is_multiplied_out(monkeypatch: pytest.MonkeyPatc
 @pytest.mark.parametrize(
     "name",
     [
-        *("stanford", "ur5", "kuka_iiwa14_arm_angle", "concurrent_345", "prismatic_2_wrist"),
-        *("welding_5r", "kuka_youbot", "rrprrr", "scorbot_pointing", "spherical_wrist_general_arm"),
+        *("stanford", "ur5", "kuka_iiwa14_arm_angle", "prismatic_2_wrist", "welding_5r"),
+        *("rrprrr", "scorbot_pointing", "spherical_wrist_general_arm"),
     ],
 )
 def test_every_kind_of_column(name: str, monkeypatch: pytest.MonkeyPatch) -> None:

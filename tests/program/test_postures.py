@@ -15,7 +15,7 @@ from tests.derivation.stories import story
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
-POSES = 80
+POSES = 40
 CLEAR = 1e-3  # of the arm's size: nearer to the border of two postures nothing is seen
 FEWEST = 100  # rows in which something has to be seen
 

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.atomic_write import write_files
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.runtime import runtime_files
@@ -19,7 +18,7 @@ from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.problem import task_entries
 from dhgen.verify.native import PORTABLE, Build, CompiledSolver, import_module
-from tests.compiling import library, written
+from tests.compiling import library, write_new, written
 from tests.structures import STRUCTURES
 
 if TYPE_CHECKING:
@@ -69,6 +68,11 @@ def made(name: str) -> Compilation:
 
 def made_up(name: str, rows: Sequence[str], rest: str, convention: str = "standard") -> Compilation:
     """The same of an arm that is in no file, with these rows and what else a file may say."""
+    return _made_up(name, tuple(rows), rest, convention)
+
+
+@cache
+def _made_up(name: str, rows: tuple[str, ...], rest: str, convention: str) -> Compilation:
     joints = "".join(f"  - {{{row}}}\n" for row in rows)
     path = folder() / f"{name}.yaml"
     path.write_text(
@@ -102,7 +106,7 @@ def in_python(name: str) -> Any:
 def without_numba(text: str, name: str) -> Any:
     """A module of this text, imported where numba is absent."""
     path = folder() / "plain" / f"{name}.py"
-    write_files(path.parent, {**runtime_files(), path.name: text})
+    write_new(path.parent, {**runtime_files(), path.name: text})
     hidden = {key: sys.modules.pop(key) for key in list(sys.modules) if key.startswith("numba")}
     sys.modules["numba"] = None  # type: ignore[assignment]
     try:
@@ -114,10 +118,16 @@ def without_numba(text: str, name: str) -> Any:
 
 def solving(compiled: Compilation, language: str) -> Any:
     """What gives all rows of a pose: `ik` of the C, `ik_all` of the Python without numba."""
-    if language == "C":
-        return library(compiled.module, folder()).ik
-    name = compiled.robot.name
-    return without_numba(compiled.files[f"{name}.py"], name).ik_all
+    name, text = compiled.robot.name, compiled.files[f"{compiled.robot.name}.py"]
+    if (text, language) not in _SOLVING:
+        if language == "C":
+            _SOLVING[text, language] = library(compiled.module, folder()).ik
+        else:
+            _SOLVING[text, language] = without_numba(text, name).ik_all
+    return _SOLVING[text, language]
+
+
+_SOLVING: dict[tuple[str, str], Any] = {}  # what was compiled, by the text of the module
 
 
 def poses_of(name: str, q: FloatArray) -> FloatArray:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 # Joint 5 is straight where its value is this.
 STRAIGHT = {"kuka_kr6_r900": 0.0, "puma560": 0.0, "stanford": 0.0, "ur5": 0.0}
-POSES = 6
+POSES = 3
 BUILDS = ("vectors", "portable", "scalar", "libm")
 NEARLY = 1e-3  # [rad or arm sizes]
 WRIST = 4  # joint 5, from 0

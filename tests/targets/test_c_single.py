@@ -151,7 +151,7 @@ def test_the_edge_of_a_hollow_wrist_is_reached(tmp_path: Path) -> None:
     assert np.abs(arm.pose(rows[held].astype(float)) - T[poses]).max() < RESIDUAL
 
 
-@pytest.mark.parametrize("name", ["spherical_wrist_general_arm", "general_6r"])
+@pytest.mark.parametrize("name", ["cuspidal_3r", "general_6r"])
 def test_roots_of_polynomials_are_refused(name: str, tmp_path: Path) -> None:
     source = robot_path(name)
     path = tmp_path / f"{name}.yaml"

@@ -27,6 +27,7 @@ WARNINGS = (
     "-Wdouble-promotion",
     "-Werror",
 )
+SHARED = "-DDHGEN_SHARED"
 MORE = ("-Wcast-qual", "-Wstrict-prototypes", "-Wmissing-prototypes", "-Wold-style-definition")
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 CPP = [name for name in ("g++", "clang++") if shutil.which(name)]
@@ -49,12 +50,12 @@ def test_there_is_a_compiler() -> None:
 @pytest.mark.parametrize("name", EVERY)
 def test_no_warnings(name: str, compiler: str) -> None:
     made(name)
-    levels: tuple[str, ...] = ("-O0", "-O1", "-O2", "-O3")
-    if name not in {"ur5", "scara", "planar_4r"}:
-        # what clang warns of, it sees before it optimises
-        levels = ("-O2",) if compiler == "gcc" else ("-fsyntax-only",)
+    levels: tuple[tuple[str, ...], ...] = (("-O0",), ("-O1",), ("-O2",), ("-O3",))
+    if name not in {"scara", "fanuc_crx10ia"}:
+        # what clang warns of, it sees before it optimises; what is the same for all arms was seen
+        levels = (("-O2", SHARED),) if compiler == "gcc" else (("-fsyntax-only",),)
     for level in levels:
-        flags = ("-std=c99", level, *WARNINGS, *MORE, "-c", f"{name}.c", "-o", f"{name}.o")
+        flags = ("-std=c99", *level, *WARNINGS, *MORE, "-c", f"{name}.c", "-o", f"{name}.o")
         assert compiled(compiler, *flags) == ""
 
 
@@ -105,17 +106,18 @@ def in_a_namespace(compiler: str, name: str, directory: Path) -> str:
     return compiled(compiler, *flags, str(own))
 
 
-@pytest.mark.parametrize("compiler", CPP)
-@pytest.mark.parametrize("name", EVERY)
-def test_sources_are_cpp_also_in_a_namespace(name: str, compiler: str) -> None:
+@pytest.mark.skipif(not CPP, reason="no C++ compiler")
+@pytest.mark.parametrize("name", MADE_UP_NAMES)
+def test_sources_are_cpp_also_in_a_namespace(name: str) -> None:
+    """By one of the compilers each."""
     made(name)
+    compiler = CPP[MADE_UP_NAMES.index(name) % len(CPP)]
     assert in_a_namespace(compiler, name, folder()) == ""
 
 
 @pytest.mark.skipif(not CPP, reason="no C++ compiler")
 @pytest.mark.parametrize("name", WRITTEN)
 def test_all_written_sources_are_cpp(name: str) -> None:
-    """By one of the compilers each."""
     compiler = CPP[WRITTEN.index(name) % len(CPP)]
     assert in_a_namespace(compiler, name, GENERATED) == ""
 

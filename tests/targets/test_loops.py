@@ -43,9 +43,7 @@ def test_only_long_sources_have_loops() -> None:
 
 
 @pytest.mark.parametrize("build", [PORTABLE, NATIVE], ids=lambda build: build.name)
-@pytest.mark.parametrize(
-    "name", ["ur5", "kuka_iiwa14", "kuka_youbot", "scara", "wrist_oblique", "planar_rr"]
-)
+@pytest.mark.parametrize("name", ["ur5", "kuka_iiwa14", "scara", "wrist_oblique"])
 def test_loops_give_the_rows_of_branches_written_out(
     name: str, build: Build, tmp_path: Path
 ) -> None:

@@ -55,7 +55,7 @@ def half_way_miss(name: str, row: FloatArray, other: FloatArray, T: FloatArray) 
 def test_no_solution_stands_twice(name: str) -> None:
     """At singular poses branches meet: their rows are one."""
     arm = robot(name)
-    sets = [right_angles(arm, 300), one_joint_at(arm, (0.0, np.pi / 2, np.pi), 10)]
+    sets = [right_angles(arm, 100), one_joint_at(arm, (0.0, np.pi / 2, np.pi), 4)]
     sets += [np.array(q) for q in BESIDE.get(name, ())]
     q = np.concatenate(sets)
     for joints, T in zip(q, poses_of(name, q), strict=True):
