@@ -33,7 +33,7 @@ def numbers(values: Any, shape: object, name: str) -> FloatArray:  # noqa: ANN40
     """
     values = _matrix_of(values, name)
     try:
-        array = np.ascontiguousarray(values)
+        array = np.asarray(values, order="C")  # a number stays one: that is another shape
         if array.dtype != FLOAT:
             # numpy would drop imaginary parts, read texts and dates, and make NaN of None
             kind, objects = array.dtype.kind, array.ravel() if array.dtype.kind == "O" else ()
