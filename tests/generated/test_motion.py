@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.survey.trial import Trial
 
-MOTIONS, STEPS = 4, 200
+MOTIONS, STEPS = 4, 300
 REGULAR = 1e-3  # least singular value of the task's Jacobian, lengths in arm sizes
 STEEPEST = 3.0  # what a joint's turn changes that by at most, with a margin
 SAME = 1e-7

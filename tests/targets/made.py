@@ -68,19 +68,19 @@ def made(name: str) -> Compilation:
 
 def made_up(name: str, rows: Sequence[str], rest: str, convention: str = "standard") -> Compilation:
     """The same of an arm that is in no file, with these rows and what else a file may say."""
-    return _made_up(name, tuple(rows), rest, convention)
-
-
-@cache
-def _made_up(name: str, rows: tuple[str, ...], rest: str, convention: str) -> Compilation:
     joints = "".join(f"  - {{{row}}}\n" for row in rows)
-    path = folder() / f"{name}.yaml"
-    path.write_text(
+    text = (
         f"name: {name}\ntitle: made up\nsource: made up\nconvention: {convention}\n"
-        f"joints:\n{joints}{rest}",
-        encoding="utf-8",
+        f"joints:\n{joints}{rest}"
     )
-    return written(path, folder())
+    if name not in _MADE_UP or _MADE_UP[name][0] != text:
+        path = folder() / f"{name}.yaml"
+        path.write_text(text, encoding="utf-8")
+        _MADE_UP[name] = text, written(path, folder())
+    return _MADE_UP[name][1]
+
+
+_MADE_UP: dict[str, tuple[str, Compilation]] = {}  # whose files lie in the folder, by their names
 
 
 @cache

@@ -171,8 +171,8 @@ def test_without_asking_there_is_none(tmp_path: Path) -> None:
 
 def test_files_that_are_no_longer_asked_for_are_found(tmp_path: Path) -> None:
     """Checking one robot says nothing of its neighbours' files, but of its own."""
-    write_files(tmp_path, {**made(SCARA).files, **made("ur5").files})
     own, other = ROBOTS / "scara.yaml", ROBOTS / "ur5.yaml"
+    write_files(tmp_path, {**compile_file(own).files, **compile_file(other).files})
     assert compare(load_all([own]), tmp_path).exit_code == 0
     copies = tmp_path / "robots"
     copies.mkdir()

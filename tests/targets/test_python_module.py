@@ -194,4 +194,4 @@ def test_signatures_are_those_of_the_design() -> None:
         "ik_all": "(T, q_seed=None)",
         "ik_batch": "(T, *, cores=None, out=None)",
     }
-    assert str(inspect.signature(in_python("planar_4r").ik_all)) == "(T, q_free, q_seed=None)"
+    assert str(inspect.signature(in_python("planar_4r").ik_all)) == "(T, q_free=None, q_seed=None)"
