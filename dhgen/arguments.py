@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from dhgen import __version__
+from dhgen.descriptions.snap import DEFAULT, LITTLE, MOST
 from dhgen.robot.source import quoted
 
 OUT = Path("generated")
@@ -15,6 +16,7 @@ MOST_RECALLED = 10_000_000  # of one arm: minutes where a pose takes microsecond
 
 EPILOG = """\
 verbs:
+  dhgen import ARM.urdf    write a robot file with a Denavit-Hartenberg table (--base, --tip)
   dhgen FILE ...           derive, show a summary, verify, and write generated/ (or --out DIR)
   dhgen --check FILE ...   compare generated/ with what the compiler makes; exit 1 when it is stale
   dhgen --numerical FILE   fall back to the numerical solver where nothing else works
@@ -32,11 +34,14 @@ def parser() -> argparse.ArgumentParser:
     """Of the command without a verb."""
     made = argparse.ArgumentParser(
         prog="dhgen",
-        description="Exact inverse kinematics from Denavit-Hartenberg tables, as Python and C.",
+        description="Exact inverse kinematics from Denavit-Hartenberg tables and URDF, as Python "
+        "and C.",
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    made.add_argument("files", nargs="+", type=_path, metavar="FILE", help="robot files (YAML)")
+    made.add_argument(
+        "files", nargs="+", type=_path, metavar="FILE", help="robot files (YAML), or URDF"
+    )
     made.add_argument("--check", action="store_true", help="only compare, write nothing")
     made.add_argument(
         "--out",
@@ -71,7 +76,7 @@ def explain_parser() -> argparse.ArgumentParser:
     made = argparse.ArgumentParser(
         prog="dhgen explain", description="Prints the derivation of a robot in the terminal."
     )
-    made.add_argument("file", type=_path, metavar="FILE", help="a robot file (YAML)")
+    made.add_argument("file", type=_path, metavar="FILE", help="a robot file (YAML), or URDF")
     made.add_argument(
         "--alternatives",
         action="store_true",
@@ -115,6 +120,76 @@ def survey_parser() -> argparse.ArgumentParser:
         f"(default: 20000, at most {MOST_RECALLED})",
     )
     return made
+
+
+def import_parser() -> argparse.ArgumentParser:
+    """Of `dhgen import`."""
+    made = argparse.ArgumentParser(
+        prog="dhgen import",
+        description="Writes the robot file of an arm in a URDF: a Denavit-Hartenberg table with "
+        "named lengths, derived from its axes, compared with the URDF's own forward kinematics.",
+    )
+    made.add_argument(
+        "file", type=_path, metavar="FILE", help="a robot description: URDF, xacro, MJCF"
+    )
+    made.add_argument(
+        "--base",
+        metavar="LINK",
+        help="the link that poses are in (default: before the first joint)",
+    )
+    made.add_argument(
+        "--tip", metavar="LINK", help="the link that poses are of (default: the longest arm's end)"
+    )
+    made.add_argument(
+        "--snap",
+        type=_tolerance,
+        metavar="TOL",
+        help="take as exact what is nearer than this to a multiple of 15 degrees [rad], or to zero "
+        f"[arm sizes] (default: {DEFAULT:g} and {LITTLE:g}; 1.57 needs 1e-3)",
+    )
+    made.add_argument(
+        "--axes", action="store_true", help="write axes in the reference position, not a table"
+    )
+    made.add_argument(
+        "--package",
+        type=partial(_pair, mark="="),
+        action="append",
+        default=[],
+        metavar="NAME=DIR",
+        help="of a xacro: where a ROS package is that is not above the file",
+    )
+    made.add_argument(
+        "--arg",
+        type=partial(_pair, mark=":="),
+        action="append",
+        default=[],
+        metavar="NAME:=VALUE",
+        help="of a xacro: the value of an argument",
+    )
+    made.add_argument(
+        "--out",
+        type=_path,
+        metavar="FILE",
+        help="where to write, - for the terminal (default: the robot's name with .yaml)",
+    )
+    return made
+
+
+def _pair(word: str, mark: str) -> tuple[str, str]:
+    name, found, value = word.partition(mark)
+    if not name or not found:
+        raise argparse.ArgumentTypeError(f"write NAME{mark}VALUE, not {quoted(word)}")
+    return name, value
+
+
+def _tolerance(word: str) -> float:
+    try:
+        value = float(word)
+    except ValueError:
+        value = -1.0
+    if not 0.0 <= value <= MOST:
+        raise argparse.ArgumentTypeError(f"must be a number from 0 to {MOST:g}, not {quoted(word)}")
+    return value
 
 
 def _path(word: str) -> Path:

@@ -1,4 +1,4 @@
-"""What the command does: write, check, explain, survey.
+"""What the command does: write, check, explain, import, survey.
 
 What needs sympy is imported late: errors and --help do without.
 """
@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import sys
 from dataclasses import replace
+from pathlib import Path
 from shlex import quote
 from typing import TYPE_CHECKING
 
@@ -19,7 +20,6 @@ from dhgen.method import Method
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Iterable, Sequence
-    from pathlib import Path
 
     from dhgen.compiler import Compilation
     from dhgen.errors import Diagnostic
@@ -190,6 +190,41 @@ def survey(options: argparse.Namespace) -> int:
     if any(line.mistaken for line in lines):
         return 2
     return 0 if all(line.complete for line in lines) else 1
+
+
+def import_description(options: argparse.Namespace) -> int:
+    """Writes the robot file of a description; the exit code."""
+    from dhgen.atomic_write import replace_files  # noqa: PLC0415
+    from dhgen.descriptions.compare import SAMPLES  # noqa: PLC0415
+    from dhgen.descriptions.convert import Wishes  # noqa: PLC0415
+    from dhgen.descriptions.expand import Outside  # noqa: PLC0415
+    from dhgen.descriptions.files import import_file  # noqa: PLC0415
+
+    wishes = Wishes(options.base, options.tip, options.snap, as_axes=options.axes)
+    outside = Outside(dict(options.package), dict(options.arg))
+    imported = import_file(options.file, wishes, outside)
+    for note in imported.notes:
+        print(f"note: {note}", file=sys.stderr)
+    if options.out == Path("-"):
+        _refuse_mute()
+        print(imported.text, end="")
+        return 0
+    out = options.out or Path(f"{imported.robot.name}.yaml")
+    if out.exists() and options.out is None and out.read_text("utf-8") != imported.text:
+        message = f"dhgen: {out} is there already: write over it with --out {quote(str(out))}"
+        raise CommandError(f"{message}, or name another file")
+    _refuse_occupied([out])
+    replace_files(out.parent, {out.name: imported.text.encode()})
+    chain, off = imported.chain, imported.difference
+    joints = len(chain.actuated)
+    print(f"{imported.robot.name}: {joints} joints, from {chain.base} to {chain.tip}")
+    print(
+        f"compared with {options.file.name} at {SAMPLES} random joint values: the tools are "
+        f"{off.moved:.1e} {imported.robot.length_unit} apart at most "
+        f"({off.moved / off.size:.1e} of the arm's size), and turned by {off.turned:.1e} rad"
+    )
+    print(f"wrote {out}; solvers: dhgen {quote(str(out))}")
+    return 0
 
 
 def _refuse_mute() -> None:

@@ -1,14 +1,15 @@
 """The front door: a robot file in, verified solvers and their derivation out.
 
-| stage  | from           | to             | where             |
-|--------|----------------|----------------|-------------------|
-| load   | YAML text      | Robot          | dhgen/robot       |
-| model  | Robot          | Chain          | dhgen/kinematics  |
-| derive | Chain          | Derivation     | dhgen/paul        |
-| lower  | Derivation     | Program        | dhgen/program     |
-| print  | Derivation     | its document   | dhgen/derivation  |
-| emit   | Program        | its solvers    | dhgen/targets     |
-| verify | files          | Report         | dhgen/verify      |
+| stage  | from       | to           | where              |
+|--------|------------|--------------|--------------------|
+| import | URDF       | YAML text    | dhgen/descriptions |
+| load   | YAML text  | Robot        | dhgen/robot        |
+| model  | Robot      | Chain        | dhgen/kinematics   |
+| derive | Chain      | Derivation   | dhgen/paul         |
+| lower  | Derivation | Program      | dhgen/program      |
+| print  | Derivation | its document | dhgen/derivation   |
+| emit   | Program    | its solvers  | dhgen/targets      |
+| verify | files      | Report       | dhgen/verify       |
 
 Every value between stages is frozen; data flows one way.
 """

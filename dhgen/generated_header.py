@@ -11,7 +11,10 @@ if TYPE_CHECKING:
 
 SUFFIXES = (".py", ".c", ".h", ".md")
 HEAD = 1000  # characters of a file in which it says where it comes from
-_SOURCE = re.compile(r"generated from (?:([^/]+)/)?[^/]+\.ya?ml and templates/", re.IGNORECASE)
+_SOURCE = re.compile(
+    r"generated from (?:([^/]+)/)?[^/]+\.(?:ya?ml|urdf|xacro|xml|mjcf) and templates/",
+    re.IGNORECASE,
+)
 _MADE = re.compile(r"generated from .*templates/.*\. Do not edit", re.IGNORECASE)
 _ROBOT = re.compile(r"The formulas and where they come from: (\w+)\.md", re.ASCII)
 

@@ -1,4 +1,4 @@
-"""The robot files of a command, all of them read before any work is done."""
+"""The robot files and descriptions of a command, all of them read before any work is done."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from dhgen.descriptions.files import is_description, robot_of_description
 from dhgen.errors import Diagnostic, RobotFileError
 from dhgen.robot.load import load
 from dhgen.tolerances import DOUBLE, SINGLE
@@ -31,8 +32,8 @@ class RobotFile:
 
     @classmethod
     def read(cls, path: Path) -> RobotFile:
-        """Reads one; RobotFileError where it has mistakes."""
-        robot = load(path)
+        """Reads one, or imports a robot description; RobotFileError where it has mistakes."""
+        robot = robot_of_description(path) if is_description(path) else load(path)
         lines = path.read_bytes().splitlines()
         return cls(path, robot, sha256(b"\n".join(lines)).hexdigest()[:16])
 

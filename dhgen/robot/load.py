@@ -50,7 +50,7 @@ def load(path: str | os.PathLike[str]) -> Robot:
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise _refusal(Diagnostic(name, 0, 0, f"the file can't be read: {reason}")) from None
-    if what := _kind_of_xml(content):
+    if what := kind_of_xml(content):
         raise _refusal(Diagnostic(name, 0, 0, f"this is {what}; a robot file is YAML"))
     if len(content) > MAX_BYTES:
         raise _refusal(Diagnostic(name, 0, 0, f"a robot file has at most {MAX_BYTES // 1024} KiB"))
@@ -78,8 +78,8 @@ def load_text(text: str, file_name: str) -> Robot:
     return robot
 
 
-def _kind_of_xml(content: bytes) -> str | None:
-    """What a file is that begins like XML."""
+def kind_of_xml(content: bytes) -> str | None:
+    """What a file is that begins like XML; None of any other."""
     text = content.decode("utf-16" if content.startswith(_UTF_16) else "utf-8", "replace")
     if not _XML.match(text):
         return None

@@ -1,0 +1,241 @@
+"""Which joints of a description are the arm's: from a base link to a tip link."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.descriptions.model import Motion
+from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.robot.arithmetic import nearest
+from dhgen.robot.source import quoted
+
+if TYPE_CHECKING:
+    from dhgen.descriptions.model import Description, Joint
+
+# Parts of the names of links and joints that are a hand's: an arm ends before them.
+_HAND = re.compile(
+    r"finger|gripper|knuckle|hand|jaw|claw|thumb|suction|vacuum|robotiq|(^|_)(pad|tip)s?(_|$)",
+    re.IGNORECASE,
+)
+_FINGER = re.compile(r"finger|knuckle|jaw|thumb|(^|_)(pad|tip)s?(_|$)", re.IGNORECASE)
+# Frames that are fixed to an arm's last moving link and mean its end, the best first.
+_ENDS = (
+    re.compile(r"(^|_)tool0$", re.IGNORECASE),
+    re.compile(r"flange", re.IGNORECASE),
+    re.compile(r"(^|_)(ee|eef|tcp)(_|$)|end_?effector", re.IGNORECASE),
+    re.compile(r"link_?\d+$", re.IGNORECASE),
+)
+_WHEELS = re.compile(r"wheel|caster", re.IGNORECASE)
+MAX_JOINTS = 64  # as many as a robot file holds
+
+
+@dataclass(frozen=True, slots=True)
+class ArmChain:
+    """The joints of an arm.
+
+    Attributes:
+        base: The link that poses are in.
+        tip: The link that poses are of.
+        joints: From base to tip, fixed ones too.
+        notes: What was chosen, and what was left out.
+    """
+
+    base: str
+    tip: str
+    joints: tuple[Joint, ...]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def actuated(self) -> tuple[Joint, ...]:
+        """Those that a variable moves."""
+        return tuple(joint for joint in self.joints if joint.motion.is_actuated)
+
+
+def choose_chain(description: Description, base: str | None, tip: str | None) -> ArmChain:
+    """The chain from one link to another: those that are said, else of the longest arm.
+
+    Args:
+        description: The robot.
+        base: The base link, or None for the parent of the first joint that moves.
+        tip: The tip link, or None for the end of the longest arm.
+
+    Raises:
+        RobotFileError: No such link, no such chain, or several that are as long.
+    """
+    for option, link in (("--base", base), ("--tip", tip)):
+        if link is not None and link != description.root and link not in description.joints:
+            hint = nearest(link, (description.root, *description.joints))
+            raise _refusal(description, f"{option}: there is no link {quoted(link)}{hint}")
+    end = tip if tip is not None else _longest(description, base)
+    joints = description.joints_to(end)
+    if base is not None:
+        joints = _from_base(description, joints, base, end)
+    elif joints:
+        joints = _from_first_moving(joints)
+    joints = joints if tip is not None else (*joints, *_fixed_end(description, end))
+    chain = ArmChain(
+        joints[0].parent if joints else end, joints[-1].child if joints else end, joints
+    )
+    _refuse_unfit(description, chain)
+    return ArmChain(chain.base, chain.tip, chain.joints, tuple(_notes(description, chain)))
+
+
+def _is_hand(joint: Joint, children: dict[str, list[Joint]]) -> bool:
+    """Whether a joint moves or holds a hand, by the names of the joint and of the link.
+
+    A wrist may move a link that is called after the gripper on it: that carries more.
+    """
+    if _HAND.search(joint.name):
+        return True
+    if not _HAND.search(joint.child):
+        return False
+    carries = joint.child in children and not _FINGER.search(joint.child)
+    return not (joint.motion.is_actuated and carries)
+
+
+def _moves_arm(joint: Joint) -> bool:
+    """Whether a joint counts for how long an arm is."""
+    return joint.motion.is_actuated and joint.mimics is None and not _WHEELS.search(joint.name)
+
+
+def _longest(description: Description, base: str | None) -> str:
+    """The last moving link of the longest arm; a hand ends an arm."""
+    counts: dict[str, int] = {description.root: 0}
+    children = description.children()
+    waiting = [description.root]
+    ends: dict[str, int] = {}
+    while waiting:
+        link = waiting.pop()
+        for joint in children.get(link, ()):
+            if _is_hand(joint, children):
+                continue
+            free = joint.motion in {Motion.FLOATING, Motion.PLANAR} or joint.child == base
+            counts[joint.child] = 0 if free else counts[link] + _moves_arm(joint)
+            if _moves_arm(joint) and not free:
+                ends[joint.child] = counts[joint.child]
+            waiting.append(joint.child)
+    if base is not None:
+        ends = {end: n for end, n in ends.items() if _is_on_the_way(description, base, end)}
+    if not ends:
+        where = f" beyond {quoted(base)}" if base is not None else ""
+        raise _refusal(description, f"no joint{where} moves an arm: name its end with --tip LINK")
+    most = max(ends.values())
+    best = sorted(end for end, count in ends.items() if count == most)
+    if len(best) > 1:
+        raise _refusal(description, _tie(description, best, most))
+    return best[0]
+
+
+def _tie(description: Description, best: list[str], most: int) -> str:
+    ways = [_from_first_moving(description.joints_to(end)) for end in best]
+    command = f"dhgen import {description.source.file}"
+    shown = [
+        f"{command} --base {way[0].parent} --tip {end}"
+        for way, end in zip(ways[:6], best[:6], strict=True)
+    ]
+    more = [f"and {len(best) - 6} more"] if len(best) > 6 else []
+    told = "\n".join(f"    {line}" for line in (*shown, *more))
+    return f"{len(best)} chains have {most} moving joints, and nothing says which is meant:\n{told}"
+
+
+def _is_on_the_way(description: Description, base: str, end: str) -> bool:
+    return any(joint.parent == base for joint in description.joints_to(end))
+
+
+def _from_base(
+    description: Description, joints: tuple[Joint, ...], base: str, end: str
+) -> tuple[Joint, ...]:
+    for place, joint in enumerate(joints):
+        if joint.parent == base:
+            return joints[place:]
+    way = (description.root, *(joint.child for joint in joints))
+    shown = ", ".join(map(quoted, way[:12])) + (", ..." if len(way) > 12 else "")
+    message = f"{quoted(base)} is not on the way to {quoted(end)}, which is {shown}"
+    raise _refusal(description, message)
+
+
+def _from_first_moving(joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
+    """Without what stands before the first joint that moves, or before a base that drives."""
+    start = 0
+    for place, joint in enumerate(joints):
+        if joint.motion in {Motion.FLOATING, Motion.PLANAR}:
+            start = place + 1
+    while start < len(joints) and not joints[start].motion.is_actuated:
+        start += 1
+    return joints[start:]
+
+
+def _fixed_end(description: Description, link: str) -> tuple[Joint, ...]:
+    """The fixed joints from the last moving link to the frame that means the arm's end, if any."""
+    children = description.children()
+    ways: list[tuple[Joint, ...]] = []
+    waiting: list[tuple[str, tuple[Joint, ...]]] = [(link, ())]
+    while waiting:
+        at, way = waiting.pop()
+        for joint in children.get(at, ()):
+            if joint.motion is Motion.FIXED and not _is_hand(joint, children):
+                ways.append((*way, joint))
+                waiting.append((joint.child, ways[-1]))
+    ways.sort(key=lambda way: (len(way), way[-1].child))
+    for pattern in _ENDS:
+        for way in ways:
+            if pattern.search(way[-1].child):
+                return way
+    return ()
+
+
+def _refuse_unfit(description: Description, chain: ArmChain) -> None:
+    """Stops where the chain holds what no serial arm has."""
+    mistakes: list[Diagnostic] = []
+    for joint in chain.joints:
+        if joint.motion in {Motion.FLOATING, Motion.PLANAR}:
+            message = f"a {joint.motion.value} joint is between base and tip: start behind it, "
+            message += f"--base {joint.child}"
+            mistakes.append(description.source.point(joint.place, message))
+        elif joint.mimics is not None and joint.motion.is_actuated:
+            message = f"{quoted(joint.name)} follows {quoted(joint.mimics)} (mimic), and drives "
+            message += f"that are coupled are not read: end before it, --tip {joint.parent}"
+            mistakes.append(description.source.point(joint.place, message))
+    if mistakes:
+        raise RobotFileError(tuple(mistakes))
+    if not chain.actuated:
+        between = f"between {quoted(chain.base)} and {quoted(chain.tip)}"
+        raise _refusal(description, f"nothing moves {between}")
+    if len(chain.actuated) > MAX_JOINTS:
+        raise _refusal(description, f"{len(chain.actuated)} joints: at most {MAX_JOINTS} are read")
+
+
+def _notes(description: Description, chain: ArmChain) -> list[str]:
+    inside = {joint.child for joint in chain.joints}
+    children = description.children()
+    links = [chain.base, *(joint.child for joint in chain.joints)]
+    sides = [
+        joint for link in links for joint in children.get(link, ()) if joint.child not in inside
+    ]
+    notes = []
+    moving = [joint for joint in sides if _count(children, joint)]
+    for joint in moving[:6]:
+        moved = _count(children, joint)
+        joints = "1 joint" if moved == 1 else f"{moved} joints"
+        notes.append(f"left out: {joint.child} on {joint.parent}, with {joints} of its own")
+    still = [joint.child for joint in sides if not _count(children, joint)]
+    if still:
+        shown = ", ".join(still[:6]) + (", ..." if len(still) > 6 else "")
+        notes.append(f"frames beside the arm: {shown} (dhgen import --tip takes one)")
+    return notes
+
+
+def _count(children: dict[str, list[Joint]], first: Joint) -> int:
+    """How many joints move what hangs on one."""
+    count, waiting = 0, [first]
+    while waiting:
+        joint = waiting.pop()
+        count += joint.motion.is_actuated
+        waiting += children.get(joint.child, ())
+    return count
+
+
+def _refusal(description: Description, message: str) -> RobotFileError:
+    return RobotFileError((Diagnostic(description.source.file, 0, 0, message),))

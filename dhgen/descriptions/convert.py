@@ -1,0 +1,172 @@
+"""The front door: a robot description in, a robot file out, and what is to be said of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import PurePath
+from typing import TYPE_CHECKING
+
+from dhgen.descriptions.chain import choose_chain
+from dhgen.descriptions.compare import difference
+from dhgen.descriptions.free_joints import free_joints
+from dhgen.descriptions.lines import arm_of
+from dhgen.descriptions.misses import misses_note
+from dhgen.descriptions.snap import DEFAULT, LEAST, LITTLE, snap
+from dhgen.descriptions.table import cheapest_table, farthest_offset
+from dhgen.descriptions.write import (
+    Heading,
+    axes_text,
+    identifier,
+    looks_like_degrees,
+    plain,
+    table_text,
+)
+from dhgen.errors import VerificationError
+from dhgen.robot.load import load_text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from dhgen.descriptions.chain import ArmChain
+    from dhgen.descriptions.compare import Difference
+    from dhgen.descriptions.lines import Arm
+    from dhgen.descriptions.model import Description, Joint
+    from dhgen.descriptions.snap import Snapped
+    from dhgen.robot.robot import Robot
+
+FAR = 10.0  # arm sizes: where axes are nearly parallel their common normal is no place for a frame
+BUG = 100.0  # tolerances that a model may be off, with all that is snapped
+SHOWN = 6
+SHORTEST, LONGEST = 0.02, 50.0  # m: arms beyond are in another unit
+
+
+@dataclass(frozen=True, slots=True)
+class Wishes:
+    """What the caller says of an import.
+
+    Attributes:
+        base: The base link, or None for the usual one.
+        tip: The tip link, or None for the usual one.
+        snap: What is nearer to an exact value is taken as that [rad, and arm sizes]; None for
+            `DEFAULT` and `LITTLE`.
+        as_axes: Whether the file is to hold axes in place of a table.
+    """
+
+    base: str | None = None
+    tip: str | None = None
+    snap: float | None = None
+    as_axes: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Import:
+    """A robot file made of a description.
+
+    Attributes:
+        text: The robot file.
+        robot: The same, read.
+        chain: The joints that it is of.
+        difference: Between both models.
+        notes: What was chosen, snapped, left out or is doubtful.
+    """
+
+    text: str
+    robot: Robot
+    chain: ArmChain
+    difference: Difference
+    notes: tuple[str, ...]
+
+
+def convert(description: Description, wishes: Wishes) -> Import:
+    """The robot file of a description.
+
+    Raises:
+        RobotFileError: There is no such arm in it.
+    """
+    chain = choose_chain(description, wishes.base, wishes.tip)
+    near, little = (DEFAULT, LITTLE) if wishes.snap is None else (max(wishes.snap, LEAST),) * 2
+    snapped = snap(chain.joints, near, little)
+    arm = arm_of(snapped.joints, near, little)
+    heading = _heading(description, chain, arm)
+    text, notes = _text(heading, arm, as_axes=wishes.as_axes)
+    robot = load_text(text, f"{heading.name}.yaml")
+    off = difference(chain.joints, robot, arm.size)
+    if off.relative > BUG * near:
+        message = f"the robot file made of {description.source.file} is another arm: the tool is "
+        raise VerificationError(message + f"{off.moved:.2g} away. This is a bug in dhgen")
+    told = [
+        *chain.notes,
+        *_limit_notes(chain.actuated),
+        *_unit_notes(arm),
+        *([] if off.is_rounding else [_snap_note(snapped, off, near)]),
+        *filter(None, [misses_note(arm)]),
+        *notes,
+    ]
+    return Import(text, robot, chain, off, tuple(told))
+
+
+def _heading(description: Description, chain: ArmChain, arm: Arm) -> Heading:
+    file = PurePath(description.source.file.removesuffix(" (expanded)")).name
+    links = f"poses of {plain(chain.tip)} in {plain(chain.base)}"
+    return Heading(
+        name=identifier(description.name),
+        title=plain(description.name),
+        source=f"{description.kind} {plain(file)}, {links}",
+        free=free_joints(arm),
+    )
+
+
+def _text(heading: Heading, arm: Arm, *, as_axes: bool) -> tuple[str, list[str]]:
+    if as_axes:
+        return axes_text(heading, arm), []
+    table = cheapest_table(arm)
+    if farthest_offset(table) > FAR * arm.size:
+        why = "axes that are nearly parallel have their common normal far away: the file holds "
+        return axes_text(heading, arm), [why + "axes, not a table"]
+    return table_text(heading, arm, table), []
+
+
+def _snap_note(snapped: Snapped, off: Difference, near: float) -> str:
+    """What was taken as exact, and what that changes."""
+    told = []
+    if snapped.angles:
+        told.append(f"angles {_some(snapped.angles)} as multiples of 15 deg")
+    if snapped.lengths:
+        told.append(f"lengths {_some(snapped.lengths)} as 0")
+    what = (
+        " and ".join(told)
+        or "what is nearly parallel, square, meeting or of one length as exactly so"
+    )
+    return (
+        f"taken as exact, being nearer than --snap {near:g}: {what}; the tool moves by at most "
+        f"{1e3 * off.moved:.2g} mm and turns by at most {off.turned:.2g} rad"
+    )
+
+
+def _some(values: Iterable[float]) -> str:
+    shown = list(dict.fromkeys(f"{value:.13g}" for value in values))
+    return ", ".join(shown[:SHOWN]) + (", ..." if len(shown) > SHOWN else "")
+
+
+def _unit_notes(arm: Arm) -> list[str]:
+    notes = []
+    if not SHORTEST < arm.size < LONGEST:
+        notes.append(f"the arm is {arm.size:g} m long: lengths of a description are in m")
+    if wide := [axis.joint.name for axis in arm.axes if looks_like_degrees(axis)]:
+        notes.append(f"the limits of {', '.join(wide)} are many turns: they are in rad")
+    return notes
+
+
+def _limit_notes(joints: tuple[Joint, ...]) -> list[str]:
+    bounded = [joint for joint in joints if joint.motion.value != "continuous"]
+    missing = [joint.name for joint in bounded if joint.limits is None or not any(joint.limits)]
+    still = [j.name for j in bounded if j.limits and j.limits[0] == j.limits[1] != 0.0]
+    swapped = [j.name for j in bounded if j.limits and j.limits[0] > j.limits[1]]
+    notes = []
+    if missing:
+        notes.append(f"no limits are given for {', '.join(missing)}: written without")
+    if still:
+        notes.append(f"lower and upper limit are one for {', '.join(still)}: written without")
+    if swapped:
+        notes.append(f"the limits of {', '.join(swapped)} are in the wrong order: exchanged")
+    return notes

@@ -1,0 +1,103 @@
+"""xacro files to URDF, by the optional package xacrodoc; packages are found above the file."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import re
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.robot.source import quoted
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+MACROS = b"<xacro:"  # many files declare xacro's namespace and are expanded already
+EXPRESSIONS = (b"${", b"$(")  # which stay behind in what expanded files hold for other programs
+MOST_PACKAGES = 50
+
+
+@dataclass(frozen=True, slots=True)
+class Outside:
+    """What a xacro needs of the world around it.
+
+    Attributes:
+        packages: Folders of ROS packages by their names.
+        arguments: Values of its arguments.
+    """
+
+    packages: Mapping[str, Path] = field(default_factory=dict)
+    arguments: Mapping[str, str] = field(default_factory=dict)
+
+
+def has_macros(content: bytes) -> bool:
+    """Whether a file is certainly not plain URDF yet."""
+    return MACROS in re.sub(rb"<!--.*?-->", b"", content, flags=re.DOTALL)
+
+
+def has_expressions(content: bytes) -> bool:
+    """Whether a file that is no plain URDF may become one."""
+    return any(mark in content for mark in EXPRESSIONS)
+
+
+def expanded(path: Path, outside: Outside) -> bytes:
+    """The URDF of a xacro file.
+
+    Raises:
+        RobotFileError: xacrodoc is not installed, a package is not found, or the file has mistakes.
+    """
+    try:
+        xacrodoc = importlib.import_module("xacrodoc")
+    except ImportError:
+        message = "this is a xacro, which needs xacrodoc: pip install 'dhgen[xacro]'"
+        raise _refusal(path, message) from None
+    xacrodoc.packages.reset()  # what it found for another file counts for that alone
+    xacrodoc.packages.update_package_cache(outside.packages)
+    for _ in range(MOST_PACKAGES):
+        try:
+            return _run(xacrodoc, path, outside.arguments)
+        except Exception as error:  # noqa: BLE001 - xacro raises whatever its expressions raise
+            missing = _missing_package(error)
+            reason = " ".join(str(error).split())[:300]
+            if not missing:
+                raise _refusal(path, f"xacro stops: {reason or type(error).__name__}") from None
+        folder = _beside(path, missing)
+        if folder is None:
+            message = f"xacro asks for the package {quoted(missing)}, which is nowhere above the "
+            raise _refusal(path, f"{message}file: name its folder, --package {missing}=DIR")
+        xacrodoc.packages.update_package_cache({missing: folder})
+    raise _refusal(path, f"xacro asks for more than {MOST_PACKAGES} packages")
+
+
+def _run(xacrodoc: Any, path: Path, arguments: Mapping[str, str]) -> bytes:  # noqa: ANN401
+    file = path.resolve()
+    with contextlib.chdir(file.parent):  # what it includes is beside it
+        document = xacrodoc.XacroDoc.from_file(
+            str(file), subargs=dict(arguments), resolve_packages=False
+        )
+    return str(document.to_urdf_string()).encode()
+
+
+def _missing_package(error: BaseException | None) -> str:
+    """The name of the package that an error, or what it came from, is about; else nothing."""
+    while error is not None:
+        if type(error).__name__ in {"PackageNotFoundError", "ResourceNotFound"} and error.args:
+            return str(error.args[0])
+        error = error.__cause__ or error.__context__
+    return ""
+
+
+def _beside(path: Path, package: str) -> Path | None:
+    """A folder called like a package, that the file is in or that is beside a folder it is in."""
+    for folder in path.resolve().parents[:-1]:
+        for place in (folder, folder / package):
+            if place.name == package and place.is_dir():
+                return place
+    return None
+
+
+def _refusal(path: Path, message: str) -> RobotFileError:
+    return RobotFileError((Diagnostic(str(path), 0, 0, message),))

@@ -1,0 +1,87 @@
+"""Files of robot descriptions: which of them are, and what is in them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from dhgen.descriptions.convert import Wishes, convert
+from dhgen.descriptions.expand import Outside, expanded, has_expressions, has_macros
+from dhgen.descriptions.markup import MAX_BYTES, read_xml
+from dhgen.descriptions.mjcf import read_mjcf
+from dhgen.descriptions.urdf import read_urdf
+from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.robot.load import kind_of_xml
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from dhgen.descriptions.convert import Import
+    from dhgen.descriptions.model import Description
+    from dhgen.robot.robot import Robot
+
+ENDINGS = (".urdf", ".xacro", ".mjcf")  # of names; any other file is looked into
+HEAD = 4096  # bytes in which a file shows what it is
+
+
+def is_description(path: Path) -> bool:
+    """Whether a file is a robot description rather than a robot file; False of none."""
+    if path.suffix.lower() in ENDINGS:
+        return True
+    try:
+        with path.open("rb") as file:
+            return kind_of_xml(file.read(HEAD)) is not None
+    except OSError:
+        return False
+
+
+def read_description(path: Path, outside: Outside) -> Description:
+    """The robot of a description file.
+
+    Args:
+        path: URDF, or what becomes one: xacro, MJCF.
+        outside: What a xacro needs.
+
+    Raises:
+        RobotFileError: The file can't be read, or has mistakes.
+    """
+    try:
+        with path.open("rb") as file:
+            content = file.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise _refusal(path, f"the file can't be read: {error.strerror}") from None
+    kind = kind_of_xml(content)
+    if kind == "an SDF":
+        raise _refusal(path, "this is an SDF, which is not read: convert it to URDF first")
+    if kind is None:
+        raise _refusal(path, "this is no robot description: a URDF begins with <robot>")
+    if kind == "an MJCF":
+        return read_mjcf(path)
+    read_xml(content, str(path))  # what could harm is refused before anything else looks at it
+    if not has_macros(content):
+        try:
+            return read_urdf(content, str(path))
+        except RobotFileError:
+            if not has_expressions(content):
+                raise
+    return read_urdf(expanded(path, outside), f"{path} (expanded)", "xacro")
+
+
+def import_file(path: Path, wishes: Wishes, outside: Outside) -> Import:
+    """The robot file of a description file.
+
+    Raises:
+        RobotFileError: The file can't be read, has mistakes, or leaves the choice of an arm.
+    """
+    return convert(read_description(path, outside), wishes)
+
+
+def robot_of_description(path: Path) -> Robot:
+    """The robot of a description file, as if it had been imported; notes are about that file."""
+    imported = import_file(path, Wishes(), Outside())
+    notices = tuple(Diagnostic(str(path), 0, 0, note) for note in imported.notes)
+    return replace(imported.robot, notices=notices)
+
+
+def _refusal(path: Path, message: str) -> RobotFileError:
+    return RobotFileError((Diagnostic(str(path), 0, 0, message),))

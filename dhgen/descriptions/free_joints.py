@@ -1,0 +1,77 @@
+"""Which joints of an arm with more than six the caller is to give: those that leave most structure.
+
+By geometry alone, at once: which six joints have three neighbours whose axes meet or are parallel,
+which is what makes a closed form (Pieper 1968). What each choice costs in full, `dhgen` says of a
+robot file without `free`.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from dhgen.descriptions.lines import are_parallel, common_normal
+from dhgen.descriptions.rotations import minus
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from dhgen.descriptions.lines import Arm, Axis
+
+SIX = 6  # joints that a pose fixes
+ELBOW = 3  # where nothing speaks for any other, the turn of the upper arm is given
+
+
+def free_joints(arm: Arm) -> tuple[int, ...]:
+    """Joints, from 1, whose values are to be given; none of an arm of six joints or fewer."""
+    extra = len(arm.axes) - SIX
+    if extra < 1:
+        return ()
+    numbers = range(1, len(arm.axes) + 1)
+    if extra == 1 and _has(arm, (1, 2, 3), _meet) and _has(arm, (5, 6, 7), _meet):
+        return (3,)  # shoulder and wrist: the elbow's own angle is what the pose fixes
+    return min(combinations(numbers, extra), key=lambda free: _rank(arm, free))
+
+
+def _rank(arm: Arm, free: tuple[int, ...]) -> tuple[float, ...]:
+    """Low where much structure is left; among equals slides, and what is far from the structure."""
+    left = [number for number in range(1, len(arm.axes) + 1) if number not in free]
+    runs = [run for run in zip(left, left[1:], left[2:], strict=False) if run[2] - run[0] == 2]
+    first, last = tuple(left[:3]), tuple(left[-3:])
+    kept = {run for run in runs if _has(arm, run, _meet) or _has(arm, run, _parallel)}
+    slides = sum(not arm.axes[number - 1].turns for number in free)
+    order = [float(number) for number in free]
+    if first in kept and last not in kept:
+        order = [-number for number in order]
+    elif not kept:
+        order = [abs(number - ELBOW) for number in order]
+    ends = len(kept & {first, last})
+    return (-ends, -len(kept), -slides, *order)
+
+
+def _has(arm: Arm, run: tuple[int, ...], test: Callable[[list[Axis], Arm], bool]) -> bool:
+    return test([arm.axes[number - 1] for number in run], arm)
+
+
+def _meet(axes: list[Axis], arm: Arm) -> bool:
+    before, at, after = axes
+    if not all(axis.turns for axis in axes):
+        return False
+    line = (at.point, at.direction)
+    feet = []
+    for other in (before, after):
+        if are_parallel(at.direction, other.direction, arm.near):
+            return False
+        _, foot, landing = common_normal(line, (other.point, other.direction))
+        if math.dist(foot, landing) > arm.little:
+            return False
+        feet.append(foot)
+    return math.hypot(*minus(*feet)) <= arm.little
+
+
+def _parallel(axes: list[Axis], arm: Arm) -> bool:
+    first, *others = axes
+    return all(axis.turns for axis in axes) and all(
+        are_parallel(first.direction, axis.direction, arm.near) for axis in others
+    )

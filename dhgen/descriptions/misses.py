@@ -1,0 +1,69 @@
+"""By how much axes miss being parallel, square or meeting, where that is little and no snapping."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
+
+from dhgen.descriptions.lines import are_parallel, common_normal
+from dhgen.descriptions.rotations import cross, dot
+
+if TYPE_CHECKING:
+    from dhgen.descriptions.lines import Arm, Axis
+
+TILT = 0.02  # [rad] beyond, an angle is meant: so much 1.55 is off
+GAP = 2e-3  # [arm sizes] and so is a length
+SHOWN = 4
+
+
+class Miss(NamedTuple):
+    """Two neighbours and what they nearly are.
+
+    Attributes:
+        text: For people.
+        off: By how much they miss it [rad, or arm sizes].
+    """
+
+    text: str
+    off: float
+
+
+def misses_note(arm: Arm) -> str | None:
+    """What is nearly so and is kept as it is; None where nothing is."""
+    found = [
+        miss
+        for number, (one, other) in enumerate(pairwise(arm.axes), 1)
+        for miss in _misses(arm, number, one, other)
+    ]
+    if not found:
+        return None
+    told = "; ".join(miss.text for miss in found[:SHOWN])
+    more = f"; and {len(found) - SHOWN} more" if len(found) > SHOWN else ""
+    needed = _rounded_up(max(miss.off for miss in found))
+    way_out = f"if that is not meant, dhgen import --snap {needed} takes it as exact"
+    return f"kept as it is: {told}{more}; {way_out}"
+
+
+def _misses(arm: Arm, number: int, one: Axis, other: Axis) -> list[Miss]:
+    axes = f"axes {number} and {number + 1}"
+    u, v = one.direction, other.direction
+    tilt = math.atan2(math.hypot(*cross(u, v)), abs(dot(u, v)))
+    found = []
+    if arm.near <= tilt < TILT:
+        found.append(Miss(f"{axes} miss being parallel by {tilt:.2g} rad", tilt))
+    slope = math.pi / 2 - tilt
+    if arm.near <= slope < TILT:
+        found.append(Miss(f"{axes} miss a right angle by {slope:.2g} rad", slope))
+    if one.turns and other.turns and not are_parallel(u, v, TILT):
+        _, foot, landing = common_normal((one.point, u), (other.point, v))
+        gap = math.dist(foot, landing)
+        if arm.little <= gap < GAP * arm.size:
+            found.append(Miss(f"{axes} miss each other by {1e3 * gap:.3g} mm", gap / arm.size))
+    return found
+
+
+def _rounded_up(value: float) -> str:
+    """One digit, not below the value."""
+    power = 10.0 ** math.floor(math.log10(value))
+    return f"{math.ceil(value / power * 1.01) * power:.0e}".replace("e-0", "e-")

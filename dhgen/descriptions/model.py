@@ -1,0 +1,98 @@
+"""What a robot description says: links and the joints between them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from dhgen.robot.source import SourceText, Span
+
+    Vector = tuple[float, float, float]
+
+
+class Motion(Enum):
+    """The types of joints of URDF."""
+
+    FIXED = "fixed"
+    REVOLUTE = "revolute"
+    CONTINUOUS = "continuous"
+    PRISMATIC = "prismatic"
+    PLANAR = "planar"
+    FLOATING = "floating"
+
+    @property
+    def is_actuated(self) -> bool:
+        """Whether one variable moves it."""
+        return self in {Motion.REVOLUTE, Motion.CONTINUOUS, Motion.PRISMATIC}
+
+    @property
+    def turns(self) -> bool:
+        """Whether it rotates about an axis."""
+        return self in {Motion.REVOLUTE, Motion.CONTINUOUS}
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """A joint of a description.
+
+    Attributes:
+        name: As the description calls it.
+        motion: How it moves.
+        parent: The link that it is on.
+        child: The link that it moves.
+        xyz: Origin of the joint's frame in the parent's [length].
+        rpy: Roll, pitch and yaw of the joint's frame, about fixed axes [rad].
+        axis: Direction in the joint's frame, of any length but zero.
+        limits: Lowest and highest value, as written; None where nothing is written.
+        mimics: The joint that this one follows, if it does.
+        place: Where in the file it stands.
+    """
+
+    name: str
+    motion: Motion
+    parent: str
+    child: str
+    xyz: Vector
+    rpy: Vector
+    axis: Vector
+    limits: tuple[float, float] | None
+    mimics: str | None
+    place: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Description:
+    """A tree of links.
+
+    Attributes:
+        name: Of the robot.
+        kind: Of the file, for people: "URDF".
+        root: The link that no joint moves.
+        joints: By the link that they move.
+        source: The text, for remarks.
+    """
+
+    name: str
+    kind: str
+    root: str
+    joints: Mapping[str, Joint]
+    source: SourceText
+
+    def joints_to(self, link: str) -> tuple[Joint, ...]:
+        """The joints from the root to a link, in this order."""
+        found: list[Joint] = []
+        while link in self.joints:
+            found.append(self.joints[link])
+            link = found[-1].parent
+        return tuple(reversed(found))
+
+    def children(self) -> dict[str, list[Joint]]:
+        """The joints on every link that has any, in the file's order."""
+        found: dict[str, list[Joint]] = {}
+        for joint in self.joints.values():
+            found.setdefault(joint.parent, []).append(joint)
+        return found
