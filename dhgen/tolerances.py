@@ -39,6 +39,8 @@ class Tolerances:
             is taken as it is.
         rotation: The same, up to which it is replaced by the nearest rotation: a pose in single
             precision, or rounded to six digits. Beyond it the pose is invalid.
+        steep: Of the tool's x axis, the length of what is seen from above, below which it has no
+            yaw there: as much as a pose of six digits rounds it by.
         consistent: A pose that has more entries than the arm has joints may miss by this: it
             may have been rounded to six digits.
         nothing: A square, or a sum of them, is rounded by this.
@@ -85,6 +87,7 @@ class Tolerances:
     brink: float = 1e-11
     orthonormal: float = 1e-24
     rotation: float = 1e-9
+    steep: float = 1e-6
     consistent: float = 1e-5
     nothing: float = 1e-15
     exact: float = 1e-12

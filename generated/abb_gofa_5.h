@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define ABB_GOFA_5_METHOD "general 6R"
+#define ABB_GOFA_5_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     ABB_GOFA_5_DOF = 6, /* joints */

@@ -36,6 +36,7 @@ NAME = "abb_irb120"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-2.87979, 2.87979),
     (-1.91986, 1.91986),

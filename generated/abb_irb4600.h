@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define ABB_IRB4600_METHOD "closed form"
+#define ABB_IRB4600_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     ABB_IRB4600_DOF = 6, /* joints */

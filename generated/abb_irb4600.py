@@ -36,6 +36,7 @@ NAME = "abb_irb4600"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-3.141592653589793, 3.141592653589793),
     (-1.5707963267948966, 2.6179938779914944),

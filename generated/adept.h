@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define ADEPT_METHOD "closed form"
+#define ADEPT_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     ADEPT_DOF = 3, /* joints */

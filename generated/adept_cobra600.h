@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define ADEPT_COBRA600_METHOD "closed form"
+#define ADEPT_COBRA600_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 
 enum {
     ADEPT_COBRA600_DOF = 4, /* joints */

@@ -37,6 +37,7 @@ NAME = "adept_cobra600"
 METHOD = "closed form"
 DOF = 4
 JOINT_TYPES = "RRPR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define ARM_3R_METHOD "closed form"
+#define ARM_3R_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     ARM_3R_DOF = 3, /* joints */

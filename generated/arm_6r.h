@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define ARM_6R_METHOD "closed form"
+#define ARM_6R_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     ARM_6R_DOF = 6, /* joints */

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define BARTELL_RPRPR_METHOD "closed form"
+#define BARTELL_RPRPR_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
 
 enum {
     BARTELL_RPRPR_DOF = 5, /* joints */

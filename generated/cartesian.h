@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define CARTESIAN_METHOD "closed form"
+#define CARTESIAN_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     CARTESIAN_DOF = 3, /* joints */

@@ -34,6 +34,7 @@ NAME = "cartesian"
 METHOD = "closed form"
 DOF = 3
 JOINT_TYPES = "PPP"
+JOINT_NAMES = ("joint1", "joint2", "joint3")
 JOINT_LIMITS = (
     (0.0, 0.8),
     (0.0, 0.6),

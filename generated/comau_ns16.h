@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define COMAU_NS16_METHOD "closed form"
+#define COMAU_NS16_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     COMAU_NS16_DOF = 6, /* joints */

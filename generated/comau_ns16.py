@@ -36,6 +36,7 @@ NAME = "comau_ns16"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-3.14159, 3.14159),
     (-0.87266, 1.658),

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define CONCURRENT_345_METHOD "quartic"
+#define CONCURRENT_345_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     CONCURRENT_345_DOF = 6, /* joints */

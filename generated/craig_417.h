@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define CRAIG_417_METHOD "closed form"
+#define CRAIG_417_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 
 enum {
     CRAIG_417_DOF = 4, /* joints */

@@ -66,7 +66,7 @@ static const double stride[3] = { 0.8191725133961644, 0.6710436067037892, 0.5497
 static const struct dhgen_numerical_arm descents = {
     3, 4, /* joints; solutions that are kept */
     3, 3, /* joints that are solved for; equations */
-    3, DHGEN_NO_DIRECTION, 0, /* coordinates, directions, arm angle */
+    3, DHGEN_COORDINATES, 0, /* coordinates, directions, arm angle */
     0, 0, 0, /* families of solutions, limits, more entries than joints */
     48, 5.5, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define CUSPIDAL_3R_METHOD "quartic"
+#define CUSPIDAL_3R_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     CUSPIDAL_3R_DOF = 3, /* joints */

@@ -38,6 +38,7 @@ NAME = "cuspidal_3r"
 METHOD = "quartic"
 DOF = 3
 JOINT_TYPES = "RRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define CYLINDRICAL_METHOD "closed form"
+#define CYLINDRICAL_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     CYLINDRICAL_DOF = 3, /* joints */

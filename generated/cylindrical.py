@@ -36,6 +36,7 @@ NAME = "cylindrical"
 METHOD = "closed form"
 DOF = 3
 JOINT_TYPES = "RPP"
+JOINT_NAMES = ("joint1", "joint2", "joint3")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define CYLINDRICAL_WRIST_METHOD "closed form"
+#define CYLINDRICAL_WRIST_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     CYLINDRICAL_WRIST_DOF = 6, /* joints */

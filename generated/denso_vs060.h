@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define DENSO_VS060_METHOD "closed form"
+#define DENSO_VS060_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     DENSO_VS060_DOF = 6, /* joints */

@@ -37,6 +37,7 @@ NAME = "denso_vs060"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-2.96706, 2.96706),
     (-2.094395, 2.094395),

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define DOOSAN_M1013_METHOD "closed form"
+#define DOOSAN_M1013_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     DOOSAN_M1013_DOF = 6, /* joints */

@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define EPSON_T3_METHOD "closed form"
+#define EPSON_T3_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 
 enum {
     EPSON_T3_DOF = 4, /* joints */

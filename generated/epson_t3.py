@@ -36,6 +36,7 @@ NAME = "epson_t3"
 METHOD = "closed form"
 DOF = 4
 JOINT_TYPES = "RRPR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4")
 JOINT_LIMITS = (
     (-2.303834612632515, 2.303834612632515),
     (-2.4609142453120048, 2.4609142453120048),

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define FANUC_CRX10IA_METHOD "general 6R"
+#define FANUC_CRX10IA_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     FANUC_CRX10IA_DOF = 6, /* joints */

@@ -35,6 +35,7 @@ NAME = "fanuc_crx10ia"
 METHOD = "general 6R"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-3.3161255787892263, 3.3161255787892263),
     (-3.139847324337799, 3.139847324337799),

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define FANUC_LRMATE200ID_METHOD "closed form"
+#define FANUC_LRMATE200ID_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     FANUC_LRMATE200ID_DOF = 6, /* joints */

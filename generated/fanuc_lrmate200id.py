@@ -38,6 +38,7 @@ NAME = "fanuc_lrmate200id"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-2.9670597283903604, 2.9670597283903604),
     (-1.7453292519943295, 2.530727415391778),

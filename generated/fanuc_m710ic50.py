@@ -37,6 +37,7 @@ NAME = "fanuc_m710ic50"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-3.1415, 3.1415),
     (-1.5707, 2.3561),

@@ -7,7 +7,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
  * Every entry of a pose counts.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 77c388527df39f88
+ * dhgen 0.1.0; SHA-256 of the robot file: 6b8da37f3a67d614
  * SPDX-License-Identifier: MIT
  */
 #ifndef FRANKA_PANDA_H
@@ -20,6 +20,9 @@ extern "C" {
 #endif
 
 #define FRANKA_PANDA_METHOD "closed form"
+#define FRANKA_PANDA_JOINT_NAMES \
+    "panda_joint1", "panda_joint2", "panda_joint3", "panda_joint4", "panda_joint5", \
+    "panda_joint6", "panda_joint7"
 
 enum {
     FRANKA_PANDA_DOF = 7, /* joints */

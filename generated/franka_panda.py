@@ -36,6 +36,10 @@ NAME = "franka_panda"
 METHOD = "closed form"
 DOF = 7
 JOINT_TYPES = "RRRRRRR"
+JOINT_NAMES = (
+    "panda_joint1", "panda_joint2", "panda_joint3", "panda_joint4", "panda_joint5", "panda_joint6",
+    "panda_joint7",
+)
 JOINT_LIMITS = (
     (-2.8973, 2.8973),
     (-1.7628, 1.7628),

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define GANTRY_WRIST_METHOD "closed form"
+#define GANTRY_WRIST_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     GANTRY_WRIST_DOF = 6, /* joints */

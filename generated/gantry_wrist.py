@@ -36,6 +36,7 @@ NAME = "gantry_wrist"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "PPPRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

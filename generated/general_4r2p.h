@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define GENERAL_4R2P_METHOD "general 4R2P"
+#define GENERAL_4R2P_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     GENERAL_4R2P_DOF = 6, /* joints */

@@ -35,6 +35,7 @@ NAME = "general_4r2p"
 METHOD = "general 4R2P"
 DOF = 6
 JOINT_TYPES = "RRPRPR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

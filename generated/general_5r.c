@@ -155,7 +155,7 @@ static const double zero[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
 static const struct dhgen_numerical_arm descents = {
     5, 16, /* joints; solutions that are kept */
     5, 6, /* joints that are solved for; equations */
-    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
+    3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
     0, 1, 1, /* families of solutions, limits, more entries than joints */
     48, 1.7600000000000002, 1e-05, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define GENERAL_5R_METHOD "general 6R"
+#define GENERAL_5R_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
 
 enum {
     GENERAL_5R_DOF = 5, /* joints */

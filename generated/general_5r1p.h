@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define GENERAL_5R1P_METHOD "general 5R1P"
+#define GENERAL_5R1P_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     GENERAL_5R1P_DOF = 6, /* joints */

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define GENERAL_5R1P_PAIR_METHOD "general 5R1P"
+#define GENERAL_5R1P_PAIR_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     GENERAL_5R1P_PAIR_DOF = 6, /* joints */

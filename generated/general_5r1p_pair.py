@@ -36,6 +36,7 @@ NAME = "general_5r1p_pair"
 METHOD = "general 5R1P"
 DOF = 6
 JOINT_TYPES = "PRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-0.6, 0.9),
     (-math.inf, math.inf),

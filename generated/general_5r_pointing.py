@@ -36,6 +36,7 @@ NAME = "general_5r_pointing"
 METHOD = "general 6R"
 DOF = 5
 JOINT_TYPES = "RRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5")
 JOINT_LIMITS = (
     (-2.9670597283903604, 2.9670597283903604),
     (-2.0943951023931953, 2.0943951023931953),

@@ -259,7 +259,7 @@ static const double zero[6] = { 2.137, -2.341, -1.611, 0.482, 0.126, 1.904 };
 static const struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
-    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
+    3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
     0, 0, 0, /* families of solutions, limits, more entries than joints */
     48, 2.8909999999999996, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,

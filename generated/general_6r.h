@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define GENERAL_6R_METHOD "general 6R"
+#define GENERAL_6R_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     GENERAL_6R_DOF = 6, /* joints */

@@ -35,6 +35,7 @@ NAME = "general_prrprr"
 METHOD = "general 4R2P"
 DOF = 6
 JOINT_TYPES = "PRRPRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (0.0, 1.2),
     (-math.inf, math.inf),

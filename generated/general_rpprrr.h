@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define GENERAL_RPPRRR_METHOD "general 4R2P"
+#define GENERAL_RPPRRR_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     GENERAL_RPPRRR_DOF = 6, /* joints */

@@ -35,6 +35,7 @@ NAME = "general_rpprrr"
 METHOD = "general 4R2P"
 DOF = 6
 JOINT_TYPES = "RPPRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-0.8, 0.8),

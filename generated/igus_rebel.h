@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define IGUS_REBEL_METHOD "closed form"
+#define IGUS_REBEL_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     IGUS_REBEL_DOF = 6, /* joints */

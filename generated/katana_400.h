@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define KATANA_400_METHOD "closed form"
+#define KATANA_400_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
 
 enum {
     KATANA_400_DOF = 5, /* joints */

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define KAWASAKI_RS007N_METHOD "closed form"
+#define KAWASAKI_RS007N_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     KAWASAKI_RS007N_DOF = 6, /* joints */

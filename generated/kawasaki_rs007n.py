@@ -37,6 +37,7 @@ NAME = "kawasaki_rs007n"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-3.141592653589793, 3.141592653589793),
     (-2.356194490192345, 2.356194490192345),

@@ -20,6 +20,8 @@ extern "C" {
 #endif
 
 #define KINOVA_GEN3_7_METHOD "general 6R"
+#define KINOVA_GEN3_7_JOINT_NAMES \
+    "joint1", "joint2", "joint3", "joint4", "joint5", "joint6", "joint7"
 
 enum {
     KINOVA_GEN3_7_DOF = 7, /* joints */

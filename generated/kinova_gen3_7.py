@@ -35,6 +35,7 @@ NAME = "kinova_gen3_7"
 METHOD = "general 6R"
 DOF = 7
 JOINT_TYPES = "RRRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6", "joint7")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-2.24, 2.24),

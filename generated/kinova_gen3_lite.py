@@ -36,6 +36,7 @@ NAME = "kinova_gen3_lite"
 METHOD = "general 6R"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-2.76, 2.76),
     (-2.76, 2.76),

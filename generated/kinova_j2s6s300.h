@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define KINOVA_J2S6S300_METHOD "closed form"
+#define KINOVA_J2S6S300_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     KINOVA_J2S6S300_DOF = 6, /* joints */

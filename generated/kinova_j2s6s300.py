@@ -37,6 +37,7 @@ NAME = "kinova_j2s6s300"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-6.283185307179586, 6.283185307179586),
     (0.8203047484373349, 5.462880558742252),

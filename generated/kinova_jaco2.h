@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define KINOVA_JACO2_METHOD "general 6R"
+#define KINOVA_JACO2_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     KINOVA_JACO2_DOF = 6, /* joints */

@@ -37,6 +37,7 @@ NAME = "kuka_iiwa14"
 METHOD = "closed form"
 DOF = 7
 JOINT_TYPES = "RRRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6", "joint7")
 JOINT_LIMITS = (
     (-2.9670597283903604, 2.9670597283903604),
     (-2.0943951023931953, 2.0943951023931953),

@@ -21,6 +21,8 @@ extern "C" {
 #endif
 
 #define KUKA_IIWA14_ARM_ANGLE_METHOD "closed form"
+#define KUKA_IIWA14_ARM_ANGLE_JOINT_NAMES \
+    "joint1", "joint2", "joint3", "joint4", "joint5", "joint6", "joint7"
 
 enum {
     KUKA_IIWA14_ARM_ANGLE_DOF = 7, /* joints */

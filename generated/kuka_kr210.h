@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define KUKA_KR210_METHOD "closed form"
+#define KUKA_KR210_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     KUKA_KR210_DOF = 6, /* joints */

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define KUKA_KR40PA_METHOD "closed form"
+#define KUKA_KR40PA_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 
 enum {
     KUKA_KR40PA_DOF = 4, /* joints */

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define KUKA_KR6_R900_METHOD "closed form"
+#define KUKA_KR6_R900_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     KUKA_KR6_R900_DOF = 6, /* joints */

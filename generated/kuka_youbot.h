@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define KUKA_YOUBOT_METHOD "closed form"
+#define KUKA_YOUBOT_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
 
 enum {
     KUKA_YOUBOT_DOF = 5, /* joints */

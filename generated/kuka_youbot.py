@@ -37,6 +37,7 @@ NAME = "kuka_youbot"
 METHOD = "closed form"
 DOF = 5
 JOINT_TYPES = "RRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define MANSEUR_DOTY_METHOD "general 6R"
+#define MANSEUR_DOTY_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     MANSEUR_DOTY_DOF = 6, /* joints */

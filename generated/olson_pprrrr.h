@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define OLSON_PPRRRR_METHOD "closed form"
+#define OLSON_PPRRRR_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     OLSON_PPRRRR_DOF = 6, /* joints */

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define PARALLEL_123_METHOD "quartic"
+#define PARALLEL_123_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     PARALLEL_123_DOF = 6, /* joints */

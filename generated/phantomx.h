@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define PHANTOMX_METHOD "closed form"
+#define PHANTOMX_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 
 enum {
     PHANTOMX_DOF = 4, /* joints */

@@ -36,6 +36,7 @@ NAME = "phantomx"
 METHOD = "closed form"
 DOF = 4
 JOINT_TYPES = "RRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

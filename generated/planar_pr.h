@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define PLANAR_PR_METHOD "closed form"
+#define PLANAR_PR_JOINT_NAMES "joint1", "joint2"
 
 enum {
     PLANAR_PR_DOF = 2, /* joints */

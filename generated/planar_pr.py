@@ -35,6 +35,7 @@ NAME = "planar_pr"
 METHOD = "closed form"
 DOF = 2
 JOINT_TYPES = "PR"
+JOINT_NAMES = ("joint1", "joint2")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

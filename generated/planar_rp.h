@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define PLANAR_RP_METHOD "closed form"
+#define PLANAR_RP_JOINT_NAMES "joint1", "joint2"
 
 enum {
     PLANAR_RP_DOF = 2, /* joints */

@@ -36,6 +36,7 @@ NAME = "planar_rp"
 METHOD = "closed form"
 DOF = 2
 JOINT_TYPES = "RP"
+JOINT_NAMES = ("joint1", "joint2")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (0.0, 1.0),

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define PLANAR_RR_METHOD "closed form"
+#define PLANAR_RR_JOINT_NAMES "joint1", "joint2"
 
 enum {
     PLANAR_RR_DOF = 2, /* joints */

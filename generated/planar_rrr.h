@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define PLANAR_RRR_METHOD "closed form"
+#define PLANAR_RRR_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     PLANAR_RRR_DOF = 3, /* joints */

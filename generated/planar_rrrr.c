@@ -62,7 +62,7 @@ static const double most_u[4] = {
 static const struct dhgen_numerical_arm descents = {
     4, 1, /* joints; solutions that are kept */
     4, 2, /* joints that are solved for; equations */
-    2, DHGEN_NO_DIRECTION, 0, /* coordinates, directions, arm angle */
+    2, DHGEN_COORDINATES, 0, /* coordinates, directions, arm angle */
     1, 1, 0, /* families of solutions, limits, more entries than joints */
     24, 1.0, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define PLANAR_RRRR_METHOD "numerical"
+#define PLANAR_RRRR_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 
 enum {
     PLANAR_RRRR_DOF = 4, /* joints */

@@ -35,6 +35,7 @@ NAME = "planar_rrrr"
 METHOD = "numerical"
 DOF = 4
 JOINT_TYPES = "RRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4")
 JOINT_LIMITS = (
     (-2.0943951023931953, 2.0943951023931953),
     (-2.0943951023931953, 2.0943951023931953),

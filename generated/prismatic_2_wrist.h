@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define PRISMATIC_2_WRIST_METHOD "closed form"
+#define PRISMATIC_2_WRIST_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     PRISMATIC_2_WRIST_DOF = 6, /* joints */

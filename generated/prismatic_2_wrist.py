@@ -37,6 +37,7 @@ NAME = "prismatic_2_wrist"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RPRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define PUMA560_METHOD "closed form"
+#define PUMA560_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     PUMA560_DOF = 6, /* joints */

@@ -35,6 +35,7 @@ NAME = "puma560"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-2.792526803190927, 2.792526803190927),
     (-1.9198621771937625, 1.9198621771937625),

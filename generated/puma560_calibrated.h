@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define PUMA560_CALIBRATED_METHOD "general 6R"
+#define PUMA560_CALIBRATED_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     PUMA560_CALIBRATED_DOF = 6, /* joints */

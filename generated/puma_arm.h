@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define PUMA_ARM_METHOD "closed form"
+#define PUMA_ARM_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     PUMA_ARM_DOF = 3, /* joints */

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define RAIL_5DOF_METHOD "closed form"
+#define RAIL_5DOF_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
 
 enum {
     RAIL_5DOF_DOF = 5, /* joints */

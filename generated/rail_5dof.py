@@ -35,6 +35,7 @@ NAME = "rail_5dof"
 METHOD = "closed form"
 DOF = 5
 JOINT_TYPES = "PRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define RPP_METHOD "closed form"
+#define RPP_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     RPP_DOF = 3, /* joints */

@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define RPR_METHOD "closed form"
+#define RPR_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     RPR_DOF = 3, /* joints */

@@ -35,6 +35,7 @@ NAME = "rpr"
 METHOD = "closed form"
 DOF = 3
 JOINT_TYPES = "RPR"
+JOINT_NAMES = ("joint1", "joint2", "joint3")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define RRPRRR_METHOD "closed form"
+#define RRPRRR_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     RRPRRR_DOF = 6, /* joints */

@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define SCARA_METHOD "closed form"
+#define SCARA_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 
 enum {
     SCARA_DOF = 4, /* joints */

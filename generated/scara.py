@@ -36,6 +36,7 @@ NAME = "scara"
 METHOD = "closed form"
 DOF = 4
 JOINT_TYPES = "RRPR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4")
 JOINT_LIMITS = (
     (-2.2689280275926285, 2.2689280275926285),
     (-2.530727415391778, 2.530727415391778),

@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define SCARA_F32_METHOD "closed form"
+#define SCARA_F32_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 
 enum {
     SCARA_F32_DOF = 4, /* joints */

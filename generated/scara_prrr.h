@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define SCARA_PRRR_METHOD "closed form"
+#define SCARA_PRRR_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 
 enum {
     SCARA_PRRR_DOF = 4, /* joints */

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define SCARA_RRP_METHOD "closed form"
+#define SCARA_RRP_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     SCARA_RRP_DOF = 3, /* joints */

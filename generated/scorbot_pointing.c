@@ -95,7 +95,7 @@ static const int given_places[1] = { 4 };
 static const struct dhgen_numerical_arm descents = {
     5, 4, /* joints; solutions that are kept */
     4, 6, /* joints that are solved for; equations */
-    3, DHGEN_TOOL_AXIS, 0, /* coordinates, directions, arm angle */
+    3, DHGEN_POINTING, 0, /* coordinates, directions, arm angle */
     0, 0, 1, /* families of solutions, limits, more entries than joints */
     48, 0.952, 1e-05, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,

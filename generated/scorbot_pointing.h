@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define SCORBOT_POINTING_METHOD "closed form"
+#define SCORBOT_POINTING_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
 
 enum {
     SCORBOT_POINTING_DOF = 5, /* joints */

@@ -38,6 +38,7 @@ NAME = "scorbot_pointing"
 METHOD = "closed form"
 DOF = 5
 JOINT_TYPES = "RRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

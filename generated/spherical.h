@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define SPHERICAL_METHOD "closed form"
+#define SPHERICAL_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     SPHERICAL_DOF = 3, /* joints */

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define SPHERICAL_OFFSET_METHOD "closed form"
+#define SPHERICAL_OFFSET_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     SPHERICAL_OFFSET_DOF = 3, /* joints */

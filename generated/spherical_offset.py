@@ -37,6 +37,7 @@ NAME = "spherical_offset"
 METHOD = "closed form"
 DOF = 3
 JOINT_TYPES = "RRP"
+JOINT_NAMES = ("joint1", "joint2", "joint3")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

@@ -21,6 +21,8 @@ extern "C" {
 #endif
 
 #define SPHERICAL_WRIST_ALL_OFFSETS_METHOD "closed form"
+#define SPHERICAL_WRIST_ALL_OFFSETS_JOINT_NAMES \
+    "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     SPHERICAL_WRIST_ALL_OFFSETS_DOF = 6, /* joints */

@@ -21,6 +21,8 @@ extern "C" {
 #endif
 
 #define SPHERICAL_WRIST_GENERAL_ARM_METHOD "quartic"
+#define SPHERICAL_WRIST_GENERAL_ARM_JOINT_NAMES \
+    "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     SPHERICAL_WRIST_GENERAL_ARM_DOF = 6, /* joints */

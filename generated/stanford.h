@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define STANFORD_METHOD "closed form"
+#define STANFORD_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     STANFORD_DOF = 6, /* joints */

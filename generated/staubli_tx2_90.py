@@ -37,6 +37,7 @@ NAME = "staubli_tx2_90"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-3.141592653589793, 3.141592653589793),
     (-2.2689280275926285, 2.5743606466916362),

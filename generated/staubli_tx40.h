@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define STAUBLI_TX40_METHOD "closed form"
+#define STAUBLI_TX40_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     STAUBLI_TX40_DOF = 6, /* joints */

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define TECHMAN_TM5_900_METHOD "closed form"
+#define TECHMAN_TM5_900_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     TECHMAN_TM5_900_DOF = 6, /* joints */

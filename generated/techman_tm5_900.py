@@ -37,6 +37,7 @@ NAME = "techman_tm5_900"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-4.71238898038469, 4.71238898038469),
     (-3.141592653589793, 3.141592653589793),

@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define UR10E_METHOD "closed form"
+#define UR10E_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     UR10E_DOF = 6, /* joints */

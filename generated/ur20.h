@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define UR20_METHOD "closed form"
+#define UR20_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     UR20_DOF = 6, /* joints */

@@ -36,6 +36,10 @@ NAME = "ur5"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = (
+    "shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint",
+    "wrist_3_joint",
+)
 JOINT_LIMITS = (
     (-6.283185307179586, 6.283185307179586),
     (-6.283185307179586, 6.283185307179586),

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/ur5.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/ur5.yaml. The formulas and where they come from: ur5.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 96c2b35056b3b6dc
+ * dhgen 0.1.0; SHA-256 of the robot file: fccb0e323b7becc7
  * SPDX-License-Identifier: MIT
  */
 #include "ur5_f32.h"
@@ -140,7 +140,10 @@ enum {
     DHGEN_COORDINATES, /* nothing: coordinates count */
     DHGEN_POINTING,    /* the tool's z axis */
     DHGEN_ROTATION,    /* the rotation */
-    DHGEN_POSE         /* the rotation and the last row */
+    DHGEN_POSE,        /* the rotation and the last row */
+    DHGEN_YAW,         /* the direction of the tool's x axis, seen from above */
+    DHGEN_PITCH,       /* how steep it is */
+    DHGEN_TILT         /* roll and pitch: the third row */
 };
 
 struct dhgen_numerical_arm;
@@ -285,6 +288,10 @@ DHGEN_INLINE void dhgen_ik_each(const struct dhgen_arm *arm, size_t k, size_t n,
 /* Seeds that are nearer to a value are beside it [rad, arm sizes]: a step may be longer than the
  * whole way. */
 #define DHGEN_BESIDE_SEED 0.15f
+
+/* Of the tool's x axis, the length of what is seen from above, below which it has no yaw there: as
+ * much as a pose of six digits rounds it by. */
+#define DHGEN_STEEP 1e-06f
 
 #ifndef DHGEN_SINGLE_PRECISION
 
@@ -472,6 +479,29 @@ DHGEN_FN float dhgen_half_way(
     return most;
 }
 
+/* What is missed of yaw, pitch or tilt, as turns about the base's axes, into e. Returns its square.
+ * A pose without a yaw misses none. */
+DHGEN_FN float dhgen_miss_of_angles(
+    const struct dhgen_arm *arm, const float *T, const float *P, float *e)
+{
+    float square = 0.0f;
+    if (arm->task == DHGEN_YAW) {
+        const float told = T[0] * T[0] + T[4] * T[4];
+        e[5] = P[0] * T[4] - P[4] * T[0];
+        return told * ((P[0] - T[0]) * (P[0] - T[0]) + (P[4] - T[4]) * (P[4] - T[4]));
+    }
+    if (arm->task == DHGEN_PITCH) {
+        e[3] = T[8] - P[8];
+        return e[3] * e[3];
+    }
+    for (int i = 0; i < 3; i++) {
+        e[3] += T[8 + i] * P[4 + i];
+        e[4] -= T[8 + i] * P[i];
+        square += (P[8 + i] - T[8 + i]) * (P[8 + i] - T[8 + i]);
+    }
+    return square;
+}
+
 /* By how much joint values miss a pose, into e, whose angles are 0 half a turn away, too. Returns
  * the length of the miss, which tells the two apart [arm sizes, rad]. */
 DHGEN_FN float dhgen_miss(const struct dhgen_arm *arm, const float *T, const float *x, float *e)
@@ -490,6 +520,8 @@ DHGEN_FN float dhgen_miss(const struct dhgen_arm *arm, const float *T, const flo
             e[3 + i] = P[j] * T[k] - P[k] * T[j];
             square += (P[j] - T[j]) * (P[j] - T[j]);
         }
+    } else if (arm->task > DHGEN_POSE) {
+        square += dhgen_miss_of_angles(arm, T, P, e);
     } else if (arm->task != DHGEN_COORDINATES) {
         for (int i = 0; i < 9; i++) {
             const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
@@ -500,14 +532,19 @@ DHGEN_FN float dhgen_miss(const struct dhgen_arm *arm, const float *T, const flo
     return sqrtf(square);
 }
 
-/* Takes the part that turns the tool about its z axis out of the Jacobian J. */
-DHGEN_FN void dhgen_ignore_spin(const struct dhgen_arm *arm, const float *x, float *J)
+/* Takes out of the Jacobian J what changes no direction that counts. Of a pitch its rate comes
+ * first; else turns that don't count about the base's axes have no weight. */
+DHGEN_FN void dhgen_count_what_counts(const struct dhgen_arm *arm, const float *x, float *J)
 {
     const int dof = dhgen_dof(arm);
     float P[16];
     arm->fk(x, P);
     for (int j = 0; j < dof; j++) {
         float *spin = J + 3 * dof + j;
+        if (arm->task == DHGEN_PITCH) {
+            spin[0] = spin[0] * P[4] - spin[dof] * P[0];
+            continue;
+        }
         const float along = P[2] * spin[0] + P[6] * spin[dof] + P[10] * spin[2 * dof];
         for (int i = 0; i < 3; i++)
             spin[dof * i] -= along * P[4 * i + 2];
@@ -523,8 +560,8 @@ DHGEN_FN void dhgen_add_step(
     const int dof = dhgen_dof(arm), width = 6 + dof;
     float A[6][6 + DHGEN_JOINTS] = { { 0.0f } }, square[6] = { 0.0f }, J[6 * DHGEN_JOINTS];
     arm->jacobian(x, J);
-    if (arm->task == DHGEN_POINTING)
-        dhgen_ignore_spin(arm, x, J);
+    if (arm->task == DHGEN_POINTING || arm->task == DHGEN_PITCH)
+        dhgen_count_what_counts(arm, x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < dof; j++)
             A[i][j] = held[j] ? 0.0f : arm->joints[j].pace * arm->miss_weights[i] * J[dof * i + j];
@@ -802,20 +839,51 @@ DHGEN_FN int dhgen_usable(const struct dhgen_arm *arm, float number)
     return isfinite(arm->slides ? number * number * number : number) != 0;
 }
 
-/* Makes the tool's z axis one long. Returns 0 where it is none, 1 where it was, 2 where it is now.
- */
-DHGEN_FN int dhgen_read_approach(float *T)
+/* Makes three entries one long: a column or a row. Returns 0 where they are none, 1 where they
+ * were, 2 where they are now. */
+DHGEN_FN int dhgen_read_unit(float *x, float *y, float *z)
 {
-    const float square = T[2] * T[2] + T[6] * T[6] + T[10] * T[10];
+    const float square = *x * *x + *y * *y + *z * *z;
     const float miss = (square - 1.0f) * (square - 1.0f);
     if (!(miss <= DHGEN_ROUNDED))
         return 0;
     if (miss <= DHGEN_ORTHONORMAL)
         return 1;
     const float length = sqrtf(square);
-    T[2] /= length;
-    T[6] /= length;
-    T[10] /= length;
+    *x /= length;
+    *y /= length;
+    *z /= length;
+    return 2;
+}
+
+/* Makes the tool's x axis level, or zero where it is too steep to have a yaw, which is free then.
+ * Returns 0 where it is no direction, 1 where it was level, 2 where it is now. */
+DHGEN_FN int dhgen_read_yaw(float *T)
+{
+    const float square = T[0] * T[0] + T[4] * T[4];
+    T[8] = 0.0f;
+    if ((square - 1.0f) * (square - 1.0f) <= DHGEN_ORTHONORMAL)
+        return 1;
+    if (!isfinite(square))
+        return 0;
+    const float length = sqrtf(square);
+    T[0] = length < DHGEN_STEEP ? 0.0f : T[0] / length;
+    T[4] = length < DHGEN_STEEP ? 0.0f : T[4] / length;
+    return 2;
+}
+
+/* Makes the sine of the pitch one at most. Returns 0 where it is none, 1 where it was, 2 where it
+ * is now. */
+DHGEN_FN int dhgen_read_pitch(float *T)
+{
+    const float over = fabsf(T[8]) - 1.0f;
+    if (over <= 0.0f)
+        return 1;
+    if (!(over * over <= DHGEN_ROUNDED))
+        return 0;
+    if (over * over <= DHGEN_ORTHONORMAL)
+        return 1;
+    T[8] = T[8] < 0.0f ? -1.0f : 1.0f;
     return 2;
 }
 
@@ -844,9 +912,20 @@ DHGEN_FN int dhgen_read_pose(const struct dhgen_arm *arm, const float *given, fl
     if (arm->task == DHGEN_POSE
         && !(fabsf(T[12]) + fabsf(T[13]) + fabsf(T[14]) + fabsf(T[15] - 1.0f) <= DHGEN_LAST_ROW))
         return 0;
-    if (arm->task == DHGEN_POINTING)
-        return dhgen_read_approach(T);
-    return arm->task == DHGEN_COORDINATES ? 1 : dhgen_read_rotation(T);
+    switch (arm->task) {
+    case DHGEN_COORDINATES:
+        return 1;
+    case DHGEN_POINTING:
+        return dhgen_read_unit(T + 2, T + 6, T + 10);
+    case DHGEN_YAW:
+        return dhgen_read_yaw(T);
+    case DHGEN_PITCH:
+        return dhgen_read_pitch(T);
+    case DHGEN_TILT:
+        return dhgen_read_unit(T + 8, T + 9, T + 10);
+    default:
+        return dhgen_read_rotation(T);
+    }
 }
 /* Other values of free joints: the solver took the seed's, and they lead to no solution, or beyond
  * limits. */
@@ -1554,6 +1633,20 @@ DHGEN_INLINE dhgen_wide dhgen_pose_misfit_wide(const dhgen_wide *T)
 DHGEN_INLINE dhgen_wide dhgen_approach_misfit_wide(const dhgen_wide *T)
 {
     const dhgen_wide zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0f;
+    return zz * zz;
+}
+
+/* By how much the sine of the pitch is above one; NaN if it is not finite. */
+DHGEN_INLINE dhgen_wide dhgen_pitch_misfit_wide(const dhgen_wide *T)
+{
+    const dhgen_wide over = dhgen_maximum_wide(dhgen_abs_wide(T[8]), 0.0f * T[8] + 1.0f) - 1.0f;
+    return over * over + 0.0f * T[8];
+}
+
+/* How far the third row is from one long. */
+DHGEN_INLINE dhgen_wide dhgen_tilt_misfit_wide(const dhgen_wide *T)
+{
+    const dhgen_wide zz = T[8] * T[8] + T[9] * T[9] + T[10] * T[10] - 1.0f;
     return zz * zz;
 }
 

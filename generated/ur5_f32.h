@@ -6,7 +6,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad,
  * all in single precision. Every entry of a pose counts.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 96c2b35056b3b6dc
+ * dhgen 0.1.0; SHA-256 of the robot file: fccb0e323b7becc7
  * SPDX-License-Identifier: MIT
  */
 #ifndef UR5_F32_H
@@ -19,6 +19,9 @@ extern "C" {
 #endif
 
 #define UR5_F32_METHOD "closed form"
+#define UR5_F32_JOINT_NAMES \
+    "shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", \
+    "wrist_3_joint"
 
 enum {
     UR5_F32_DOF = 6, /* joints */

@@ -96,7 +96,7 @@ static const double most_u[5] = { 2.9670597283903604, HUGE_VAL, HUGE_VAL, HUGE_V
 static const struct dhgen_numerical_arm descents = {
     5, 8, /* joints; solutions that are kept */
     5, 6, /* joints that are solved for; equations */
-    3, DHGEN_TOOL_AXIS, 0, /* coordinates, directions, arm angle */
+    3, DHGEN_POINTING, 0, /* coordinates, directions, arm angle */
     0, 1, 0, /* families of solutions, limits, more entries than joints */
     48, 1.6, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define WELDING_5R_METHOD "quartic"
+#define WELDING_5R_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
 
 enum {
     WELDING_5R_DOF = 5, /* joints */

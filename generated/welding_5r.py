@@ -38,6 +38,7 @@ NAME = "welding_5r"
 METHOD = "quartic"
 DOF = 5
 JOINT_TYPES = "RRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5")
 JOINT_LIMITS = (
     (-2.9670597283903604, 2.9670597283903604),
     (-math.inf, math.inf),

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define WRIST_CARDAN_METHOD "closed form"
+#define WRIST_CARDAN_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     WRIST_CARDAN_DOF = 3, /* joints */

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define WRIST_OBLIQUE_METHOD "closed form"
+#define WRIST_OBLIQUE_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     WRIST_OBLIQUE_DOF = 3, /* joints */

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define WRIST_ZXZ_METHOD "closed form"
+#define WRIST_ZXZ_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     WRIST_ZXZ_DOF = 3, /* joints */

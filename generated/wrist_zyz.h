@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define WRIST_ZYZ_METHOD "closed form"
+#define WRIST_ZYZ_JOINT_NAMES "joint1", "joint2", "joint3"
 
 enum {
     WRIST_ZYZ_DOF = 3, /* joints */

@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define XARM5_METHOD "closed form"
+#define XARM5_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
 
 enum {
     XARM5_DOF = 5, /* joints */

@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define XARM6_METHOD "general 6R"
+#define XARM6_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     XARM6_DOF = 6, /* joints */

@@ -34,6 +34,7 @@ NAME = "xarm6"
 METHOD = "general 6R"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-math.inf, math.inf),
     (-math.inf, math.inf),

@@ -135,7 +135,7 @@ static const int given_places[1] = { 2 };
 static const struct dhgen_numerical_arm descents = {
     7, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
-    3, DHGEN_WHOLE_ROTATION, 0, /* coordinates, directions, arm angle */
+    3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
     0, 0, 0, /* families of solutions, limits, more entries than joints */
     48, 1.2055000000000002, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,

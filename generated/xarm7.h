@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 #define XARM7_METHOD "general 6R"
+#define XARM7_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6", "joint7"
 
 enum {
     XARM7_DOF = 7, /* joints */

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define YASKAWA_GP7_METHOD "closed form"
+#define YASKAWA_GP7_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     YASKAWA_GP7_DOF = 6, /* joints */

@@ -37,6 +37,7 @@ NAME = "yaskawa_gp7"
 METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-2.967, 2.967),
     (-1.1344, 2.5307),

@@ -20,6 +20,7 @@ extern "C" {
 #endif
 
 #define YASKAWA_HC10_METHOD "general 6R"
+#define YASKAWA_HC10_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 
 enum {
     YASKAWA_HC10_DOF = 6, /* joints */

@@ -35,6 +35,7 @@ NAME = "yaskawa_hc10"
 METHOD = "general 6R"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
     (-3.141592653589793, 3.141592653589793),
     (-3.141592653589793, 3.141592653589793),

@@ -50,7 +50,7 @@ def exact_axes(robot: Robot, reference: ReferenceAxes) -> Chain | None:
         return None
     frames, signs = placed
     joints = tuple(
-        ChainJoint(number, joint.kind, sign, 0.0, joint.limits)
+        ChainJoint(number, joint.kind, sign, 0.0, joint.limits, joint.name)
         for number, (joint, sign) in enumerate(zip(reference.axes, signs, strict=True), 1)
     )
     values = {each.name: each.value for each in constants}

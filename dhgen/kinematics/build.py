@@ -128,7 +128,8 @@ def _link(
 
 def _joint(number: int, row: DhRow, parameters: dict[str, float]) -> ChainJoint:
     offset = row.theta if row.kind is JointKind.REVOLUTE else row.d
-    return ChainJoint(number, row.kind, row.sign, evaluate(offset, parameters), row.limits)
+    added = evaluate(offset, parameters)
+    return ChainJoint(number, row.kind, row.sign, added, row.limits, row.name)
 
 
 def _lengths(geometry: DhTable, tool: Frame, parameters: dict[str, float]) -> list[float]:

@@ -59,6 +59,7 @@ class ChainJoint:
         sign: +1 or -1.
         offset: What is added to sign q [rad or length].
         limits: Lowest and highest q, or None.
+        name: What the robot file calls it; empty where it names no joints.
     """
 
     number: int
@@ -66,6 +67,7 @@ class ChainJoint:
     sign: int
     offset: float
     limits: tuple[float, float] | None
+    name: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +104,16 @@ class Chain:
     def dof(self) -> int:
         """The number of joints."""
         return len(self.joints)
+
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """What the joints are called: as in the robot file, or joint1, joint2 and so on."""
+        return tuple(joint.name or f"joint{joint.number}" for joint in self.joints)
+
+    def told(self, numbers: Iterable[int]) -> str:
+        """Joints as messages list them: 1, 3, or with names 1 (shoulder), 3 (elbow)."""
+        names = {joint.number: f" ({joint.name})" for joint in self.joints if joint.name}
+        return ", ".join(f"{number}{names.get(number, '')}" for number in numbers)
 
     @property
     def turning(self) -> tuple[bool, ...]:

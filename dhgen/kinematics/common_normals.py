@@ -137,6 +137,7 @@ def _row(axis: AxisJoint, before: _Passage, after: _Passage, size: float) -> DhR
         alpha=_angle(before.twist),
         limits=axis.limits,
         b=_length(before.shift, size),
+        name=axis.name,
     )
 
 

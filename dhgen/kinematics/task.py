@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.arm_angle import elbow_rates
-from dhgen.robot.task import TaskKind
+from dhgen.robot.task import Directions
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -16,34 +16,35 @@ if TYPE_CHECKING:
     from dhgen.robot.task import Task
 
 
-_COORDINATES = {"x": "t14", "y": "t24", "z": "t34"}
-_ROTATION = frozenset(f"t{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3))
-_POSITION = frozenset(_COORDINATES.values())
-_APPROACH = frozenset({"t13", "t23", "t33"})
+_COORDINATES = ("t14", "t24", "t34")
 _SECOND = frozenset({"t12", "t22", "t32"})
+SHORT = 1e-12  # square of what a vector is at least that yaw is told by
+STEEPNESS = "t31"  # minus the sine of the pitch
+_DIRECTIONS = {
+    Directions.NONE: frozenset[str](),
+    Directions.POINTING: frozenset({"t13", "t23", "t33"}),
+    Directions.ROTATION: frozenset(f"t{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3)),
+    Directions.YAW: frozenset({"t11", "t21", STEEPNESS}),  # of the level pose of that yaw
+    Directions.PITCH: frozenset({STEEPNESS}),
+    Directions.TILT: frozenset({"t31", "t32", "t33"}),
+}
 
 
 def task_entries(task: Task) -> frozenset[str]:
     """Names of the entries of U_0 that a task gives."""
-    match task.kind:
-        case TaskKind.POSE:
-            return _ROTATION | _POSITION
-        case TaskKind.POSITION:
-            return _POSITION
-        case TaskKind.ORIENTATION:
-            return _ROTATION
-        case TaskKind.POINTING:
-            return _POSITION | _APPROACH
-        case TaskKind.COORDINATES:
-            return frozenset(_COORDINATES[name] for name in task.coordinates)
+    places = frozenset(_COORDINATES[row] for row in task.position_rows)
+    return places | _DIRECTIONS[task.directions]
 
 
 def telling_entries(task: Task) -> frozenset[str]:
     """Those of them that have to be compared: two columns of a rotation leave none for the third.
 
-    With those two off by no more than a small d each, the second is off by less than 3 d.
+    With those two off by no more than a small d each, the second is off by less than 3 d. An arm
+    that is asked for a yaw keeps the tool's x axis level wherever it is.
     """
-    return task_entries(task) - _SECOND
+    if task.names_rotation:
+        return task_entries(task) - _SECOND
+    return task_entries(task) - ({STEEPNESS} if task.directions is Directions.YAW else set())
 
 
 def task_jacobian(arm: NumericArm, q: FloatArray) -> FloatArray:
@@ -60,12 +61,31 @@ def task_jacobian(arm: NumericArm, q: FloatArray) -> FloatArray:
     full = arm.jacobian(q) * units(chain)
     full[..., :3, :] /= chain.size
     named = [full[..., list(chain.task.position_rows), :]]
-    rotation = full[..., 3:, :]
-    if chain.task.names_rotation:
-        named.append(rotation)
-    elif chain.task.names_direction:  # of the rotations those about the tool's x and y
-        named.append(np.swapaxes(arm.pose(q)[..., :3, :2], -1, -2) @ rotation)
+    named.append(
+        _direction_rates(chain.task.directions, arm.pose(q)[..., :3, :3], full[..., 3:, :])
+    )
     return np.concatenate(named, axis=-2)
+
+
+def _direction_rates(directions: Directions, R: FloatArray, spin: FloatArray) -> FloatArray:
+    """How what counts of a rotation (..., 3, 3) changes with spins (..., 3, n)."""
+    x, (across, up, over) = R[..., 0, None], np.split(spin, 3, axis=-2)
+    steepening = across * x[..., 1:2, :] - up * x[..., 0:1, :]
+    match directions:
+        case Directions.NONE:
+            return spin[..., :0, :]
+        case Directions.ROTATION:
+            return spin
+        case Directions.POINTING:  # of the rotations those about the tool's x and y
+            return np.asarray(np.swapaxes(R[..., :2], -1, -2) @ spin)
+        case Directions.TILT:  # and here those about the base's x and y
+            return spin[..., :2, :]
+        case Directions.PITCH:
+            return np.asarray(steepening)
+        case Directions.YAW:
+            level = np.maximum(x[..., 0:1, :] ** 2 + x[..., 1:2, :] ** 2, SHORT)
+            along = across * x[..., 0:1, :] + up * x[..., 1:2, :]
+            return np.asarray(over - along * x[..., 2:3, :] / level)
 
 
 def units(chain: Chain) -> FloatArray:

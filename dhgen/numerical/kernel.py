@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.method import Method
 from dhgen.robot.robot import JointKind
-from dhgen.robot.task import TaskKind
+from dhgen.runtime.python.numerical.arm import MISSES
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.numeric import NumericArm
+    from dhgen.robot.task import Directions
 
 MOST = 16  # rows of an arm with finitely many solutions: what a general arm has at most
 
@@ -31,8 +32,7 @@ class NumericalKernel:
         lowest: The lowest value of each, in units; minus infinity without limits.
         highest: The highest.
         position: Rows of the translation that the task names.
-        turning: Whether it names the rotation.
-        pointing: Whether it names the tool's z axis only.
+        directions: What counts of the orientation.
         redundant: Whether every pose has infinitely many solutions.
         checked: Whether the task names more than the joints can choose.
         most: Rows of an arm with finitely many solutions.
@@ -45,8 +45,7 @@ class NumericalKernel:
     lowest: tuple[float, ...]
     highest: tuple[float, ...]
     position: tuple[int, ...]
-    turning: bool
-    pointing: bool
+    directions: Directions
     redundant: bool
     checked: bool
     most: int = MOST
@@ -84,7 +83,7 @@ class NumericalKernel:
     @property
     def entries(self) -> int:
         """How many numbers tell by how much a pose is missed."""
-        return len(self.position) + (3 if self.turning or self.pointing else 0)
+        return len(self.position) + MISSES[self.directions.value]
 
     @property
     def equations(self) -> int:
@@ -116,8 +115,7 @@ def numerical_kernel(chain: Chain, *, redundant: bool) -> NumericalKernel:
         lowest=tuple(low / unit for (low, _), unit in zip(limits, units, strict=True)),
         highest=tuple(high / unit for (_, high), unit in zip(limits, units, strict=True)),
         position=task.position_rows,
-        turning=task.names_rotation,
-        pointing=task.kind is TaskKind.POINTING,
+        directions=task.directions,
         redundant=redundant,
         checked=chain.overdetermined,
     )

@@ -21,12 +21,11 @@ def runtime_arm(kernel: NumericalKernel) -> Arm:
     """The arm of a kernel."""
     chain = kernel.arm.chain
     base, *behind = _between_joints(kernel.arm)
-    directions = "rotation" if kernel.turning else "pointing" if kernel.pointing else "none"
     return Arm(
         rows=kernel.rows,
         size=chain.size,
         coordinates=kernel.position,
-        directions=directions,
+        directions=kernel.directions.value,
         joints=tuple(map(_joint, chain.solved)),
         base=twelve(base),
         chain=tuple(

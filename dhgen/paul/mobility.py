@@ -31,7 +31,13 @@ NULL = 1e-9  # a singular value, or a joint's part in a null vector, this small 
 NEARLY_NULL = 1e-4  # this is more than twists leave that were meant to be right angles
 SAME_LINE = 1e-9
 ROUNDING = 1e-14  # of the arm's size: what places of axes are computed to
-PLAIN_TASKS = (TaskKind.POSITION, TaskKind.ORIENTATION, TaskKind.POINTING, TaskKind.POSE)
+PLAIN_TASKS = (
+    TaskKind.DIRECTION,
+    TaskKind.POSITION,
+    TaskKind.ORIENTATION,
+    TaskKind.POINTING,
+    TaskKind.POSE,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +93,8 @@ def open_from_the_start(chain: Chain, spare: Surplus) -> tuple[Chain, Surplus]:
 
 def still_coordinates(chain: Chain) -> tuple[str, ...]:
     """Those of x, y, z that the task names and no joint moves, if others of them move."""
-    named = [] if chain.task.names_direction else ["xyz"[row] for row in chain.task.position_rows]
+    listed = chain.task.kind in {TaskKind.LIST, TaskKind.POSITION}
+    named = ["xyz"[row] for row in chain.task.position_rows] if listed else []
     moves = moving_coordinates(chain)
     still = tuple(name for name in named if name not in moves)
     return () if len(still) == len(named) else still
@@ -101,15 +108,24 @@ def moving_coordinates(chain: Chain) -> tuple[str, ...]:
     return tuple(n for n, rate in zip("xyz", most, strict=True) if rate > NULL * chain.size)
 
 
+def _keeps_level(chain: Chain) -> bool:
+    """Whether the tool's x axis is level wherever the arm is."""
+    q = np.random.default_rng(5).uniform(-2.0, 2.0, (POSITIONS, chain.dof)) * units(chain)
+    return bool(np.abs(numeric_arm(chain).pose(q)[..., 2, 0]).max() < EXACT)
+
+
 def determining_tasks(chain: Chain) -> dict[str, Task]:
     """Other tasks that fix every joint, as the file writes them; first those that ask for least."""
     moving = moving_coordinates(chain)
-    tasks = {kind.value: Task(kind) for kind in PLAIN_TASKS}
+    tasks = [Task(kind) for kind in PLAIN_TASKS]
     if len(moving) < 3:
-        tasks = {f"[{', '.join(moving)}]": Task(TaskKind.COORDINATES, moving), **tasks}
+        tasks.insert(0, Task(TaskKind.LIST, moving))
+    if _keeps_level(chain):
+        tasks.append(Task(TaskKind.LIST, moving, ("yaw",)))
+    tasks.sort(key=lambda task: task.dimension)
     return {
-        text: task
-        for text, task in tasks.items()
+        task.text: task
+        for task in tasks
         if task != chain.task
         and task.dimension >= chain.dof - chain.given
         and not surplus(replace(chain, task=task)).count

@@ -1,7 +1,7 @@
 """The inverse problem of a chain: which entries of U_0 are known, and what U_0 is.
 
 For a pose, base and tool are taken to the left: U_0 = Z^-1 POS E^-1 (document 002). For partial
-tasks E (and for a list of coordinates Z too) remains in the chain, because moving it would mix
+tasks E (and for a list Z too) remains in the chain, because moving it would mix
 entries that the caller gives with entries that are ignored.
 """
 
@@ -10,12 +10,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.errors import UnsolvedError
 from dhgen.kinematics.algebra import POSE_NAMES, POSE_PLACES
 from dhgen.kinematics.chain import Fixed
 from dhgen.kinematics.product import Spans
 from dhgen.kinematics.task import task_entries
 from dhgen.kinematics.transform import Transform, identity
-from dhgen.robot.task import TaskKind
+from dhgen.robot.task import Directions, TaskKind
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
@@ -63,7 +64,7 @@ def build_problem(algebra: Algebra) -> Problem:
     """The inverse problem of an arm and its task."""
     chain = algebra.chain
     task = chain.task
-    base_left = task.kind is not TaskKind.COORDINATES
+    base_left = task.kind is not TaskKind.LIST
     tool_left = task.names_rotation
     links = [algebra.lifted(link) for link in chain.links]
     still = identity(algebra.ring)
@@ -73,6 +74,8 @@ def build_problem(algebra: Algebra) -> Problem:
         links[-1] = (*links[-1], Fixed(algebra.lift(chain.tool)))
     spans = Spans(tuple(links), algebra)
     given = task_entries(task)
+    if task.directions is Directions.YAW:
+        _demand_level(spans.product(0, len(links)).entry(2, 0))
     target, known = _target(algebra, spans.product(0, len(links)), given)
     return Problem(
         algebra=algebra,
@@ -82,6 +85,20 @@ def build_problem(algebra: Algebra) -> Problem:
         base_left=base_left,
         tool_left=tool_left,
     )
+
+
+def _demand_level(steepness: Polynomial) -> None:
+    """Refuses arms that may turn the tool's x axis out of the level.
+
+    Raises:
+        UnsolvedError: The arm does.
+    """
+    if steepness:
+        raise UnsolvedError(
+            "the task names yaw, which asks for an arm that keeps the tool's x axis level, and "
+            "this one does not: its t31 depends on the joints or is not zero\n"
+            "a SCARA does, with the tool's x axis across the axes of its joints; see `tool`"
+        )
 
 
 def _target(

@@ -11,10 +11,10 @@ from dhgen.robot.joints import read_axis, read_row
 from dhgen.robot.lengths import note_distance, note_spread
 from dhgen.robot.names import why_no_parameter_name
 from dhgen.robot.robot import Convention, DhTable, Parameter, ReferenceAxes, Robot
-from dhgen.robot.schema import ARM_ANGLE, COORDINATES, AxisRow, FrameEntry, JointRow, Units
+from dhgen.robot.schema import ARM_ANGLE, AxisRow, FrameEntry, JointRow, Units
 from dhgen.robot.shape import Shape
 from dhgen.robot.source import quoted
-from dhgen.robot.task import Task, TaskKind
+from dhgen.robot.task import ANGLES, COORDINATES, Task, TaskKind
 
 if TYPE_CHECKING:
     from dhgen.robot.report import Report
@@ -46,6 +46,7 @@ class _Assembly:
         parameters = self._parameters()
         geometry = self._geometry()
         base, tool = self._frame("base"), self._frame("tool")
+        self._check_names()
         free = self._free(self._count("joints") or self._count("axes"))
         for name in self.cells.used.unused():
             message = f"no cell uses the parameter '{name}': remove it, or use it in a cell"
@@ -133,6 +134,25 @@ class _Assembly:
         )
         return ReferenceAxes(axes, self._frame("home"))
 
+    def _check_names(self) -> None:
+        """Names are for all joints or for none, and each is of one joint."""
+        key = "joints" if self.document.has("joints") else "axes"
+        rows = [(key, place) for place in range(self._count(key))]
+        named: dict[str, int] = {}
+        unnamed: list[int] = []
+        for number, path in enumerate(rows, start=1):
+            row = self.document.plain(path)
+            if not isinstance(row, dict) or "name" not in row:
+                unnamed.append(number)
+                continue
+            name = str(row["name"])
+            if self.shape.right((*path, "name")) and name in named:
+                self.report.error((*path, "name"), f"joint {named[name]} is called so, too")
+            named.setdefault(name, number)
+        if named and unnamed:
+            message = f"joint {unnamed[0]} has no name: name every joint, or none"
+            self.report.error(rows[unnamed[0] - 1], message)
+
     def _frame(self, key: str) -> Frame:
         entry = self.shape.section((key,), FrameEntry)
         return read_frame(self.cells, (key,), entry) if entry else IDENTITY_FRAME
@@ -166,4 +186,5 @@ class _Assembly:
 def _task(entry: str | list[str]) -> Task:
     if isinstance(entry, str):
         return Task(TaskKind(entry))
-    return Task(TaskKind.COORDINATES, tuple(c for c in COORDINATES if c in entry))
+    angles = next(angles for angles in ANGLES if set(entry) - set(COORDINATES) == set(angles))
+    return Task(TaskKind.LIST, tuple(c for c in COORDINATES if c in entry), angles)

@@ -137,6 +137,7 @@ def read_row(cells: Cells, path: Path, entry: JointRow, *, complete: bool) -> Dh
         a=cells.length((*path, "a"), entry.a),
         alpha=cells.angle((*path, "alpha"), entry.alpha),
         limits=read_limits(cells, (*path, "limits"), kind, entry.limits),
+        name=entry.name,
     )
 
 
@@ -160,6 +161,7 @@ def read_axis(cells: Cells, path: Path, entry: AxisRow, *, complete: bool) -> Ax
         direction=(x, y, z),
         point=read_lengths(cells, (*path, "point"), entry.point),
         limits=read_limits(cells, (*path, "limits"), kind, entry.limits),
+        name=entry.name,
     )
 
 

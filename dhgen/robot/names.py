@@ -11,6 +11,8 @@ LengthUnit: TypeAlias = Literal["m", "dm", "cm", "mm", "um", "in", "ft"]
 
 MAX_ROBOT_NAME = 48
 MAX_PARAMETER_NAME = 32
+MAX_JOINT_NAME = 64
+JOINT_NAME = r"[A-Za-z0-9_/][A-Za-z0-9_/:. +-]*"  # what URDF and MJCF files hold; harmless in code
 RESERVED = ("q", "pi", "deg", "sqrt", "sin", "cos")
 
 _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*", re.ASCII)
@@ -29,6 +31,15 @@ def why_no_robot_name(name: str) -> str | None:
     if name.casefold() in FILES:
         return "it is the name of a library or a device, so generated files can't have it"
     return _why_no_identifier(name, MAX_ROBOT_NAME)
+
+
+def why_no_joint_name(name: str) -> str | None:
+    """Why a joint can't be called so, or None."""
+    if len(name) > MAX_JOINT_NAME:
+        return f"it has {len(name)} characters; at most {MAX_JOINT_NAME} are allowed"
+    if not re.fullmatch(JOINT_NAME, name, re.ASCII) or name.endswith(" "):
+        return "it must be plain: letters, digits and _ / : . + - with blanks between them"
+    return None
 
 
 def why_no_parameter_name(name: str) -> str | None:

@@ -61,6 +61,7 @@ class DhRow:
         limits: Lowest and highest q [rad or length], or None.
         b: A shift along y after the twist, of modified rows that the compiler makes from axes that
             are nearly parallel: their common normal is far away [length].
+        name: What the joint is called elsewhere; empty where the file names no joints.
     """
 
     kind: JointKind
@@ -71,6 +72,7 @@ class DhRow:
     alpha: Expression
     limits: tuple[float, float] | None = None
     b: Expression = ZERO
+    name: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,12 +84,14 @@ class AxisJoint:
         direction: Three components, not all zero, of any length.
         point: A point of the axis [length]; without meaning for a prismatic joint.
         limits: Lowest and highest q [rad or length], or None.
+        name: What the joint is called elsewhere; empty where the file names no joints.
     """
 
     kind: JointKind
     direction: tuple[Expression, Expression, Expression]
     point: tuple[Expression, Expression, Expression]
     limits: tuple[float, float] | None = None
+    name: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,15 +19,23 @@ from pydantic import (
 )
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 
-from dhgen.robot.names import MAX_ROBOT_NAME, LengthUnit, why_no_robot_name, why_no_text
+from dhgen.robot.names import (
+    JOINT_NAME,
+    MAX_ROBOT_NAME,
+    LengthUnit,
+    why_no_joint_name,
+    why_no_robot_name,
+    why_no_text,
+)
+from dhgen.robot.task import ANGLES, COORDINATES, TaskKind
 
 if TYPE_CHECKING:
     from pydantic_core.core_schema import WithDefaultSchema
 
 
 ARM_ANGLE = "arm_angle"  # what `free` holds instead of joints
-TASKS = ("pose", "position", "orientation", "pointing")
-COORDINATES = ("x", "y", "z")
+TASKS = tuple(kind.value for kind in TaskKind if kind is not TaskKind.LIST)
+LISTED = (*COORDINATES, "roll", "pitch", "yaw")
 SWITCHES = ("true", "True", "TRUE", "false", "False", "FALSE")  # as YAML writes them
 
 
@@ -42,6 +50,13 @@ def _robot_name(name: str) -> str:
     return name
 
 
+def _joint_name(name: str) -> str:
+    reason = why_no_joint_name(name)
+    if reason:
+        raise ValueError(f"a joint can't have this name: {reason}")
+    return name
+
+
 def _one_line(text: str) -> str:
     # Folded and literal blocks of YAML end in a line end, and may hold some.
     line = " ".join(part.strip() for part in text.strip().split("\n"))
@@ -53,15 +68,15 @@ def _one_line(text: str) -> str:
 
 def _task(value: object) -> object:
     if isinstance(value, list):
-        if (
-            not value
-            or not set(map(str, value)) <= set(COORDINATES)
-            or len(set(value)) < len(value)
-        ):
-            raise ValueError("a list of coordinates holds some of x, y, z, each once")
+        names = sorted(map(str, value), key=(*LISTED, *map(str, value)).index)
+        angles = tuple(name for name in names if name not in COORDINATES)
+        if not value or angles not in ANGLES or len(set(names)) < len(names):
+            raise ValueError(
+                "a list holds some of x, y, z, and yaw, or pitch, or roll and pitch, each once"
+            )
         return value
     if value not in TASKS:
-        raise ExpectedError(f"one of {', '.join(TASKS)}, or a list of some of x, y, z")
+        raise ExpectedError(f"one of {', '.join(TASKS)}, or a list such as [x, y, z, yaw]")
     return value
 
 
@@ -114,6 +129,16 @@ Free = Annotated[
     ),
 ]
 RobotName = Annotated[str, AfterValidator(_robot_name)]
+JointName = Annotated[
+    str,
+    AfterValidator(_joint_name),
+    Field(
+        default="",
+        description="What the joint is called elsewhere, as in a URDF; all joints have a name, or "
+        "none has.",
+        json_schema_extra={"pattern": f"^{JOINT_NAME}$"},
+    ),
+]
 Text = Annotated[str, AfterValidator(_one_line)]
 Triple = Annotated[list[Cell], Field(min_length=3, max_length=3)]
 Quadruple = Annotated[list[Cell], Field(min_length=4, max_length=4)]
@@ -128,7 +153,7 @@ Task = Annotated[
                 {"enum": list(TASKS)},
                 {
                     "type": "array",
-                    "items": {"enum": list(COORDINATES)},
+                    "items": {"enum": list(LISTED)},
                     "minItems": 1,
                     "uniqueItems": True,
                 },
@@ -201,6 +226,7 @@ class JointRow(_Strict):
     limits: Limits = Field(
         default=[], description="Lowest and highest q [angle or length, as q is]."
     )
+    name: JointName
 
 
 class AxisRow(_Strict):
@@ -215,6 +241,7 @@ class AxisRow(_Strict):
     limits: Limits = Field(
         default=[], description="Lowest and highest q [angle or length, as q is]."
     )
+    name: JointName
 
 
 class Units(_Strict):
@@ -272,7 +299,8 @@ class RobotFile(_Strict):
     task: Task = Field(
         default="pose",
         description="What of the pose the caller means: pose, position, orientation, pointing "
-        "(position and the tool's z axis), or a list of some of x, y, z.",
+        "(position and the tool's z axis), direction (the tool's z axis), or a list of some of x, "
+        "y, z and of yaw, or pitch, or roll and pitch.",
     )
     free: Free = Field(
         default=[],

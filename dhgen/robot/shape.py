@@ -108,7 +108,7 @@ def value_message(details: ErrorDetails) -> str:
         if isinstance(reason, ExpectedError):
             return f"expected {reason}, not {shown}"
         return f"{shown}: {reason}" if isinstance(given, str) else f"{reason}"
-    if details["type"] == "string_type" and path[0] in {"name", "title", "source"}:
+    if details["type"] == "string_type" and path[-1] in _WORDS:
         return f"expected a text, not {shown}"
     expected = context.get("expected") or _KINDS.get(details["type"]) or _form(path)
     blank = blank_told(given) if details["type"] in _KEYED and isinstance(given, str) else None
@@ -232,7 +232,7 @@ def _elsewhere(key: str, path: Path) -> str:
     if path[0] == "joints" and len(path) > 1 and key in _OTHER_TABLES:
         return f"; {_OTHER_TABLES[key]}"
     if path[0] in {"joints", "axes"} and key in _WORDS:
-        return "; joints go by their numbers, from 1: say more in a comment, '# elbow'"
+        return "; a joint has only a 'name': say more in a comment, '# elbow'"
     if len(path) == 1 and key in {"limits", "joint_limits", "qlim"}:
         return "; limits stand in each joint: 'limits: [-1.5, 1.5]'"
     if len(path) > 1 and key in RobotFile.model_fields and key not in _WORDS:

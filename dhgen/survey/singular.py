@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.robot.task import TaskKind
+from dhgen.robot.task import Directions
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.oracle.arm_angle import elbow_rates, given_values
 from dhgen.survey.oracle.forward import forward, jacobian
@@ -113,15 +113,24 @@ def task_jacobian(model: Arm, robot: Robot, q: FloatArray) -> FloatArray:
     J = jacobian(model, q)[..., moving]
     if robot.arm_angle:
         return np.concatenate([J, elbow_rates(model, q)[..., None, :]], axis=-2)
-    match robot.task.kind:
-        case TaskKind.POSE:
-            return J
-        case TaskKind.POSITION:
-            return J[..., :3, :]
-        case TaskKind.ORIENTATION:
-            return J[..., 3:, :]
-        case TaskKind.COORDINATES:
-            return J[..., list(robot.task.position_rows), :]
-        case TaskKind.POINTING:
-            across = np.swapaxes(forward(model, q)[..., :3, :2], -1, -2)
-            return np.concatenate([J[..., :3, :], across @ J[..., 3:, :]], axis=-2)
+    T, task = forward(model, q), robot.task
+    directions = _direction_rates(task.directions, T[..., :3, :3], J[..., 3:, :])
+    return np.concatenate([J[..., list(task.position_rows), :], directions], axis=-2)
+
+
+def _direction_rates(directions: Directions, R: FloatArray, spins: FloatArray) -> FloatArray:
+    """What spins (..., 3, k) do to the part of a rotation R (..., 3, 3) that is asked for."""
+    match directions:
+        case Directions.NONE:
+            return spins[..., :0, :]
+        case Directions.ROTATION:
+            return spins
+        case Directions.POINTING:
+            return np.asarray(np.swapaxes(R[..., :2], -1, -2) @ spins)
+        case Directions.YAW:  # the tool's x axis is level
+            return spins[..., 2:, :]
+        case Directions.TILT:
+            return spins[..., :2, :]
+        case Directions.PITCH:
+            moved = np.cross(spins, R[..., :, :1], axis=-2)
+            return np.asarray(moved[..., 2:, :])

@@ -162,14 +162,6 @@ def _refusal(path: Path, reason: str) -> RobotFileError:
     return RobotFileError((Diagnostic(str(path), 0, 0, reason),))
 
 
-TASKS = {
-    TaskKind.POSE: "",
-    TaskKind.POSITION: "position",
-    TaskKind.ORIENTATION: "orientation",
-    TaskKind.POINTING: "pointing",
-}
-
-
 def joint_letters(chain: Chain) -> str:
     """R or P for every joint; a free joint's letter is small."""
     return "".join(
@@ -181,7 +173,7 @@ def joint_letters(chain: Chain) -> str:
 def arm_class(chain: Chain) -> str:
     """The structure in a few words: "spherical wrist, ortho-parallel", "SCARA", "general 6R"."""
     task = chain.task
-    asked = TASKS[task.kind] if task.kind in TASKS else ", ".join(task.coordinates)
+    asked = "" if task.kind is TaskKind.POSE else task.text.strip("[]")
     return ", ".join(filter(None, [*_structure(chain), asked]))
 
 

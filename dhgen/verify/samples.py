@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.kinematics.task import task_rates, units
+from dhgen.kinematics.task import task_rates, telling_entries, units
 from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
 from dhgen.verify.singular import TRIED, singular_places, whole_turns
@@ -127,7 +128,8 @@ def _right_angles(chain: Chain, source: np.random.Generator, count: int) -> Floa
 
 def spoiled_poses(task: Task, T: FloatArray) -> list[FloatArray]:
     """Poses like T that are none: not finite, mirrored, stretched, in other coordinates."""
-    row, column = (task.position_rows[0], 3) if task.position_rows else (0, 0)
+    name = min(telling_entries(task), key=lambda name: (name[2] != "4", name))
+    row, column = POSE_PLACES[name]
     spoiled = [T.copy() for _ in range(4 if task.names_rotation else 2)]
     spoiled[0][row, column] = np.nan
     spoiled[1][row, column] = np.inf

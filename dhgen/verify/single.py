@@ -14,7 +14,6 @@ import numpy as np
 
 from dhgen.errors import VerificationError
 from dhgen.kinematics.given import given_values
-from dhgen.robot.task import TaskKind
 from dhgen.status import HELD, Status
 from dhgen.tolerances import SINGLE
 from dhgen.verify.measures import Measures
@@ -90,7 +89,7 @@ class _Checker:
         """Poses that are none, and poses out of reach."""
         name = self._module.name
         q = samples(self._chain, 8)[0].q
-        endless = not all(self._chain.turning) or self._chain.task.kind is TaskKind.ORIENTATION
+        endless = not all(self._chain.turning) or not self._chain.task.position_rows
         for joints, T in zip(q, self._measures.arm.pose(q), strict=True):
             for spoiled in spoiled_poses(self._chain.task, T):
                 _, status = self._ik(spoiled, joints)

@@ -17,7 +17,6 @@ from dhgen.method import Method
 from dhgen.paul.refusal.redundancy import near_redundancy
 from dhgen.program.all_joints import whole_solver
 from dhgen.program.interpret import interpret
-from dhgen.robot.task import TaskKind
 from dhgen.targets.walk import whole_arm
 from dhgen.tolerances import TOLERANCES
 from dhgen.verify.compiled import compiled_code, import_temporary, runtime_code, together
@@ -175,7 +174,7 @@ class _Checker:
         source = np.random.default_rng(11)
         q = samples(self._chain, 8)[0].q
         slides = "P" in self._python.JOINT_TYPES
-        endless = slides or self._chain.task.kind is TaskKind.ORIENTATION
+        endless = slides or not self._chain.task.position_rows
         poses = self._demands.measures.arm.pose(q)
         none = np.array([spoiled_poses(self._chain.task, T) for T in poses])
         self._languages.refuse(np.repeat(q, none.shape[1], axis=0), none.reshape(-1, 4, 4))

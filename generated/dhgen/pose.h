@@ -44,20 +44,51 @@ DHGEN_FN int dhgen_usable(const struct dhgen_arm *arm, double number)
     return isfinite(arm->slides ? number * number * number : number) != 0;
 }
 
-/* Makes the tool's z axis one long. Returns 0 where it is none, 1 where it was, 2 where it is now.
- */
-DHGEN_FN int dhgen_read_approach(double *T)
+/* Makes three entries one long: a column or a row. Returns 0 where they are none, 1 where they were,
+ * 2 where they are now. */
+DHGEN_FN int dhgen_read_unit(double *x, double *y, double *z)
 {
-    const double square = T[2] * T[2] + T[6] * T[6] + T[10] * T[10];
+    const double square = *x * *x + *y * *y + *z * *z;
     const double miss = (square - 1.0) * (square - 1.0);
     if (!(miss <= DHGEN_ROUNDED))
         return 0;
     if (miss <= DHGEN_ORTHONORMAL)
         return 1;
     const double length = sqrt(square);
-    T[2] /= length;
-    T[6] /= length;
-    T[10] /= length;
+    *x /= length;
+    *y /= length;
+    *z /= length;
+    return 2;
+}
+
+/* Makes the tool's x axis level, or zero where it is too steep to have a yaw, which is free then.
+ * Returns 0 where it is no direction, 1 where it was level, 2 where it is now. */
+DHGEN_FN int dhgen_read_yaw(double *T)
+{
+    const double square = T[0] * T[0] + T[4] * T[4];
+    T[8] = 0.0;
+    if ((square - 1.0) * (square - 1.0) <= DHGEN_ORTHONORMAL)
+        return 1;
+    if (!isfinite(square))
+        return 0;
+    const double length = sqrt(square);
+    T[0] = length < DHGEN_STEEP ? 0.0 : T[0] / length;
+    T[4] = length < DHGEN_STEEP ? 0.0 : T[4] / length;
+    return 2;
+}
+
+/* Makes the sine of the pitch one at most. Returns 0 where it is none, 1 where it was, 2 where it is
+ * now. */
+DHGEN_FN int dhgen_read_pitch(double *T)
+{
+    const double over = fabs(T[8]) - 1.0;
+    if (over <= 0.0)
+        return 1;
+    if (!(over * over <= DHGEN_ROUNDED))
+        return 0;
+    if (over * over <= DHGEN_ORTHONORMAL)
+        return 1;
+    T[8] = T[8] < 0.0 ? -1.0 : 1.0;
     return 2;
 }
 
@@ -86,9 +117,20 @@ DHGEN_FN int dhgen_read_pose(const struct dhgen_arm *arm, const double *given, d
     if (arm->task == DHGEN_POSE
         && !(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= DHGEN_LAST_ROW))
         return 0;
-    if (arm->task == DHGEN_POINTING)
-        return dhgen_read_approach(T);
-    return arm->task == DHGEN_COORDINATES ? 1 : dhgen_read_rotation(T);
+    switch (arm->task) {
+    case DHGEN_COORDINATES:
+        return 1;
+    case DHGEN_POINTING:
+        return dhgen_read_unit(T + 2, T + 6, T + 10);
+    case DHGEN_YAW:
+        return dhgen_read_yaw(T);
+    case DHGEN_PITCH:
+        return dhgen_read_pitch(T);
+    case DHGEN_TILT:
+        return dhgen_read_unit(T + 8, T + 9, T + 10);
+    default:
+        return dhgen_read_rotation(T);
+    }
 }
 
 #endif

@@ -42,6 +42,29 @@ DHGEN_FN double dhgen_half_way(
     return most;
 }
 
+/* What is missed of yaw, pitch or tilt, as turns about the base's axes, into e. Returns its square. A
+ * pose without a yaw misses none. */
+DHGEN_FN double dhgen_miss_of_angles(
+    const struct dhgen_arm *arm, const double *T, const double *P, double *e)
+{
+    double square = 0.0;
+    if (arm->task == DHGEN_YAW) {
+        const double told = T[0] * T[0] + T[4] * T[4];
+        e[5] = P[0] * T[4] - P[4] * T[0];
+        return told * ((P[0] - T[0]) * (P[0] - T[0]) + (P[4] - T[4]) * (P[4] - T[4]));
+    }
+    if (arm->task == DHGEN_PITCH) {
+        e[3] = T[8] - P[8];
+        return e[3] * e[3];
+    }
+    for (int i = 0; i < 3; i++) {
+        e[3] += T[8 + i] * P[4 + i];
+        e[4] -= T[8 + i] * P[i];
+        square += (P[8 + i] - T[8 + i]) * (P[8 + i] - T[8 + i]);
+    }
+    return square;
+}
+
 /* By how much joint values miss a pose, into e, whose angles are 0 half a turn away, too. Returns
  * the length of the miss, which tells the two apart [arm sizes, rad]. */
 DHGEN_FN double dhgen_miss(const struct dhgen_arm *arm, const double *T, const double *x, double *e)
@@ -60,6 +83,8 @@ DHGEN_FN double dhgen_miss(const struct dhgen_arm *arm, const double *T, const d
             e[3 + i] = P[j] * T[k] - P[k] * T[j];
             square += (P[j] - T[j]) * (P[j] - T[j]);
         }
+    } else if (arm->task > DHGEN_POSE) {
+        square += dhgen_miss_of_angles(arm, T, P, e);
     } else if (arm->task != DHGEN_COORDINATES) {
         for (int i = 0; i < 9; i++) {
             const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
@@ -70,14 +95,19 @@ DHGEN_FN double dhgen_miss(const struct dhgen_arm *arm, const double *T, const d
     return sqrt(square);
 }
 
-/* Takes the part that turns the tool about its z axis out of the Jacobian J. */
-DHGEN_FN void dhgen_ignore_spin(const struct dhgen_arm *arm, const double *x, double *J)
+/* Takes out of the Jacobian J what changes no direction that counts. Of a pitch its rate comes
+ * first; else turns that don't count about the base's axes have no weight. */
+DHGEN_FN void dhgen_count_what_counts(const struct dhgen_arm *arm, const double *x, double *J)
 {
     const int dof = dhgen_dof(arm);
     double P[16];
     arm->fk(x, P);
     for (int j = 0; j < dof; j++) {
         double *spin = J + 3 * dof + j;
+        if (arm->task == DHGEN_PITCH) {
+            spin[0] = spin[0] * P[4] - spin[dof] * P[0];
+            continue;
+        }
         const double along = P[2] * spin[0] + P[6] * spin[dof] + P[10] * spin[2 * dof];
         for (int i = 0; i < 3; i++)
             spin[dof * i] -= along * P[4 * i + 2];
@@ -93,8 +123,8 @@ DHGEN_FN void dhgen_add_step(
     const int dof = dhgen_dof(arm), width = 6 + dof;
     double A[6][6 + DHGEN_JOINTS] = { { 0.0 } }, square[6] = { 0.0 }, J[6 * DHGEN_JOINTS];
     arm->jacobian(x, J);
-    if (arm->task == DHGEN_POINTING)
-        dhgen_ignore_spin(arm, x, J);
+    if (arm->task == DHGEN_POINTING || arm->task == DHGEN_PITCH)
+        dhgen_count_what_counts(arm, x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < dof; j++)
             A[i][j] = held[j] ? 0.0 : arm->joints[j].pace * arm->miss_weights[i] * J[dof * i + j];

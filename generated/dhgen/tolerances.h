@@ -10,6 +10,10 @@
  * whole way. */
 #define DHGEN_BESIDE_SEED 0.15
 
+/* Of the tool's x axis, the length of what is seen from above, below which it has no yaw there: as
+ * much as a pose of six digits rounds it by. */
+#define DHGEN_STEEP 1e-6
+
 #ifndef DHGEN_SINGLE_PRECISION
 
 /* The last row of a pose may differ from 0 0 0 1 by this. */

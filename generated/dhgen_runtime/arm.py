@@ -20,6 +20,7 @@ from .places import (
     GIVEN_JOINTS,
     JOINTS,
     MISS_WEIGHTS,
+    NAMES,
     RECORD,
     RETRIES,
     ROOT_TURNS,
@@ -88,7 +89,7 @@ class Arm:
         paces: What a step of one means in refining; 0 if the caller gives the value.
         fan_steps: From one value to the next where it is free; may be left out where none is.
         rows: How many branches there are.
-        directions: What a pose names besides coordinates: "none", "pointing" or "rotation".
+        directions: What a pose names besides coordinates: one of `places.NAMES`.
         miss_weights: What the entries of a miss count, first the translation's.
         size: Of the arm.
         entries: Places of a pose's entries that are asked then.
@@ -132,7 +133,7 @@ def arm_numbers(arm: Arm, descents: Sequence[float] | Floats = ()) -> Floats:
     begin = JOINTS + RECORD * len(arm.types)
     numbers = np.zeros(begin + len(descents))
     numbers[DESCENTS], numbers[begin:] = begin, descents
-    directions = ("none", "pointing", "rotation").index(arm.directions)
+    directions = NAMES.index(arm.directions)
     numbers[:5] = len(arm.types), arm.rows, directions, arm.cuts, 1.0 / arm.size
     numbers[MISS_WEIGHTS : MISS_WEIGHTS + 6] = arm.miss_weights
     for step in arm.steps:

@@ -8,12 +8,14 @@ JOINTS ...        a record for each joint, then the numbers that descents work o
 from __future__ import annotations
 
 DOF, ROWS = 0, 1  # joints; branches
-DIRECTIONS = 2  # NO_DIRECTION, POINTING or ROTATION
+DIRECTIONS = 2  # what of the tool's directions counts: the place of its name in NAMES
 CUTS = 3  # of an interval by golden section
 PER_LENGTH = 4  # what a length counts where it is asked whether a row fits: 1 / size of the arm
 MISS_WEIGHTS = 5  # six: what the entries of a miss count in refining, lengths in arm sizes
 
-NO_DIRECTION, POINTING, ROTATION = 0.0, 1.0, 2.0  # of the tool's directions: none, its z axis, all
+# Of the tool's directions: none, its z axis, all, or of the angles yaw, pitch, roll and pitch.
+NAMES = ("none", "pointing", "rotation", "yaw", "pitch", "tilt")
+_, POINTING, ROTATION, YAW, PITCH, TILT = map(float, range(6))
 
 # Whether a step is taken around the formulas, each under its name in `arm.STEPS`.
 RETRIES, CHECKS, KEEPS_LIMITS = range(11, 14)

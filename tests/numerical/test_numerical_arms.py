@@ -41,6 +41,10 @@ ARMS = {
     "seven": (SKEW, ""),
     "planar": ((LINK,) * 4, "task: [x, y]"),
     "three": ((LINK,) * 3, "task: [x, y]"),
+    "yaw": ((LINK,) * 4, "task: [x, y, yaw]"),
+    "pitch": (SKEW[:6], "task: [x, y, z, pitch]"),
+    "tilt": (SKEW[:6], "task: [x, y, z, roll, pitch]"),
+    "direction": (FOUR, "task: direction"),
     "given": ((*TWO, SKEW[5]), f"{ASKEW}\nfree: [3]"),
 }
 FINITE = ("two",)
@@ -85,7 +89,14 @@ def miss(name: str, rows: np.ndarray, T: np.ndarray, solver: CompiledSolver) -> 
         "pointing": (slice(0, 3), slice(2, 4)),
         "orientation": (slice(0, 3), slice(0, 3)),
         **dict.fromkeys(("planar", "three"), (slice(0, 2), slice(3, 4))),
+        "yaw": (slice(0, 2), slice(0, 4, 3)),
+        "pitch": (slice(0, 3), slice(3, 4)),
+        "tilt": (slice(0, 3), slice(3, 4)),
+        "direction": (slice(0, 3), slice(2, 3)),
     }.get(name, (slice(0, 3), slice(0, 4)))
+    if name in {"pitch", "tilt"}:
+        third = reached[:, 2, : 1 if name == "pitch" else 3]
+        assert np.abs(third).max(initial=0.0) < 1e-9
     return float(np.abs(reached[(slice(None), *entries)]).max(initial=0.0))
 
 

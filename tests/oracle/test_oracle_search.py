@@ -88,7 +88,7 @@ def test_a_nearly_stretched_arm_has_two_solutions_or_one_double(near: float) -> 
 
 
 def test_a_free_joint_keeps_its_value() -> None:
-    arm_3r = replace(robot("planar_rrr"), task=Task(TaskKind.COORDINATES, ("x", "y")), free=(2,))
+    arm_3r = replace(robot("planar_rrr"), task=Task(TaskKind.LIST, ("x", "y")), free=(2,))
     q = np.array([0.4, 0.9, -0.7])
     solutions = all_solutions(arm_3r, forward(arm_3r, q), [0.9])
     assert len(solutions) == 2

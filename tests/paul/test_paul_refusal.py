@@ -75,7 +75,7 @@ def test_joints_that_move_nothing_are_named_together() -> None:
     ("rows", "task", "serving"),
     [
         (2, "[x, z]", "[x, y]` determines every joint"),
-        (3, "position", "pose` determines every joint of poses that the arm can take"),
+        (3, "position", "[x, y, yaw]` determines every joint"),
     ],
 )
 def test_a_coordinate_that_no_joint_moves_is_told(rows: int, task: str, serving: str) -> None:

@@ -9,6 +9,7 @@ from fractions import Fraction
 import pytest
 
 from dhgen.errors import RobotFileError
+from dhgen.kinematics.build import build_chain
 from dhgen.robot.expression import ZERO, Name, Negate, Number, to_text
 from dhgen.robot.robot import (
     AxisJoint,
@@ -27,6 +28,7 @@ from tests.robot.robot_texts import (
     told_of_cells,
 )
 
+NAMED = table("theta: q, name: left/arm-joint 1", "theta: 0, d: q, name: arm.joint:2")
 TURN = "type: revolute, direction: [0, 0, 1], point: [0, 0, 0]"
 SLIDE = "type: prismatic, direction: [0, 0, 1]"
 
@@ -104,7 +106,14 @@ def test_a_prismatic_joint() -> None:
         ("theta: q, a: q1", "q1", "unknown name 'q1'; valid: pi, deg, sqrt, sin, cos"),
         ("theta: q, free: true", "free", "unknown key 'free'; it stands on a line of its own as"),
         ("theta: q, task: pose", "task", "unknown key 'task'; it stands on a line of its own as"),
-        ("theta: q, name: elbow", "name", "unknown key 'name'; joints go by their numbers, from 1"),
+        ("theta: q, title: elbow", "title", "unknown key 'title'; a joint has only a 'name': say"),
+        ("theta: q, name: [1]", "[", "expected a text, not a list of 1"),
+        ('theta: q, name: a"b', 'a"b', "'a\"b': a joint can't have this name: it must be plain"),
+        (
+            "theta: q, name: Gelenk°",
+            "Gelenk°",
+            "'Gelenk°': a joint can't have this name: it must be plain",
+        ),
         ("d: q, type: prismatic", "type", "unknown key 'type'; a joint slides by 'theta: 0, d: q'"),
         ("theta: q, min: -1", "min", "unknown key 'min'; limits are a list: 'limits: [-1.5, 1.5]'"),
         ("θ: q", "θ", "unknown key 'θ'; the angle about z is called 'theta'"),
@@ -360,3 +369,26 @@ def test_refused_axes(entry: str, message: str) -> None:
 
 def test_negative_numbers_are_negated_ones() -> None:
     assert row("theta: q, a: -0.1").a == Negate(Number(Fraction(1, 10)))
+
+
+def test_names_of_joints() -> None:
+    assert [joint.name for joint in robot(NAMED).joints] == ["left/arm-joint 1", "arm.joint:2"]
+    assert build_chain(robot(NAMED)).joint_names == ("left/arm-joint 1", "arm.joint:2")
+    plain = build_chain(robot(table("theta: q", "theta: 0, d: q")))
+    assert plain.joint_names == ("joint1", "joint2")
+    long = mistake(table(f"theta: q, name: {'n' * 65}"))
+    assert long.endswith("it has 65 characters; at most 64 are allowed")
+    assert (plain.told((1, 2)), build_chain(robot(NAMED)).told((2,))) == ("1, 2", "2 (arm.joint:2)")
+
+
+@pytest.mark.parametrize("kind", ["table", "axes"])
+def test_names_are_for_all_joints_and_differ(kind: str) -> None:
+    rows = ("theta: q{}", "theta: q{}", "theta: q{}")
+    turns = ("type: revolute, direction: [0, 0, 1], point: [0, 0, 0]{}",) * 3
+    made, entries = (table, rows) if kind == "table" else (axes, turns)
+    names = (", name: elbow", "", ", name: elbow")
+    text = made(*(entry.format(name) for entry, name in zip(entries, names, strict=True)))
+    twice, missing = sorted(mistakes(text), key=lambda each: each.message)
+    assert (twice.message, marked(twice)) == ("joint 1 is called so, too", "elbow")
+    assert missing.message == "joint 2 has no name: name every joint, or none"
+    assert (twice.line - missing.line, missing.line) == (1, 4)

@@ -64,11 +64,14 @@ SLIDE = "type: prismatic, direction: [0, 0, 1]"
         ),
         (
             f"{MINIMAL}task: poses\n",
-            "expected one of pose, position, orientation, pointing, or a list of some of x, y, z",
+            "expected one of pose, position, orientation, pointing, direction, or a list such",
         ),
-        (f"{MINIMAL}task: [x, x]\n", "a list of coordinates holds some of x, y, z, each"),
-        (f"{MINIMAL}task: [w]\n", "a list of coordinates holds some of x, y, z, each"),
-        (f"{MINIMAL}task: []\n", "a list of coordinates holds some of x, y, z, each"),
+        (f"{MINIMAL}task: [x, x]\n", "a list holds some of x, y, z, and yaw, or pitch,"),
+        (f"{MINIMAL}task: [w]\n", "a list holds some of x, y, z, and yaw, or pitch,"),
+        (f"{MINIMAL}task: [x, yaw, yaw]\n", "a list holds some of x, y, z, and yaw, or pitch,"),
+        (f"{MINIMAL}task: [z, roll]\n", "a list holds some of x, y, z, and yaw, or pitch,"),
+        (f"{MINIMAL}task: [pitch, yaw]\n", "a list holds some of x, y, z, and yaw, or pitch,"),
+        (f"{MINIMAL}task: []\n", "a list holds some of x, y, z, and yaw, or pitch,"),
         (f"{MINIMAL}task: {{a: 1}}\n", "expected one of pose"),
         (f"{MINIMAL}free: [2]\n", "there is no joint 2: joints are numbered from 1 to 1"),
         (f"{MINIMAL}free: [0]\n", "there is no joint 0: joints are numbered from 1 to 1"),
@@ -137,13 +140,16 @@ def test_the_arm_angle_in_place_of_joints() -> None:
     assert mistake(f"{MINIMAL}free: [arm_angle]\n") == told
 
 
-@pytest.mark.parametrize("kind", ["pose", "position", "orientation", "pointing"])
+@pytest.mark.parametrize("kind", ["pose", "position", "orientation", "pointing", "direction"])
 def test_tasks(kind: str) -> None:
     assert robot(f"{MINIMAL}task: {kind}\n").task == Task(TaskKind(kind))
 
 
 def test_a_task_of_coordinates_is_in_their_order() -> None:
-    assert robot(f"{MINIMAL}task: [z, x]\n").task == Task(TaskKind.COORDINATES, ("x", "z"))
+    assert robot(f"{MINIMAL}task: [z, x]\n").task == Task(TaskKind.LIST, ("x", "z"))
+    tilted = Task(TaskKind.LIST, ("x", "z"), ("roll", "pitch"))
+    assert robot(f"{MINIMAL}task: [pitch, z, roll, x]\n").task == tilted
+    assert robot(f"{MINIMAL}task: [yaw]\n").task == Task(TaskKind.LIST, (), ("yaw",))
     assert robot(MINIMAL).task == Task(TaskKind.POSE)
 
 

@@ -151,3 +151,31 @@ def planar(kind: str) -> Any:
     from numba import njit  # noqa: PLC0415  only where there is one
 
     return njit(lambda: given())()  # noqa: PLW0108  numba wants one
+
+
+@cache
+def tilting(kind: str) -> Any:
+    """A robot that turns about y and then about x: pitch and roll, by addresses."""
+    how, array = part(kind, "jit").of_file(__file__), "float64[:, ::1](float64[::1])"
+
+    @how.apart(array)  # type: ignore[untyped-decorator]
+    def tilting_fk(q: Any) -> Any:
+        T = np.eye(4)
+        c, s, d, r = math.cos(q[0]), math.sin(q[0]), math.cos(q[1]), math.sin(q[1])
+        T[0, 0], T[0, 1], T[0, 2] = c, s * r, s * d
+        T[1, 1], T[1, 2] = d, -r
+        T[2, 0], T[2, 1], T[2, 2] = -s, c * r, c * d
+        return T
+
+    @how.apart(array)  # type: ignore[untyped-decorator]
+    def tilting_jacobian(q: Any) -> Any:
+        J = np.zeros((6, 2))
+        J[4, 0], J[3, 1], J[5, 1] = 1.0, math.cos(q[0]), -math.sin(q[0])
+        return J
+
+    given = how.addresses(None, "tilting_fk", "tilting_jacobian", None, None)
+    if kind == "plain":
+        return given()
+    from numba import njit  # noqa: PLC0415  only where there is one
+
+    return njit(lambda: given())()  # noqa: PLW0108  numba wants one

@@ -29,7 +29,7 @@ from dhgen.verify.native import c_compiler
 DRIVER = Path(__file__).with_name("closed.c.txt")
 BUILDS = ("-DDHGEN_SCALAR", "-mavx2", "-march=native")
 STRICT = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wdouble-promotion", "-Werror")
-COORDINATES, POINTING, _, POSE = range(4)
+COORDINATES, POINTING, _, POSE, YAW, PITCH, TILT = range(7)
 TURN = 2.0 * np.pi
 LOW, HIGH = -2.0, 2.0  # limits of joint 1
 Q = np.array([0.4, 0.9])  # a regular configuration
@@ -185,7 +185,39 @@ def test_of_a_pointing_task_the_z_axis_is_made_one_long() -> None:
     assert call("read_pose", T, read) == 0
 
 
+def test_angles_of_lists_are_read() -> None:
+    T, read = rigid(rotation(8)), np.zeros((4, 4))
+    be(YAW)
+    length = float(np.hypot(*T[:2, 0]))
+    assert call("read_pose", T, read) == 2
+    np.testing.assert_allclose(read[:3, 0], [*(T[:2, 0] / length), 0.0], atol=1e-15)
+    for x, told in ((1e-7, 2), (1e200, 0), (np.nan, 0)):
+        T[:2, 0] = x, 0.0
+        assert call("read_pose", T, read) == told
+    np.testing.assert_array_equal(read[1:3, 0], 0.0)
+    be(PITCH)
+    for sine, told, made in ((0.3, 1, 0.3), (-1.0 - 1e-6, 2, -1.0), (1.001, 0, 1.001)):
+        T[2, 0] = sine
+        assert call("read_pose", T, read) == told
+        assert read[2, 0] == made
+    be(TILT)
+    T[2, :3] = (1.0 + 1e-6) * rotation(8)[2]
+    assert call("read_pose", T, read) == 2
+    np.testing.assert_allclose(read[2, :3], rotation(8)[2], atol=1e-15)
+
+
 # refining
+
+
+def test_a_yaw_is_refined_unless_the_pose_has_none() -> None:
+    be(YAW)
+    T, q, e = pose(Q), Q + np.array([0.01, -0.02]), np.zeros(6)
+    assert call("refine", T, 1e-12, 0.15, q)
+    np.testing.assert_allclose(q, Q, atol=1e-11)
+    T[:2, 0] = 0.0
+    call("miss", T, Q + 0.1, e)
+    assert e[5] == 0.0
+    be(COORDINATES)
 
 
 def test_the_miss_is_the_way_to_the_pose() -> None:

@@ -10,7 +10,16 @@ import pytest
 
 from dhgen.runtime.python.arm import arm_numbers
 from dhgen.runtime.python.status import FREE_JOINT, OK, OUT_OF_LIMITS, UNREACHABLE
-from tests.runtime.arms import ENDLESS, arm_of, called, elbow, planar, pose_at, position
+from tests.runtime.arms import (
+    ENDLESS,
+    arm_of,
+    called,
+    elbow,
+    planar,
+    pose_at,
+    position,
+    tilting,
+)
 from tests.runtime.plain import KINDS
 
 pytestmark = pytest.mark.parametrize("kind", KINDS)
@@ -41,6 +50,43 @@ def test_a_step_is_that_of_damped_least_squares(kind: str) -> None:
     held, end = np.zeros(2, np.bool_), q.copy()
     called(kind, "refine", "add_step")(FREE, planar(kind), held, damping, e.copy(), end)
     np.testing.assert_allclose(end - q, step, rtol=1e-10)
+
+
+@pytest.mark.parametrize(
+    ("directions", "weights", "told"),
+    [
+        ("pitch", (1.0, 0.0, 0.0), lambda q: -math.sin(q[0])),
+        ("tilt", (1.0, 1.0, 0.0), lambda q: [-math.sin(q[0]), math.cos(q[0]) * math.sin(q[1])]),
+    ],
+)
+def test_pitch_and_roll_are_refined(
+    kind: str, directions: str, weights: tuple[float, ...], told: Any
+) -> None:
+    """From beside; of a pitch alone, the roll stays."""
+    numbers = arm_of("RR", (ENDLESS,) * 2, directions=directions, miss_weights=(0, 0, 0, *weights))
+    target, q = np.array([0.4, -0.7]), np.array([0.42, -0.69])
+    c, s, d, r = math.cos(0.4), math.sin(0.4), math.cos(-0.7), math.sin(-0.7)
+    pose = (c, s * r, s * d, 0.0, 0.0, d, -r, 0.0, -s, c * r, c * d, 0.0)
+    arm, robot = arm_numbers(numbers), tilting(kind)
+    miss = called(kind, "refine", "measure_miss")(arm, robot, pose, q, np.empty(6))
+    apart = np.linalg.norm(np.subtract(told(target), told(q)))
+    assert miss == pytest.approx(apart, rel=0.02)
+    assert called(kind, "refine", "refine")(arm, robot, pose, 1e-13, 0.15, q)
+    np.testing.assert_allclose(told(q), told(target), atol=1e-13)
+    assert q[1] == pytest.approx(-0.69 if directions == "pitch" else -0.7, abs=1e-12)
+
+
+def test_a_yaw_is_refined_unless_the_pose_has_none(kind: str) -> None:
+    weights = (2.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+    arm = arm_numbers(arm_of("RR", (ENDLESS,) * 2, directions="yaw", miss_weights=weights))
+    target, q = np.array([0.4, 0.7]), np.array([0.41, 0.72])
+    pose, near = pose_at(target), q.copy()
+    assert called(kind, "refine", "refine")(arm, planar(kind), pose, 1e-13, 0.15, q)
+    np.testing.assert_allclose(q, target, atol=1e-12)
+    upright = (0.0, *pose[1:4], 0.0, *pose[5:])
+    assert called(kind, "refine", "refine")(arm, planar(kind), upright, 1e-13, 0.15, near)
+    np.testing.assert_allclose(position(near)[0], position(target)[0], atol=1e-12)
+    assert abs(near - target).max() > 1e-3
 
 
 @pytest.mark.parametrize("bend", [0.7, 1e-9, 3.0])

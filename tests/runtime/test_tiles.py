@@ -12,7 +12,7 @@ from tests.runtime.arms import called
 from tests.runtime.plain import KINDS, part
 
 WIDTH = 3
-TASKS = ("pose", "orientation", "pointing", "position")
+TASKS = ("pose", "orientation", "pointing", "pitch", "tilt", "position")
 
 
 def some_pose(off: float) -> np.ndarray:
@@ -46,6 +46,38 @@ def test_a_pose_among_others_is_judged_as_one_alone(task: str, kind: str) -> Non
         miss, (valid, rows) = miss_of(kind, task, T), read(T)
         assert valid == (miss <= ROTATION)
         assert (rows == tuple(T[:3].reshape(12))) == (miss <= ORTHONORMAL or not valid)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("over", [0.0, 1e-14, 1e-7, 1e-5, 1e-3, math.nan, math.inf])
+@pytest.mark.parametrize("end", [1.0, -1.0])
+def test_the_sine_of_a_pitch_is_one_at_most(end: float, over: float, kind: str) -> None:
+    T = some_pose(0.0)
+    T[2, 0] = end * (1.0 + over)
+    miss, (valid, rows) = miss_of(kind, "pitch", T), called(kind, "pose", "read_pitch")(T)
+    assert valid == (miss <= ROTATION) == (over < 1e-4)
+    if valid:
+        assert rows[8] == (T[2, 0] if miss <= ORTHONORMAL else end)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_yaw_is_told_by_any_length_but_none(kind: str) -> None:
+    read, T = called(kind, "pose", "read_yaw"), some_pose(0.0)
+    for x, y, made in (
+        (3.0, -4.0, (0.6, -0.8)),
+        (0.6, -0.8, (0.6, -0.8)),
+        (2e-6, 0.0, (1.0, 0.0)),
+        (0.0, -9e-7, (0.0, 0.0)),
+    ):
+        T[0, 0], T[1, 0] = x, y
+        valid, rows = read(T)
+        assert valid
+        assert (rows[0], rows[4], rows[8]) == pytest.approx((*made, 0.0), abs=1e-15)
+        assert miss_of(kind, "yaw", T) == 0.0
+    for wrong in (math.nan, math.inf, 1e200):
+        T[1, 0] = wrong
+        assert not read(T)[0]
+        assert math.isnan(miss_of(kind, "yaw", T))
 
 
 @pytest.mark.parametrize("kind", KINDS)

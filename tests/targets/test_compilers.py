@@ -158,6 +158,28 @@ def test_names_are_c_names_for_cpp() -> None:
     assert subprocess.run([folder() / "use"], check=False).returncode == 0
 
 
+def test_names_of_joints_in_c() -> None:
+    """UR5's macro goes over several lines, SCARA has names of its own making: both are arrays."""
+    program = """#include <stdio.h>
+#include "ur5.h"
+#include "scara.h"
+int main(void) {
+    const char *const names[UR5_DOF + SCARA_DOF] = { UR5_JOINT_NAMES, SCARA_JOINT_NAMES };
+    for (int i = 0; i < UR5_DOF + SCARA_DOF; i++) puts(names[i]);
+    return 0;
+}
+"""
+    (folder() / "joint_names.c").write_text(program)
+    built = ("-std=c99", *WARNINGS, "-I", str(GENERATED), "joint_names.c", "-o", "joint_names")
+    assert compiled("gcc", *built) == ""
+    shown = subprocess.run([folder() / "joint_names"], capture_output=True, text=True, check=True)
+    assert shown.stdout.split() == [
+        *("shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint"),
+        *("wrist_1_joint", "wrist_2_joint", "wrist_3_joint"),
+        *("joint1", "joint2", "joint3", "joint4"),
+    ]
+
+
 def poses(name: str) -> FloatArray:
     """Ordinary poses, singular ones, poses out of reach, and none at all; fewer of general arms."""
     arm = robot(name)

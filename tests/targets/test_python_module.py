@@ -20,6 +20,8 @@ def test_facts(name: str) -> None:
     module, arm = in_python(name), robot(name)
     assert (arm.name, len(arm.joints)) == (module.NAME, module.DOF)
     assert "".join(joint.kind.name[0] for joint in arm.joints) == module.JOINT_TYPES
+    names = [arm.joints[k].name or f"joint{k + 1}" for k in range(module.DOF)]
+    assert list(module.JOINT_NAMES) == names
     limits = [arm.joints[k].limits or (-np.inf, np.inf) for k in range(module.DOF)]
     assert list(module.JOINT_LIMITS) == limits
     assert len(module.BRANCHES) == len(set(module.BRANCHES)) == module.MAX_SOLUTIONS

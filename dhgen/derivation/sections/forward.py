@@ -22,7 +22,9 @@ from dhgen.derivation.text.formula import (
     times,
 )
 from dhgen.derivation.text.lines import WIDTH
+from dhgen.kinematics.task import STEEPNESS
 from dhgen.kinematics.transform import compose, identity
+from dhgen.robot.task import Directions
 
 if TYPE_CHECKING:
     from dhgen.derivation.story import Story
@@ -175,12 +177,14 @@ def _tool(story: Story) -> list[Block]:
 def _relations(story: Story) -> list[Block]:
     """Entries of U_0 that are constant for this arm, or equal to others."""
     problem = story.derivation.problem
+    levelled = story.algebra.chain.task.directions is Directions.YAW
     found: list[Formula] = []
     for column in range(4):
         for row in range(3):
             name = f"t{row + 1}{column + 1}"
             entry = problem.target.entry(row, column)
-            if entry != story.algebra.generator(name):
+            is_made_so = levelled and name == STEEPNESS
+            if entry != story.algebra.generator(name) and not is_made_so:
                 found.append(equal(story.letters[name], story.write(entry)))
     if not found:
         return []

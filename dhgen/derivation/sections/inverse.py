@@ -25,7 +25,7 @@ from dhgen.derivation.text.formula import Listing, Symbol, equal, times
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.task import task_entries
 from dhgen.kinematics.transform import Transform, compose, identity, inverse
-from dhgen.robot.task import TaskKind
+from dhgen.robot.task import Directions, TaskKind
 
 if TYPE_CHECKING:
     from dhgen.derivation.story import Story
@@ -64,10 +64,11 @@ def _given(story: Story) -> list[Block]:
         which = say(" Of its entries the task gives {}.", _named(story))
     blocks: list[Block] = [
         paragraph(
-            "The pose {} of the tool is given, and with it {}.{} {}",
+            "The pose {} of the tool is given, and with it {}.{}{} {}",
             POSE,
             given_pose(story),
             which,
+            _angles(story),
             method,
         ),
         *_other_forms(story),
@@ -76,6 +77,30 @@ def _given(story: Story) -> list[Block]:
     if left or right:
         blocks += _entries(story, left=left, right=right)
     return blocks
+
+
+def _angles(story: Story) -> Prose:
+    """What those entries are that come from angles of a list."""
+    t11, t21, *t3 = (story.letters[name] for name in ("t11", "t21", "t31", "t32", "t33"))
+    match story.algebra.chain.task.directions:
+        case Directions.YAW:
+            text = (
+                " The tool's x axis is made level before: {} and {} are the cosine and the sine of "
+                "the yaw, the first two entries of its column over the root of their squares' sum. "
+                "Where that is zero the axis is vertical and has no yaw{}."
+            )
+            free = "" if story.derivation.problem.overdetermined else ", which the seed gives then"
+            return say(text, t11, t21, say(free))
+        case Directions.PITCH:
+            return say(" {} is minus the sine of the pitch.", t3[0])
+        case Directions.TILT:
+            text = (
+                " {}, {} and {} hold roll and pitch: minus the sine of the pitch, and its cosine "
+                "times the sine and the cosine of the roll."
+            )
+            return say(text, *t3)
+        case _:
+            return say("")
 
 
 def _other_forms(story: Story) -> list[Block]:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.blocks import Block
     from dhgen.derivation.text.formula import Symbol
     from dhgen.program.ir import Axis
+    from dhgen.robot.task import Task
 
 
 _TASKS = {
@@ -29,6 +30,7 @@ _TASKS = {
     TaskKind.POSITION: "the position of the tool; its orientation is not prescribed",
     TaskKind.ORIENTATION: "the orientation of the tool; its position is not prescribed",
     TaskKind.POINTING: "the position of the tool and the direction of its z axis",
+    TaskKind.DIRECTION: "the direction of the tool's z axis",
 }
 
 
@@ -98,9 +100,18 @@ def _task(story: Story) -> str:
         free = f" The caller gives the value of {many('joint', joints)}."
     if story.robot.arm_angle:
         free = " The caller gives the arm angle."
-    if task.kind is TaskKind.COORDINATES:
-        return f"Task: {many('the coordinate', list(task.coordinates))} of the tool.{free}"
+    if task.kind is TaskKind.LIST:
+        listed = _listed(task) if task.angles else many("the coordinate", list(task.coordinates))
+        return f"Task: {listed} of the tool.{free}"
     return f"Task: {_TASKS[task.kind]}.{free}"
+
+
+def _listed(task: Task) -> str:
+    """The coordinates and angles of a list."""
+    angles = f"the {' and '.join(task.angles)}"
+    if not task.coordinates:
+        return angles
+    return f"{many('the coordinate', list(task.coordinates))}, and {angles}"
 
 
 def _solutions(story: Story) -> str:

@@ -89,7 +89,7 @@ def axes_blocks(story: Story) -> list[Block]:
     rows = []
     for place, joint in enumerate(joints, start=1):
         point = say("—") if joint.kind is JointKind.PRISMATIC else _triple(joint.point)
-        cells = [say(str(place)), say(joint.kind.value), _triple(joint.direction), point]
+        cells = [_joint(place, joint), say(joint.kind.value), _triple(joint.direction), point]
         rows.append((*cells, *([_limits(joint, story)] * limited)))
     q, z, a = Symbol("q_i", "qᵢ"), Symbol("z", "z"), Symbol("A_i", "Aᵢ")
     return [
@@ -111,7 +111,12 @@ def _cells(number: int, row: DhRow) -> tuple[Prose, ...]:
     else:
         d_cell = variable_symbol(number, row.sign, row.d)
     cells = (theta_cell, d_cell, expression_symbol(row.a), expression_symbol(row.alpha))
-    return (say(str(number)), *(say("{}", cell) for cell in cells))
+    return (_joint(number, row), *(say("{}", cell) for cell in cells))
+
+
+def _joint(number: int, joint: DhRow | AxisJoint) -> Prose:
+    """A joint's number, and what the file calls it."""
+    return say(f"{number}: {{}}", Given(joint.name)) if joint.name else say(str(number))
 
 
 def _limits(joint: DhRow | AxisJoint, story: Story) -> Prose:

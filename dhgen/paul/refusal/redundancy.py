@@ -66,7 +66,7 @@ def _given(chain: Chain, before: tuple[Chain, Surplus], choices: tuple[Choice, .
     if are_too_many_given(start.given + whole.count):
         return [f"{whole.count} are too many to be given under `free`: {MOST_GIVEN} may be"]
     values = "its value" if whole.count == 1 else "their values"
-    which = _which(whole, chain.free, kept=start.free == chain.free)
+    which = _which(chain, whole, kept=start.free == chain.free)
     return [
         f"list {which}, to solve for the others given {values}",
         *choices_text(choices, whole),
@@ -89,27 +89,27 @@ def near_redundancy(chain: Chain) -> list[str]:
 
 def _moved(chain: Chain, spare: Surplus) -> str:
     """A clause with the joints that move without moving what the task names, free ones held."""
-    held = f"with {_joints(chain.free)} given, " if chain.free else ""
-    names = _joints(spare.joints)
+    held = f"with {_joints(chain, chain.free)} given, " if chain.free else ""
+    names = _joints(chain, spare.joints)
     if spare.count == len(spare.joints):  # none of them matters at all
         return f"{held}{names} can move without changing what the task names"
     return f"{held}{names} can move together without changing what the task names"
 
 
-def _which(whole: Surplus, free: tuple[int, ...], *, kept: bool) -> str:
+def _which(chain: Chain, whole: Surplus, *, kept: bool) -> str:
     """A clause with the joints to be named under `free`, besides those there or in their place."""
     one, all_of_them = whole.count == 1, whole.count == len(whole.joints)
     if kept:
         them = "it" if one else "them"
         what = them if all_of_them else "one of them" if one else f"{whole.count} of them"
-        return f"{what} under `free`" + " too" * bool(free)
-    names = _joints(whole.joints)
+        return f"{what} under `free`" + " too" * bool(chain.free)
+    names = _joints(chain, whole.joints)
     what = names if all_of_them else f"{'one' if one else whole.count} of {names}"
-    return f"{what} under `free` in place of {_joints(free)}"
+    return f"{what} under `free` in place of {_joints(chain, chain.free)}"
 
 
-def _joints(numbers: tuple[int, ...]) -> str:
-    return f"joint{'s' * (len(numbers) > 1)} {', '.join(map(str, numbers))}"
+def _joints(chain: Chain, numbers: tuple[int, ...]) -> str:
+    return f"joint{'s' * (len(numbers) > 1)} {chain.told(numbers)}"
 
 
 def _in_vain(still: tuple[str, ...]) -> list[str]:

@@ -32,7 +32,7 @@ NEARLY_CONCURRENT = 0.15  # of the arm's size
 def refusal(search: Search, chain: Chain) -> str:
     """Why an arm is not solved, in at most 25 lines."""
     state = search.deepest
-    open_joints = ", ".join(map(str, state.open_joints))
+    open_joints = chain.told(state.open_joints)
     lines = [
         f"no order of equations solves for every joint; still unknown: {open_joints}",
         *_nearest(search, state),

@@ -29,6 +29,7 @@ _NAMES = {
     "nothing": ("square_rounding", "squares are rounded by this"),
     "longest": ("longest_slide", "no slide is longer"),
     "graze": ("graze", "half of what rounding may take a joint beyond its limit"),
+    "steep": ("steep_limit", "a vertical axis, which has no yaw, is no longer seen from above"),
     "consistent": ("pose_slack", "a pose may be rounded by this"),
     "exact": ("exact_slack", "a row that misses the pose by no more is exact"),
     "doubtful": ("doubtful_slack", "a row may miss the pose by this before it is tightened"),

@@ -53,6 +53,7 @@ class Lowering:
         step_number: Of the step at hand, from 1.
         meeting: Whether roots of a polynomial nearly meet; only where rows are doubted.
         roots: The square roots so far, where rows are refined.
+        steep: Whether the pose has no yaw, where the task names it and a joint is free then.
         short: Whether an angle comes from so short a vector that few of its digits are right.
 
     Args:
@@ -86,6 +87,7 @@ class Lowering:
         self.meeting: list[Node] = []
         self.roots: list[EarlierRoot] = []
         self.short: list[Node] = []
+        self.steep: Node | None = None
 
     def new_sign(self) -> Node:
         """The sign of the step at hand."""

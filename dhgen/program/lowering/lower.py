@@ -18,6 +18,7 @@ from dhgen.program.lowering.polynomials import LONG
 from dhgen.program.lowering.postures import with_postures
 from dhgen.program.lowering.shoulder import lower_shoulder
 from dhgen.program.lowering.types import KERNELS
+from dhgen.program.lowering.yaw import lower_yaw
 from dhgen.program.regular.regular import effort
 from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.tolerances import TOLERANCES
@@ -93,6 +94,7 @@ def _lowered(derivation: Derivation, context: Lowering, parts: PartsOf) -> Progr
     chain, builder, angles = context.chain, context.builder, context.angles
     for joint in chain.free:
         angles.take_given(joint)
+    lower_yaw(context, derivation.steps)
     for number, step in enumerate(derivation.steps, start=1):
         context.step_number = number
         builder.heading(_unknowns(step), _source(step))

@@ -18,7 +18,6 @@ from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.kind import Part
 from dhgen.program.interpret import interpret
-from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -86,7 +85,7 @@ def _part(chain: Chain, step: Step) -> str:
     part, joint = step.kind.value.part, _joint(step)
     if part is not Part.END:
         return str(part.value)
-    places = chain.task.kind is not TaskKind.ORIENTATION
+    places = bool(chain.task.position_rows)
     if joint == 1 and places:
         return "shoulder"
     turning = [number for number, turns in enumerate(chain.turning, 1) if turns]

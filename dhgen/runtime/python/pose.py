@@ -28,6 +28,9 @@ LAST_ROW = 1e-9
 ROTATION = 1e-9
 # The same sum, up to which a rotation is taken as it is: rounding.
 ORTHONORMAL = 1e-24
+# Of the tool's x axis, the length of what is seen from above, below which it has no yaw there: as
+# much as a pose of six digits rounds it by.
+STEEP = 1e-6
 
 Rows = tuple[float, ...]
 
@@ -85,7 +88,7 @@ def read_orientation(T: NDArray[np.float64]) -> tuple[bool, Rows]:
 @_HOW.merged
 def read_pointing(T: NDArray[np.float64]) -> tuple[bool, Rows]:
     """A pose of which the position and the tool's z axis count, that with length one."""
-    x2, y2, z2 = T[0, 2], T[1, 2], T[2, 2]
+    x2, y2, z2 = float(T[0, 2]), float(T[1, 2]), float(T[2, 2])
     square = x2 * x2 + y2 * y2 + z2 * z2
     miss = (square - 1.0) * (square - 1.0)
     valid = miss <= ROTATION
@@ -94,6 +97,49 @@ def read_pointing(T: NDArray[np.float64]) -> tuple[bool, Rows]:
         x2, y2, z2 = x2 / length, y2 / length, z2 / length
     _, rows = read_position(T)
     x0, x1, _, px, y0, y1, _, py, z0, z1, _, pz = rows
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_HOW.merged
+def read_yaw(T: NDArray[np.float64]) -> tuple[bool, Rows]:
+    """A pose of which the position and the yaw count: the tool's x axis becomes level.
+
+    Straight up or down it has no yaw, which is free then: the axis becomes zero.
+    """
+    x, y = float(T[0, 0]), float(T[1, 0])  # of Python: its infinite products are no warnings
+    square = x * x + y * y
+    if not (square - 1.0) * (square - 1.0) <= ORTHONORMAL:
+        length = math.sqrt(square)
+        steep = length < STEEP
+        x, y = 0.0 if steep else x / length, 0.0 if steep else y / length
+    _, rows = read_position(T)
+    _, x1, x2, px, _, y1, y2, py, _, z1, z2, pz = rows
+    return square - square == 0.0, (x, x1, x2, px, y, y1, y2, py, 0.0, z1, z2, pz)
+
+
+@_HOW.merged
+def read_pitch(T: NDArray[np.float64]) -> tuple[bool, Rows]:
+    """A pose of which the position and the pitch count, the sine of that being one at most."""
+    _, rows = read_position(T)
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = rows
+    miss = miss_of_sine(float(z0))
+    if miss > ORTHONORMAL:
+        z0 = math.copysign(1.0, z0)
+    return miss <= ROTATION, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_HOW.merged
+def read_tilt(T: NDArray[np.float64]) -> tuple[bool, Rows]:
+    """A pose of which the position and the third row count, that with length one."""
+    z0, z1, z2 = float(T[2, 0]), float(T[2, 1]), float(T[2, 2])
+    square = z0 * z0 + z1 * z1 + z2 * z2
+    miss = (square - 1.0) * (square - 1.0)
+    valid = miss <= ROTATION
+    if valid and miss > ORTHONORMAL:
+        length = math.sqrt(square)
+        z0, z1, z2 = z0 / length, z1 / length, z2 / length
+    _, rows = read_position(T)
+    x0, x1, x2, px, y0, y1, y2, py, _, _, _, pz = rows
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
@@ -131,6 +177,34 @@ def miss_of_orientation(T: NDArray[np.float64], k: int, w: int) -> float:
 def miss_of_pointing(T: NDArray[np.float64], k: int, w: int) -> float:
     """By how much the tool's z axis misses length one."""
     x, y, z = T[2 * w + k], T[6 * w + k], T[10 * w + k]
+    square = x * x + y * y + z * z - 1.0
+    return float(square * square)
+
+
+@_HOW.merged
+def miss_of_yaw(T: NDArray[np.float64], k: int, w: int) -> float:
+    """Nothing, of any length that is finite: formulas make the tool's x axis level themselves."""
+    x, y = float(T[k]), float(T[4 * w + k])
+    return 0.0 * (x * x + y * y)
+
+
+@_HOW.merged
+def miss_of_sine(sine: float) -> float:
+    """The square of what a sine is above one; NaN if it is no number."""
+    over = abs(sine) - 1.0
+    return over * over if over > 0.0 else 0.0 * sine
+
+
+@_HOW.merged
+def miss_of_pitch(T: NDArray[np.float64], k: int, w: int) -> float:
+    """By how much the sine of its pitch is above one."""
+    return float(miss_of_sine(T[8 * w + k]))
+
+
+@_HOW.merged
+def miss_of_tilt(T: NDArray[np.float64], k: int, w: int) -> float:
+    """By how much its third row misses length one."""
+    x, y, z = T[8 * w + k], T[9 * w + k], T[10 * w + k]
     square = x * x + y * y + z * z - 1.0
     return float(square * square)
 

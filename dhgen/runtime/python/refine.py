@@ -18,12 +18,14 @@ from .places import (
     MISS_WEIGHTS,
     PACE,
     PER_LENGTH,
+    PITCH,
     POINTING,
     RECORD,
     ROTATION,
     TURNS,
     WEIGHT,
     WINDS,
+    YAW,
 )
 from .tolerances import CLAMPED, FINE
 from .turns import TURN
@@ -107,14 +109,44 @@ def measure_miss(arm: Floats, robot: Robot, pose: Pose, q: Floats, e: Floats) ->
             j, k = (i + 1) % 3, (i + 2) % 3
             e[3 + i] = P[j, 2] * pose[4 * k + 2] - P[k, 2] * pose[4 * j + 2]
             square += (P[j, 2] - pose[4 * j + 2]) ** 2
+    elif arm[DIRECTIONS] > ROTATION:
+        square += _miss_of_angles(arm[DIRECTIONS], P, pose, e)
     return math.sqrt(square)
 
 
 @OWN.inner
-def _ignore_spin(robot: Robot, q: Floats, J: Floats) -> None:
-    """Takes the part that turns the tool about its z axis out of a Jacobian."""
+def _miss_of_angles(directions: float, P: Floats, pose: Pose, e: Floats) -> float:
+    """What is missed of yaw, pitch or tilt, as turns about the base's axes; and its square.
+
+    A pose without a yaw misses none.
+    """
+    if directions == YAW:
+        e[5] = P[0, 0] * pose[4] - P[1, 0] * pose[0]
+        told = pose[0] * pose[0] + pose[4] * pose[4]
+        return float(told * ((P[0, 0] - pose[0]) ** 2 + (P[1, 0] - pose[4]) ** 2))
+    if directions == PITCH:
+        e[3] = pose[8] - P[2, 0]
+        return float(e[3] * e[3])
+    square = 0.0
+    for c in range(3):
+        e[3] += pose[8 + c] * P[1, c]
+        e[4] -= pose[8 + c] * P[0, c]
+        square += (P[2, c] - pose[8 + c]) ** 2
+    return square
+
+
+@OWN.inner
+def _count_what_counts(directions: float, robot: Robot, q: Floats, J: Floats) -> None:
+    """Takes out of a Jacobian what changes no direction that counts.
+
+    Of a pitch its rate comes first; else turns that don't count about the base's axes have no
+    weight.
+    """
     P = fk_at(robot[FK], q)
     for j in range(len(q)):
+        if directions == PITCH:
+            J[3, j] = J[3, j] * P[1, 0] - J[4, j] * P[0, 0]
+            continue
         along = P[0, 2] * J[3, j] + P[1, 2] * J[4, j] + P[2, 2] * J[5, j]
         for i in range(3):
             J[3 + i, j] -= along * P[i, 2]
@@ -130,8 +162,8 @@ def add_step(arm: Floats, robot: Robot, held: Bools, damping: float, e: Floats, 
     """
     dof = len(q)
     J, rows, square = jacobian_at(robot[JACOBIAN], q), np.zeros((6, 6 + dof)), np.zeros(6)
-    if arm[DIRECTIONS] == POINTING:
-        _ignore_spin(robot, q, J)
+    if arm[DIRECTIONS] in (POINTING, PITCH):
+        _count_what_counts(arm[DIRECTIONS], robot, q, J)
     for i in range(6):
         for j in range(dof):
             if not held[j]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.robot.task import TaskKind
+from dhgen.robot.task import Directions
 from dhgen.survey.oracle.arm import Arm, arm, arm_size
 from dhgen.survey.oracle.arm_angle import elbow_in_link, elbow_of
 from dhgen.survey.oracle.forward import forward_with_derivatives
@@ -125,17 +125,18 @@ def _link_tables(model: Arm) -> tuple[FloatArray, FloatArray]:
 def task_entries(task: Task) -> NDArray[np.bool_]:
     """Which of the upper three rows of T a task names, row by row: shape (12,)."""
     entries = np.zeros((3, 4), dtype=bool)
-    match task.kind:
-        case TaskKind.POSE:
-            entries[:] = True
-        case TaskKind.ORIENTATION:
+    entries[list(task.position_rows), 3] = True
+    match task.directions:
+        case Directions.ROTATION:
             entries[:, :3] = True
-        case TaskKind.POSITION:
-            entries[:, 3] = True
-        case TaskKind.POINTING:
-            entries[:, 2:] = True
-        case TaskKind.COORDINATES:
-            entries[["xyz".index(name) for name in task.coordinates], 3] = True
+        case Directions.POINTING:
+            entries[:, 2] = True
+        case Directions.YAW:  # T is of an arm that keeps its tool's x axis level
+            entries[:2, 0] = True
+        case Directions.PITCH:
+            entries[2, 0] = True
+        case Directions.TILT:
+            entries[2, :3] = True
     return entries.ravel()
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.runtime.plain import plain
 from dhgen.runtime.python.numerical.arm import strides
+from dhgen.targets.c.table import c_directions
 from dhgen.targets.layout import c_array
 from dhgen.targets.policy import policy_of
 from dhgen.targets.walk import descents, whole_arm
@@ -107,7 +108,7 @@ def c_descents(module: SolverModule) -> Descents | None:
         arm_angle=kernel.elbow,
         sizes=f"{chain.dof}, {module.solver.rows}",
         equations=f"{count}, {kernel.equations}",
-        kinds=f"{len(kernel.position)}, {_directions(kernel)}, {int(kernel.elbow)}",
+        kinds=f"{len(kernel.position)}, {c_directions(kernel.directions)}, {int(kernel.elbow)}",
         flags=", ".join(map(str, words)),
         numbers=f"{starts}, {chain.size!r}, {kernel.residual!r}",
         places=("coordinate, unit, measure," if kernel.position else "0, unit, 0,")
@@ -136,12 +137,6 @@ def _completion(module: SolverModule, kernel: NumericalKernel) -> str:
     flags += f" {int(policy.equations_end_all)}, /* equations end all */"
     arm_angle = f"{module.name}_arm_angle" if kernel.elbow else "0"
     return f"&descents, {'turns' if turns else '0'}, {turns}, {flags} {arm_angle}"
-
-
-def _directions(kernel: NumericalKernel) -> str:
-    if kernel.turning:
-        return "DHGEN_WHOLE_ROTATION"
-    return "DHGEN_TOOL_AXIS" if kernel.pointing else "DHGEN_NO_DIRECTION"
 
 
 def _places(name: str, places: Iterable[int]) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.robot.task import TaskKind
+from dhgen.robot.task import Directions, TaskKind
 from dhgen.targets.module import has_to_be_finite
 
 if TYPE_CHECKING:
@@ -28,9 +28,10 @@ def irregularity_four(module: SolverModule) -> str:
 
 def finite_entries(module: SolverModule) -> list[str]:
     """What has to be finite of a pose besides its rotation."""
-    return has_to_be_finite(
-        module, (f"T[{4 * row + 3}]" for row in module.chain.task.position_rows)
-    )
+    task = module.chain.task
+    places = has_to_be_finite(module, (f"T[{4 * row + 3}]" for row in task.position_rows))
+    level = ["T[0] * T[0]", "T[4] * T[4]"] * (task.directions is Directions.YAW)
+    return places + level
 
 
 def finite_given(module: SolverModule) -> list[str]:
@@ -43,9 +44,10 @@ def _misfits(module: SolverModule, lanes: str) -> list[str]:
     task = module.chain.task
     if task.kind is TaskKind.POSE:
         return [f"dhgen_pose_misfit{lanes}(T)"]
-    if task.kind is TaskKind.POINTING:
-        return [f"dhgen_approach_misfit{lanes}(T)"]
-    return [f"dhgen_misfit{lanes}(T)"] if task.names_rotation else []
+    words = {Directions.ROTATION: "", Directions.POINTING: "approach_"}
+    which = words.get(task.directions, f"{task.directions.value}_")
+    none = {Directions.NONE, Directions.YAW}  # formulas make a yaw's directions one long
+    return [] if task.directions in none else [f"dhgen_{which}misfit{lanes}(T)"]
 
 
 def _sum(terms: list[str], finite: list[str]) -> str:

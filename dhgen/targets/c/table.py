@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.robot.task import TaskKind
+from dhgen.robot.task import Directions, TaskKind
 from dhgen.targets.layout import INDENT, c_array, packed
 from dhgen.targets.module import named_entries, slacks
 from dhgen.targets.policy import fan_steps, policy_of
@@ -123,8 +123,10 @@ def _joints(module: SolverModule) -> list[str]:
 def _task(module: SolverModule) -> str:
     """What of a pose is checked."""
     task = module.chain.task
-    if task.kind is TaskKind.POSE:
-        return "DHGEN_POSE"
-    if task.kind is TaskKind.POINTING:
-        return "DHGEN_POINTING"
-    return "DHGEN_ROTATION" if task.names_rotation else "DHGEN_COORDINATES"
+    return "DHGEN_POSE" if task.kind is TaskKind.POSE else c_directions(task.directions)
+
+
+def c_directions(directions: Directions) -> str:
+    """What counts of directions."""
+    name = "coordinates" if directions is Directions.NONE else directions.value
+    return f"DHGEN_{name.upper()}"

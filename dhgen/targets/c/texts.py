@@ -9,7 +9,7 @@ from dhgen import __version__
 from dhgen.printing.comments import plain
 from dhgen.program.role import GRAZE, LimitEnd, Source
 from dhgen.targets.constants import constant_texts
-from dhgen.targets.layout import INDENT, WIDTH, listed, packed, paragraph
+from dhgen.targets.layout import GOES_ON, INDENT, WIDTH, listed, packed, paragraph
 from dhgen.targets.module import made_text
 from dhgen.targets.solver.task import meaning
 from dhgen.tolerances import SINGLE
@@ -47,12 +47,14 @@ class CTables:
     """Definitions of constants.
 
     Attributes:
+        joint_names: The definition of the macro that lists the names of the joints.
         branch_names: The name of every row, as lines.
         constants: Of the programs, as lines.
         regular_constants: Those that only regular poses need.
         lane_constants: Those that only branches in lanes need.
     """
 
+    joint_names: str
     branch_names: Sequence[str]
     constants: Sequence[str]
     regular_constants: Sequence[str]
@@ -79,11 +81,23 @@ def c_tables(module: SolverModule, regular: Sequence[Program]) -> CTables:
     """Constants of a robot, and of its programs for regular poses, that with lanes last."""
     own, common, lanes = _constants(module, tuple(regular))
     return CTables(
+        joint_names=_joint_names(module),
         branch_names=listed([f'"{text}"' for text in module.branches], INDENT),
         constants=_constant_lines(own),
         regular_constants=_constant_lines([each for each in common if each not in own]),
         lane_constants=_constant_lines([each for each in lanes if each not in common]),
     )
+
+
+def _joint_names(module: SolverModule) -> str:
+    """A macro of strings with commas between: it takes no room unless it is used."""
+    head = f"#define {module.name.upper()}_JOINT_NAMES"
+    *names, last = (f'"{name}"' for name in module.chain.joint_names)
+    pieces = [*(f"{name}," for name in names), last]
+    line = " ".join([head, *pieces])
+    if len(line) <= WIDTH:
+        return line
+    return f"{GOES_ON}\n".join([head, *packed(pieces, INDENT, width=WIDTH - len(GOES_ON))])
 
 
 def _constants(

@@ -13,7 +13,6 @@ from dhgen.targets.python.literal import literal
 from dhgen.targets.solver.refinement import miss_weights, paces_of
 
 if TYPE_CHECKING:
-    from dhgen.robot.task import Task
     from dhgen.targets.module import SolverModule
     from dhgen.targets.policy import Policy
 
@@ -46,7 +45,7 @@ def _arm(module: SolverModule) -> Arm:
         paces=tuple(map(float, paces_of(chain))),
         fan_steps=fan_steps(module) if policy.chooses else (),
         rows=module.solver.rows,
-        directions=_directions(chain.task),
+        directions=chain.task.directions.value,
         miss_weights=tuple(map(float, miss_weights(chain))),
         size=chain.size,
         entries=tuple(e.place for e in named_entries(chain)) if measures else (),
@@ -77,10 +76,3 @@ def _steps(policy: Policy) -> tuple[str, ...]:
         "follows seed": policy.follows_seed,
     }
     return tuple(step for step, taken in steps.items() if taken)
-
-
-def _directions(task: Task) -> str:
-    """What a pose names besides coordinates."""
-    if task.names_rotation:
-        return "rotation"
-    return "pointing" if task.names_direction else "none"

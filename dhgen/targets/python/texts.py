@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.printing.comments import plain
-from dhgen.robot.task import TaskKind
+from dhgen.robot.task import Directions, TaskKind
 from dhgen.targets.constants import constant_texts
-from dhgen.targets.layout import WIDTH, paragraph
+from dhgen.targets.layout import INDENT, WIDTH, listed, paragraph
 from dhgen.targets.module import made_text
 from dhgen.targets.python.table import arm_lines
 from dhgen.targets.python.whole import python_links
@@ -51,6 +51,7 @@ class PythonTables:
     """Constants of a module.
 
     Attributes:
+        joint_names: A tuple with the name of each joint.
         limits: Of each joint.
         branches: The name of every row.
         free_joints: Whose values the caller gives; empty without any.
@@ -59,6 +60,7 @@ class PythonTables:
         constants: Of the programs, as lines.
     """
 
+    joint_names: str
     limits: Sequence[str]
     branches: Sequence[str]
     free_joints: str
@@ -114,9 +116,16 @@ def _no_pose(module: SolverModule) -> str:
     if task.names_rotation:
         last = ", or its last row not 0, 0, 0, 1 (is it transposed?)"
         return f"{sound}, or not a right-handed rotation to six digits{last}{free}"
-    if task.kind is TaskKind.POINTING:
-        return f"{sound}, or its z axis not of length one to six digits{free}"
-    return f"{sound}{free}"
+    return f"{sound}{_NO_DIRECTION[task.directions]}{free}"
+
+
+_NO_DIRECTION = {
+    Directions.NONE: "",
+    Directions.POINTING: ", or its z axis not of length one to six digits",
+    Directions.YAW: "",
+    Directions.PITCH: ", or T[2, 0], minus the sine of the pitch, beyond one",
+    Directions.TILT: ", or T[2, 0:3] not of length one to six digits",
+}
 
 
 def _no_row(module: SolverModule) -> str:
@@ -133,6 +142,7 @@ def python_tables(module: SolverModule, flat: Flat | None) -> PythonTables:
     limits = [joint.limits for joint in module.chain.joints]
     constants = constant_texts(module, () if flat is None else (flat.program,))
     return PythonTables(
+        joint_names=_joint_names(module),
         limits=[f"({pair[0]!r}, {pair[1]!r})" if pair else none for pair in limits],
         branches=module.branches,
         free_joints=f"({', '.join(map(str, free))},)" if free else "",
@@ -140,6 +150,14 @@ def python_tables(module: SolverModule, flat: Flat | None) -> PythonTables:
         arm=arm_lines(module),
         constants=[line for each in constants for line in _constant(each)],
     )
+
+
+def _joint_names(module: SolverModule) -> str:
+    names = [f'"{name}"' for name in module.chain.joint_names]
+    line = f"({', '.join(names)}{',' * (len(names) == 1)})"
+    if len(line) <= WIDTH - len("JOINT_NAMES = "):
+        return line
+    return "\n".join(["(", *listed(names, INDENT), ")"])
 
 
 def _constant(constant: ConstantText) -> list[str]:
@@ -159,9 +177,8 @@ def _task(task: Task) -> str:
     """What counts of a pose beside coordinates."""
     if task.kind is TaskKind.POSE:
         return "pose"
-    if task.names_rotation:
-        return "orientation"
-    return "pointing" if task.kind is TaskKind.POINTING else "position"
+    words = {Directions.ROTATION: "orientation", Directions.NONE: "position"}
+    return words.get(task.directions, task.directions.value)
 
 
 def _entries(program: Program) -> str:

@@ -5,17 +5,28 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.robot.robot import JointKind
+from dhgen.robot.task import Directions
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain, ChainJoint
 
 
+# About the base's x, y and z; a pitch's miss stands first.
+_TURNS = {
+    Directions.NONE: (0, 0, 0),
+    Directions.POINTING: (1, 1, 1),
+    Directions.ROTATION: (1, 1, 1),
+    Directions.YAW: (0, 0, 1),
+    Directions.PITCH: (1, 0, 0),
+    Directions.TILT: (1, 1, 0),
+}
+
+
 def miss_weights(chain: Chain) -> list[str]:
     """What the entries of a miss count, first the translation's: lengths in arm sizes."""
     length = _scale(1.0 / chain.size)
-    turns = "1.0" if chain.task.names_direction else "0.0"
-    rows = chain.task.position_rows
-    return [length if k in rows else "0.0" for k in range(3)] + [turns] * 3
+    rows, turns = chain.task.position_rows, _TURNS[chain.task.directions]
+    return [length if k in rows else "0.0" for k in range(3)] + [str(float(k)) for k in turns]
 
 
 def paces_of(chain: Chain) -> list[str]:

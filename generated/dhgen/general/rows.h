@@ -82,10 +82,10 @@ DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
     int first = 1, doubtful;
     dhgen_begin_descent(arm, T, free_joints, seed, &d);
     kept.count = 0;
-    if (arm->directions == DHGEN_TOOL_AXIS)
+    if (arm->directions == DHGEN_POINTING)
         dhgen_choose_spin(T, whole);
     const int count = dhgen_general_solutions(
-        general, arm->directions == DHGEN_TOOL_AXIS ? whole : T, free_joints, angles, residual);
+        general, arm->directions == DHGEN_POINTING ? whole : T, free_joints, angles, residual);
     const int many = count < 0 ? -1 - count : count;
     for (int j = 0; j < arm->solved; j++)
         u[j] = d.seed[j];

@@ -9,16 +9,11 @@
 /* Equations, at most. */
 #define DHGEN_MOST_EQUATIONS 7
 
-/* What counts of directions. */
-#define DHGEN_NO_DIRECTION 0
-#define DHGEN_WHOLE_ROTATION 1
-#define DHGEN_TOOL_AXIS 2
-
 struct dhgen_numerical_arm {
     int dof, rows;              /* joints; solutions that are kept */
     int solved, equations;      /* joints that are solved for; numbers that are to vanish */
     int coordinates;            /* how many rows of the translation count */
-    int directions;             /* DHGEN_NO_DIRECTION ... */
+    int directions;             /* what counts of them: DHGEN_COORDINATES for nothing */
     int arm_angle;              /* whether the caller gives it: the last equation */
     int redundant;              /* whether solutions are families, of which the nearest is kept */
     int limited;                /* whether joints that are solved for have limits */

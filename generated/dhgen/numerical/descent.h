@@ -129,6 +129,38 @@ DHGEN_FN void dhgen_axis_rows(struct dhgen_descent *d, const double *P, const do
     }
 }
 
+/* The rows of a miss that are yaw, pitch, or the turn about level axes that is missed of both roll
+ * and pitch. The tool's x axis is level where yaw is asked for; a pose without one misses none. */
+DHGEN_FN void dhgen_angle_rows(struct dhgen_descent *d, const double *P, const double *J)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    const double *const T = d->T;
+    double *const e = d->e + arm->coordinates, turn[3];
+    const double axis[3] = { T[8] * P[4] + T[9] * P[5] + T[10] * P[6],
+        -T[8] * P[0] - T[9] * P[1] - T[10] * P[2], 0.0 };
+    dhgen_rotation_vector(axis, T[8] * P[8] + T[9] * P[9] + T[10] * P[10], turn);
+    if (arm->directions == DHGEN_YAW)
+        e[0] = atan2(P[0] * T[4] - P[4] * T[0], P[0] * T[0] + P[4] * T[4]);
+    else if (arm->directions == DHGEN_PITCH)
+        e[0] = T[8] - P[8];
+    else {
+        e[0] = turn[0];
+        e[1] = turn[1];
+    }
+    for (int j = 0; j < arm->solved; j++) {
+        const int dof = dhgen_dof(arm), first = arm->coordinates;
+        const double *const spin = J + 3 * dof + arm->joint[j];
+        if (arm->directions == DHGEN_YAW)
+            d->A[first][j] = spin[2 * dof];
+        else if (arm->directions == DHGEN_PITCH)
+            d->A[first][j] = spin[0] * P[4] - spin[dof] * P[0];
+        else {
+            d->A[first][j] = spin[0];
+            d->A[first + 1][j] = spin[dof];
+        }
+    }
+}
+
 /* By how much u misses the pose, and the analytic Jacobian of that, into the descent. */
 DHGEN_FN void dhgen_measure_miss(struct dhgen_descent *d, const double *u)
 {
@@ -144,10 +176,12 @@ DHGEN_FN void dhgen_measure_miss(struct dhgen_descent *d, const double *u)
         for (int j = 0; j < arm->solved; j++)
             d->A[i][j] = arm->measure[j] * J[dhgen_dof(arm) * row + arm->joint[j]];
     }
-    if (arm->directions == DHGEN_WHOLE_ROTATION)
+    if (arm->directions == DHGEN_ROTATION)
         dhgen_rotation_rows(d, P, J);
-    else if (arm->directions == DHGEN_TOOL_AXIS)
+    else if (arm->directions == DHGEN_POINTING)
         dhgen_axis_rows(d, P, J);
+    else if (arm->directions != DHGEN_COORDINATES)
+        dhgen_angle_rows(d, P, J);
     if (arm->arm_angle) {
         const int last = arm->equations - 1;
         double off[4];

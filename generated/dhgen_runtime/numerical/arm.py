@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..places import NAMES
 from .places import JOINTS, LOOP
 
 if TYPE_CHECKING:
@@ -20,6 +21,8 @@ RESIDUAL = 1e-10  # what counts as a solution [arm sizes, rad]: as for one that 
 ROUNDED_RESIDUAL = (
     1e-5  # the same of a pose that is checked, and may have been rounded to six digits
 )
+# How many numbers say by how much directions are missed.
+MISSES = dict(zip(NAMES, (0, 3, 3, 1, 1, 2), strict=True))
 ITERATIONS = 60  # of the fixed point iteration; each wins a digit in base two at least
 
 
@@ -69,7 +72,7 @@ class Arm:
         rows: Solutions that are kept.
         size: Of the arm: a step of one, for lengths [file's unit].
         coordinates: Rows of the translation that the task names.
-        directions: What else it names: "none", "rotation", or "pointing" for the tool's z axis.
+        directions: What else it names: one of `places.NAMES`.
         joints: Those that are solved for.
         base: The rigid transform before the first joint, twelve numbers.
         chain: All joints.
@@ -137,12 +140,12 @@ def arm_numbers(
     for link in arm.chain:
         chain += [float(link.turns), link.sign, link.offset, *link.after]
     limited = any(j.lowest > -math.inf or j.highest < math.inf for j in arm.joints)
-    entries = len(arm.coordinates) + (3 if arm.directions != "none" else 0) + arm.arm_angle
+    entries = len(arm.coordinates) + MISSES[arm.directions] + arm.arm_angle
     head = [
         *(len(arm.chain), len(arm.joints), entries, arm.rows, len(arm.free), arm.size),
         ROUNDED_RESIDUAL if arm.checked else RESIDUAL,
         *(len(arm.coordinates), *arm.coordinates, *[0] * (3 - len(arm.coordinates))),
-        ("none", "rotation", "pointing").index(arm.directions),
+        NAMES.index(arm.directions),
         *(arm.redundant, limited, arm.checked, arm.arm_angle),
     ]
     return _joined(head, joints, [[*map(float, arm.free)], chain], loop, lists)

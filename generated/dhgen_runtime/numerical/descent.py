@@ -14,6 +14,7 @@ import numpy as np
 
 from ..arm import miss_at
 from ..jit import of_file
+from ..places import PITCH, POINTING, ROTATION, TILT, YAW
 from ..tolerances import EXACT, FINE
 from ..turns import TURN
 from .forward import forward, take
@@ -27,9 +28,7 @@ from .places import (
     EQUATIONS,
     MEASURE,
     PLACE,
-    POINTING,
     RECORD,
-    ROTATION,
     SIZE,
     SOLVED,
     SPAN_LOW,
@@ -108,6 +107,48 @@ def _missing_direction(T: Floats, P: Floats, vector: Floats) -> None:
     _rotation_vector(axis, cosine, vector)
 
 
+@inner
+def _missing_tilt(T: Floats, P: Floats, vector: Floats) -> None:
+    """Computes the turn about level axes that takes the third row of P to that of T."""
+    across = T[2, 0] * P[4] + T[2, 1] * P[5] + T[2, 2] * P[6]
+    along = -T[2, 0] * P[0] - T[2, 1] * P[1] - T[2, 2] * P[2]
+    cosine = T[2, 0] * P[8] + T[2, 1] * P[9] + T[2, 2] * P[10]
+    turn = np.empty(3)
+    _rotation_vector((across, along, 0.0), cosine, turn)
+    vector[:2] = turn[:2]
+
+
+@inner
+def _direction_rates(arm: Floats, P: Floats, spin: Floats, column: Floats) -> None:
+    """Computes how what counts of directions changes with a joint whose spin (3,) is given."""
+    if arm[DIRECTIONS] == POINTING:  # turning about z changes nothing
+        along = P[2] * spin[0] + P[6] * spin[1] + P[10] * spin[2]
+        for i in range(3):
+            column[i] = spin[i] - along * P[4 * i + 2]
+    elif arm[DIRECTIONS] == YAW:  # the tool's x axis is level wherever the arm is
+        column[0] = spin[2]
+    elif arm[DIRECTIONS] == PITCH:
+        column[0] = spin[0] * P[4] - spin[1] * P[0]
+    else:  # the first are all that counts: of tilts, turns about level axes
+        column[:] = spin[: len(column)]
+
+
+@inner
+def _missing_directions(arm: Floats, T: Floats, P: Floats, miss: Floats) -> None:
+    """Computes what of directions is missed; a pose without a yaw misses none."""
+    if arm[DIRECTIONS] == ROTATION:
+        _missing_rotation(T, P, miss)
+    elif arm[DIRECTIONS] == POINTING:
+        _missing_direction(T, P, miss)
+    elif arm[DIRECTIONS] == YAW:
+        sine, cosine = P[0] * T[1, 0] - P[4] * T[0, 0], P[0] * T[0, 0] + P[4] * T[1, 0]
+        miss[0] = math.atan2(sine, cosine)
+    elif arm[DIRECTIONS] == PITCH:
+        miss[0] = T[2, 0] - P[8]
+    elif arm[DIRECTIONS] == TILT:
+        _missing_tilt(T, P, miss)
+
+
 @apart(f"float64(float64[::1], {GOAL}, float64[::1], float64[::1], float64[::1], float64[:, ::1])")
 def measure_miss(arm: Floats, goal: Goal, q: Floats, u: Floats, e: Floats, A: Floats) -> float:
     """Returns by how much u misses the pose: the length of e, whose Jacobian goes into A."""
@@ -116,25 +157,20 @@ def measure_miss(arm: Floats, goal: Goal, q: Floats, u: Floats, e: Floats, A: Fl
     P, J = np.empty(12), np.empty((6, dof))
     forward(arm, q, P, J)
     coordinates = int(arm[COORDINATES])
+    directions = int(arm[EQUATIONS] - arm[ARM_ANGLE]) - coordinates
+    rates = np.empty(directions)
     for j in range(solved):
         at = RECORD * j
         column = int(arm[PLACE + at])
         for i in range(coordinates):
             A[i, j] = arm[MEASURE + at] * J[int(arm[COORDINATE + i]), column]
-        if arm[DIRECTIONS] == ROTATION:
-            for i in range(3):
-                A[coordinates + i, j] = J[3 + i, column]
-        elif arm[DIRECTIONS] == POINTING:
-            along = P[2] * J[3, column] + P[6] * J[4, column] + P[10] * J[5, column]
-            for i in range(3):  # turning about z changes nothing
-                A[coordinates + i, j] = J[3 + i, column] - along * P[4 * i + 2]
+        _direction_rates(arm, P, J[3:, column], rates)
+        for i in range(directions):
+            A[coordinates + i, j] = rates[i]
     for i in range(coordinates):
         row = int(arm[COORDINATE + i])
         e[i] = (T[row, 3] - P[4 * row + 3]) / arm[SIZE]
-    if arm[DIRECTIONS] == ROTATION:
-        _missing_rotation(T, P, e[coordinates:])
-    elif arm[DIRECTIONS] == POINTING:
-        _missing_direction(T, P, e[coordinates:])
+    _missing_directions(arm, T, P, e[coordinates:])
     if arm[ARM_ANGLE] > 0.0:
         off, last = np.empty(4), int(arm[EQUATIONS]) - 1
         miss_at(arm_angle_miss, T, q_free, q, off)

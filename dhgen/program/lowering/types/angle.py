@@ -23,6 +23,7 @@ from dhgen.program.lowering.set_angle import (
     finish_direction,
     finish_nearly_free,
 )
+from dhgen.program.lowering.yaw import free_yaw
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -171,7 +172,7 @@ def lower_angle_pair(context: Lowering, step: Step) -> None:
     factors = [step.coefficient(letter) for letter in ("X1", "Y1", "X2", "Y2")]
     if context.are_constant(*factors) and not context.overdetermined:
         sine, cosine = builder.div(sine, determinant), builder.div(cosine, determinant)
-        finish(context, angle, cosine, sine)
+        finish(context, angle, cosine, sine, free_yaw(context, step))
         return
     sides = step.coefficient("Z1"), step.coefficient("Z2")
     degree = context.scales.degree(*factors) + context.scales.degree(*sides)

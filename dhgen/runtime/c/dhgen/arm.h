@@ -42,7 +42,10 @@ enum {
     DHGEN_COORDINATES, /* nothing: coordinates count */
     DHGEN_POINTING,    /* the tool's z axis */
     DHGEN_ROTATION,    /* the rotation */
-    DHGEN_POSE         /* the rotation and the last row */
+    DHGEN_POSE,        /* the rotation and the last row */
+    DHGEN_YAW,         /* the direction of the tool's x axis, seen from above */
+    DHGEN_PITCH,       /* how steep it is */
+    DHGEN_TILT         /* roll and pitch: the third row */
 };
 
 struct dhgen_numerical_arm;

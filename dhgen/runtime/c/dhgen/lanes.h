@@ -93,4 +93,18 @@ DHGEN_INLINE dhgen_wide dhgen_approach_misfit_wide(const dhgen_wide *T)
     return zz * zz;
 }
 
+/* By how much the sine of the pitch is above one; NaN if it is not finite. */
+DHGEN_INLINE dhgen_wide dhgen_pitch_misfit_wide(const dhgen_wide *T)
+{
+    const dhgen_wide over = dhgen_maximum_wide(dhgen_abs_wide(T[8]), 0.0 * T[8] + 1.0) - 1.0;
+    return over * over + 0.0 * T[8];
+}
+
+/* How far the third row is from one long. */
+DHGEN_INLINE dhgen_wide dhgen_tilt_misfit_wide(const dhgen_wide *T)
+{
+    const dhgen_wide zz = T[8] * T[8] + T[9] * T[9] + T[10] * T[10] - 1.0;
+    return zz * zz;
+}
+
 #endif

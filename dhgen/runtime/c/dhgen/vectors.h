@@ -174,6 +174,20 @@ DHGEN_INLINE double dhgen_approach_misfit(const double *T)
     return zz * zz;
 }
 
+/* By how much the sine of the pitch is above one; NaN if it is not finite. */
+DHGEN_INLINE double dhgen_pitch_misfit(const double *T)
+{
+    const double over = fabs(T[8]) - 1.0;
+    return (over > 0.0 ? over * over : 0.0) + 0.0 * T[8];
+}
+
+/* How far the third row is from one long. */
+DHGEN_INLINE double dhgen_tilt_misfit(const double *T)
+{
+    const double zz = T[8] * T[8] + T[9] * T[9] + T[10] * T[10] - 1.0;
+    return zz * zz;
+}
+
 /* Writes joint values of four rows. */
 DHGEN_INLINE void dhgen_store_4(double *r0, double *r1, double *r2, double *r3, dhgen_four a,
     dhgen_four b, dhgen_four c, dhgen_four d)

@@ -17,7 +17,7 @@ RESIDUAL = 6  # what counts as a solution [arm sizes, rad]
 # The task
 COORDINATES = 7  # coordinates of the tool's origin that count
 COORDINATE = 8  # which rows of the translation they are: three places
-DIRECTIONS = 11  # NO_DIRECTION, ROTATION or POINTING
+DIRECTIONS = 11  # what of the tool's directions counts: the place of its name in NAMES
 REDUNDANT = 12  # whether every pose has infinitely many solutions
 LIMITED = 13  # whether a joint that is solved for has limits
 CHECKED = 14  # whether the task names more than the joints can choose
@@ -25,8 +25,6 @@ ARM_ANGLE = 15  # whether the caller gives it: the last equation
 # Where the lists begin
 FREE = 16  # places of the joints whose values the caller gives
 CHAIN = 17  # the forward model
-
-NO_DIRECTION, ROTATION, POINTING = 0.0, 1.0, 2.0  # of the tool's directions: none, all, its z axis
 
 LOOP = 20
 JOINTS = 100
