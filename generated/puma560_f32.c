@@ -291,7 +291,7 @@ DHGEN_INLINE void dhgen_ik_each(const struct dhgen_arm *arm, size_t k, size_t n,
 
 /* Of the tool's x axis, the length of what is seen from above, below which it has no yaw there: as
  * much as a pose of six digits rounds it by. */
-#define DHGEN_STEEP 1e-06f
+#define DHGEN_NO_YAW 1e-06f
 
 #ifndef DHGEN_SINGLE_PRECISION
 
@@ -867,8 +867,8 @@ DHGEN_FN int dhgen_read_yaw(float *T)
     if (!isfinite(square))
         return 0;
     const float length = sqrtf(square);
-    T[0] = length < DHGEN_STEEP ? 0.0f : T[0] / length;
-    T[4] = length < DHGEN_STEEP ? 0.0f : T[4] / length;
+    T[0] = length < DHGEN_NO_YAW ? 0.0f : T[0] / length;
+    T[4] = length < DHGEN_NO_YAW ? 0.0f : T[4] / length;
     return 2;
 }
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from dhgen.descriptions.rotations import to_rpy
 from dhgen.robot.angles import exact_angle, twelfths
 from dhgen.robot.expression import to_text
-from dhgen.robot.names import MAX_ROBOT_NAME, why_no_robot_name
+from dhgen.robot.names import MAX_ROBOT_NAME, why_no_joint_name, why_no_robot_name
 from dhgen.robot.robot import Convention
 
 if TYPE_CHECKING:
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 DIGITS = 15  # of lengths behind the point of an arm of 1 m: those behind are rounding
 SAME = 1e-9  # arm sizes by which lengths that are one differ
 WIDTH = 100
+SPOKEN = {"null", "true", "false", "yes", "no", "on", "off", "y", "n"}  # words that YAML reads
 NOTHING = "null"  # what a text of YAML can't be without quotes
 WRITTEN = 1e-8  # [rad] by which limits of whole degrees differ from them, written in radians
 _TWELFTH = math.pi / 12
@@ -217,7 +218,14 @@ def _beside(q: str, offset: str) -> str:
 
 
 def _aligned(rows: Sequence[dict[str, str]], joints: Sequence[Joint]) -> list[str]:
-    """Rows in braces, what belongs together below each other, with the names of their joints."""
+    """Rows in braces, what belongs together below each other, with the names of their joints.
+
+    Names that a robot file can't hold are comments.
+    """
+    named = not any(why_no_joint_name(joint.name) for joint in joints)
+    if named:
+        for row, joint in zip(rows, joints, strict=True):
+            row["name"] = _bare_or_quoted(joint.name)
     keys = list(dict.fromkeys(key for row in rows for key in row))
     widths = {key: max(len(row[key]) + 1 for row in rows if key in row) for key in keys}
     lines = []
@@ -227,9 +235,17 @@ def _aligned(rows: Sequence[dict[str, str]], joints: Sequence[Joint]) -> list[st
             f"{cell:<{widths[key] + len(key) + 2}}" for key, cell in zip(row, cells, strict=True)
         ]
         lines.append("  - {" + " ".join(padded).rstrip().removesuffix(",") + "}")
+    if named:
+        return lines
     wide = max(map(len, lines))
     names = (plain(joint.name) for joint in joints)
     return [f"{line:<{wide}}  # {name}" for line, name in zip(lines, names, strict=True)]
+
+
+def _bare_or_quoted(name: str) -> str:
+    """A joint's name as YAML takes it between braces."""
+    is_word = re.fullmatch(r"[A-Za-z_][\w/.+-]*", name, re.ASCII) and name.lower() not in SPOKEN
+    return name if is_word else f"'{name}'"
 
 
 def _frame(key: str, frame: Placed, lengths: _Lengths, arm: Arm) -> list[str]:

@@ -72,8 +72,8 @@ DHGEN_FN int dhgen_read_yaw(double *T)
     if (!isfinite(square))
         return 0;
     const double length = sqrt(square);
-    T[0] = length < DHGEN_STEEP ? 0.0 : T[0] / length;
-    T[4] = length < DHGEN_STEEP ? 0.0 : T[4] / length;
+    T[0] = length < DHGEN_NO_YAW ? 0.0 : T[0] / length;
+    T[4] = length < DHGEN_NO_YAW ? 0.0 : T[4] / length;
     return 2;
 }
 

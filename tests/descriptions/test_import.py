@@ -172,8 +172,21 @@ def test_what_a_file_says_of_itself() -> None:
         "name: ur5\ntitle: ur5\nsource: URDF arm.urdf, poses of tool0 in base_link_inertia\n"
     )
     for joint in result.chain.actuated:
-        assert f"# {joint.name}\n" in result.text
-    assert "limits: [-180 deg, 180 deg]}  # elbow_joint" in result.text
+        assert f"name: {joint.name}}}\n" in result.text
+    assert "limits: [-180 deg, 180 deg], name: elbow_joint}" in result.text
+
+
+def test_a_name_that_a_robot_file_can_not_hold_is_a_comment() -> None:
+    text = (FILES / "ur5.urdf").read_text(encoding="utf-8").replace("elbow_joint", "Ellbogen ä")
+    result = imported(text)
+    assert "}  # Ellbogen ä\n" in result.text
+    assert "name: wrist_1_joint" not in result.text
+
+
+def test_names_that_yaml_would_read_as_something_else_have_quotes() -> None:
+    result = imported((FILES / "ur5.urdf").read_text(encoding="utf-8").replace("elbow_joint", "on"))
+    assert "name: 'on'}" in result.text
+    assert result.robot.joints[2].name == "on"
 
 
 @pytest.mark.parametrize(

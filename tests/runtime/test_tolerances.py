@@ -44,7 +44,7 @@ def expected(known: Tolerances) -> dict[str, float]:
     return {
         "ORTHONORMAL": known.orthonormal,
         "ROUNDED": known.rotation,
-        "STEEP": known.steep,
+        "NO_YAW": known.steep,
         "LIMIT": known.limit,
         "NEAR_LIMIT": known.graze,
         "EXACT": known.exact,
@@ -80,7 +80,7 @@ def test_poses_and_angles_are_read_alike_in_python() -> None:
     found = table(DOUBLE)
     assert found["ROUNDED"] == pose.ROTATION
     assert found["ORTHONORMAL"] == pose.ORTHONORMAL
-    assert found["STEEP"] == pose.STEEP
+    assert found["NO_YAW"] == pose.NO_YAW
 
 
 def test_tolerances_of_closed_forms_are_alike_in_python() -> None:

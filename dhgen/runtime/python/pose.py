@@ -30,7 +30,7 @@ ROTATION = 1e-9
 ORTHONORMAL = 1e-24
 # Of the tool's x axis, the length of what is seen from above, below which it has no yaw there: as
 # much as a pose of six digits rounds it by.
-STEEP = 1e-6
+NO_YAW = 1e-6
 
 Rows = tuple[float, ...]
 
@@ -110,7 +110,7 @@ def read_yaw(T: NDArray[np.float64]) -> tuple[bool, Rows]:
     square = x * x + y * y
     if not (square - 1.0) * (square - 1.0) <= ORTHONORMAL:
         length = math.sqrt(square)
-        steep = length < STEEP
+        steep = length < NO_YAW
         x, y = 0.0 if steep else x / length, 0.0 if steep else y / length
     _, rows = read_position(T)
     _, x1, x2, px, _, y1, y2, py, _, z1, z2, pz = rows

@@ -12,7 +12,7 @@
 
 /* Of the tool's x axis, the length of what is seen from above, below which it has no yaw there: as
  * much as a pose of six digits rounds it by. */
-#define DHGEN_STEEP 1e-6
+#define DHGEN_NO_YAW 1e-6
 
 #ifndef DHGEN_SINGLE_PRECISION
 
