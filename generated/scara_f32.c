@@ -293,50 +293,6 @@ DHGEN_INLINE void dhgen_ik_each(const struct dhgen_arm *arm, size_t k, size_t n,
  * much as a pose of six digits rounds it by. */
 #define DHGEN_NO_YAW 1e-06f
 
-#ifndef DHGEN_SINGLE_PRECISION
-
-/* The last row of a pose may differ from 0 0 0 1 by this. */
-#define DHGEN_LAST_ROW 1e-09f
-/* Sums of squares by which a rotation misses orthonormality: it is taken as it is up to the first,
- * which is rounding; replaced by the nearest rotation up to the second, as poses in single
- * precision or of six digits miss it by that. */
-#define DHGEN_ORTHONORMAL 1e-24f
-#define DHGEN_ROUNDED 1e-09f
-/* A joint value may miss its limit by this [rad]: rounding of the angle itself. Searches end where
- * branches that meet are as near. */
-#define DHGEN_LIMIT 1e-09f
-/* Fast code may be wrong by twice this [rad, arm sizes] where an arm is nearly singular twice over:
- * what is as far from this at most may be beyond a limit by rounding. */
-#define DHGEN_NEAR_LIMIT 5e-07f
-/* A row that misses its pose by no more is exact [arm sizes, rad]. */
-#define DHGEN_EXACT 1e-12f
-/* A row misses its pose by no more wherever it has a solution: a reason to refine it. */
-#define DHGEN_PROMISED 1e-11f
-/* A vector that should fix an angle is no longer than this: the joint is free, and a row meets its
- * pose as exactly as this. */
-#define DHGEN_FREE 1e-12f
-/* Half way between two rows that are one solution the pose is missed by no more. */
-#define DHGEN_MERGE 1e-14f
-/* Joint values may be beyond limits by this before they are clamped to them [rad, arm sizes]: an
- * angle taken from a vector just longer than DHGEN_FREE is good to a tenth of it. */
-#define DHGEN_DOUBTFUL 0.01f
-/* A joint is clamped to a limit if the pose is missed by so much more at most. Not above
- * DHGEN_MERGE: of two branches that differ the one beyond the limit must not become the other. */
-#define DHGEN_CLAMPED 1e-14f
-/* About the square root of DHGEN_MERGE, because branches that meet separate like a square root:
- * joint values that differ by less are one solution [rad or length]. */
-#define DHGEN_APART_BY 1e-06f
-/* An angle of the seed that is not below this has no copy of another near it that keeps digits. */
-#define DHGEN_FAR_ANGLE 100000.0f
-/* Always added to the damping of steps, a square: its root is so far above rounding of the miss
- * that this moves joints by 1e-3 rad at most. */
-#define DHGEN_FINE 1e-26f
-/* Joint values that differ by less are next to one solution [rad, arm sizes]. */
-#define DHGEN_TOGETHER 0.001f
-/* Solutions are of one family if half way between them the pose is missed by less. */
-#define DHGEN_FAMILY 1e-06f
-
-#else
 
 #define DHGEN_LAST_ROW 1e-06f
 #define DHGEN_ORTHONORMAL 1e-12f
@@ -355,7 +311,6 @@ DHGEN_INLINE void dhgen_ik_each(const struct dhgen_arm *arm, size_t k, size_t n,
 #define DHGEN_TOGETHER 0.03f
 #define DHGEN_FAMILY 0.0005f
 
-#endif
 
 /* Ranges at least this wide leave next to no gap [rad]: beside a singular pose rounding leads
  * across it. */

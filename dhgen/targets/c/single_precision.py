@@ -35,13 +35,20 @@ _WORDS = {
 }
 
 
+# What is for double precision alone, and what stands in its place.
+_OTHERWISE = re.compile(
+    r"#ifndef DHGEN_SINGLE_PRECISION\n(?:(?!#endif).)*?#else\n(.*?)#endif\n", re.DOTALL
+)
+
+
 def in_single_precision(text: str) -> str:
     """C source or a header in which every real number is a float.
 
     Raises:
         ValueError: A literal is beyond the range of a float.
     """
-    return "".join(_single(match) for match in _TOKEN.finditer(text))
+    single = _OTHERWISE.sub(r"\1", text)
+    return "".join(_single(match) for match in _TOKEN.finditer(single))
 
 
 def _single(match: re.Match[str]) -> str:
