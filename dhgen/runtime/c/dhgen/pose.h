@@ -44,8 +44,8 @@ DHGEN_FN int dhgen_usable(const struct dhgen_arm *arm, double number)
     return isfinite(arm->slides ? number * number * number : number) != 0;
 }
 
-/* Makes three entries one long: a column or a row. Returns 0 where they are none, 1 where they were,
- * 2 where they are now. */
+/* Makes three entries one long: a column or a row. Returns 0 where they are none, 1 where they
+ * were, 2 where they are now. */
 DHGEN_FN int dhgen_read_unit(double *x, double *y, double *z)
 {
     const double square = *x * *x + *y * *y + *z * *z;
@@ -77,8 +77,8 @@ DHGEN_FN int dhgen_read_yaw(double *T)
     return 2;
 }
 
-/* Makes the sine of the pitch one at most. Returns 0 where it is none, 1 where it was, 2 where it is
- * now. */
+/* Makes the sine of the pitch one at most. Returns 0 where it is none, 1 where it was, 2 where it
+ * is now. */
 DHGEN_FN int dhgen_read_pitch(double *T)
 {
     const double over = fabs(T[8]) - 1.0;

@@ -42,8 +42,8 @@ DHGEN_FN double dhgen_half_way(
     return most;
 }
 
-/* What is missed of yaw, pitch or tilt, as turns about the base's axes, into e. Returns its square. A
- * pose without a yaw misses none. */
+/* What is missed of yaw, pitch or tilt, as turns about the base's axes, into e. Returns its square.
+ * A pose without a yaw misses none. */
 DHGEN_FN double dhgen_miss_of_angles(
     const struct dhgen_arm *arm, const double *T, const double *P, double *e)
 {
