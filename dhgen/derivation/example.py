@@ -11,7 +11,7 @@ import numpy as np
 
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.program.interpret import interpret
+from dhgen.program.interpret import interpret, wrap
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -120,15 +120,12 @@ def _are_inside(chain: Chain, q: FloatArray) -> NDArray[np.bool_]:
 
 def _turned(chain: Chain, off: FloatArray) -> FloatArray:
     """Differences of joint values without whole turns, lengths in arm sizes."""
-    with np.errstate(invalid="ignore"):
-        turned = np.remainder(off + np.pi, 2.0 * np.pi) - np.pi
-    return np.asarray(np.where(chain.turning, turned, off / chain.size))
+    return np.asarray(np.where(chain.turning, wrap(off), off / chain.size))
 
 
 def _turned_rows(chain: Chain, q: FloatArray) -> FloatArray:
     """Joint values of which angles are in (-pi, pi]."""
-    turned = np.pi - np.remainder(np.pi - q, 2.0 * np.pi)
-    return np.asarray(np.where(chain.turning, turned, q))
+    return np.asarray(np.where(chain.turning, wrap(q), q))
 
 
 def _are_apart(chain: Chain, rows: FloatArray) -> bool:

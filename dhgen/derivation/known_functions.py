@@ -99,13 +99,13 @@ def by_joints(story: Story, polynomial: Polynomial) -> Polynomial | None:
     shoulder = [name for names in SHOULDER_NAMES for name in names]
     if algebra.chain.arm_angle and used & {algebra.index[name] for name in shoulder}:
         return None
-    values = _values(story, {algebra.ring.symbols[place].name for place in used})
+    values = pose_by_joints(story, {algebra.ring.symbols[place].name for place in used})
     change = {algebra.index[name]: value for name, value in values.items()}
     return algebra.normal(substitute(polynomial, change)) if change else polynomial
 
 
-def _values(story: Story, used: set[str]) -> dict[str, Polynomial]:
-    """The pose entries and the coordinates of named points, as far as they are used."""
+def pose_by_joints(story: Story, used: set[str]) -> dict[str, Polynomial]:
+    """The pose entries and the coordinates of named points by joints, as far as they are used."""
     algebra, problem = story.algebra, story.derivation.problem
     whole = 0, len(problem.links)
     forward = problem.spans.product(*whole)

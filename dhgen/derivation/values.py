@@ -10,6 +10,7 @@ from decimal import Decimal
 from operator import truediv
 from typing import TYPE_CHECKING
 
+from dhgen.derivation.known_functions import pose_by_joints
 from dhgen.derivation.notation.names import branch_sign, cosine, joint_symbol, letter, sine, theta
 from dhgen.derivation.text.formula import (
     Call,
@@ -25,7 +26,6 @@ from dhgen.derivation.text.formula import (
 )
 from dhgen.kinematics.algebra import POSE_PLACES, SHOULDER_NAMES
 from dhgen.kinematics.ring import terms_in_numbers
-from dhgen.kinematics.transform import compose, translation
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -133,15 +133,8 @@ def letters_at(story: Story, q: Sequence[float], T: FloatArray) -> dict[str, flo
 
 def _of_the_pose(story: Story) -> dict[str, Polynomial]:
     """The entries of U_0, coordinates of named points and entries of B_0, by joints."""
-    algebra, problem, pool = story.algebra, story.derivation.problem, story.derivation.pool
-    whole = 0, len(problem.links)
-    forward, back = problem.spans.product(*whole), problem.spans.inverse(*whole)
-    found = {name: forward.entry(*place) for name, place in POSE_PLACES.items()}
-    seen = [(point.names, point.in_tool, forward) for point in pool.points]
-    seen += [(point.names, point.in_base, back) for point in pool.base_points]
-    for names, coordinates, transform in seen:
-        point = compose(transform, translation(algebra.ring, coordinates), algebra.normal)
-        found |= dict(zip(names, point.translation, strict=False))
+    algebra, problem = story.algebra, story.derivation.problem
+    found = pose_by_joints(story, {*POSE_PLACES, *algebra.coordinates})
     if algebra.chain.arm_angle:
         shoulder = problem.spans.product(0, 3)
         for row, entries in enumerate(SHOULDER_NAMES):

@@ -202,7 +202,8 @@ def ik(
     try:
         return choice.nearest(ik_all(T, values, q_seed), q_seed, rows, limits)
     except choice.unreachable:
-        found = None
+        if q_free is not None or GIVEN != 1:
+            raise
 
         def attempt(value: float) -> FloatArray | None:
             try:
@@ -210,8 +211,7 @@ def ik(
             except choice.unreachable:
                 return None
 
-        if q_free is None and GIVEN == 1:
-            found = nearest_that_works(attempt, values[0], reach)
+        found = nearest_that_works(attempt, values[0], reach)
         if found is None:
             raise
         return found

@@ -27,7 +27,7 @@ from dhgen.derivation.text.lines import WIDTH, width
 from dhgen.derivation.values import degrees, figures, letters_at, signs_of_row, value_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
 
     from dhgen.arrays import FloatArray
     from dhgen.derivation.example import Example
@@ -43,15 +43,16 @@ def example_section(story: Story) -> list[Block]:
     example = find_example(story) if story.steps else None
     if example is None:
         return []
+    letters = letters_at(story, list(example.q), example.T)
     return [
         Heading(2, say("An example")),
-        *_pose(story, example),
-        *_steps(story, example),
+        *_pose(story, example, letters),
+        *_steps(story, example, letters),
         *_rows(story, example),
     ]
 
 
-def _pose(story: Story, example: Example) -> list[Block]:
+def _pose(story: Story, example: Example, letters: Mapping[str, float]) -> list[Block]:
     """The pose, what the caller gives besides it, and U_0."""
     unit = story.robot.length_unit
     values = joined([say("{}", equal(*each)) for each in _joint_values(story, example.q)])
@@ -64,7 +65,6 @@ def _pose(story: Story, example: Example) -> list[Block]:
         display(equal(POSE, _matrix(example.T, story))),
     ]
     if any(moved_left(story)):
-        letters = letters_at(story, list(example.q), example.T)
         entries = [letters[story.letters[f"t{k // 4 + 1}{k % 4 + 1}"].text] for k in range(12)]
         U = np.vstack([np.reshape(entries, (3, 4)), [0.0, 0.0, 0.0, 1.0]])
         blocks += [paragraph("and with it"), display(equal(target(0), _matrix(U, story)))]
@@ -94,11 +94,10 @@ def _matrix(T: FloatArray, story: Story) -> Matrix:
     return Matrix(tuple(tuple(figures(float(x), size) for x in row) for row in T))
 
 
-def _steps(story: Story, example: Example) -> list[Block]:
+def _steps(story: Story, example: Example, known: Mapping[str, float]) -> list[Block]:
     """What the letters of every step are in one row."""
-    letters = letters_at(story, list(example.q), example.T)
     signs = signs_of_row(story, example.followed)
-    letters |= signs
+    letters = {**known, **signs}
     chosen = [
         equal(branch_sign(place), Symbol(f"{sign:+.0f}", f"{sign:+.0f}".replace("-", "−")))
         for place in range(len(story.program.axes))

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from .retry import HALVINGS
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -14,7 +16,6 @@ if TYPE_CHECKING:
     FloatArray = NDArray[np.float64]
 
 FAN = 64  # values that are tried to each side of the seed's
-HALVINGS = 52  # until an interval is as small as rounding
 
 
 def nearest_that_works(

@@ -135,15 +135,16 @@ DHGEN_FN void dhgen_angle_rows(struct dhgen_descent *d, const double *P, const d
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
     const double *const T = d->T;
-    double *const e = d->e + arm->coordinates, turn[3];
-    const double axis[3] = { T[8] * P[4] + T[9] * P[5] + T[10] * P[6],
-        -T[8] * P[0] - T[9] * P[1] - T[10] * P[2], 0.0 };
-    dhgen_rotation_vector(axis, T[8] * P[8] + T[9] * P[9] + T[10] * P[10], turn);
+    double *const e = d->e + arm->coordinates;
     if (arm->directions == DHGEN_YAW)
         e[0] = atan2(P[0] * T[4] - P[4] * T[0], P[0] * T[0] + P[4] * T[4]);
     else if (arm->directions == DHGEN_PITCH)
         e[0] = T[8] - P[8];
     else {
+        const double axis[3] = { T[8] * P[4] + T[9] * P[5] + T[10] * P[6],
+            -T[8] * P[0] - T[9] * P[1] - T[10] * P[2], 0.0 };
+        double turn[3];
+        dhgen_rotation_vector(axis, T[8] * P[8] + T[9] * P[9] + T[10] * P[10], turn);
         e[0] = turn[0];
         e[1] = turn[1];
     }
