@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import partial, reduce
 from itertools import product
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,8 @@ from dhgen.program.building.builder import Builder
 from dhgen.program.ir import Apply, Heading, Integer, Joint, Let, Pose, Variable
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.program.building.graph import Node
     from dhgen.program.ir import Expression, Program
     from dhgen.program.regular.unguarded import Regular
@@ -33,11 +36,14 @@ class Flat:
 
     Attributes:
         program: Its axes are the lanes. Its outputs are the joints' values for each of the
-            choices, whether one is outside its limits for each of them, and the doubts.
+            choices, whether one is outside its limits for each of them, the doubts and the fits.
         joints: Number of joints.
         limited: Whether there are limits.
         doubts: Whether the pose has to be left to the whole program, one truth value for each
             type, and the last ones of what is known when the joints' values are.
+        fits: Where rows are refined and some signs are lanes, whether a row is exact, and whether
+            one is near enough to be refined: if none is the former and one the latter, the pose has
+            to be left to the whole program, too. Without lanes this is one of the doubts.
         choices: The values of the unrolled signs, in the order of the outputs.
         lanes: The axes of the original program that are lanes.
         unrolled: The others.
@@ -47,6 +53,7 @@ class Flat:
     joints: int
     limited: bool
     doubts: tuple[Expression, ...]
+    fits: tuple[Expression, ...]
     choices: tuple[Choice, ...]
     lanes: tuple[int, ...]
     unrolled: tuple[int, ...]
@@ -105,13 +112,17 @@ class _Flattening:
                 name = _name("outside", choice)
                 results[name] = self._value(self._solver.outside, self._unrolled, choice)
                 builder.hint(results[name], name)
-        doubts = self._doubts(choices)
-        program = builder.finish(self._program.name, results, [], unnamed=doubts)
+        fits = self._fits(choices)
+        doubts = self._doubts(choices, () if self._lanes else fits)
+        unnamed = [*doubts, *(fits if self._lanes else ())]
+        program = builder.finish(self._program.name, results, [], unnamed=unnamed)
+        told = len(results) + len(doubts)
         return Flat(
             program,
             joints=len(self._solver.joints),
             limited=self._solver.outside is not None,
-            doubts=program.outputs[len(results) :],
+            doubts=program.outputs[len(results) : told],
+            fits=program.outputs[told:],
             choices=choices,
             lanes=self._lanes,
             unrolled=self._unrolled,
@@ -140,16 +151,26 @@ class _Flattening:
                 self._builder.hint(node, _name(statement.name, choice))
             self._values[statement.name, choice] = node
 
-    def _doubts(self, choices: tuple[Choice, ...]) -> list[Node]:
+    def _doubts(self, choices: tuple[Choice, ...], fits: Sequence[Node]) -> list[Node]:
         """Any doubt in any branch, by type; those that wait for the joints' values come last."""
-        grazed = self._solver.grazed
+        builder, grazed = self._builder, self._solver.grazed
+        rounded = []
+        if fits:
+            exact, near = fits
+            rounded = [builder.apply("and", near, builder.apply("not", exact))]
         groups = (self._solver.doubts, () if grazed is None else (grazed,))
-        return [
-            doubt
+        early, late = (
+            [self._value(each, self._unrolled, choice) for each in group for choice in choices]
             for group in groups
-            for doubt in self._builder.disjunctions(
-                self._value(each, self._unrolled, choice) for each in group for choice in choices
-            )
+        )
+        return [*builder.disjunctions([*early, *rounded]), *builder.disjunctions(late)]
+
+    def _fits(self, choices: tuple[Choice, ...]) -> list[Node]:
+        """Whether any of the rows is exact, and whether any is near enough to be refined."""
+        either = partial(self._builder.apply, "or")
+        return [
+            reduce(either, (self._value(each, self._unrolled, choice) for choice in choices))
+            for each in self._solver.fits
         ]
 
     def _value(self, expression: Expression, axes: tuple[int, ...], choice: Choice) -> Node:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import reduce
+from functools import partial, reduce
 from typing import TYPE_CHECKING
 
 from dhgen.program.building.builder import Builder
@@ -47,6 +47,8 @@ class Regular:
         grazed: The truth value that joints are outside by no more than rounding; None where that
             is no matter.
         doubts: The other truth values: they are known before the values of the joints.
+        fits: Where rows are refined, whether the row is exact, and whether it is near enough to be
+            refined: if none is the former and one the latter, the pose may have been rounded.
     """
 
     program: Program
@@ -54,6 +56,7 @@ class Regular:
     outside: Expression | None
     grazed: Expression | None
     doubts: tuple[Expression, ...]
+    fits: tuple[Expression, ...]
 
 
 class Unguarded:
@@ -80,6 +83,7 @@ class Unguarded:
         self._values: dict[str, Signed] = {}
         self._assumptions = Assumptions(program)
         self._doubts: list[Node] = []
+        self._fits: list[tuple[Node, Node]] = []  # what is exact; what is near enough to be refined
         self._endings = Endings(self._builder)
         self._brink = Brink(self._builder, tolerances)
         self._reached: Guard | None = None
@@ -111,6 +115,10 @@ class Unguarded:
         doubts = builder.joined(self._doubts, "or")
         doubts = builder.disjunctions(d for d in doubts if not self._brink.excludes(d))
         results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
+        told = len(results)
+        fits = zip(*self._fits, strict=True)
+        for name, parts in zip(("exact", "near"), fits, strict=False):
+            results[name] = reduce(partial(builder.apply, "and"), parts)
         finished = builder.finish(self._program.name, results, [])
         outputs = dict(zip(results, finished.outputs, strict=True))
         return Regular(
@@ -118,7 +126,8 @@ class Unguarded:
             joints=finished.outputs[: len(joints)],
             outside=outputs.get("outside"),
             grazed=outputs.get("grazed"),
-            doubts=finished.outputs[count:],
+            doubts=finished.outputs[count:told],
+            fits=finished.outputs[told:],
         )
 
     def _limited(self, limiting: Limiting, joint: int, value: Node) -> Node:
@@ -146,7 +155,7 @@ class Unguarded:
         return tolerance_constant(self._builder, role, value)
 
     def _exact_and_rounded(self, degree: int, slack: float) -> tuple[Node, Node]:
-        """What a row may miss here, where none is tightened: taken at once, and not for certain."""
+        """What a row may miss here, where none is refined: taken at once, and not for certain."""
         table, builder = self._tolerances, self._builder
         scale = slack / table.doubtful
         exact = tolerance_constant(builder, Tolerance("exact", degree), table.exact * scale)
@@ -213,7 +222,8 @@ class Unguarded:
         n values |x| <= limit hold where the sum of their squares is at most limit^2, and do not
         where it is above n limit^2; between the two the pose is doubtful, and so it is above both
         where no sign is to blame, since then there is no branch that could be right. Where rows
-        are tightened only exact ones are taken at once.
+        are refined only exact ones are taken at once. Equations may make far more than `limit` of
+        what a pose is rounded by: then no row is exact, and one is near enough to be refined.
         """
         builder, arithmetic = self._builder, self._arithmetic
         misses: dict[Node, list[Node]] = {}
@@ -234,8 +244,13 @@ class Unguarded:
             least = builder.square(accepted)
             doubtful = builder.apply("less", least, total)
             if signed:
-                most = builder.mul(builder.integer(len(found)), builder.square(allowed))
-                self._endings.unless(builder.apply("at_most", total, least))
+                count = builder.integer(len(found))
+                most = builder.mul(count, builder.square(allowed))
+                exact = builder.apply("at_most", total, least)
+                self._endings.unless(exact)
+                if limit_node in self._slacks:
+                    farthest = builder.mul(count, builder.square(limit_node))
+                    self._fits.append((exact, builder.apply("at_most", total, farthest)))
                 doubtful = builder.apply("and", doubtful, builder.apply("at_most", total, most))
             else:
                 self._brink.keeps(short, accepted)

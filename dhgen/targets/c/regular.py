@@ -154,7 +154,8 @@ def _with_angles(flat: Flat, text: LaneText, shared: Shared, misfit: str) -> lis
     vectors = in_order(packed_angles(angles, places), arrivals(flat.program))
     lines += dense(angle_declarations(vectors, text), INDENT)
     lines += lets(last, text)
-    return lines + _leaving([], [doubt for doubt in flat.doubts if doubt not in early], text)
+    late_ones = [doubt for doubt in flat.doubts if doubt not in early]
+    return [*lines, *_leaving([], late_ones, text), *_leaving_rounded(flat, text)]
 
 
 def _leaving(misfits: list[str], doubts: list[Expression], text: LaneText) -> list[str]:
@@ -166,6 +167,14 @@ def _leaving(misfits: list[str], doubts: list[Expression], text: LaneText) -> li
     if not reasons:
         return []
     return [*wrapped(f"{INDENT}if ({' | '.join(reasons)})", INDENT), f"{INDENT}    return -1;"]
+
+
+def _leaving_rounded(flat: Flat, text: LaneText) -> list[str]:
+    """Leaves a pose of which no row is exact, and one is near enough to be refined."""
+    if not flat.fits:
+        return []
+    exact, near = (f"dhgen_bits_four({text.mask(each)})" for each in flat.fits)
+    return [*wrapped(f"{INDENT}if ({near} && !{exact})", INDENT), f"{INDENT}    return -1;"]
 
 
 def _one(module: SolverModule, flat: Flat, entries: list[str], shared: Shared) -> list[str]:

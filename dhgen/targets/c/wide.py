@@ -94,7 +94,11 @@ class _Wide:
             left = " | ".join(["(exact == 0)", *doubts])
             return [*lines, *wrapped(f"{INDENT}return {left};", INDENT)]
         begin = wrapped(f"{INDENT}dhgen_wide_mask left = ({irregular}) == 0;", INDENT)
-        return [*entries, *begin, *self._loops(0, INDENT), f"{INDENT}return left;"]
+        end = f"{INDENT}return left;"
+        if self._flat.fits:
+            begin.append(f"{INDENT}dhgen_wide_mask exact = left ^ left, near = exact;")
+            end = f"{INDENT}return left | (near & (exact == 0));"
+        return [*entries, *begin, *self._loops(0, INDENT), end]
 
     def _loops(self, depth: int, indent: str) -> list[str]:
         """What is in so many loops."""
@@ -106,6 +110,9 @@ class _Wide:
             if self._depth(names_in(doubt)) == depth:
                 text = self._text.mask(doubt)
                 lines += wrapped(f"{indent}left |= {text};", indent)
+        for fit, name in zip(flat.fits, ("exact", "near"), strict=False):
+            if self._depth(names_in(fit)) == depth:
+                lines += wrapped(f"{indent}{name} |= {self._text.mask(fit)};", indent)
         if depth < len(flat.lanes):
             i, axis = f"i{depth + 1}", flat.program.axes[depth]
             meaning = ", ".join(axis.words)

@@ -1,0 +1,110 @@
+"""Rounded poses of arms that are asked for more than they can choose: equations lose digits.
+
+Where the tool is near axis 1, beside which the arm stands, the equation of joint 1 makes a
+thousand times of what a pose is rounded by, although the whole pose fixes the joints well.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.survey.oracle.forward import forward, jacobian
+from tests.targets.calling import HELD, LANGUAGES, OK, UNREACHABLE, Solver, gap
+from tests.targets.made import made, robot
+
+if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
+
+ARMS = ("five_joints_offset", "so101_pose")
+ROUNDED = {
+    "six digits": lambda T: np.round(T, 6),
+    "single precision": lambda T: T.astype(np.float32).astype(float),
+}
+
+
+def size(name: str) -> float:
+    """The sum of the lengths in the arm's table."""
+    return made(name).module.chain.size
+
+
+def weighted_jacobian(name: str, q: FloatArray) -> FloatArray:
+    """Lengths count in arm sizes."""
+    J = np.array(jacobian(robot(name), q))
+    J[:3] /= size(name)
+    return J
+
+
+def regular(name: str, count: int, least: float) -> FloatArray:
+    """Joint values inside the limits whose Jacobian has no singular value below the least."""
+    limits = np.array([joint.limits for joint in robot(name).joints])
+    tried = np.random.default_rng(7).uniform(*limits.T, (2 * count, len(limits)))
+    J = np.array([weighted_jacobian(name, q) for q in tried])
+    return np.asarray(tried[np.linalg.svd(J, compute_uv=False)[:, -1] > least][:count])
+
+
+@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("rounding", ROUNDED)
+def test_own_values_are_found(name: str, rounding: str) -> None:
+    """As far off at most as the pose is rounded, over the smallest singular value."""
+    solver, lost = Solver(name, "C"), []
+    for q in regular(name, 400, 0.05):
+        T = ROUNDED[rounding](np.array(forward(robot(name), q)))
+        rows, status = solver.all(T)
+        if not np.any((gap(rows, q) < 1e-3) & np.isin(status, HELD)):
+            lost.append(q)
+    assert lost == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_reported_pose(language: str) -> None:
+    """Its smallest singular value is 0.1, and a solution misses it by 1e-6."""
+    T = np.array(
+        [
+            [-0.323143, 0.502921, 0.801654, -0.070102],
+            [0.608425, 0.759232, -0.231054, -0.148824],
+            [-0.724843, 0.413083, -0.55133, 0.302888],
+            [0.0, 0.0, 0.0, 1.0],
+        ]
+    )
+    for x in (0.0, 3e-7, -3e-7, 1e-6):
+        moved = T.copy()
+        moved[0, 3] += x
+        rows, status = Solver("so101_pose", language).all(moved)
+        held = np.isin(status, HELD)
+        assert held.any()
+        reached = np.array([forward(robot("so101_pose"), q) for q in rows[held]])
+        assert np.abs(reached[:, :3] - moved[:3]).max() < 1e-5
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", ARMS)
+def test_rows_miss_a_rounded_pose_least(name: str, language: str) -> None:
+    """No joint can take less of the miss: what is left is at right angles to all that joints do."""
+    solver = Solver(name, language)
+    for q in regular(name, 20, 0.1):
+        T = np.round(np.array(forward(robot(name), q)), 6)
+        rows, status = solver.all(T)
+        row = rows[np.argmin(np.where(status == OK, gap(rows, q), np.inf))]
+        reached = np.array(forward(robot(name), row))
+        R = T[:3, :3] @ reached[:3, :3].T
+        turn = 0.5 * np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+        miss = np.concatenate([(T[:3, 3] - reached[:3, 3]) / size(name), turn])
+        assert np.linalg.norm(weighted_jacobian(name, row).T @ miss) < 1e-9
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_what_is_farther_off_than_rounding_is_out_of_reach(name: str) -> None:
+    """A pose that is a thousandth aside in the one direction of six that no joint moves in."""
+    solver = Solver(name, "C")
+    for q in regular(name, 100, 0.1):
+        left = np.linalg.svd(weighted_jacobian(name, q))[0][:, -1]
+        T = np.array(forward(robot(name), q))
+        T[:3, 3] += 1e-3 * size(name) * left[:3]
+        cross = np.array([np.cross(1e-3 * left[3:], column) for column in T[:3, :3].T]).T
+        u, _, v = np.linalg.svd(T[:3, :3] + cross)
+        T[:3, :3] = u @ v
+        _, status = solver.all(T)
+        assert np.all(status == UNREACHABLE)
