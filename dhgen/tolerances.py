@@ -59,9 +59,10 @@ class Tolerances:
             direction to a wrist centre just farther than `regular` from an axis is taken from an
             elbow just farther than `brink` from stretched. A joint that is beyond a limit by no
             more may stand on it: the pose is left.
-        standing: A joint that comes out a little beyond a limit stands on it if the pose is missed
-            by so much more at most. Not above `merge`: where two branches are told apart, the one
-            beyond the limit must not be taken for the other.
+        clamped: A joint that comes out a little beyond a limit is clamped to it if the pose is
+            missed by so much more at most. Not above `merge`: where two branches are told apart,
+            the one beyond the limit must not be taken for the other. Where solutions are found
+            without branches it is `polished`, as nearer ones are one solution anyway.
         told: From where two branches meet to where both are told, their joint values are farther
             apart: they grow with the root of `merge` [rad or length].
         far: An angle of the seed that is not below this has no copy of another near to it that
@@ -96,7 +97,7 @@ class Tolerances:
     longest: float = 1e4
     limit: float = 1e-9
     overshoot: float = 1e-6
-    standing: float = 1e-14
+    clamped: float = 1e-14
     told: float = 1e-6
     far: float = 1e5
     polished: float = 1e-10
@@ -154,7 +155,7 @@ SINGLE = Precision(
         exact=5e-5,
         limit=2e-6,
         overshoot=1e-2,
-        standing=1e-6,
+        clamped=1e-6,
         fine=1e-10,
         told=3e-3,
         far=1e2,

@@ -93,6 +93,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(1.013, 1.013, 1.013, 1.0, 1.0, 1.0),
         size=0.987,
+        clamped=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -80,6 +80,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.5, 0.5, 0.5, 1.0, 1.0, 1.0),
         size=2.0,
+        clamped=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -72,6 +72,7 @@ _ARM = _arms.arm_numbers(
         directions='none',
         miss_weights=(0.8333, 0.8333, 0.8333, 0.0, 0.0, 0.0),
         size=1.2,
+        clamped=1e-14,
     ),
 )
 

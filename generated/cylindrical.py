@@ -75,6 +75,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(3.333, 3.333, 3.333, 1.0, 1.0, 1.0),
         size=0.3,
+        clamped=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -112,6 +112,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(1.115, 1.115, 1.115, 1.0, 1.0, 1.0),
         size=0.8972000000000001,
+        clamped=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -235,7 +235,8 @@ static const double
     m3 = 1.8076207197736452e-10,
     m5 = 1e-24, /* exact_slack^2 */
     m6 = 4.839999999999998e-24, /* exact_slack1^2 [m^2] */
-    m7 = 1.452e-09; /* 3 * pose_slack1^2 [m^2] */
+    m7 = 1.452e-09, /* 3 * pose_slack1^2 [m^2] */
+    m8 = 0.0014519999999999997; /* 3 * doubtful_slack1^2 [m^2] */
 /* coefficients */
 static const double m4 = 0.625;
 
@@ -275,12 +276,13 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v22 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11))),
         v23 = T14 - c1 * v14, v24 = T24 + v4 * v14, v25 = v23 * v23, v26 = v24 * v24,
         v27 = v26 + (v25 + v21 * v21), v28 = v26 + (v25 + v22 * v22);
+    const dhgen_wide_mask exact__p = v27 <= m6, exact__m = v28 <= m6;
 
     /* joint values */
     const dhgen_wide v29 = angle1 - (angle2 + angle3), v30 = angle1 - (angle4 - angle2);
     const double v31 = DHGEN_NAN;
-    const dhgen_wide v32 = dhgen_only_wide((v27 <= m6) == 0, v31),
-        v33 = dhgen_only_wide((v28 <= m6) == 0, v31), angle5 = dhgen_atan2_wide(-T12, T22),
+    const dhgen_wide v32 = dhgen_only_wide(exact__p == 0, v31),
+        v33 = dhgen_only_wide(exact__m == 0, v31), angle5 = dhgen_atan2_wide(-T12, T22),
         v34 = angle5 + (w3 - w3);
 
     q[0] = v32 + v34; q[1] = angle3 + v32; q[2] = angle2 + v32;
@@ -292,8 +294,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | (((-m2 <= D3) & (D3 <= m3)) | (v2 <= m1) | (N3 <= doubt_limit_squared2) |
-        (m5 < v16 * v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20) | ((m6 < v27) & (v27 <=
-        m7)) | ((m6 < v28) & (v28 <= m7)));
+        (m5 < v16 * v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20) | (((v27 <= m8) | (v28 <=
+        m8)) & ((exact__p | exact__m) == 0)) | ((m6 < v27) & (v27 <= m7)) | ((m6 < v28) & (v28 <=
+        m7)));
 }
 
 #if DHGEN_LANES > 1
@@ -332,10 +335,11 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v19 = T34 + (factor2 * (a3 * (v7 + v11)) - (v13 + factor2 * (a2 * v9)));
     const double v20 = T14 - c1 * v12, v21 = T24 + v4 * v12, v22 = v20 * v20, v23 = v21 * v21;
     const dhgen_four v24 = v23 + (v22 + v19 * v19);
+    const dhgen_four_mask exact_ = v24 <= m6;
 
     /* joint values */
     const double v27 = DHGEN_NAN;
-    const dhgen_four v28 = dhgen_only_four((v24 <= m6) == 0, v27);
+    const dhgen_four v28 = dhgen_only_four(exact_ == 0, v27);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((m6 < v24) & (v24
         <= m7))) | (unsigned)(((-m2 <= D3) & (D3 <= m3)) | (v2 <= m1) | (m5 < v14 * v14 + v15 * v15
@@ -354,6 +358,8 @@ DHGEN_INLINE int solve_regular(
         angle2 = dhgen_shuffle(packed2, packed2, 3, 3, 3, 3);
     const dhgen_four v25 = e1 * angle2, v26 = angle1 - (angle3 + v25), v29 = angle4 + (w3 - w3),
         q1 = v28 + v29, q2 = angle3 + v28, q3 = v25 + v28, q4 = v28 + dhgen_centred_four(v26);
+    if (dhgen_bits_four(v24 <= m8) && !dhgen_bits_four(exact_))
+        return -1;
 
     dhgen_store_4(q, q + 4, q, q + 4, q1, q2, q3, q4);
     const unsigned long long none1 = (dhgen_bits_four(q1 != q1) * 0x81ull & 0x101ull);
@@ -374,7 +380,7 @@ static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[1] = { 1 };
 static const struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
-    { 0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0 }, 0.4545454545454546, entries, 9,
+    { 0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0 }, 0.4545454545454546, 1e-14, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

@@ -83,6 +83,7 @@ m4 = 0.625  # a coefficient of Y1_2
 m5 = 1e-24  # exact_slack^2
 m6 = 4.839999999999998e-24  # exact_slack1^2 [m^2]
 m7 = 1.452e-09  # 3 * pose_slack1^2 [m^2]
+m8 = 0.0014519999999999997  # 3 * doubtful_slack1^2 [m^2]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -120,6 +121,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0),
         size=2.1999999999999997,
+        clamped=1e-14,
         entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
         steps=('completes', 'equations end all', 'follows seed'),
     ),
@@ -374,17 +376,20 @@ def _formulas(kept, turns, rows, w):
         v26 = v24 * v24
         v27 = v26 + (v25 + v21 * v21)
         v28 = v26 + (v25 + v22 * v22)
+        exact__p = v27 <= m6
+        exact__m = v28 <= m6
 
         # joint values
         v31 = math.sqrt(-1.0)
-        v32 = 0.0 if v27 <= m6 else v31
-        v33 = 0.0 if v28 <= m6 else v31
+        v32 = 0.0 if exact__p else v31
+        v33 = 0.0 if exact__m else v31
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
             1.0 if (-m2 <= D3 and D3 <= m3) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 < v16 *
-            v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20 or (m6 < v27 and v27 <= m7) or (m6 <
-            v28 and v28 <= m7) else kept[16 * w + k]
+            v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20 or ((v27 <= m8 or v28 <= m8) and not
+            (exact__p or exact__m)) or (m6 < v27 and v27 <= m7) or (m6 < v28 and v28 <= m7) else
+            kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], turns[0 * w + k] = w3, v32, v33, -T31
         turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = w3, -v10, -v11

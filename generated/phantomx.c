@@ -238,7 +238,8 @@ static const double
     m3 = 0.06577829481102304,
     m5 = 1e-24, /* exact_slack^2 */
     m6 = 1.2602500000000002e-19, /* exact_slack1^2 [mm^2] */
-    m7 = 3.780750000000001e-05; /* 3 * pose_slack1^2 [mm^2] */
+    m7 = 3.780750000000001e-05, /* 3 * pose_slack1^2 [mm^2] */
+    m8 = 37.807500000000005; /* 3 * doubtful_slack1^2 [mm^2] */
 /* coefficients */
 static const double m4 = 0.004761904761904762;
 
@@ -277,13 +278,14 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v18 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9))),
         v19 = T14 - v3 * v11, v20 = T24 + s1 * v11, v21 = v19 * v19, v22 = v20 * v20,
         v23 = v22 + (v21 + v17 * v17), v24 = v22 + (v21 + v18 * v18);
+    const dhgen_wide_mask exact__p = v23 <= m6, exact__m = v24 <= m6;
 
     /* joint values */
     const dhgen_wide v25 = angle3 - offset2, v26 = angle4 - offset2, v27 = angle3 - angle2 - angle1,
         v28 = angle2 + angle4 - angle1;
     const double v29 = DHGEN_NAN;
-    const dhgen_wide v30 = dhgen_only_wide((v23 <= m6) == 0, v29),
-        v31 = dhgen_only_wide((v24 <= m6) == 0, v29), angle5 = dhgen_atan2_wide(T12, -T22),
+    const dhgen_wide v30 = dhgen_only_wide(exact__p == 0, v29),
+        v31 = dhgen_only_wide(exact__m == 0, v29), angle5 = dhgen_atan2_wide(T12, -T22),
         v32 = angle5 + (w3 - w3);
 
     q[0] = v30 + v32; q[1] = v30 + dhgen_raised_wide(v25); q[2] = angle2 + v30;
@@ -295,8 +297,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | (((-m2 <= D3) & (D3 <= m3)) | (v4 <= m1) | (N3 <= doubt_limit_squared2) |
-        (m5 < T32 * T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16) | ((m6 < v23) & (v23 <=
-        m7)) | ((m6 < v24) & (v24 <= m7)));
+        (m5 < T32 * T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16) | (((v23 <= m8) | (v24 <=
+        m8)) & ((exact__p | exact__m) == 0)) | ((m6 < v23) & (v23 <= m7)) | ((m6 < v24) & (v24 <=
+        m7)));
 }
 
 #if DHGEN_LANES > 1
@@ -334,10 +337,11 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v16 = T34 - (v11 + factor2 * (a2 * S2) + factor2 * (a3 * (v7 + v8)));
     const double v17 = T14 - v3 * v10, v18 = T24 + s1 * v10, v19 = v17 * v17, v20 = v18 * v18;
     const dhgen_four v21 = v20 + (v19 + v16 * v16);
+    const dhgen_four_mask exact_ = v21 <= m6;
 
     /* joint values */
     const double v25 = DHGEN_NAN;
-    const dhgen_four v26 = dhgen_only_four((v21 <= m6) == 0, v25);
+    const dhgen_four v26 = dhgen_only_four(exact_ == 0, v25);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((m6 < v21) & (v21
         <= m7))) | (unsigned)(((-m2 <= D3) & (D3 <= m3)) | (v4 <= m1) | (m5 < T32 * T32 + v12 * v12
@@ -357,6 +361,8 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v22 = angle3 - offset2, v23 = e1 * angle2, v24 = angle3 - v23 - angle1,
         v27 = angle4 + (w3 - w3), q1 = v26 + v27, q2 = v26 + dhgen_raised_four(v22), q3 = v23 + v26,
         q4 = v26 + dhgen_centred_four(v24);
+    if (dhgen_bits_four(v21 <= m8) && !dhgen_bits_four(exact_))
+        return -1;
 
     dhgen_store_4(q, q + 4, q, q + 4, q1, q2, q3, q4);
     const unsigned long long none1 = (dhgen_bits_four(q1 != q1) * 0x81ull & 0x101ull);
@@ -377,7 +383,7 @@ static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[1] = { 1 };
 static const struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
-    { 0.002817, 0.002817, 0.002817, 1.0, 1.0, 1.0 }, 0.0028169014084507044, entries, 9,
+    { 0.002817, 0.002817, 0.002817, 1.0, 1.0, 1.0 }, 0.0028169014084507044, 1e-14, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

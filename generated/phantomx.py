@@ -81,6 +81,7 @@ m4 = 0.004761904761904762  # a coefficient of S2
 m5 = 1e-24  # exact_slack^2
 m6 = 1.2602500000000002e-19  # exact_slack1^2 [mm^2]
 m7 = 3.780750000000001e-05  # 3 * pose_slack1^2 [mm^2]
+m8 = 37.807500000000005  # 3 * doubtful_slack1^2 [mm^2]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -121,6 +122,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.002817, 0.002817, 0.002817, 1.0, 1.0, 1.0),
         size=355.0,
+        clamped=1e-14,
         entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
         steps=('completes', 'equations end all', 'follows seed'),
     ),
@@ -375,17 +377,20 @@ def _formulas(kept, turns, rows, w):
         v22 = v20 * v20
         v23 = v22 + (v21 + v17 * v17)
         v24 = v22 + (v21 + v18 * v18)
+        exact__p = v23 <= m6
+        exact__m = v24 <= m6
 
         # joint values
         v29 = math.sqrt(-1.0)
-        v30 = 0.0 if v23 <= m6 else v29
-        v31 = 0.0 if v24 <= m6 else v29
+        v30 = 0.0 if exact__p else v29
+        v31 = 0.0 if exact__m else v29
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
             1.0 if (-m2 <= D3 and D3 <= m3) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 < T32 *
-            T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16 or (m6 < v23 and v23 <= m7) or (m6 <
-            v24 and v24 <= m7) else kept[16 * w + k]
+            T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16 or ((v23 <= m8 or v24 <= m8) and not
+            (exact__p or exact__m)) or (m6 < v23 and v23 <= m7) or (m6 < v24 and v24 <= m7) else
+            kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], turns[0 * w + k] = w3, v30, v31, T33
         turns[1 * w + k], turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = w3, S2_p, S2_m, T12

@@ -83,6 +83,7 @@ _ARM = _arms.arm_numbers(
         directions='none',
         miss_weights=(1.429, 1.429, 0.0, 0.0, 0.0, 0.0),
         size=0.7,
+        clamped=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -97,6 +97,7 @@ _ARM = _arms.arm_numbers(
         directions='none',
         miss_weights=(0.5862, 0.5862, 0.5862, 0.0, 0.0, 0.0),
         size=1.70578,
+        clamped=1e-14,
         steps=('merges', 'refines', 'follows seed'),
     ),
 )

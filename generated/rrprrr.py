@@ -81,6 +81,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
         size=1.0,
+        clamped=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -262,7 +262,8 @@ static const double
     m8 = 8.213869404159996e-17, /* doubt_limit_squared2^2 [m^4] */
     m9 = 1e-24, /* exact_slack^2 */
     m10 = 9.063039999999996e-25, /* exact_slack1^2 [m^2] */
-    m11 = 2.7189119999999995e-10; /* 3 * pose_slack1^2 [m^2] */
+    m11 = 2.7189119999999995e-10, /* 3 * pose_slack1^2 [m^2] */
+    m12 = 0.0002718911999999999; /* 3 * doubtful_slack1^2 [m^2] */
 /* coefficients */
 static const double m6 = 4.524886877828054, m7 = 2.262443438914027;
 
@@ -331,6 +332,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v68 = T24 - v4 * v52, v69 = v57 * v57 + v61 * v61 + v65 * v65,
         v70 = v58 * v58 + v62 * v62 + v66 * v66, v71 = v59 * v59 + v63 * v63 + v67 * v67,
         v72 = v60 * v60 + v64 * v64 + v68 * v68;
+    const dhgen_wide_mask exact__pp = v69 <= m10, exact__pm = v70 <= m10, exact__mp = v71 <= m10,
+        exact__mm = v72 <= m10;
 
     /* joint values */
     const dhgen_wide v73 = angle2 - (angle3 + angle5) - offset4,
@@ -342,10 +345,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v80 = dhgen_pick_wide(-v76 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
             dhgen_only_wide(DHGEN_HALF_TURN < -v76, -DHGEN_TURN)) - v76;
     const double v81 = DHGEN_NAN;
-    const dhgen_wide v82 = dhgen_only_wide((v69 <= m10) == 0, v81),
-        v83 = dhgen_only_wide((v70 <= m10) == 0, v81),
-        v84 = dhgen_only_wide((v71 <= m10) == 0, v81),
-        v85 = dhgen_only_wide((v72 <= m10) == 0, v81), v86 = angle1 + v21,
+    const dhgen_wide v82 = dhgen_only_wide(exact__pp == 0, v81),
+        v83 = dhgen_only_wide(exact__pm == 0, v81), v84 = dhgen_only_wide(exact__mp == 0, v81),
+        v85 = dhgen_only_wide(exact__mm == 0, v81), v86 = angle1 + v21,
         v87 = v22 + (angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, -Yhat1)),
         v88 = v21 + free_joints[0], v89 = v22 + free_joints[0];
 
@@ -366,7 +368,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     return (exact == 0) | ((v6 <= m3) | (v1 <= m1) | ((m10 < v72) & (v72 <= m11)) | (v42 <= m8) |
         ((m10 < v71) & (v71 <= m11)) | (v41 <= m8) | ((m10 < v70) & (v70 <= m11)) | (v40 <= m8) |
         ((m10 < v69) & (v69 <= m11)) | (v39 <= m8) | (m9 < v54 * v54 + v55 * v55 + v56 * v56) |
-        ((-m4 <= D3_p) & (D3_p <= m5)) | ((-m4 <= D3_m) & (D3_m <= m5)));
+        (((v72 <= m12) | (v71 <= m12) | (v69 <= m12) | (v70 <= m12)) & ((exact__mm | exact__mp |
+        exact__pp | exact__pm) == 0)) | ((-m4 <= D3_p) & (D3_p <= m5)) | ((-m4 <= D3_m) & (D3_m <=
+        m5)));
 }
 
 #if DHGEN_LANES > 1
@@ -418,10 +422,11 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v37 = T34 + (factor2 * (a3 * (e2 * (s3 * C2) - c3 * v26)) - (v33 + factor2 *
         (a2 * v26))), v38 = T14 + e1 * (v3 * v32), v39 = T24 + e1 * (v4 * v32),
         v40 = v37 * v37 + v38 * v38 + v39 * v39;
+    const dhgen_four_mask exact_ = v40 <= m10;
 
     /* joint values */
     const double v45 = DHGEN_NAN;
-    const dhgen_four v46 = dhgen_only_four((v40 <= m10) == 0, v45), v48 = v21 + free_joints[0],
+    const dhgen_four v46 = dhgen_only_four(exact_ == 0, v45), v48 = v21 + free_joints[0],
         q5 = v46 + v48;
 
     if (dhgen_bits_four(((dhgen_all_four(dhgen_approach_misfit(T) + 0.0 * (T[3] + T[7] + T[11] +
@@ -441,6 +446,8 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v41 = e2 * angle3, v42 = e1 * angle2, v43 = v42 - (angle4 + v41) - offset4,
         v44 = dhgen_centred_four(v43), v47 = v21 + (angle1 + v5 * (m2 * (e1 - 1.0))),
         q1 = v46 + v47, q2 = angle4 + v46, q3 = v41 + v46, q4 = v46 + dhgen_raised_four(v44);
+    if (dhgen_bits_four(v40 <= m12) && !dhgen_bits_four(exact_))
+        return -1;
 
     dhgen_store_4(q, q + 5, q + 10, q + 15, q1, q2, q3, q4);
     dhgen_store_1(q + 4, q + 9, q + 14, q + 19, q5);
@@ -463,7 +470,7 @@ static const int entries[6] = { 2, 3, 6, 7, 10, 11 };
 static const int choosable[2] = { 1, 0 };
 static const struct dhgen_arm arm = {
     5, 4, 1, DHGEN_POINTING, joints, given_joints, 1,
-    { 1.05, 1.05, 1.05, 1.0, 1.0, 1.0 }, 1.050420168067227, entries, 6,
+    { 1.05, 1.05, 1.05, 1.0, 1.0, 1.0 }, 1.050420168067227, 1e-14, entries, 6,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

@@ -93,6 +93,7 @@ m8 = 8.213869404159996e-17  # doubt_limit_squared2^2 [m^4]
 m9 = 1e-24  # exact_slack^2
 m10 = 9.063039999999996e-25  # exact_slack1^2 [m^2]
 m11 = 2.7189119999999995e-10  # 3 * pose_slack1^2 [m^2]
+m12 = 0.0002718911999999999  # 3 * doubtful_slack1^2 [m^2]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -138,6 +139,7 @@ _ARM = _arms.arm_numbers(
         directions='pointing',
         miss_weights=(1.05, 1.05, 1.05, 1.0, 1.0, 1.0),
         size=0.952,
+        clamped=1e-14,
         entries=(2, 3, 6, 7, 10, 11),
         steps=('retries', 'completes', 'equations end all', 'follows seed'),
         given=(4,),
@@ -512,13 +514,17 @@ def _formulas(kept, turns, rows, w):
         v70 = v58 * v58 + v62 * v62 + v66 * v66
         v71 = v59 * v59 + v63 * v63 + v67 * v67
         v72 = v60 * v60 + v64 * v64 + v68 * v68
+        exact__pp = v69 <= m10
+        exact__pm = v70 <= m10
+        exact__mp = v71 <= m10
+        exact__mm = v72 <= m10
 
         # joint values
         v81 = math.sqrt(-1.0)
-        v82 = 0.0 if v69 <= m10 else v81
-        v83 = 0.0 if v70 <= m10 else v81
-        v84 = 0.0 if v71 <= m10 else v81
-        v85 = 0.0 if v72 <= m10 else v81
+        v82 = 0.0 if exact__pp else v81
+        v83 = 0.0 if exact__pm else v81
+        v84 = 0.0 if exact__mp else v81
+        v85 = 0.0 if exact__mm else v81
         v88 = v21 + given1
         v89 = v22 + given1
         q5_pp = v82 + v88
@@ -530,8 +536,10 @@ def _formulas(kept, turns, rows, w):
         kept[17 * w + k] = (
             1.0 if v6 <= m3 or v1 <= m1 or (m10 < v72 and v72 <= m11) or v42 <= m8 or (m10 < v71 and
             v71 <= m11) or v41 <= m8 or (m10 < v70 and v70 <= m11) or v40 <= m8 or (m10 < v69 and
-            v69 <= m11) or v39 <= m8 or m9 < v54 * v54 + v55 * v55 + v56 * v56 or (-m4 <= D3_p and
-            D3_p <= m5) or (-m4 <= D3_m and D3_m <= m5) else kept[17 * w + k]
+            v69 <= m11) or v39 <= m8 or m9 < v54 * v54 + v55 * v55 + v56 * v56 or ((v72 <= m12 or
+            v71 <= m12 or v69 <= m12 or v70 <= m12) and not (exact__mm or exact__mp or exact__pp or
+            exact__pm)) or (-m4 <= D3_p and D3_p <= m5) or (-m4 <= D3_m and D3_m <= m5) else kept[17
+            * w + k]
         )
         kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Yhat1, v21, v22
         kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v82, v83, v84, v85

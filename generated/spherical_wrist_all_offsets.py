@@ -115,6 +115,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.5618, 0.5618, 0.5618, 1.0, 1.0, 1.0),
         size=1.7800000000000005,
+        clamped=1e-14,
         steps=('merges', 'refines', 'follows seed'),
     ),
 )

@@ -112,6 +112,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(1.149, 1.149, 1.149, 1.0, 1.0, 1.0),
         size=0.8700000000000001,
+        clamped=1e-14,
         steps=('merges', 'refines', 'follows seed'),
     ),
 )

@@ -177,6 +177,7 @@ struct dhgen_arm {
      * digits in refining; and for whether a row fits, the places of the entries that do. */
     float miss_weights[6];
     float per_length;
+    float clamped; /* a joint is clamped if the pose is missed by so much more [arm sizes, rad] */
     const int *entries;
     int entry_count;
 
@@ -304,7 +305,6 @@ DHGEN_INLINE void dhgen_ik_each(const struct dhgen_arm *arm, size_t k, size_t n,
 #define DHGEN_FREE 2e-05f
 #define DHGEN_MERGE 1e-07f
 #define DHGEN_DOUBTFUL 0.01f
-#define DHGEN_CLAMPED 1e-06f
 #define DHGEN_APART_BY 0.003f
 #define DHGEN_FAR_ANGLE 100.0f
 #define DHGEN_FINE 1e-10f
@@ -565,7 +565,7 @@ DHGEN_FN int dhgen_refine(
     for (int k = 0; k < DHGEN_STEPS; k++) {
         float miss = dhgen_miss(arm, T, x, e), past = 0.0f;
         if (isnan(enough))
-            enough = miss + DHGEN_CLAMPED;
+            enough = miss + arm->clamped;
         const int worst = clamps && miss < enough ? dhgen_farthest_past(arm, x, &past) : -1;
         if (worst >= 0) { /* one by one: others may follow it inside, or the first the second */
             moves++;
@@ -606,7 +606,7 @@ DHGEN_FN int dhgen_refine_inside(
     int past = 0;
     for (int i = 0; i < dhgen_dof(arm); i++)
         past += dhgen_moves(arm, i) && fabsf(dhgen_past_an_end(arm, i, q[i])) > 0.0f;
-    const float enough = dhgen_miss(arm, T, q, e) + DHGEN_CLAMPED;
+    const float enough = dhgen_miss(arm, T, q, e) + arm->clamped;
     float farther = DHGEN_NEXT_INSIDE;
     while (past > 1 && farther <= DHGEN_FARTHEST_INSIDE) {
         for (int i = 0; i < dhgen_dof(arm); i++)
@@ -2076,7 +2076,7 @@ static const int choosable[3] = { 5, 1, 0 };
 static const int together[2] = { 0, 5 };
 static const struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
-    { 0.8386f, 0.8386f, 0.8386f, 1.0f, 1.0f, 1.0f }, 0.8385681f, entries, 9,
+    { 0.8386f, 0.8386f, 0.8386f, 1.0f, 1.0f, 1.0f }, 0.8385681f, 1e-06f, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, together, 2, 52,
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */

@@ -50,6 +50,7 @@ class Policy:
         merges: Whether branches that meet may come out apart: one root follows another.
         refines: Whether rows of a root that follows another are led to solutions.
         clamps: Whether joints are put on limits near singular poses.
+        clamped: By how much more the pose may be missed then [arm sizes, rad].
         clamps_far: Whether they are led far to them: not where every pose is solved with care.
         winds: Whether a joint that is put on a limit could be turned.
         follows_seed: Whether rows near singular poses go on from the seed.
@@ -69,6 +70,7 @@ class Policy:
     merges: bool
     refines: bool
     clamps: bool
+    clamped: float
     clamps_far: bool
     winds: bool
     follows_seed: bool
@@ -99,6 +101,7 @@ def policy_of(module: SolverModule) -> Policy:
         merges=follows_seed and roots_in_a_row(solver) > 1,
         refines=solver.led is not None,
         clamps=stands_on_limits(module),
+        clamped=_clamped(module),
         clamps_far=stands_on_limits(module) and tells_regular(solver),
         winds=stands_on_limits(module) and _widest_turn(module) > NEARLY_A_TURN,
         follows_seed=follows_seed,
@@ -122,6 +125,12 @@ def fan_steps(module: SolverModule) -> tuple[float, ...]:
         2.0 * (math.pi if turns else length) / FAN
         for turns, length in zip(module.chain.turning, lengths, strict=True)
     )
+
+
+def _clamped(module: SolverModule) -> float:
+    """By how much more a pose may be missed by a row that is clamped."""
+    tolerances = module.precision.tolerances
+    return tolerances.clamped if whole_arm(module.solver) is None else tolerances.polished
 
 
 def _follows_seed(module: SolverModule) -> bool:

@@ -12,6 +12,7 @@ from .arm import FK, JACOBIAN, POSE, ROBOT, fk_at, jacobian_at
 from .jit import of_file
 from .limits import past_an_end, past_ends
 from .places import (
+    CLAMPED,
     DIRECTIONS,
     DOF,
     ENTRIES,
@@ -27,7 +28,7 @@ from .places import (
     WINDS,
     YAW,
 )
-from .tolerances import CLAMPED, FINE
+from .tolerances import FINE
 from .turns import TURN
 
 if TYPE_CHECKING:
@@ -214,7 +215,7 @@ def refine(arm: Floats, robot: Robot, pose: Pose, enough: float, most: float, q:
     for _ in range(STEPS):
         miss = measure_miss(arm, robot, pose, x, e)
         if math.isnan(enough):
-            enough = miss + CLAMPED
+            enough = miss + arm[CLAMPED]
         worst, past = _farthest_past(arm, x) if clamps and miss < enough else (-1, 0.0)
         if worst >= 0:  # one by one: others may follow it inside, or the first one the second
             moved += 1
@@ -257,7 +258,7 @@ def refine_inside(arm: Floats, robot: Robot, pose: Pose, most: float, q: Floats)
     if arm[WINDS] == 0.0 or past < 2:
         return False
     x, farther = q.copy(), NEXT_INSIDE
-    enough = measure_miss(arm, robot, pose, q, np.empty(6)) + CLAMPED
+    enough = measure_miss(arm, robot, pose, q, np.empty(6)) + arm[CLAMPED]
     while farther <= FARTHEST_INSIDE:
         for i in range(len(q)):
             x[i] = q[i] - moves(arm, i) * farther * past_an_end(arm, i, q[i])

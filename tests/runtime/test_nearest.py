@@ -36,7 +36,6 @@ def test_one_table_of_tolerances() -> None:
         "free": "FREE",
         "merge": "MERGE",
         "doubtful": "DOUBTFUL",
-        "standing": "CLAMPED",
         "told": "APART_BY",
         "far": "FAR_ANGLE",
         "fine": "FINE",

@@ -15,6 +15,7 @@ import numpy as np
 from .jit import calling, of_file
 from .places import (
     CHOOSABLE,
+    CLAMPED,
     DESCENTS,
     ENTRIES,
     GIVEN_JOINTS,
@@ -92,6 +93,7 @@ class Arm:
         directions: What a pose names besides coordinates: one of `places.NAMES`.
         miss_weights: What the entries of a miss count, first the translation's.
         size: Of the arm.
+        clamped: A joint is clamped to a limit if the pose is missed by so much more at most.
         entries: Places of a pose's entries that are asked then.
         steps: What has to be done, by the names in STEPS.
         given: Joints whose values the caller gives, from 0.
@@ -111,6 +113,7 @@ class Arm:
     directions: str
     miss_weights: tuple[float, ...]
     size: float
+    clamped: float
     entries: tuple[int, ...] = ()
     steps: tuple[str, ...] = ()
     given: tuple[int, ...] = ()
@@ -136,6 +139,7 @@ def arm_numbers(arm: Arm, descents: Sequence[float] | Floats = ()) -> Floats:
     directions = NAMES.index(arm.directions)
     numbers[:5] = len(arm.types), arm.rows, directions, arm.cuts, 1.0 / arm.size
     numbers[MISS_WEIGHTS : MISS_WEIGHTS + 6] = arm.miss_weights
+    numbers[CLAMPED] = arm.clamped
     for step in arm.steps:
         if step not in STEPS:
             raise ValueError(f"no step is called {step!r}")

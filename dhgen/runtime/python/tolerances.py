@@ -25,9 +25,6 @@ MERGE = 1e-14
 # Joint values may be beyond limits by this before they are clamped to them [rad, arm sizes]: an
 # angle taken from a vector just longer than FREE is good to a tenth of it.
 DOUBTFUL = 1e-2
-# A joint is clamped to a limit if the pose is missed by so much more at most. Not above MERGE: of
-# two branches that differ the one beyond the limit must not become the other.
-CLAMPED = 1e-14
 # About the square root of MERGE, because branches that meet separate like a square root: joint
 # values that differ by less are one solution [rad or length].
 APART_BY = 1e-6

@@ -65,7 +65,7 @@ def c_table(module: SolverModule) -> CTable:
         places=[each.definition for each in arrays if each.places],
         arm=[
             f"{INDENT}{size}, {_task(module)}, joints, {given.named},",
-            f"{INDENT}{{ {weights} }}, {1.0 / chain.size!r}, {entries.named},",
+            f"{INDENT}{{ {weights} }}, {1.0 / chain.size!r}, {policy.clamped!r}, {entries.named},",
             *_steps(chain, policy, choosing.named, choosing_together.named),
             *_functions(module),
         ],

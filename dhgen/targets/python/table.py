@@ -48,6 +48,7 @@ def _arm(module: SolverModule) -> Arm:
         directions=chain.task.directions.value,
         miss_weights=tuple(map(float, miss_weights(chain))),
         size=chain.size,
+        clamped=policy.clamped,
         entries=tuple(e.place for e in named_entries(chain)) if measures else (),
         steps=_steps(policy),
         given=tuple(number - 1 for number in chain.free),

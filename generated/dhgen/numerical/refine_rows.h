@@ -19,7 +19,11 @@
 #define DHGEN_SPARE 0.001
 /* A step longer than this would lead elsewhere [rad, arm sizes]: a row is not known yet. */
 #define DHGEN_SURE 0.0001
-/* So many times what counts as exact is still a solution. */
+/* The least miss of a pose that is rounded is found where steps are no longer than this [rad, arm
+ * sizes]: far above their rounding, far below what tells two solutions apart. */
+#define DHGEN_SETTLED 1e-9
+/* So many times what counts as exact is still a solution, and so many times what a solution may miss
+ * a rounded pose by is not far from one. */
 #define DHGEN_LOOSE 10.0
 
 /* What an exact row may miss: far away rounding is more [arm sizes, rad]. */
@@ -67,6 +71,33 @@ DHGEN_FN double dhgen_approach(
     return least;
 }
 
+/* Takes the joint values of a row to the least miss of a pose that is rounded: that does not vanish.
+ * Returns by how much the row misses the pose then. */
+DHGEN_FN double dhgen_least_miss(struct dhgen_descent *d, double *q)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    double u[DHGEN_JOINTS], best[DHGEN_JOINTS], step[DHGEN_JOINTS];
+    double least = HUGE_VAL, ahead = HUGE_VAL;
+    for (int j = 0; j < arm->solved; j++)
+        best[j] = u[j] = q[arm->joint[j]] / arm->unit[j];
+    for (int k = 0; k < DHGEN_ROW_STEPS && ahead > DHGEN_SETTLED; k++) {
+        dhgen_measure_miss(d, u);
+        if (!(d->length < least))
+            break;
+        least = d->length;
+        ahead = 0.0;
+        dhgen_copy_units(arm, u, best);
+        dhgen_damped_step(d, d->e, d->length, DHGEN_FINE, step);
+        for (int j = 0; j < arm->solved; j++)
+            ahead = fmax(ahead, fabs(step[j]));
+        (void)dhgen_make_step(arm, step, u);
+    }
+    dhgen_wrap_units(arm, best);
+    for (int j = 0; j < arm->solved; j++)
+        q[arm->joint[j]] = arm->unit[j] * best[j];
+    return least;
+}
+
 /* Takes a row as far as steps help, also from both sides of where they get slow: where many
  * solutions meet, joint values between them are singular. A root of four is missed by the fourth
  * power of the way to it. Returns by how much it misses the pose then. */
@@ -100,9 +131,10 @@ DHGEN_FN double dhgen_escape(struct dhgen_descent *d, double exact, double *q)
     return least;
 }
 
-/* Takes a row to where least squares lead, unless it is exact or, where the task names more than
- * the joints can choose, can't be. Returns by how much it misses the pose then, `first` being what
- * it misses before. */
+/* Takes a row to where least squares lead, unless it is exact. Where the task names more than the
+ * joints can choose, a row that can't be exact is taken to the least miss: equations that hold few
+ * digits of a joint make far more of what a pose is rounded by. Returns by how much the row misses
+ * the pose then, `first` being what it misses before. */
 DHGEN_FN double dhgen_refine_row(
     struct dhgen_descent *d, double exact, double first, double *q, int *moved)
 {
@@ -119,7 +151,11 @@ DHGEN_FN double dhgen_refine_row(
         end[i] = q[i];
     if (arm->checked) {
         least = dhgen_approach(d, DHGEN_ROW_STEPS, exact, end, &ahead);
-        if (least > exact) /* the pose is rounded, or this is no solution */
+        if (least > DHGEN_LOOSE * arm->residual) /* no solution, however the pose is rounded */
+            return first;
+        if (least > exact)
+            least = dhgen_least_miss(d, end);
+        if (!(least < first))
             return first;
     } else {
         least = dhgen_escape(d, exact, end);

@@ -51,7 +51,12 @@ STUCK = 0.9
 SPARE = 1e-3
 # A step longer than this would lead elsewhere [rad, arm sizes]: a row is not known yet.
 SURE = 1e-4
-LOOSE = 10.0  # so many times what counts as exact is still a solution
+# The least miss of a pose that is rounded is found where steps are no longer than this [rad, arm
+# sizes]: far above their rounding, far below what tells two solutions apart.
+SETTLED = 1e-9
+# So many times what counts as exact is still a solution, and so many times what a solution may miss
+# a rounded pose by is not far from one.
+LOOSE = 10.0
 
 
 @inner
@@ -100,6 +105,35 @@ def approach(
     return least, ahead
 
 
+@apart(f"float64(float64[::1], {GOAL}, float64[::1])")
+def least_miss(descents: Floats, goal: Goal, q: Floats) -> float:
+    """Takes the joint values of a row to the least miss of a pose that is rounded.
+
+    That does not vanish. Returns by how much the row misses the pose then.
+    """
+    solved, equations = int(descents[SOLVED]), int(descents[EQUATIONS])
+    e, A = np.empty(equations), np.empty((equations, solved))
+    joints, u, step = q.copy(), in_units(descents, q), np.empty(solved)
+    best, least, ahead = u.copy(), math.inf, math.inf
+    for _ in range(ROW_STEPS):
+        if ahead <= SETTLED:
+            break
+        length = measure_miss(descents, goal, joints, u, e, A)
+        if not length < least:
+            break
+        least, ahead = length, 0.0
+        take(best, u)
+        damped_step(A, e, length, FINE, step)
+        for j in range(solved):
+            ahead = max(ahead, abs(step[j]))
+        shorten(step)
+        for j in range(solved):
+            u[j] += step[j]
+    wrap_angles(descents, best)
+    take_units(descents, best, q)
+    return least
+
+
 @apart(f"float64(float64[::1], {GOAL}, float64, float64[::1])")
 def escape(descents: Floats, goal: Goal, exact: float, q: Floats) -> float:
     """Takes a row as far as steps help, also from both sides of where they get slow.
@@ -139,8 +173,10 @@ def refine_row(
 ) -> tuple[float, bool]:
     """Takes a row to where least squares lead, unless it is exact.
 
-    Where the task names more than the joints can choose, only if it can be exact. Returns by how
-    much it misses the pose then, `first` being what it misses before, and whether it was moved.
+    Where the task names more than the joints can choose, a row that can't be exact is taken to the
+    least miss: equations that hold few digits of a joint make far more of what a pose is rounded
+    by. Returns by how much the row misses the pose then, `first` being what it misses before, and
+    whether it was moved.
     """
     if first <= exact:
         return first, False
@@ -152,7 +188,11 @@ def refine_row(
     end, moved = q.copy(), False
     if descents[CHECKED] > 0.0:
         least = approach(descents, goal, ROW_STEPS, exact, end)[0]
-        if least > exact:  # the pose is rounded, or this is no solution
+        if least > LOOSE * descents[RESIDUAL]:
+            return first, False  # no solution, however the pose is rounded
+        if least > exact:
+            least = least_miss(descents, goal, end)
+        if not least < first:
             return first, False
     else:
         least = escape(descents, goal, exact, end)

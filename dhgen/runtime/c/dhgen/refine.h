@@ -173,7 +173,7 @@ DHGEN_FN int dhgen_refine(
     for (int k = 0; k < DHGEN_STEPS; k++) {
         double miss = dhgen_miss(arm, T, x, e), past = 0.0;
         if (isnan(enough))
-            enough = miss + DHGEN_CLAMPED;
+            enough = miss + arm->clamped;
         const int worst = clamps && miss < enough ? dhgen_farthest_past(arm, x, &past) : -1;
         if (worst >= 0) { /* one by one: others may follow it inside, or the first the second */
             moves++;
@@ -214,7 +214,7 @@ DHGEN_FN int dhgen_refine_inside(
     int past = 0;
     for (int i = 0; i < dhgen_dof(arm); i++)
         past += dhgen_moves(arm, i) && fabs(dhgen_past_an_end(arm, i, q[i])) > 0.0;
-    const double enough = dhgen_miss(arm, T, q, e) + DHGEN_CLAMPED;
+    const double enough = dhgen_miss(arm, T, q, e) + arm->clamped;
     double farther = DHGEN_NEXT_INSIDE;
     while (past > 1 && farther <= DHGEN_FARTHEST_INSIDE) {
         for (int i = 0; i < dhgen_dof(arm); i++)

@@ -41,9 +41,6 @@
 /* Joint values may be beyond limits by this before they are clamped to them [rad, arm sizes]: an
  * angle taken from a vector just longer than DHGEN_FREE is good to a tenth of it. */
 #define DHGEN_DOUBTFUL 1e-2
-/* A joint is clamped to a limit if the pose is missed by so much more at most. Not above
- * DHGEN_MERGE: of two branches that differ the one beyond the limit must not become the other. */
-#define DHGEN_CLAMPED 1e-14
 /* About the square root of DHGEN_MERGE, because branches that meet separate like a square root:
  * joint values that differ by less are one solution [rad or length]. */
 #define DHGEN_APART_BY 1e-6
@@ -69,7 +66,6 @@
 #define DHGEN_FREE 2e-5
 #define DHGEN_MERGE 1e-7
 #define DHGEN_DOUBTFUL 1e-2
-#define DHGEN_CLAMPED 1e-6
 #define DHGEN_APART_BY 3e-3
 #define DHGEN_FAR_ANGLE 1e2
 #define DHGEN_FINE 1e-10
