@@ -83,11 +83,15 @@ int dhgen_pose_to_xyz_euler_zyz(const double T[16], double xyz[3], double euler_
 int dhgen_pose_from_xyz_rotvec(const double xyz[3], const double rotvec[3], double T[16]);
 int dhgen_pose_to_xyz_rotvec(const double T[16], double xyz[3], double rotvec[3]);
 
-/* abc_deg = A, B, C of KUKA [degrees]: R = Rz(A) Ry(B) Rx(C); they are yaw, pitch, roll. */
+/* abc = A, B, C of KUKA: R = Rz(A) Ry(B) Rx(C); they are yaw, pitch, roll. abc_deg in degrees. */
+int dhgen_pose_from_xyz_abc(const double xyz[3], const double abc[3], double T[16]);
+int dhgen_pose_to_xyz_abc(const double T[16], double xyz[3], double abc[3]);
 int dhgen_pose_from_xyz_abc_deg(const double xyz[3], const double abc_deg[3], double T[16]);
 int dhgen_pose_to_xyz_abc_deg(const double T[16], double xyz[3], double abc_deg[3]);
 
-/* wpr_deg = W, P, R of FANUC, Rx, Ry, Rz of Yaskawa: rpy in degrees. */
+/* wpr = W, P, R of FANUC, Rx, Ry, Rz of Yaskawa: they are rpy. wpr_deg in degrees. */
+int dhgen_pose_from_xyz_wpr(const double xyz[3], const double wpr[3], double T[16]);
+int dhgen_pose_to_xyz_wpr(const double T[16], double xyz[3], double wpr[3]);
 int dhgen_pose_from_xyz_wpr_deg(const double xyz[3], const double wpr_deg[3], double T[16]);
 int dhgen_pose_to_xyz_wpr_deg(const double T[16], double xyz[3], double wpr_deg[3]);
 

@@ -35,7 +35,9 @@ NOTATIONS: dict[str, tuple[int, ...]] = {
     "euler_zxz": (3,),
     "euler_zyz": (3,),
     "rotvec": (3,),
+    "abc": (3,),
     "abc_deg": (3,),
+    "wpr": (3,),
     "wpr_deg": (3,),
 }
 

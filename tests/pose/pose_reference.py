@@ -38,16 +38,26 @@ def euler_zyz(angles: Any) -> Any:
     return elementary("z", a) @ elementary("y", b) @ elementary("z", c)
 
 
-def abc_deg(angles: Any) -> Any:
+def abc(angles: Any) -> Any:
     """R = Rz(A) Ry(B) Rx(C): turns about the axes of the frame itself, z, y, x (KUKA's manuals)."""
-    a, b, c = np.asarray(angles, dtype=LONG) * DEGREE
+    a, b, c = angles
     return elementary("z", a) @ elementary("y", b) @ elementary("x", c)
 
 
-def wpr_deg(angles: Any) -> Any:
+def abc_deg(angles: Any) -> Any:
+    """A, B, C in degrees."""
+    return abc(np.asarray(angles, dtype=LONG) * DEGREE)
+
+
+def wpr(angles: Any) -> Any:
     """W, P, R: turns about the fixed axes x, y, z, one after the other (FANUC's manuals)."""
-    w, p, r = np.asarray(angles, dtype=LONG) * DEGREE
+    w, p, r = angles
     return elementary("z", r) @ elementary("y", p) @ elementary("x", w)
+
+
+def wpr_deg(angles: Any) -> Any:
+    """W, P, R in degrees."""
+    return wpr(np.asarray(angles, dtype=LONG) * DEGREE)
 
 
 def rotvec(vector: Any) -> Any:

@@ -159,6 +159,8 @@ def test_products_and_inverses_are_those_of_matrices(name: str) -> None:
         ("abc_deg", (0, 0, 90), (1, 0, 0), (0, -1, 0)),
         ("wpr_deg", (90, 0, 0), (1, 0, 0), (0, -1, 0)),
         ("wpr_deg", (180, 0, 90), (0, 1, 0), (0, 0, -1)),  # a tool that points down
+        ("abc", (np.pi / 2, np.pi / 2, 0), (0, 0, -1), (0, 1, 0)),
+        ("wpr", (np.pi, 0, np.pi / 2), (0, 1, 0), (0, 0, -1)),
         ("rotvec", (0, np.pi, 0), (-1, 0, 0), (0, 0, -1)),
         ("rotvec", (0, 0, np.pi / 2), (0, 1, 0), (0, 0, 1)),
     ],

@@ -372,31 +372,56 @@ int dhgen_pose_to_xyz_rotvec(const double T[16], double xyz[3], double rotvec[3]
     return code;
 }
 
-int dhgen_pose_from_xyz_abc_deg(const double xyz[3], const double abc_deg[3], double T[16])
+int dhgen_pose_from_xyz_abc(const double xyz[3], const double abc[3], double T[16])
 {
-    const double rpy[3] = { abc_deg[2] * degree, abc_deg[1] * degree, abc_deg[0] * degree };
+    const double rpy[3] = { abc[2], abc[1], abc[0] };
     return dhgen_pose_from_xyz_rpy(xyz, rpy, T);
 }
 
-int dhgen_pose_to_xyz_abc_deg(const double T[16], double xyz[3], double abc_deg[3])
+int dhgen_pose_to_xyz_abc(const double T[16], double xyz[3], double abc[3])
 {
     double rpy[3];
     const int code = dhgen_pose_to_xyz_rpy(T, xyz, rpy);
     for (int i = 0; i < 3; i++) {
-        abc_deg[i] = rpy[2 - i] / degree;
+        abc[i] = rpy[2 - i];
     }
     return code;
 }
 
+int dhgen_pose_from_xyz_abc_deg(const double xyz[3], const double abc_deg[3], double T[16])
+{
+    const double abc[3] = { abc_deg[0] * degree, abc_deg[1] * degree, abc_deg[2] * degree };
+    return dhgen_pose_from_xyz_abc(xyz, abc, T);
+}
+
+int dhgen_pose_to_xyz_abc_deg(const double T[16], double xyz[3], double abc_deg[3])
+{
+    const int code = dhgen_pose_to_xyz_abc(T, xyz, abc_deg);
+    for (int i = 0; i < 3; i++) {
+        abc_deg[i] /= degree;
+    }
+    return code;
+}
+
+int dhgen_pose_from_xyz_wpr(const double xyz[3], const double wpr[3], double T[16])
+{
+    return dhgen_pose_from_xyz_rpy(xyz, wpr, T);
+}
+
+int dhgen_pose_to_xyz_wpr(const double T[16], double xyz[3], double wpr[3])
+{
+    return dhgen_pose_to_xyz_rpy(T, xyz, wpr);
+}
+
 int dhgen_pose_from_xyz_wpr_deg(const double xyz[3], const double wpr_deg[3], double T[16])
 {
-    const double rpy[3] = { wpr_deg[0] * degree, wpr_deg[1] * degree, wpr_deg[2] * degree };
-    return dhgen_pose_from_xyz_rpy(xyz, rpy, T);
+    const double wpr[3] = { wpr_deg[0] * degree, wpr_deg[1] * degree, wpr_deg[2] * degree };
+    return dhgen_pose_from_xyz_wpr(xyz, wpr, T);
 }
 
 int dhgen_pose_to_xyz_wpr_deg(const double T[16], double xyz[3], double wpr_deg[3])
 {
-    const int code = dhgen_pose_to_xyz_rpy(T, xyz, wpr_deg);
+    const int code = dhgen_pose_to_xyz_wpr(T, xyz, wpr_deg);
     for (int i = 0; i < 3; i++) {
         wpr_deg[i] /= degree;
     }

@@ -362,30 +362,54 @@ def to_xyz_rotvec(T: Array) -> tuple[Array, Array]:
 
 
 @_of_numbers
+def from_xyz_abc(xyz: Array, abc: Array) -> Array:
+    """Pose from position and KUKA's A, B, C [rad]: R = Rz(A) Ry(B) Rx(C)."""
+    return from_xyz_rpy(xyz, _vector(abc, 3)[::-1].copy())
+
+
+@_of_numbers
+def to_xyz_abc(T: Array) -> tuple[Array, Array]:
+    """Position and KUKA's A, B, C of a pose [rad]; A, B, C are yaw, pitch, roll."""
+    xyz, rpy = to_xyz_rpy(T)
+    return xyz, rpy[::-1].copy()
+
+
+@_of_numbers
 def from_xyz_abc_deg(xyz: Array, abc_deg: Array) -> Array:
-    """Pose from position and KUKA's A, B, C [degrees]: R = Rz(A) Ry(B) Rx(C)."""
-    abc = _vector(abc_deg, 3) * DEGREE
-    return from_xyz_rpy(xyz, np.array([abc[2], abc[1], abc[0]]))
+    """Pose from position and KUKA's A, B, C [degrees]."""
+    return from_xyz_abc(xyz, _vector(abc_deg, 3) * DEGREE)
 
 
 @_of_numbers
 def to_xyz_abc_deg(T: Array) -> tuple[Array, Array]:
-    """Position and KUKA's A, B, C of a pose [degrees]; A, B, C are yaw, pitch, roll."""
-    xyz, rpy = to_xyz_rpy(T)
-    return xyz, np.array([rpy[2], rpy[1], rpy[0]]) / DEGREE
+    """Position and KUKA's A, B, C of a pose [degrees]."""
+    xyz, abc = to_xyz_abc(T)
+    return xyz, abc / DEGREE
+
+
+@_of_numbers
+def from_xyz_wpr(xyz: Array, wpr: Array) -> Array:
+    """Pose from position and W, P, R of FANUC, Rx, Ry, Rz of Yaskawa [rad]: they are rpy."""
+    return from_xyz_rpy(xyz, wpr)
+
+
+@_of_numbers
+def to_xyz_wpr(T: Array) -> tuple[Array, Array]:
+    """Position and W, P, R of FANUC, Rx, Ry, Rz of Yaskawa, of a pose [rad]: they are rpy."""
+    return to_xyz_rpy(T)
 
 
 @_of_numbers
 def from_xyz_wpr_deg(xyz: Array, wpr_deg: Array) -> Array:
     """Pose from position and W, P, R of FANUC, Rx, Ry, Rz of Yaskawa: rpy in degrees."""
-    return from_xyz_rpy(xyz, _vector(wpr_deg, 3) * DEGREE)
+    return from_xyz_wpr(xyz, _vector(wpr_deg, 3) * DEGREE)
 
 
 @_of_numbers
 def to_xyz_wpr_deg(T: Array) -> tuple[Array, Array]:
     """Position and W, P, R of FANUC, Rx, Ry, Rz of Yaskawa, of a pose: rpy in degrees."""
-    xyz, rpy = to_xyz_rpy(T)
-    return xyz, rpy / DEGREE
+    xyz, wpr = to_xyz_wpr(T)
+    return xyz, wpr / DEGREE
 
 
 @_of_numbers
