@@ -20,7 +20,15 @@ extern "C" {
 #endif
 
 #define ABB_GOFA_5_METHOD "general 6R"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define ABB_GOFA_5_JOINT_TYPES "RRRRRR"
 #define ABB_GOFA_5_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define ABB_GOFA_5_JOINT_LIMITS \
+    { -3.141592653589793, 3.141592653589793 }, { -3.141592653589793, 3.141592653589793 }, \
+    { -3.9269908169872414, 1.4835298641951802 }, { -3.141592653589793, 3.141592653589793 }, \
+    { -3.141592653589793, 3.141592653589793 }, { -3.141592653589793, 3.141592653589793 }
 
 enum {
     ABB_GOFA_5_DOF = 6, /* joints */

@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define ABB_IRB120_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define ABB_IRB120_JOINT_TYPES "RRRRRR"
 #define ABB_IRB120_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define ABB_IRB120_JOINT_LIMITS \
+    { -2.87979, 2.87979 }, { -1.91986, 1.91986 }, { -1.91986, 1.22173 }, { -2.79253, 2.79253 }, \
+    { -2.094395, 2.094395 }, { -6.98132, 6.98132 }
 
 enum {
     ABB_IRB120_DOF = 6, /* joints */

@@ -20,7 +20,15 @@ extern "C" {
 #endif
 
 #define ABB_IRB4600_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define ABB_IRB4600_JOINT_TYPES "RRRRRR"
 #define ABB_IRB4600_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define ABB_IRB4600_JOINT_LIMITS \
+    { -3.141592653589793, 3.141592653589793 }, { -1.5707963267948966, 2.6179938779914944 }, \
+    { -3.141592653589793, 1.3089969389957472 }, { -6.981317007977318, 6.981317007977318 }, \
+    { -2.181661564992912, 2.0943951023931953 }, { -6.981317007977318, 6.981317007977318 }
 
 enum {
     ABB_IRB4600_DOF = 6, /* joints */

@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define ABB_IRB6640_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define ABB_IRB6640_JOINT_TYPES "RRRRRR"
 #define ABB_IRB6640_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define ABB_IRB6640_JOINT_LIMITS \
+    { -2.967, 2.967 }, { -1.134, 1.4855 }, { -3.142, 1.222 }, { -5.236, 5.236 }, \
+    { -2.094, 2.094 }, { -6.283, 6.283 }
 
 enum {
     ABB_IRB6640_DOF = 6, /* joints */

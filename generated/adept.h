@@ -19,7 +19,12 @@ extern "C" {
 #endif
 
 #define ADEPT_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or mm], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define ADEPT_JOINT_TYPES "RRP"
 #define ADEPT_JOINT_NAMES "joint1", "joint2", "joint3"
+#define ADEPT_JOINT_LIMITS { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     ADEPT_DOF = 3, /* joints */

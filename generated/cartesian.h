@@ -20,7 +20,12 @@ extern "C" {
 #endif
 
 #define CARTESIAN_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define CARTESIAN_JOINT_TYPES "PPP"
 #define CARTESIAN_JOINT_NAMES "joint1", "joint2", "joint3"
+#define CARTESIAN_JOINT_LIMITS { 0.0, 0.8 }, { 0.0, 0.6 }, { 0.0, 1.2 }
 
 enum {
     CARTESIAN_DOF = 3, /* joints */

@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define COMAU_NS16_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define COMAU_NS16_JOINT_TYPES "RRRRRR"
 #define COMAU_NS16_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define COMAU_NS16_JOINT_LIMITS \
+    { -3.14159, 3.14159 }, { -0.87266, 1.658 }, { -2.967, 1.9198 }, { -6.2831853, 6.2831853 }, \
+    { -3.14159, 3.14159 }, { -6.2831853, 6.2831853 }
 
 enum {
     COMAU_NS16_DOF = 6, /* joints */

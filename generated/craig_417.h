@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define CRAIG_417_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define CRAIG_417_JOINT_TYPES "RRRR"
 #define CRAIG_417_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
+#define CRAIG_417_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }
 
 enum {
     CRAIG_417_DOF = 4, /* joints */

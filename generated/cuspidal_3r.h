@@ -20,7 +20,13 @@ extern "C" {
 #endif
 
 #define CUSPIDAL_3R_METHOD "quartic"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define CUSPIDAL_3R_JOINT_TYPES "RRR"
 #define CUSPIDAL_3R_JOINT_NAMES "joint1", "joint2", "joint3"
+#define CUSPIDAL_3R_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     CUSPIDAL_3R_DOF = 3, /* joints */

@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define DENSO_VS060_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define DENSO_VS060_JOINT_TYPES "RRRRRR"
 #define DENSO_VS060_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define DENSO_VS060_JOINT_LIMITS \
+    { -2.96706, 2.96706 }, { -2.094395, 2.094395 }, { -2.181662, 2.70526 }, \
+    { -4.712389, 4.712389 }, { -2.094395, 2.094395 }, { -6.283185, 6.283185 }
 
 enum {
     DENSO_VS060_DOF = 6, /* joints */

@@ -19,7 +19,14 @@ extern "C" {
 #endif
 
 #define EPSON_T3_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define EPSON_T3_JOINT_TYPES "RRPR"
 #define EPSON_T3_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
+#define EPSON_T3_JOINT_LIMITS \
+    { -2.303834612632515, 2.303834612632515 }, { -2.4609142453120048, 2.4609142453120048 }, \
+    { -0.15, 0.0 }, { -6.283185307179586, 6.283185307179586 }
 
 enum {
     EPSON_T3_DOF = 4, /* joints */

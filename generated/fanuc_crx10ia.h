@@ -20,7 +20,15 @@ extern "C" {
 #endif
 
 #define FANUC_CRX10IA_METHOD "general 6R"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define FANUC_CRX10IA_JOINT_TYPES "RRRRRR"
 #define FANUC_CRX10IA_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define FANUC_CRX10IA_JOINT_LIMITS \
+    { -3.3161255787892263, 3.3161255787892263 }, { -3.139847324337799, 3.139847324337799 }, \
+    { -1.239183768915974, 4.380776422505767 }, { -3.3161255787892263, 3.3161255787892263 }, \
+    { -3.139847324337799, 3.139847324337799 }, { -3.9269908169872414, 3.9269908169872414 }
 
 enum {
     FANUC_CRX10IA_DOF = 6, /* joints */

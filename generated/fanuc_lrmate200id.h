@@ -20,7 +20,15 @@ extern "C" {
 #endif
 
 #define FANUC_LRMATE200ID_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define FANUC_LRMATE200ID_JOINT_TYPES "RRRRRR"
 #define FANUC_LRMATE200ID_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define FANUC_LRMATE200ID_JOINT_LIMITS \
+    { -2.9670597283903604, 2.9670597283903604 }, { -1.7453292519943295, 2.530727415391778 }, \
+    { -1.2217304763960306, 3.5779249665883754 }, { -3.3161255787892263, 3.3161255787892263 }, \
+    { -2.181661564992912, 2.181661564992912 }, { -6.283185307179586, 6.283185307179586 }
 
 enum {
     FANUC_LRMATE200ID_DOF = 6, /* joints */

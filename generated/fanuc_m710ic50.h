@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define FANUC_M710IC50_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define FANUC_M710IC50_JOINT_TYPES "RRRRRR"
 #define FANUC_M710IC50_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define FANUC_M710IC50_JOINT_LIMITS \
+    { -3.1415, 3.1415 }, { -1.5707, 2.3561 }, { -2.7925, 4.8869 }, { -6.283, 6.283 }, \
+    { -2.1816, 2.1816 }, { -6.2831, 6.2831 }
 
 enum {
     FANUC_M710IC50_DOF = 6, /* joints */

@@ -20,9 +20,16 @@ extern "C" {
 #endif
 
 #define FRANKA_PANDA_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define FRANKA_PANDA_JOINT_TYPES "RRRRRRR"
 #define FRANKA_PANDA_JOINT_NAMES \
     "panda_joint1", "panda_joint2", "panda_joint3", "panda_joint4", "panda_joint5", \
     "panda_joint6", "panda_joint7"
+#define FRANKA_PANDA_JOINT_LIMITS \
+    { -2.8973, 2.8973 }, { -1.7628, 1.7628 }, { -2.8973, 2.8973 }, { -3.0718, -0.0698 }, \
+    { -2.8973, 2.8973 }, { -0.0175, 3.7525 }, { -2.8973, 2.8973 }
 
 enum {
     FRANKA_PANDA_DOF = 7, /* joints */

@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define GENERAL_4R2P_METHOD "general 4R2P"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define GENERAL_4R2P_JOINT_TYPES "RRPRPR"
 #define GENERAL_4R2P_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define GENERAL_4R2P_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -0.6, 0.6 }, { -HUGE_VAL, HUGE_VAL }, \
+    { -0.5, 0.5 }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     GENERAL_4R2P_DOF = 6, /* joints */

@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define GENERAL_5R1P_PAIR_METHOD "general 5R1P"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define GENERAL_5R1P_PAIR_JOINT_TYPES "PRRRRR"
 #define GENERAL_5R1P_PAIR_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define GENERAL_5R1P_PAIR_JOINT_LIMITS \
+    { -0.6, 0.9 }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     GENERAL_5R1P_PAIR_DOF = 6, /* joints */

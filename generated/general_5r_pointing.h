@@ -21,7 +21,15 @@ extern "C" {
 #endif
 
 #define GENERAL_5R_POINTING_METHOD "general 6R"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define GENERAL_5R_POINTING_JOINT_TYPES "RRRRR"
 #define GENERAL_5R_POINTING_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
+#define GENERAL_5R_POINTING_JOINT_LIMITS \
+    { -2.9670597283903604, 2.9670597283903604 }, { -2.0943951023931953, 2.0943951023931953 }, \
+    { -2.443460952792061, 2.443460952792061 }, { -3.141592653589793, 3.141592653589793 }, \
+    { -3.141592653589793, 3.141592653589793 }
 
 enum {
     GENERAL_5R_POINTING_DOF = 5, /* joints */

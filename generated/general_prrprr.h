@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define GENERAL_PRRPRR_METHOD "general 4R2P"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define GENERAL_PRRPRR_JOINT_TYPES "PRRPRR"
 #define GENERAL_PRRPRR_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define GENERAL_PRRPRR_JOINT_LIMITS \
+    { 0.0, 1.2 }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -0.4, 0.4 }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     GENERAL_PRRPRR_DOF = 6, /* joints */

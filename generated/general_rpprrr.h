@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define GENERAL_RPPRRR_METHOD "general 4R2P"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define GENERAL_RPPRRR_JOINT_TYPES "RPPRRR"
 #define GENERAL_RPPRRR_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define GENERAL_RPPRRR_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -0.8, 0.8 }, { 0.0, 0.9 }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     GENERAL_RPPRRR_DOF = 6, /* joints */

@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define KATANA_400_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define KATANA_400_JOINT_TYPES "RRRRR"
 #define KATANA_400_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
+#define KATANA_400_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     KATANA_400_DOF = 5, /* joints */

@@ -20,7 +20,15 @@ extern "C" {
 #endif
 
 #define KAWASAKI_RS007N_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define KAWASAKI_RS007N_JOINT_TYPES "RRRRRR"
 #define KAWASAKI_RS007N_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define KAWASAKI_RS007N_JOINT_LIMITS \
+    { -3.141592653589793, 3.141592653589793 }, { -2.356194490192345, 2.356194490192345 }, \
+    { -2.705260340591211, 2.705260340591211 }, { -3.490658503988659, 3.490658503988659 }, \
+    { -2.181661564992912, 2.181661564992912 }, { -6.283185307179586, 6.283185307179586 }
 
 enum {
     KAWASAKI_RS007N_DOF = 6, /* joints */

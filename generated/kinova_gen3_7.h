@@ -20,8 +20,15 @@ extern "C" {
 #endif
 
 #define KINOVA_GEN3_7_METHOD "general 6R"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define KINOVA_GEN3_7_JOINT_TYPES "RRRRRRR"
 #define KINOVA_GEN3_7_JOINT_NAMES \
     "joint1", "joint2", "joint3", "joint4", "joint5", "joint6", "joint7"
+#define KINOVA_GEN3_7_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -2.24, 2.24 }, { -HUGE_VAL, HUGE_VAL }, { -2.57, 2.57 }, \
+    { -HUGE_VAL, HUGE_VAL }, { -2.09, 2.09 }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     KINOVA_GEN3_7_DOF = 7, /* joints */

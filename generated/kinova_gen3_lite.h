@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define KINOVA_GEN3_LITE_METHOD "general 6R"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define KINOVA_GEN3_LITE_JOINT_TYPES "RRRRRR"
 #define KINOVA_GEN3_LITE_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define KINOVA_GEN3_LITE_JOINT_LIMITS \
+    { -2.76, 2.76 }, { -2.76, 2.76 }, { -2.76, 2.76 }, { -2.67, 2.67 }, { -2.67, 2.67 }, \
+    { -2.67, 2.67 }
 
 enum {
     KINOVA_GEN3_LITE_DOF = 6, /* joints */

@@ -20,7 +20,15 @@ extern "C" {
 #endif
 
 #define KINOVA_J2S6S300_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define KINOVA_J2S6S300_JOINT_TYPES "RRRRRR"
 #define KINOVA_J2S6S300_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define KINOVA_J2S6S300_JOINT_LIMITS \
+    { -6.283185307179586, 6.283185307179586 }, { 0.8203047484373349, 5.462880558742252 }, \
+    { 0.33161255787892263, 5.951572749300664 }, { -6.283185307179586, 6.283185307179586 }, \
+    { 0.5235987755982988, 5.759586531581287 }, { -6.283185307179586, 6.283185307179586 }
 
 enum {
     KINOVA_J2S6S300_DOF = 6, /* joints */

@@ -20,7 +20,16 @@ extern "C" {
 #endif
 
 #define KUKA_IIWA14_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define KUKA_IIWA14_JOINT_TYPES "RRRRRRR"
 #define KUKA_IIWA14_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6", "joint7"
+#define KUKA_IIWA14_JOINT_LIMITS \
+    { -2.9670597283903604, 2.9670597283903604 }, { -2.0943951023931953, 2.0943951023931953 }, \
+    { -2.9670597283903604, 2.9670597283903604 }, { -2.0943951023931953, 2.0943951023931953 }, \
+    { -2.9670597283903604, 2.9670597283903604 }, { -2.0943951023931953, 2.0943951023931953 }, \
+    { -3.0543261909900767, 3.0543261909900767 }
 
 enum {
     KUKA_IIWA14_DOF = 7, /* joints */

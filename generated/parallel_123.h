@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define PARALLEL_123_METHOD "quartic"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define PARALLEL_123_JOINT_TYPES "RRRRRR"
 #define PARALLEL_123_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define PARALLEL_123_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     PARALLEL_123_DOF = 6, /* joints */

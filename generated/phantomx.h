@@ -19,7 +19,14 @@ extern "C" {
 #endif
 
 #define PHANTOMX_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or mm], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define PHANTOMX_JOINT_TYPES "RRRR"
 #define PHANTOMX_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
+#define PHANTOMX_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }
 
 enum {
     PHANTOMX_DOF = 4, /* joints */

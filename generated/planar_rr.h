@@ -20,7 +20,12 @@ extern "C" {
 #endif
 
 #define PLANAR_RR_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define PLANAR_RR_JOINT_TYPES "RR"
 #define PLANAR_RR_JOINT_NAMES "joint1", "joint2"
+#define PLANAR_RR_JOINT_LIMITS { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     PLANAR_RR_DOF = 2, /* joints */

@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define PLANAR_RRRR_METHOD "numerical"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define PLANAR_RRRR_JOINT_TYPES "RRRR"
 #define PLANAR_RRRR_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
+#define PLANAR_RRRR_JOINT_LIMITS \
+    { -2.0943951023931953, 2.0943951023931953 }, { -2.0943951023931953, 2.0943951023931953 }, \
+    { -2.0943951023931953, 2.0943951023931953 }, { -2.0943951023931953, 2.0943951023931953 }
 
 enum {
     PLANAR_RRRR_DOF = 4, /* joints */

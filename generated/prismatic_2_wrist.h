@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define PRISMATIC_2_WRIST_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define PRISMATIC_2_WRIST_JOINT_TYPES "RPRRRR"
 #define PRISMATIC_2_WRIST_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define PRISMATIC_2_WRIST_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     PRISMATIC_2_WRIST_DOF = 6, /* joints */

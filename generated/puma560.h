@@ -19,7 +19,15 @@ extern "C" {
 #endif
 
 #define PUMA560_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define PUMA560_JOINT_TYPES "RRRRRR"
 #define PUMA560_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define PUMA560_JOINT_LIMITS \
+    { -2.792526803190927, 2.792526803190927 }, { -1.9198621771937625, 1.9198621771937625 }, \
+    { -2.356194490192345, 2.356194490192345 }, { -4.642575810304916, 4.642575810304916 }, \
+    { -1.7453292519943295, 1.7453292519943295 }, { -4.642575810304916, 4.642575810304916 }
 
 enum {
     PUMA560_DOF = 6, /* joints */

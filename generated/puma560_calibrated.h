@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define PUMA560_CALIBRATED_METHOD "general 6R"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define PUMA560_CALIBRATED_JOINT_TYPES "RRRRRR"
 #define PUMA560_CALIBRATED_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define PUMA560_CALIBRATED_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     PUMA560_CALIBRATED_DOF = 6, /* joints */

@@ -19,7 +19,15 @@ extern "C" {
 #endif
 
 #define PUMA560_F32_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define PUMA560_F32_JOINT_TYPES "RRRRRR"
 #define PUMA560_F32_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define PUMA560_F32_JOINT_LIMITS \
+    { -2.7925267f, 2.7925267f }, { -1.9198622f, 1.9198622f }, \
+    { -2.3561945f, 2.3561945f }, { -4.6425757f, 4.6425757f }, \
+    { -1.7453293f, 1.7453293f }, { -4.6425757f, 4.6425757f }
 
 enum {
     PUMA560_F32_DOF = 6, /* joints */

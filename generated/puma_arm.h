@@ -19,7 +19,13 @@ extern "C" {
 #endif
 
 #define PUMA_ARM_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define PUMA_ARM_JOINT_TYPES "RRR"
 #define PUMA_ARM_JOINT_NAMES "joint1", "joint2", "joint3"
+#define PUMA_ARM_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     PUMA_ARM_DOF = 3, /* joints */

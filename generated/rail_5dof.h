@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define RAIL_5DOF_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define RAIL_5DOF_JOINT_TYPES "PRRRR"
 #define RAIL_5DOF_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
+#define RAIL_5DOF_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     RAIL_5DOF_DOF = 5, /* joints */

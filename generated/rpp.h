@@ -19,7 +19,12 @@ extern "C" {
 #endif
 
 #define RPP_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define RPP_JOINT_TYPES "RPP"
 #define RPP_JOINT_NAMES "joint1", "joint2", "joint3"
+#define RPP_JOINT_LIMITS { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     RPP_DOF = 3, /* joints */

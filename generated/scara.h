@@ -19,7 +19,14 @@ extern "C" {
 #endif
 
 #define SCARA_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define SCARA_JOINT_TYPES "RRPR"
 #define SCARA_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
+#define SCARA_JOINT_LIMITS \
+    { -2.2689280275926285, 2.2689280275926285 }, { -2.530727415391778, 2.530727415391778 }, \
+    { -0.2, 0.0 }, { -6.283185307179586, 6.283185307179586 }
 
 enum {
     SCARA_DOF = 4, /* joints */

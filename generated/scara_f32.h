@@ -19,7 +19,14 @@ extern "C" {
 #endif
 
 #define SCARA_F32_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define SCARA_F32_JOINT_TYPES "RRPR"
 #define SCARA_F32_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
+#define SCARA_F32_JOINT_LIMITS \
+    { -2.268928f, 2.268928f }, { -2.5307274f, 2.5307274f }, \
+    { -0.2f, 0.0f }, { -6.2831855f, 6.2831855f }
 
 enum {
     SCARA_F32_DOF = 4, /* joints */

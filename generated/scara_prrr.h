@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define SCARA_PRRR_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define SCARA_PRRR_JOINT_TYPES "PRRR"
 #define SCARA_PRRR_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
+#define SCARA_PRRR_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }
 
 enum {
     SCARA_PRRR_DOF = 4, /* joints */

@@ -20,7 +20,13 @@ extern "C" {
 #endif
 
 #define SCARA_RRP_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define SCARA_RRP_JOINT_TYPES "RRP"
 #define SCARA_RRP_JOINT_NAMES "joint1", "joint2", "joint3"
+#define SCARA_RRP_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     SCARA_RRP_DOF = 3, /* joints */

@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define SCORBOT_POINTING_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define SCORBOT_POINTING_JOINT_TYPES "RRRRR"
 #define SCORBOT_POINTING_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
+#define SCORBOT_POINTING_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     SCORBOT_POINTING_DOF = 5, /* joints */

@@ -20,7 +20,13 @@ extern "C" {
 #endif
 
 #define SPHERICAL_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define SPHERICAL_JOINT_TYPES "RRP"
 #define SPHERICAL_JOINT_NAMES "joint1", "joint2", "joint3"
+#define SPHERICAL_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     SPHERICAL_DOF = 3, /* joints */

@@ -21,8 +21,15 @@ extern "C" {
 #endif
 
 #define SPHERICAL_WRIST_GENERAL_ARM_METHOD "quartic"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define SPHERICAL_WRIST_GENERAL_ARM_JOINT_TYPES "RRRRRR"
 #define SPHERICAL_WRIST_GENERAL_ARM_JOINT_NAMES \
     "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define SPHERICAL_WRIST_GENERAL_ARM_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     SPHERICAL_WRIST_GENERAL_ARM_DOF = 6, /* joints */

@@ -19,7 +19,15 @@ extern "C" {
 #endif
 
 #define STANFORD_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define STANFORD_JOINT_TYPES "RRPRRR"
 #define STANFORD_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define STANFORD_JOINT_LIMITS \
+    { -2.9670597283903604, 2.9670597283903604 }, { -2.9670597283903604, 2.9670597283903604 }, \
+    { 0.3048, 1.27 }, { -2.9670597283903604, 2.9670597283903604 }, \
+    { -1.5707963267948966, 1.5707963267948966 }, { -2.9670597283903604, 2.9670597283903604 }
 
 enum {
     STANFORD_DOF = 6, /* joints */

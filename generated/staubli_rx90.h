@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define STAUBLI_RX90_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define STAUBLI_RX90_JOINT_TYPES "RRRRRR"
 #define STAUBLI_RX90_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define STAUBLI_RX90_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     STAUBLI_RX90_DOF = 6, /* joints */

@@ -20,7 +20,15 @@ extern "C" {
 #endif
 
 #define STAUBLI_TX2_90_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define STAUBLI_TX2_90_JOINT_TYPES "RRRRRR"
 #define STAUBLI_TX2_90_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define STAUBLI_TX2_90_JOINT_LIMITS \
+    { -3.141592653589793, 3.141592653589793 }, { -2.2689280275926285, 2.5743606466916362 }, \
+    { -2.530727415391778, 2.530727415391778 }, { -4.71238898038469, 4.71238898038469 }, \
+    { -2.007128639793479, 2.443460952792061 }, { -4.71238898038469, 4.71238898038469 }
 
 enum {
     STAUBLI_TX2_90_DOF = 6, /* joints */

@@ -20,7 +20,15 @@ extern "C" {
 #endif
 
 #define TECHMAN_TM5_900_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define TECHMAN_TM5_900_JOINT_TYPES "RRRRRR"
 #define TECHMAN_TM5_900_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define TECHMAN_TM5_900_JOINT_LIMITS \
+    { -4.71238898038469, 4.71238898038469 }, { -3.141592653589793, 3.141592653589793 }, \
+    { -2.705260340591211, 2.705260340591211 }, { -3.141592653589793, 3.141592653589793 }, \
+    { -3.141592653589793, 3.141592653589793 }, { -4.71238898038469, 4.71238898038469 }
 
 enum {
     TECHMAN_TM5_900_DOF = 6, /* joints */

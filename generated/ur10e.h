@@ -19,7 +19,15 @@ extern "C" {
 #endif
 
 #define UR10E_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define UR10E_JOINT_TYPES "RRRRRR"
 #define UR10E_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define UR10E_JOINT_LIMITS \
+    { -6.283185307179586, 6.283185307179586 }, { -6.283185307179586, 6.283185307179586 }, \
+    { -6.283185307179586, 6.283185307179586 }, { -6.283185307179586, 6.283185307179586 }, \
+    { -6.283185307179586, 6.283185307179586 }, { -6.283185307179586, 6.283185307179586 }
 
 enum {
     UR10E_DOF = 6, /* joints */

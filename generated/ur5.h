@@ -19,9 +19,17 @@ extern "C" {
 #endif
 
 #define UR5_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define UR5_JOINT_TYPES "RRRRRR"
 #define UR5_JOINT_NAMES \
     "shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", \
     "wrist_3_joint"
+#define UR5_JOINT_LIMITS \
+    { -6.283185307179586, 6.283185307179586 }, { -6.283185307179586, 6.283185307179586 }, \
+    { -6.283185307179586, 6.283185307179586 }, { -6.283185307179586, 6.283185307179586 }, \
+    { -6.283185307179586, 6.283185307179586 }, { -6.283185307179586, 6.283185307179586 }
 
 enum {
     UR5_DOF = 6, /* joints */

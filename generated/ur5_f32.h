@@ -19,9 +19,17 @@ extern "C" {
 #endif
 
 #define UR5_F32_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define UR5_F32_JOINT_TYPES "RRRRRR"
 #define UR5_F32_JOINT_NAMES \
     "shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", \
     "wrist_3_joint"
+#define UR5_F32_JOINT_LIMITS \
+    { -6.2831855f, 6.2831855f }, { -6.2831855f, 6.2831855f }, \
+    { -6.2831855f, 6.2831855f }, { -6.2831855f, 6.2831855f }, \
+    { -6.2831855f, 6.2831855f }, { -6.2831855f, 6.2831855f }
 
 enum {
     UR5_F32_DOF = 6, /* joints */

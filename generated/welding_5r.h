@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define WELDING_5R_METHOD "quartic"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define WELDING_5R_JOINT_TYPES "RRRRR"
 #define WELDING_5R_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
+#define WELDING_5R_JOINT_LIMITS \
+    { -2.9670597283903604, 2.9670597283903604 }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     WELDING_5R_DOF = 5, /* joints */

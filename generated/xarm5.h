@@ -19,7 +19,14 @@ extern "C" {
 #endif
 
 #define XARM5_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define XARM5_JOINT_TYPES "RRRRR"
 #define XARM5_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
+#define XARM5_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
 
 enum {
     XARM5_DOF = 5, /* joints */

@@ -19,7 +19,15 @@ extern "C" {
 #endif
 
 #define XARM7_METHOD "general 6R"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define XARM7_JOINT_TYPES "RRRRRRR"
 #define XARM7_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6", "joint7"
+#define XARM7_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }
 
 enum {
     XARM7_DOF = 7, /* joints */

@@ -20,7 +20,14 @@ extern "C" {
 #endif
 
 #define YASKAWA_GP7_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define YASKAWA_GP7_JOINT_TYPES "RRRRRR"
 #define YASKAWA_GP7_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define YASKAWA_GP7_JOINT_LIMITS \
+    { -2.967, 2.967 }, { -1.1344, 2.5307 }, { -1.2217, 3.3161 }, { -3.3161, 3.3161 }, \
+    { -2.3561, 2.3561 }, { -6.2944, 6.2944 }
 
 enum {
     YASKAWA_GP7_DOF = 6, /* joints */

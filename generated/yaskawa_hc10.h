@@ -20,7 +20,15 @@ extern "C" {
 #endif
 
 #define YASKAWA_HC10_METHOD "general 6R"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define YASKAWA_HC10_JOINT_TYPES "RRRRRR"
 #define YASKAWA_HC10_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define YASKAWA_HC10_JOINT_LIMITS \
+    { -3.141592653589793, 3.141592653589793 }, { -3.141592653589793, 3.141592653589793 }, \
+    { -0.08726646259971647, 6.19591884457987 }, { -3.141592653589793, 3.141592653589793 }, \
+    { -3.141592653589793, 3.141592653589793 }, { -3.141592653589793, 3.141592653589793 }
 
 enum {
     YASKAWA_HC10_DOF = 6, /* joints */

@@ -115,9 +115,15 @@ def _joints(module: SolverModule) -> list[str]:
     for joint, turns, (slack, weight, pace, step) in zip(
         chain.joints, chain.turning, numbers, strict=True
     ):
-        low, high = map(repr, joint.limits) if joint.limits else ("-HUGE_VAL", "HUGE_VAL")
-        rows.append(f"{{ {low}, {high}, {slack!r}, {weight!r}, {pace}, {step!r}, {int(turns)} }},")
+        ends = c_ends(joint.limits)
+        rows.append(f"{{ {ends}, {slack!r}, {weight!r}, {pace}, {step!r}, {int(turns)} }},")
     return rows
+
+
+def c_ends(limits: tuple[float, float] | None) -> str:
+    """The lowest and the highest value of a joint."""
+    low, high = map(repr, limits) if limits else ("-HUGE_VAL", "HUGE_VAL")
+    return f"{low}, {high}"
 
 
 def _task(module: SolverModule) -> str:

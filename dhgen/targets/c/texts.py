@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from dhgen import __version__
 from dhgen.printing.comments import plain
 from dhgen.program.role import GRAZE, LimitEnd, Source
+from dhgen.targets.c.table import c_ends
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import GOES_ON, INDENT, WIDTH, listed, packed, paragraph
 from dhgen.targets.module import made_text
@@ -47,14 +48,14 @@ class CTables:
     """Definitions of constants.
 
     Attributes:
-        joint_names: The definition of the macro that lists the names of the joints.
+        joints: The definitions of macros that list types, names and limits of the joints.
         branch_names: The name of every row, as lines.
         constants: Of the programs, as lines.
         regular_constants: Those that only regular poses need.
         lane_constants: Those that only branches in lanes need.
     """
 
-    joint_names: str
+    joints: Sequence[str]
     branch_names: Sequence[str]
     constants: Sequence[str]
     regular_constants: Sequence[str]
@@ -81,7 +82,7 @@ def c_tables(module: SolverModule, regular: Sequence[Program]) -> CTables:
     """Constants of a robot, and of its programs for regular poses, that with lanes last."""
     own, common, lanes = _constants(module, tuple(regular))
     return CTables(
-        joint_names=_joint_names(module),
+        joints=_joints(module),
         branch_names=listed([f'"{text}"' for text in module.branches], INDENT),
         constants=_constant_lines(own),
         regular_constants=_constant_lines([each for each in common if each not in own]),
@@ -89,11 +90,21 @@ def c_tables(module: SolverModule, regular: Sequence[Program]) -> CTables:
     )
 
 
-def _joint_names(module: SolverModule) -> str:
-    """A macro of strings with commas between: it takes no room unless it is used."""
-    head = f"#define {module.name.upper()}_JOINT_NAMES"
-    *names, last = (f'"{name}"' for name in module.chain.joint_names)
-    pieces = [*(f"{name}," for name in names), last]
+def _joints(module: SolverModule) -> list[str]:
+    """Macros of lists with commas between: they take no room unless they are used."""
+    joints = module.chain.joints
+    return [
+        _macro(module, "TYPES", [f'"{module.chain.joint_types}"']),
+        _macro(module, "NAMES", [f'"{name}"' for name in module.chain.joint_names]),
+        _macro(module, "LIMITS", [f"{{ {c_ends(joint.limits)} }}" for joint in joints]),
+    ]
+
+
+def _macro(module: SolverModule, what: str, items: Sequence[str]) -> str:
+    """The definition of a macro that lists something of the joints."""
+    head = f"#define {module.name.upper()}_JOINT_{what}"
+    *others, last = items
+    pieces = [*(f"{item}," for item in others), last]
     line = " ".join([head, *pieces])
     if len(line) <= WIDTH:
         return line

@@ -23,6 +23,7 @@ class Module:
         joint_types: R or P for every joint.
         has_turns: Whether one of them turns.
         method: How the arm is solved.
+        length_unit: How lengths are called.
     """
 
     name: str
@@ -33,6 +34,7 @@ class Module:
     joint_types: str
     has_turns: bool
     method: Method
+    length_unit: str
 
 
 def module_of(module: SolverModule) -> Module:
@@ -47,4 +49,5 @@ def module_of(module: SolverModule) -> Module:
         joint_types=module.chain.joint_types,
         has_turns=any(module.chain.turning),
         method=module.method,
+        length_unit=module.length_unit,
     )
