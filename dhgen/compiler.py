@@ -26,6 +26,7 @@ from dhgen.atomic_write import write_files
 from dhgen.derivation import derivation_document
 from dhgen.errors import PrecisionError, UnsolvedError, VerificationError
 from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.link_table import link_table
 from dhgen.method import Method
 from dhgen.paul.derive import derive
 from dhgen.paul.refusal.other_convention import other_convention
@@ -119,6 +120,7 @@ def _module(
         forward=programs.forward,
         jacobian=programs.jacobian,
         length_unit=robot.length_unit,
+        links=link_table(robot),
         arm_angle=programs.arm_angle,
         plane_miss=programs.plane_miss,
         digest=digest,

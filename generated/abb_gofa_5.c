@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES ABB_GOFA_5_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -148,6 +149,25 @@ static const struct dhgen_numerical_arm descents = {
     abb_gofa_5_fk, abb_gofa_5_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 3.141592653589793, 0.265, 0.0, 1.5707963267948966 },
+    { 1.5707963267948966, 0.0, 0.444, 0.0 },
+    { 0.0, 0.0, 0.11, -1.5707963267948966 },
+    { 0.0, 0.47, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.08, -1.5707963267948966 },
+    { 0.0, 0.0, 0.0, 0.0 },
+};
+
+void abb_gofa_5_frames(const double q[6], double frames[8][16])
+{
+    static const double tool[12] = { 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.101
+        };
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        tool };
+    dhgen_frames(&links, q, frames);
+}
 
 void abb_gofa_5_fk(const double q[6], double T[16])
 {

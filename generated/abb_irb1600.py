@@ -115,6 +115,22 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.4865, 0.15, -1.5707963267948966),
+    (-1.5707963267948966, 0.0, 0.7, 0.0),
+    (1.5707963267948966, 0.0, 0.0, 1.5707963267948966),
+    (3.141592653589793, 0.6, 0.0, 1.5707963267948966),
+    (3.141592653589793, 0.0, 0.0, 1.5707963267948966),
+    (0.0, 0.065, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

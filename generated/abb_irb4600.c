@@ -18,6 +18,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef ABB_IRB4600_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -67,6 +68,25 @@ static const struct dhgen_joint joints[6] = {
     { -2.181661564992912, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -6.981317007977318, 6.981317007977318, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The axes at q = 0: a unit vector along each, and a point of it [m]. */
+static const double table[6][6] = {
+    { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 },
+    { 0.0, 1.0, 0.0, 0.175, 0.0, 0.495 },
+    { 0.0, 1.0, 0.0, 0.175, 0.0, 1.5899999999999999 },
+    { 1.0, 0.0, 0.0, 0.175, 0.0, 1.765 },
+    { 0.0, 1.0, 0.0, 1.445, 0.0, 1.765 },
+    { 1.0, 0.0, 0.0, 0.175, 0.0, 1.765 },
+};
+
+void abb_irb4600_frames(const double q[6], double frames[8][16])
+{
+    static const double tool[12] = { 0.0, 0.0, 1.0, 1.58, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.765
+        };
+    static const struct dhgen_links links = { 6, DHGEN_AXES, joints, &table[0][0], NULL, NULL, tool
+        };
+    dhgen_frames(&links, q, frames);
+}
 
 void abb_irb4600_fk(const double q[6], double T[16])
 {

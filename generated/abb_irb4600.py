@@ -127,6 +127,23 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The axes at q = 0: a unit vector along each, and a point of it [m].
+AXES = (
+    (0.0, 0.0, 1.0, 0.0, 0.0, 0.0),
+    (0.0, 1.0, 0.0, 0.175, 0.0, 0.495),
+    (0.0, 1.0, 0.0, 0.175, 0.0, 1.5899999999999999),
+    (1.0, 0.0, 0.0, 0.175, 0.0, 1.765),
+    (0.0, 1.0, 0.0, 1.445, 0.0, 1.765),
+    (1.0, 0.0, 0.0, 0.175, 0.0, 1.765),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=AXES,
+    convention="axes",
+    tool=(0.0, 0.0, 1.0, 1.58, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.765),
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

@@ -17,6 +17,7 @@
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 1
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef ADEPT_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -52,6 +53,23 @@ static const struct dhgen_joint joints[3] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 2.4e-06, 1.7361111111111112e-07, 2400.0, 235.61944901923448, 0 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [mm], a [mm], alpha [rad]. */
+static const double table[3][4] = {
+    { 0.0, 1075.0, 600.0, 0.0 },
+    { 0.0, 0.0, 550.0, 3.141592653589793 },
+    { 0.0, 0.0, 0.0, 0.0 },
+};
+
+void adept_frames(const double q[3], double frames[5][16])
+{
+    static const double base[12] = { 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 500.0 };
+    static const double tool[12] = { 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 175.0
+        };
+    static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, base,
+        tool };
+    dhgen_frames(&links, q, frames);
+}
 
 void adept_fk(const double q[3], double T[16])
 {

@@ -54,6 +54,9 @@ extern const char *const adept_cobra600_branches[2];
 /* The pose T of the joint values q. */
 void adept_cobra600_fk(const double q[4], double T[16]);
 
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void adept_cobra600_frames(const double q[4], double frames[6][16]);
+
 /* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
  * velocity. */
 void adept_cobra600_jacobian(const double q[4], double J[24]);

@@ -53,6 +53,9 @@ extern const char *const arm_6r_branches[8];
 /* The pose T of the joint values q. */
 void arm_6r_fk(const double q[6], double T[16]);
 
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void arm_6r_frames(const double q[6], double frames[8][16]);
+
 /* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
  * velocity. */
 void arm_6r_jacobian(const double q[6], double J[36]);

@@ -18,6 +18,7 @@
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef BARTELL_RPRPR_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -51,6 +52,22 @@ static const struct dhgen_joint joints[5] = {
     { -HUGE_VAL, HUGE_VAL, 2e-09, 0.25, 2.0, 0.19634954084936207, 0 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[5][4] = {
+    { 0.0, 2.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.0, 0.0 },
+};
+
+void bartell_rprpr_frames(const double q[5], double frames[7][16])
+{
+    static const struct dhgen_links links = { 5, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void bartell_rprpr_fk(const double q[5], double T[16])
 {

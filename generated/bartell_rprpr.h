@@ -54,6 +54,9 @@ extern const char *const bartell_rprpr_branches[2];
 /* The pose T of the joint values q. */
 void bartell_rprpr_fk(const double q[5], double T[16]);
 
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void bartell_rprpr_frames(const double q[5], double frames[7][16]);
+
 /* The geometric Jacobian, 6 x 5 row by row: velocity of the tool's origin, then angular
  * velocity. */
 void bartell_rprpr_jacobian(const double q[5], double J[30]);

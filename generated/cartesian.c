@@ -18,6 +18,7 @@
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 1
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef CARTESIAN_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -42,6 +43,20 @@ static const struct dhgen_joint joints[3] = {
     { 0.0, 0.6, 1.2e-09, 0.6944444444444444, 1.2, 0.01875, 0 },
     { 0.0, 1.2, 1.2e-09, 0.6944444444444444, 1.2, 0.0375, 0 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[3][4] = {
+    { 0.0, 0.0, 0.0, -1.5707963267948966 },
+    { -1.5707963267948966, 0.0, 0.0, -1.5707963267948966 },
+    { 0.0, 0.0, 0.0, 0.0 },
+};
+
+void cartesian_frames(const double q[3], double frames[5][16])
+{
+    static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void cartesian_fk(const double q[3], double T[16])
 {

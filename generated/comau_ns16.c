@@ -18,6 +18,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef COMAU_NS16_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -77,6 +78,24 @@ static const struct dhgen_joint joints[6] = {
     { -3.14159, 3.14159, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -6.2831853, 6.2831853, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, -0.6, 0.3, 1.5707963267948966 },
+    { -1.5707963267948966, -0.101, 0.7, 3.141592653589793 },
+    { 1.5707963267948966, -0.101, 0.185, -1.5707963267948966 },
+    { 3.141592653589793, -0.624, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, -0.135, 0.0, 3.141592653589793 },
+};
+
+void comau_ns16_frames(const double q[6], double frames[8][16])
+{
+    static const double base[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0 };
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, base,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void comau_ns16_fk(const double q[6], double T[16])
 {

@@ -138,6 +138,23 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, -0.6, 0.3, 1.5707963267948966),
+    (-1.5707963267948966, -0.101, 0.7, 3.141592653589793),
+    (1.5707963267948966, -0.101, 0.185, -1.5707963267948966),
+    (3.141592653589793, -0.624, 0.0, 1.5707963267948966),
+    (3.141592653589793, 0.0, 0.0, 1.5707963267948966),
+    (3.141592653589793, -0.135, 0.0, 3.141592653589793),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0),
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

@@ -13,6 +13,7 @@
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
 #include "dhgen/circle_roots.h"
+#include "dhgen/frames.h"
 #include "dhgen/complete.h"
 
 #if DHGEN_INTERFACE != 1
@@ -143,6 +144,23 @@ static const struct dhgen_root_turn turns[1] = { { 5, 1.0 } };
 static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 0, /*
     ascends */ 0, /* equations end all */ 0 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.3, 0.2, 1.3089969389957472 },
+    { 0.0, 0.1, 0.35, 0.5235987755982988 },
+    { 0.0, 0.25, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.0, -1.5707963267948966 },
+    { 0.0, 0.2, 0.15, 1.0471975511965976 },
+    { 0.0, 0.1, 0.2, 0.0 },
+};
+
+void concurrent_345_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void concurrent_345_fk(const double q[6], double T[16])
 {

@@ -18,6 +18,7 @@
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef CRAIG_417_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -60,6 +61,21 @@ static const struct dhgen_joint joints[4] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[4][4] = {
+    { 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, -1.5707963267948966 },
+    { 0.0, 1.0, 0.0, 0.7853981633974483 },
+    { 0.0, 1.0, 1.0, 0.0 },
+};
+
+void craig_417_frames(const double q[4], double frames[6][16])
+{
+    static const struct dhgen_links links = { 4, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void craig_417_fk(const double q[4], double T[16])
 {

@@ -13,6 +13,7 @@
 #define DHGEN_ROWS 4
 #include "dhgen/ik.h"
 #include "dhgen/circle_roots.h"
+#include "dhgen/frames.h"
 #include "dhgen/complete.h"
 
 #if DHGEN_INTERFACE != 1
@@ -80,6 +81,20 @@ static const struct dhgen_root_turn turns[1] = { { 0, 1.0 } };
 static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 1, /*
     ascends */ 0, /* equations end all */ 0 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[3][4] = {
+    { 0.0, 0.0, 1.0, -1.5707963267948966 },
+    { 0.0, 1.0, 2.0, 1.5707963267948966 },
+    { 0.0, 0.0, 1.5, 0.0 },
+};
+
+void cuspidal_3r_frames(const double q[3], double frames[5][16])
+{
+    static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void cuspidal_3r_fk(const double q[3], double T[16])
 {

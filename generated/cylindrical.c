@@ -18,6 +18,7 @@
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 1
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef CYLINDRICAL_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -48,6 +49,20 @@ static const struct dhgen_joint joints[3] = {
     { -HUGE_VAL, HUGE_VAL, 3e-10, 11.11111111111111, 0.3, 0.02945243112740431, 0 },
     { -HUGE_VAL, HUGE_VAL, 3e-10, 11.11111111111111, 0.3, 0.02945243112740431, 0 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[3][4] = {
+    { 0.0, 0.3, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, -1.5707963267948966 },
+    { 0.0, 0.0, 0.0, 0.0 },
+};
+
+void cylindrical_frames(const double q[3], double frames[5][16])
+{
+    static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void cylindrical_fk(const double q[3], double T[16])
 {

@@ -54,6 +54,9 @@ extern const char *const cylindrical_wrist_branches[4];
 /* The pose T of the joint values q. */
 void cylindrical_wrist_fk(const double q[6], double T[16]);
 
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void cylindrical_wrist_frames(const double q[6], double frames[8][16]);
+
 /* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
  * velocity. */
 void cylindrical_wrist_jacobian(const double q[6], double J[36]);

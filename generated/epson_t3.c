@@ -17,6 +17,7 @@
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef EPSON_T3_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -58,6 +59,21 @@ static const struct dhgen_joint joints[4] = {
     { -0.15, 0.0, 4e-10, 6.249999999999999, 0.4, 0.0046875, 0 },
     { -6.283185307179586, 6.283185307179586, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[4][4] = {
+    { 0.0, 0.0, 0.225, 0.0 },
+    { 0.0, 0.0, 0.175, 0.0 },
+    { 0.0, 0.0, 0.0, 3.141592653589793 },
+    { 0.0, 0.0, 0.0, 0.0 },
+};
+
+void epson_t3_frames(const double q[4], double frames[6][16])
+{
+    static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void epson_t3_fk(const double q[4], double T[16])
 {

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES FANUC_CRX10IA_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -152,6 +153,25 @@ static const struct dhgen_numerical_arm descents = {
     fanuc_crx10ia_fk, fanuc_crx10ia_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 3.141592653589793, 0.245, 0.0, 1.5707963267948966 },
+    { 1.5707963267948966, 0.0, 0.54, 3.141592653589793 },
+    { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, -0.54, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.15, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.0, 0.0 },
+};
+
+void fanuc_crx10ia_frames(const double q[6], double frames[8][16])
+{
+    static const double tool[12] = { 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -0.16
+        };
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        tool };
+    dhgen_frames(&links, q, frames);
+}
 
 void fanuc_crx10ia_fk(const double q[6], double T[16])
 {

@@ -18,6 +18,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef FANUC_LRMATE200ID_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -69,6 +70,25 @@ static const struct dhgen_joint joints[6] = {
     { -2.181661564992912, 2.181661564992912, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -6.283185307179586, 6.283185307179586, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.33, 0.05, -1.5707963267948966 },
+    { -1.5707963267948966, 0.0, 0.33, 3.141592653589793 },
+    { 0.0, 0.0, 0.035, -1.5707963267948966 },
+    { 0.0, -0.335, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.0, 0.0 },
+};
+
+void fanuc_lrmate200id_frames(const double q[6], double frames[8][16])
+{
+    static const double tool[12] = { 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -0.08
+        };
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        tool };
+    dhgen_frames(&links, q, frames);
+}
 
 void fanuc_lrmate200id_fk(const double q[6], double T[16])
 {

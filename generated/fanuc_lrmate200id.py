@@ -131,6 +131,23 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.33, 0.05, -1.5707963267948966),
+    (-1.5707963267948966, 0.0, 0.33, 3.141592653589793),
+    (0.0, 0.0, 0.035, -1.5707963267948966),
+    (0.0, -0.335, 0.0, 1.5707963267948966),
+    (3.141592653589793, 0.0, 0.0, 1.5707963267948966),
+    (0.0, 0.0, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+    tool=(0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -0.08),
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

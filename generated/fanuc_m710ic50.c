@@ -18,6 +18,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef FANUC_M710IC50_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -69,6 +70,25 @@ static const struct dhgen_joint joints[6] = {
     { -2.1816, 2.1816, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -6.2831, 6.2831, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.565, 0.15, -1.5707963267948966 },
+    { -1.5707963267948966, 0.0, 0.87, 3.141592653589793 },
+    { 0.0, 0.0, 0.17, -1.5707963267948966 },
+    { 0.0, -1.016, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.0, 0.0 },
+};
+
+void fanuc_m710ic50_frames(const double q[6], double frames[8][16])
+{
+    static const double tool[12] = { 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0,
+        -0.175 };
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        tool };
+    dhgen_frames(&links, q, frames);
+}
 
 void fanuc_m710ic50_fk(const double q[6], double T[16])
 {

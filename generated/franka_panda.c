@@ -18,6 +18,7 @@
 #define DHGEN_DOF 7
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef FRANKA_PANDA_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -84,6 +85,25 @@ static const struct dhgen_joint joints[7] = {
         z6_y = x4_y * s5 - y3_y * c5, z6_z = x4_z * s5 - y3_z * c5, c6 = cos(q[5]), \
         s6 = sin(q[5]), z7_x = x5_x * s6 - y4_x * c6, z7_y = x5_y * s6 - y4_y * c6, \
         z7_z = x5_z * s6 - y4_z * c6
+
+/* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[7][4] = {
+    { 0.0, 0.333, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, -1.5707963267948966 },
+    { 0.0, 0.316, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.0825, 1.5707963267948966 },
+    { 0.0, 0.384, -0.0825, -1.5707963267948966 },
+    { 0.0, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.088, 1.5707963267948966 },
+};
+
+void franka_panda_frames(const double q[7], double frames[9][16])
+{
+    static const double tool[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.107 };
+    static const struct dhgen_links links = { 7, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
+        tool };
+    dhgen_frames(&links, q, frames);
+}
 
 void franka_panda_fk(const double q[7], double T[16])
 {

@@ -138,6 +138,24 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.333, 0.0, 0.0),
+    (0.0, 0.0, 0.0, -1.5707963267948966),
+    (0.0, 0.316, 0.0, 1.5707963267948966),
+    (0.0, 0.0, 0.0825, 1.5707963267948966),
+    (0.0, 0.384, -0.0825, -1.5707963267948966),
+    (0.0, 0.0, 0.0, 1.5707963267948966),
+    (0.0, 0.0, 0.088, 1.5707963267948966),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="modified",
+    tool=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.107),
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES GENERAL_4R2P_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -162,6 +163,23 @@ static const struct dhgen_numerical_arm descents = {
     general_4r2p_fk, general_4r2p_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.31, 0.12, 1.2 },
+    { 0.0, -0.14, 0.27, -0.8 },
+    { 0.4, 0.0, 0.09, 1.9 },
+    { 0.0, 0.22, -0.18, 0.7 },
+    { -0.9, 0.0, 0.15, -1.1 },
+    { 0.0, 0.17, 0.08, 0.6 },
+};
+
+void general_4r2p_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void general_4r2p_fk(const double q[6], double T[16])
 {

@@ -164,6 +164,22 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.31, 0.12, 1.2),
+    (0.0, -0.14, 0.27, -0.8),
+    (0.4, 0.0, 0.09, 1.9),
+    (0.0, 0.22, -0.18, 0.7),
+    (-0.9, 0.0, 0.15, -1.1),
+    (0.0, 0.17, 0.08, 0.6),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

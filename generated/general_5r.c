@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES GENERAL_5R_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -163,6 +164,26 @@ static const struct dhgen_numerical_arm descents = {
     general_5r_fk, general_5r_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[5][4] = {
+    { 0.0, 0.32, 0.09, 1.2217304763960306 },
+    { 0.0, 0.11, 0.38, 0.4363323129985824 },
+    { 0.0, -0.07, 0.29, -0.9599310885968813 },
+    { 0.0, 0.14, 0.05, 1.4835298641951802 },
+    { 0.0, 0.1, 0.04, -0.6981317007977318 },
+};
+
+void general_5r_frames(const double q[5], double frames[7][16])
+{
+    static const double tool[12] = {
+        0.955336489125606, 0.0, 0.29552020666133955, 0.03, 0.0, 1.0, 0.0, 0.0, -0.29552020666133955,
+        0.0, 0.955336489125606, 0.14,
+    };
+    static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        tool };
+    dhgen_frames(&links, q, frames);
+}
 
 void general_5r_fk(const double q[5], double T[16])
 {

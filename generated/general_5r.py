@@ -157,6 +157,25 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.32, 0.09, 1.2217304763960306),
+    (0.0, 0.11, 0.38, 0.4363323129985824),
+    (0.0, -0.07, 0.29, -0.9599310885968813),
+    (0.0, 0.14, 0.05, 1.4835298641951802),
+    (0.0, 0.1, 0.04, -0.6981317007977318),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+    tool=(
+        0.955336489125606, 0.0, 0.29552020666133955, 0.03, 0.0, 1.0, 0.0, 0.0, -0.29552020666133955,
+        0.0, 0.955336489125606, 0.14,
+    ),
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

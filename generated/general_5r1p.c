@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES GENERAL_5R1P_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -324,6 +325,23 @@ static const struct dhgen_numerical_arm descents = {
     general_5r1p_fk, general_5r1p_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, -0.293, 0.278, 1.583 },
+    { 0.0, -0.196, -0.004, -0.303 },
+    { 0.909, 0.0, 0.231, -2.437 },
+    { 0.0, -0.377, 0.269, -0.405 },
+    { 0.0, 0.211, -0.398, -0.329 },
+    { 0.0, 0.037, 0.357, 2.408 },
+};
+
+void general_5r1p_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void general_5r1p_fk(const double q[6], double T[16])
 {

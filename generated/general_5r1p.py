@@ -167,6 +167,22 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, -0.293, 0.278, 1.583),
+    (0.0, -0.196, -0.004, -0.303),
+    (0.909, 0.0, 0.231, -2.437),
+    (0.0, -0.377, 0.269, -0.405),
+    (0.0, 0.211, -0.398, -0.329),
+    (0.0, 0.037, 0.357, 2.408),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

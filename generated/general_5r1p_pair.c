@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES GENERAL_5R1P_PAIR_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -326,6 +327,28 @@ static const struct dhgen_numerical_arm descents = {
     general_5r1p_pair_fk, general_5r1p_pair_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.0, 0.472, 1.5707963267948966 },
+    { 0.0, -0.069, 0.0, 0.5235987755982988 },
+    { 0.0, -0.261, 0.234, 3.141592653589793 },
+    { 0.0, 0.525, 0.0, -1.5707963267948966 },
+    { 0.0, 0.119, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.123, 0.7853981633974483 },
+};
+
+void general_5r1p_pair_frames(const double q[6], double frames[8][16])
+{
+    static const double drives[36] = {
+        1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
+            0.0,
+        0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
+    };
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], drives, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void general_5r1p_pair_fk(const double q[6], double T[16])
 {

@@ -142,6 +142,30 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.0, 0.472, 1.5707963267948966),
+    (0.0, -0.069, 0.0, 0.5235987755982988),
+    (0.0, -0.261, 0.234, 3.141592653589793),
+    (0.0, 0.525, 0.0, -1.5707963267948966),
+    (0.0, 0.119, 0.0, 1.5707963267948966),
+    (0.0, 0.0, 0.123, 0.7853981633974483),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+    drives=(
+        (1.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+        (0.0, -1.0, 0.0, 0.0, 0.0, 0.0),
+        (0.0, 0.0, 1.0, 0.0, 0.0, 0.0),
+        (0.0, 0.0, 0.0, 1.0, 0.0, 0.0),
+        (0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+        (0.0, 0.0, 0.0, 0.0, 0.0, 1.0),
+    ),
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

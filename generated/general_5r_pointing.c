@@ -17,6 +17,7 @@
 #define DHGEN_GENERAL_LANES GENERAL_5R_POINTING_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -162,6 +163,27 @@ static const struct dhgen_numerical_arm descents = {
     general_5r_pointing_fk, general_5r_pointing_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[5][4] = {
+    { 0.0, 0.35, 0.1, 1.3089969389957472 },
+    { 0.0, 0.08, 0.4, 0.3490658503988659 },
+    { 0.0, -0.05, 0.3, -1.1344640137963142 },
+    { 0.0, 0.12, 0.06, 1.3962634015954636 },
+    { 0.0, 0.09, 0.05, -1.2217304763960306 },
+};
+
+void general_5r_pointing_frames(const double q[5], double frames[7][16])
+{
+    static const double tool[12] = {
+        0.9210609940028851, 0.0, 0.3894183423086505, 0.02, 0.0, 1.0, 0.0, 0.0, -0.3894183423086505,
+            0.0,
+        0.9210609940028851, 0.15,
+    };
+    static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        tool };
+    dhgen_frames(&links, q, frames);
+}
 
 void general_5r_pointing_fk(const double q[5], double T[16])
 {

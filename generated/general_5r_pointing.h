@@ -56,6 +56,9 @@ extern const char *const general_5r_pointing_branches[16];
 /* The pose T of the joint values q. */
 void general_5r_pointing_fk(const double q[5], double T[16]);
 
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void general_5r_pointing_frames(const double q[5], double frames[7][16]);
+
 /* The geometric Jacobian, 6 x 5 row by row: velocity of the tool's origin, then angular
  * velocity. */
 void general_5r_pointing_jacobian(const double q[5], double J[30]);

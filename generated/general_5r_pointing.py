@@ -158,6 +158,25 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.35, 0.1, 1.3089969389957472),
+    (0.0, 0.08, 0.4, 0.3490658503988659),
+    (0.0, -0.05, 0.3, -1.1344640137963142),
+    (0.0, 0.12, 0.06, 1.3962634015954636),
+    (0.0, 0.09, 0.05, -1.2217304763960306),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+    tool=(
+        0.9210609940028851, 0.0, 0.3894183423086505, 0.02, 0.0, 1.0, 0.0, 0.0, -0.3894183423086505,
+        0.0, 0.9210609940028851, 0.15,
+    ),
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES GENERAL_6R_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -267,6 +268,23 @@ static const struct dhgen_numerical_arm descents = {
     general_6r_fk, general_6r_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 2.137, -0.035, 0.416, 1.353 },
+    { -2.341, -0.257, -0.339, 2.932 },
+    { -1.611, -0.272, 0.075, -2.507 },
+    { 0.482, 0.262, -0.28, -2.04 },
+    { 0.126, -0.167, -0.136, 0.145 },
+    { 1.904, -0.477, 0.175, 1.432 },
+};
+
+void general_6r_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void general_6r_fk(const double q[6], double T[16])
 {

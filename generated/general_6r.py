@@ -184,6 +184,22 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (2.137, -0.035, 0.416, 1.353),
+    (-2.341, -0.257, -0.339, 2.932),
+    (-1.611, -0.272, 0.075, -2.507),
+    (0.482, 0.262, -0.28, -2.04),
+    (0.126, -0.167, -0.136, 0.145),
+    (1.904, -0.477, 0.175, 1.432),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES GENERAL_PRRPRR_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -185,6 +186,23 @@ static const struct dhgen_numerical_arm descents = {
     general_prrprr_fk, general_prrprr_jacobian, 0,
 };
 
+
+/* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.3, 0.0, 0.1, 0.2 },
+    { 0.0, 0.25, 0.18, 0.9 },
+    { 0.0, 0.11, 0.32, -1.3 },
+    { 1.0, 0.0, 0.13, 0.5 },
+    { 0.0, -0.16, 0.21, 1.6 },
+    { 0.0, 0.19, 0.1, -0.7 },
+};
+
+void general_prrprr_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void general_prrprr_fk(const double q[6], double T[16])
 {

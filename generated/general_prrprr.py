@@ -187,6 +187,22 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.3, 0.0, 0.1, 0.2),
+    (0.0, 0.25, 0.18, 0.9),
+    (0.0, 0.11, 0.32, -1.3),
+    (1.0, 0.0, 0.13, 0.5),
+    (0.0, -0.16, 0.21, 1.6),
+    (0.0, 0.19, 0.1, -0.7),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="modified",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

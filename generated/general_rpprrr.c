@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES GENERAL_RPPRRR_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -167,6 +168,23 @@ static const struct dhgen_numerical_arm descents = {
     general_rpprrr_fk, general_rpprrr_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.5, 0.1, 1.2566370614359172 },
+    { 0.2, 0.0, 0.0, 1.2217304763960306 },
+    { -0.5, 0.0, 0.12, -0.6981317007977318 },
+    { 0.0, 0.14, 0.2, 1.1344640137963142 },
+    { 0.0, 0.1, 0.16, -0.8726646259971648 },
+    { 0.0, 0.12, 0.0, 0.0 },
+};
+
+void general_rpprrr_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void general_rpprrr_fk(const double q[6], double T[16])
 {

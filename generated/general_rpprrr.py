@@ -167,6 +167,22 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.5, 0.1, 1.2566370614359172),
+    (0.2, 0.0, 0.0, 1.2217304763960306),
+    (-0.5, 0.0, 0.12, -0.6981317007977318),
+    (0.0, 0.14, 0.2, 1.1344640137963142),
+    (0.0, 0.1, 0.16, -0.8726646259971648),
+    (0.0, 0.12, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

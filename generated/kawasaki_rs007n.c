@@ -18,6 +18,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef KAWASAKI_RS007N_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -70,6 +71,24 @@ static const struct dhgen_joint joints[6] = {
     { -2.181661564992912, 2.181661564992912, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -6.283185307179586, 6.283185307179586, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { -1.5707963267948966, -0.36, 0.0, 1.5707963267948966 },
+    { -1.5707963267948966, 0.0, 0.355, 3.141592653589793 },
+    { 1.5707963267948966, 0.0, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.375, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
+    { 1.5707963267948966, 0.078, 0.0, 0.0 },
+};
+
+void kawasaki_rs007n_frames(const double q[6], double frames[8][16])
+{
+    static const double base[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0 };
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, base,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void kawasaki_rs007n_fk(const double q[6], double T[16])
 {

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES KINOVA_GEN3_7_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -160,6 +161,25 @@ static const struct dhgen_numerical_arm descents = {
     kinova_gen3_7_fk, kinova_gen3_7_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[7][4] = {
+    { 0.0, -0.28481, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, -0.01175, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, -0.42076, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, -0.01275, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, -0.31436, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, -0.00035, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, -0.10593, 0.0, 0.0 },
+};
+
+void kinova_gen3_7_frames(const double q[7], double frames[9][16])
+{
+    static const double base[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0 };
+    static const struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, base,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void kinova_gen3_7_fk(const double q[7], double T[16])
 {

@@ -153,6 +153,24 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, -0.28481, 0.0, 1.5707963267948966),
+    (3.141592653589793, -0.01175, 0.0, 1.5707963267948966),
+    (3.141592653589793, -0.42076, 0.0, 1.5707963267948966),
+    (3.141592653589793, -0.01275, 0.0, 1.5707963267948966),
+    (3.141592653589793, -0.31436, 0.0, 1.5707963267948966),
+    (3.141592653589793, -0.00035, 0.0, 1.5707963267948966),
+    (3.141592653589793, -0.10593, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0),
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

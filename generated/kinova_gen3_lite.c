@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES KINOVA_GEN3_LITE_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -315,6 +316,23 @@ static const struct dhgen_numerical_arm descents = {
     kinova_gen3_lite_fk, kinova_gen3_lite_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.24325, 0.0, 1.5707963267948966 },
+    { 1.5707963267948966, 0.03, 0.28, 3.141592653589793 },
+    { 1.5707963267948966, 0.02, 0.0, 1.5707963267948966 },
+    { 1.5707963267948966, 0.245, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.057, 0.0, 1.5707963267948966 },
+    { 1.5707963267948966, 0.105, 0.0, 0.0 },
+};
+
+void kinova_gen3_lite_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void kinova_gen3_lite_fk(const double q[6], double T[16])
 {

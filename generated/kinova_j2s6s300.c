@@ -18,6 +18,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef KINOVA_J2S6S300_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -74,6 +75,24 @@ static const struct dhgen_joint joints[6] = {
     { 0.5235987755982988, 5.759586531581287, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -6.283185307179586, 6.283185307179586, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 3.141592653589793, -0.2755, 0.0, 1.5707963267948966 },
+    { 1.5707963267948966, -0.0016, 0.41, 3.141592653589793 },
+    { 1.5707963267948966, -0.0114, 0.0, 1.5707963267948966 },
+    { 0.0, -0.31105, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.0, 1.5707963267948966 },
+    { -1.5707963267948966, -0.26375, 0.0, 3.141592653589793 },
+};
+
+void kinova_j2s6s300_frames(const double q[6], double frames[8][16])
+{
+    static const double base[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0 };
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, base,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void kinova_j2s6s300_fk(const double q[6], double T[16])
 {

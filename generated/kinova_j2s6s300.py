@@ -131,6 +131,23 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (3.141592653589793, -0.2755, 0.0, 1.5707963267948966),
+    (1.5707963267948966, -0.0016, 0.41, 3.141592653589793),
+    (1.5707963267948966, -0.0114, 0.0, 1.5707963267948966),
+    (0.0, -0.31105, 0.0, 1.5707963267948966),
+    (0.0, 0.0, 0.0, 1.5707963267948966),
+    (-1.5707963267948966, -0.26375, 0.0, 3.141592653589793),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+    base=(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0),
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES KINOVA_JACO2_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -332,6 +333,23 @@ static const struct dhgen_numerical_arm descents = {
     kinova_jaco2_fk, kinova_jaco2_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.2755, 0.0, 1.5707963267948966 },
+    { -1.5707963267948966, 0.0, 0.41, 3.141592653589793 },
+    { 1.5707963267948966, -0.0098, 0.0, 1.5707963267948966 },
+    { 0.0, -0.2501971250007892, 0.0, 1.0471975511965976 },
+    { 3.141592653589793, -0.08579425000157839, 0.0, 1.0471975511965976 },
+    { 1.7453292519943295, -0.2115971250007892, 0.0, 3.141592653589793 },
+};
+
+void kinova_jaco2_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void kinova_jaco2_fk(const double q[6], double T[16])
 {

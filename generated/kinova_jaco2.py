@@ -148,6 +148,22 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.2755, 0.0, 1.5707963267948966),
+    (-1.5707963267948966, 0.0, 0.41, 3.141592653589793),
+    (1.5707963267948966, -0.0098, 0.0, 1.5707963267948966),
+    (0.0, -0.2501971250007892, 0.0, 1.0471975511965976),
+    (3.141592653589793, -0.08579425000157839, 0.0, 1.0471975511965976),
+    (1.7453292519943295, -0.2115971250007892, 0.0, 3.141592653589793),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

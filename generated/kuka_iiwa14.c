@@ -18,6 +18,7 @@
 #define DHGEN_DOF 7
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef KUKA_IIWA14_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -86,6 +87,24 @@ static const struct dhgen_joint joints[7] = {
         c5 = cos(q[4]), s5 = sin(q[4]), z5_x = x4_x * s5 - z3_x * c5, \
         z5_y = x4_y * s5 - z3_y * c5, z5_z = x4_z * s5 - z3_z * c5, v4 = q[5] + offset6, \
         c6 = cos(v4), s6 = sin(v4)
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[7][4] = {
+    { 3.141592653589793, 0.36, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.42, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.4, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.126, 0.0, 0.0 },
+};
+
+void kuka_iiwa14_frames(const double q[7], double frames[9][16])
+{
+    static const struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void kuka_iiwa14_fk(const double q[7], double T[16])
 {

@@ -57,6 +57,9 @@ extern const char *const kuka_iiwa14_branches[8];
 /* The pose T of the joint values q. */
 void kuka_iiwa14_fk(const double q[7], double T[16]);
 
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void kuka_iiwa14_frames(const double q[7], double frames[9][16]);
+
 /* The geometric Jacobian, 6 x 7 row by row: velocity of the tool's origin, then angular
  * velocity. */
 void kuka_iiwa14_jacobian(const double q[7], double J[42]);

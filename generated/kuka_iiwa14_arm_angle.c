@@ -19,6 +19,7 @@
 #define DHGEN_DOF 7
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef KUKA_IIWA14_ARM_ANGLE_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -69,6 +70,24 @@ static const struct dhgen_joint joints[7] = {
     { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -3.0543261909900767, 3.0543261909900767, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[7][4] = {
+    { 3.141592653589793, 0.36, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.42, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.4, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.126, 0.0, 0.0 },
+};
+
+void kuka_iiwa14_arm_angle_frames(const double q[7], double frames[9][16])
+{
+    static const struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void kuka_iiwa14_arm_angle_fk(const double q[7], double T[16])
 {

@@ -18,6 +18,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef KUKA_KR210_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -68,6 +69,24 @@ static const struct dhgen_joint joints[6] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.75, 0.0, 0.0 },
+    { -1.5707963267948966, 0.0, 0.35, -1.5707963267948966 },
+    { 0.0, 0.0, 1.25, 0.0 },
+    { 0.0, 1.5, -0.054, -1.5707963267948966 },
+    { 0.0, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.0, -1.5707963267948966 },
+};
+
+void kuka_kr210_frames(const double q[6], double frames[8][16])
+{
+    static const double tool[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.303 };
+    static const struct dhgen_links links = { 6, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
+        tool };
+    dhgen_frames(&links, q, frames);
+}
 
 void kuka_kr210_fk(const double q[6], double T[16])
 {

@@ -115,6 +115,23 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.75, 0.0, 0.0),
+    (-1.5707963267948966, 0.0, 0.35, -1.5707963267948966),
+    (0.0, 0.0, 1.25, 0.0),
+    (0.0, 1.5, -0.054, -1.5707963267948966),
+    (0.0, 0.0, 0.0, 1.5707963267948966),
+    (0.0, 0.0, 0.0, -1.5707963267948966),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="modified",
+    tool=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.303),
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

@@ -18,6 +18,7 @@
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/complete.h"
 #ifndef KUKA_KR40PA_PLAIN
 #include "dhgen/tile.h"
@@ -100,6 +101,21 @@ static const struct dhgen_numerical_arm descents = {
 static const struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
     ascends */ 1, /* equations end all */ 0 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[4][4] = {
+    { 0.0, 0.3, 0.15, -1.5707963267948966 },
+    { 0.0, 0.0, 0.8, 0.0 },
+    { 0.0, 0.0, 0.8, 0.0 },
+    { 0.0, 0.0, 0.15, 1.5707963267948966 },
+};
+
+void kuka_kr40pa_frames(const double q[4], double frames[6][16])
+{
+    static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void kuka_kr40pa_fk(const double q[4], double T[16])
 {

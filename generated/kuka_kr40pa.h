@@ -54,6 +54,9 @@ extern const char *const kuka_kr40pa_branches[2];
 /* The pose T of the joint values q. */
 void kuka_kr40pa_fk(const double q[4], double T[16]);
 
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void kuka_kr40pa_frames(const double q[4], double frames[6][16]);
+
 /* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
  * velocity. */
 void kuka_kr40pa_jacobian(const double q[4], double J[24]);

@@ -18,6 +18,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef KUKA_KR6_R900_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -70,6 +71,23 @@ static const struct dhgen_joint joints[6] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.4, 0.025, -1.5707963267948966 },
+    { -1.5707963267948966, 0.0, 0.455, 0.0 },
+    { -1.5707963267948966, 0.0, 0.025, -1.5707963267948966 },
+    { 0.0, 0.42, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.09, 0.0, 0.0 },
+};
+
+void kuka_kr6_r900_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void kuka_kr6_r900_fk(const double q[6], double T[16])
 {

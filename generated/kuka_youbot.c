@@ -18,6 +18,7 @@
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 4
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef KUKA_YOUBOT_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -67,6 +68,22 @@ static const struct dhgen_joint joints[5] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[5][4] = {
+    { 0.0, 0.147, 0.033, 1.5707963267948966 },
+    { 1.5707963267948966, 0.0, 0.155, 0.0 },
+    { 0.0, 0.0, 0.135, 0.0 },
+    { 1.5707963267948966, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.2175, 0.0, 0.0 },
+};
+
+void kuka_youbot_frames(const double q[5], double frames[7][16])
+{
+    static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void kuka_youbot_fk(const double q[5], double T[16])
 {

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES MANSEUR_DOTY_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -227,6 +228,23 @@ static const struct dhgen_numerical_arm descents = {
     manseur_doty_fk, manseur_doty_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.0, 0.3, 1.5707963267948966 },
+    { 0.0, 0.0, 1.0, 0.017453292519943295 },
+    { 0.0, 0.2, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 1.5, 0.017453292519943295 },
+    { 0.0, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.0, 0.017453292519943295 },
+};
+
+void manseur_doty_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void manseur_doty_fk(const double q[6], double T[16])
 {

@@ -13,6 +13,7 @@
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
 #include "dhgen/circle_roots.h"
+#include "dhgen/frames.h"
 #include "dhgen/complete.h"
 
 #if DHGEN_INTERFACE != 1
@@ -126,6 +127,23 @@ static const struct dhgen_root_turn turns[1] = { { 5, 1.0 } };
 static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 0, /*
     ascends */ 0, /* equations end all */ 0 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.1, 0.3, 0.0 },
+    { 0.0, 0.05, 0.25, 0.0 },
+    { 0.0, 0.08, 0.1, 1.5707963267948966 },
+    { 0.0, 0.2, 0.1, 1.0471975511965976 },
+    { 0.0, 0.15, 0.12, 1.3962634015954636 },
+    { 0.0, 0.1, 0.05, 0.0 },
+};
+
+void parallel_123_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void parallel_123_fk(const double q[6], double T[16])
 {

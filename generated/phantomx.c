@@ -17,6 +17,7 @@
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/complete.h"
 #ifndef PHANTOMX_PLAIN
 #include "dhgen/tile.h"
@@ -100,6 +101,22 @@ static const struct dhgen_numerical_arm descents = {
 static const struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
     ascends */ 1, /* equations end all */ 0 };
 
+
+/* The table at q = 0, standard: theta [rad], d [mm], a [mm], alpha [rad]. */
+static const double table[4][4] = {
+    { 0.0, 40.0, 0.0, -1.5707963267948966 },
+    { 1.5707963267948966, 0.0, -105.0, 3.141592653589793 },
+    { 0.0, 0.0, -105.0, 0.0 },
+    { 0.0, 0.0, -105.0, 0.0 },
+};
+
+void phantomx_frames(const double q[4], double frames[6][16])
+{
+    static const double tool[12] = { 0.0, 0.0, -1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0 };
+    static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        tool };
+    dhgen_frames(&links, q, frames);
+}
 
 void phantomx_fk(const double q[4], double T[16])
 {

@@ -18,6 +18,7 @@
 #define DHGEN_DOF 2
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef PLANAR_PR_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -53,6 +54,20 @@ static const struct dhgen_joint joints[2] = {
     { -HUGE_VAL, HUGE_VAL, 3e-10, 11.11111111111111, 0.3, 0.02945243112740431, 0 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The axes at q = 0: a unit vector along each, and a point of it [m]. */
+static const double table[2][6] = {
+    { 0.8660254037844386, 0.5, 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 },
+};
+
+void planar_pr_frames(const double q[2], double frames[4][16])
+{
+    static const double tool[12] = { 1.0, 0.0, 0.0, 0.3, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
+    static const struct dhgen_links links = { 2, DHGEN_AXES, joints, &table[0][0], NULL, NULL, tool
+        };
+    dhgen_frames(&links, q, frames);
+}
 
 void planar_pr_fk(const double q[2], double T[16])
 {

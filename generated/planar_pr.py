@@ -88,6 +88,19 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The axes at q = 0: a unit vector along each, and a point of it [m].
+AXES = (
+    (0.8660254037844386, 0.5, 0.0, 0.0, 0.0, 0.0),
+    (0.0, 0.0, 1.0, 0.0, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=AXES,
+    convention="axes",
+    tool=(1.0, 0.0, 0.0, 0.3, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

@@ -52,6 +52,9 @@ extern const char *const planar_rp_branches[2];
 /* The pose T of the joint values q. */
 void planar_rp_fk(const double q[2], double T[16]);
 
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void planar_rp_frames(const double q[2], double frames[4][16]);
+
 /* The geometric Jacobian, 6 x 2 row by row: velocity of the tool's origin, then angular
  * velocity. */
 void planar_rp_jacobian(const double q[2], double J[12]);

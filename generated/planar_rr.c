@@ -18,6 +18,7 @@
 #define DHGEN_DOF 2
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef PLANAR_RR_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -53,6 +54,19 @@ static const struct dhgen_joint joints[2] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[2][4] = {
+    { 0.0, 0.0, 0.4, 0.0 },
+    { 0.0, 0.0, 0.3, 0.0 },
+};
+
+void planar_rr_frames(const double q[2], double frames[4][16])
+{
+    static const struct dhgen_links links = { 2, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void planar_rr_fk(const double q[2], double T[16])
 {

@@ -12,6 +12,7 @@
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 1
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/numerical.h"
 
 #if DHGEN_INTERFACE != 1
@@ -70,6 +71,21 @@ static const struct dhgen_numerical_arm descents = {
     planar_rrrr_fk, planar_rrrr_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[4][4] = {
+    { 0.0, 0.0, 0.25, 0.0 },
+    { 0.0, 0.0, 0.25, 0.0 },
+    { 0.0, 0.0, 0.25, 0.0 },
+    { 0.0, 0.0, 0.25, 0.0 },
+};
+
+void planar_rrrr_frames(const double q[4], double frames[6][16])
+{
+    static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void planar_rrrr_fk(const double q[4], double T[16])
 {

@@ -54,6 +54,9 @@ extern const char *const planar_rrrr_branches[1];
 /* The pose T of the joint values q. */
 void planar_rrrr_fk(const double q[4], double T[16]);
 
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void planar_rrrr_frames(const double q[4], double frames[6][16]);
+
 /* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
  * velocity. */
 void planar_rrrr_jacobian(const double q[4], double J[24]);

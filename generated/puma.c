@@ -17,6 +17,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef PUMA_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -67,6 +68,23 @@ static const struct dhgen_joint joints[6] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The axes at q = 0: a unit vector along each, and a point of it [m]. */
+static const double table[6][6] = {
+    { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 },
+    { 1.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 1.0, 0.0, 0.0, 0.0, 0.0, 0.4318 },
+    { 0.0, 0.0, 1.0, 0.15005, 0.0, 0.0 },
+    { 1.0, 0.0, 0.0, 0.15005, 0.0, 0.8636 },
+    { 0.0, 0.0, 1.0, 0.15005, 0.0, 0.0 },
+};
+
+void puma_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_AXES, joints, &table[0][0], NULL, NULL, NULL
+        };
+    dhgen_frames(&links, q, frames);
+}
 
 void puma_fk(const double q[6], double T[16])
 {

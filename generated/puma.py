@@ -112,6 +112,22 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The axes at q = 0: a unit vector along each, and a point of it [m].
+AXES = (
+    (0.0, 0.0, 1.0, 0.0, 0.0, 0.0),
+    (1.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+    (1.0, 0.0, 0.0, 0.0, 0.0, 0.4318),
+    (0.0, 0.0, 1.0, 0.15005, 0.0, 0.0),
+    (1.0, 0.0, 0.0, 0.15005, 0.0, 0.8636),
+    (0.0, 0.0, 1.0, 0.15005, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=AXES,
+    convention="axes",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES PUMA560_CALIBRATED_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -167,6 +168,23 @@ static const struct dhgen_numerical_arm descents = {
     puma560_calibrated_fk, puma560_calibrated_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0004277699642, 0.6712591624431, 0.0026544606897, 1.569187781842 },
+    { 0.0006617156617, -0.000143425944, 0.4314454936115, 0.0010663588121 },
+    { -0.0018179220006, 0.1490653237899, 0.0201858398555, -1.5690550529582 },
+    { 8.90468712e-05, 0.432695688237, -0.001863305965, 1.5695574392497 },
+    { 0.0009695294734, -0.00062817974, -6.29954602e-05, -1.5700654576903 },
+    { -0.0022050175347, -0.0012011655652, -9.3840846e-05, -0.001546476069 },
+};
+
+void puma560_calibrated_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void puma560_calibrated_fk(const double q[6], double T[16])
 {

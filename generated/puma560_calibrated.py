@@ -186,6 +186,22 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0004277699642, 0.6712591624431, 0.0026544606897, 1.569187781842),
+    (0.0006617156617, -0.000143425944, 0.4314454936115, 0.0010663588121),
+    (-0.0018179220006, 0.1490653237899, 0.0201858398555, -1.5690550529582),
+    (8.90468712e-05, 0.432695688237, -0.001863305965, 1.5695574392497),
+    (0.0009695294734, -0.00062817974, -6.29954602e-05, -1.5700654576903),
+    (-0.0022050175347, -0.0012011655652, -9.3840846e-05, -0.001546476069),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

@@ -51,6 +51,9 @@ extern const char *const rpp_branches[2];
 /* The pose T of the joint values q. */
 void rpp_fk(const double q[3], double T[16]);
 
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void rpp_frames(const double q[3], double frames[5][16]);
+
 /* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, then angular
  * velocity. */
 void rpp_jacobian(const double q[3], double J[18]);

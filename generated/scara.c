@@ -17,6 +17,7 @@
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef SCARA_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -59,6 +60,22 @@ static const struct dhgen_joint joints[4] = {
     { -0.2, 0.0, 8e-10, 1.5625000000000002, 0.8, 0.00625, 0 },
     { -6.283185307179586, 6.283185307179586, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[4][4] = {
+    { 0.0, 0.0, 0.4, 0.0 },
+    { 0.0, 0.0, 0.3, 0.0 },
+    { 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.0, 0.0 },
+};
+
+void scara_frames(const double q[4], double frames[6][16])
+{
+    static const double tool[12] = { 1.0, 0.0, 0.0, 0.1, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
+    static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        tool };
+    dhgen_frames(&links, q, frames);
+}
 
 void scara_fk(const double q[4], double T[16])
 {

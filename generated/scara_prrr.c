@@ -18,6 +18,7 @@
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef SCARA_PRRR_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -59,6 +60,21 @@ static const struct dhgen_joint joints[4] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[4][4] = {
+    { 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 0.0, 0.3, 0.0 },
+    { 0.0, 0.0, 0.25, 0.0 },
+    { 0.0, 0.0, 0.0, 3.141592653589793 },
+};
+
+void scara_prrr_frames(const double q[4], double frames[6][16])
+{
+    static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void scara_prrr_fk(const double q[4], double T[16])
 {

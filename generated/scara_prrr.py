@@ -96,6 +96,20 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.0, 0.0, 0.0),
+    (0.0, 0.0, 0.3, 0.0),
+    (0.0, 0.0, 0.25, 0.0),
+    (0.0, 0.0, 0.0, 3.141592653589793),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

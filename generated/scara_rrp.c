@@ -18,6 +18,7 @@
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef SCARA_RRP_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -56,6 +57,20 @@ static const struct dhgen_joint joints[3] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1.2e-09, 0.6944444444444444, 1.2, 0.11780972450961724, 0 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[3][4] = {
+    { 0.0, 0.5, 0.4, 0.0 },
+    { 0.0, 0.0, 0.3, 0.0 },
+    { 0.0, 0.0, 0.0, 0.0 },
+};
+
+void scara_rrp_frames(const double q[3], double frames[5][16])
+{
+    static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void scara_rrp_fk(const double q[3], double T[16])
 {

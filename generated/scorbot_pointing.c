@@ -18,6 +18,7 @@
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 4
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/complete.h"
 #ifndef SCORBOT_POINTING_PLAIN
 #include "dhgen/tile.h"
@@ -106,6 +107,22 @@ static const struct dhgen_numerical_arm descents = {
 static const struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
     ascends */ 1, /* equations end all */ 0 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[5][4] = {
+    { 0.0, 0.349, 0.016, -1.5707963267948966 },
+    { 0.0, 0.0, 0.221, 0.0 },
+    { 0.0, 0.0, 0.221, 0.0 },
+    { 1.5707963267948966, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.145, 0.0, 0.0 },
+};
+
+void scorbot_pointing_frames(const double q[5], double frames[7][16])
+{
+    static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void scorbot_pointing_fk(const double q[5], double T[16])
 {

@@ -150,6 +150,21 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.349, 0.016, -1.5707963267948966),
+    (0.0, 0.0, 0.221, 0.0),
+    (0.0, 0.0, 0.221, 0.0),
+    (1.5707963267948966, 0.0, 0.0, 1.5707963267948966),
+    (0.0, 0.145, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

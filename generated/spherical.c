@@ -18,6 +18,7 @@
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 4
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef SPHERICAL_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -46,6 +47,20 @@ static const struct dhgen_joint joints[3] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 5e-10, 4.0, 0.5, 0.04908738521234052, 0 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[3][4] = {
+    { 0.0, 0.5, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.0, -1.5707963267948966 },
+    { 0.0, 0.0, 0.0, 0.0 },
+};
+
+void spherical_frames(const double q[3], double frames[5][16])
+{
+    static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void spherical_fk(const double q[3], double T[16])
 {

@@ -14,6 +14,7 @@
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
 #include "dhgen/circle_roots.h"
+#include "dhgen/frames.h"
 #include "dhgen/complete.h"
 
 #if DHGEN_INTERFACE != 1
@@ -129,6 +130,23 @@ static const struct dhgen_root_turn turns[1] = { { 0, 1.0 } };
 static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 0, /*
     ascends */ 0, /* equations end all */ 0 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.3, 0.15, 1.2217304763960306 },
+    { 0.0, 0.12, 0.42, 0.6108652381980153 },
+    { 0.0, 0.08, 0.11, -0.8726646259971648 },
+    { 0.0, 0.37, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.0, -1.5707963267948966 },
+    { 0.0, 0.09, 0.0, 0.0 },
+};
+
+void spherical_wrist_general_arm_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void spherical_wrist_general_arm_fk(const double q[6], double T[16])
 {

@@ -174,6 +174,22 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.3, 0.15, 1.2217304763960306),
+    (0.0, 0.12, 0.42, 0.6108652381980153),
+    (0.0, 0.08, 0.11, -0.8726646259971648),
+    (0.0, 0.37, 0.0, 1.5707963267948966),
+    (0.0, 0.0, 0.0, -1.5707963267948966),
+    (0.0, 0.09, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

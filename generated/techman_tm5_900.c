@@ -18,6 +18,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef TECHMAN_TM5_900_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -74,6 +75,23 @@ static const struct dhgen_joint joints[6] = {
     { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -4.71238898038469, 4.71238898038469, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 3.141592653589793, 0.1452, 0.0, 1.5707963267948966 },
+    { 1.5707963267948966, 0.0, 0.429, 0.0 },
+    { 0.0, -0.1223, 0.4115, 0.0 },
+    { 1.5707963267948966, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.106, 0.0, 1.5707963267948966 },
+    { 0.0, 0.11315, 0.0, 0.0 },
+};
+
+void techman_tm5_900_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void techman_tm5_900_fk(const double q[6], double T[16])
 {

@@ -17,6 +17,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef UR10E_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -70,6 +71,23 @@ static const struct dhgen_joint joints[6] = {
     { -6.283185307179586, 6.283185307179586, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -6.283185307179586, 6.283185307179586, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 0.0, 0.1807, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, -0.6127, 0.0 },
+    { 0.0, 0.0, -0.57155, 0.0 },
+    { 0.0, 0.17415, 0.0, 1.5707963267948966 },
+    { 0.0, 0.11985, 0.0, -1.5707963267948966 },
+    { 0.0, 0.11655, 0.0, 0.0 },
+};
+
+void ur10e_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void ur10e_fk(const double q[6], double T[16])
 {

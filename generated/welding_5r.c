@@ -13,6 +13,7 @@
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
 #include "dhgen/circle_roots.h"
+#include "dhgen/frames.h"
 #include "dhgen/complete.h"
 
 #if DHGEN_INTERFACE != 1
@@ -110,6 +111,23 @@ static const struct dhgen_root_turn turns[1] = { { 0, 1.0 } };
 static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 0, /*
     ascends */ 0, /* equations end all */ 0 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[5][4] = {
+    { 0.0, 0.3, 0.08, 1.5707963267948966 },
+    { 0.0, 0.0, 0.5, 0.0 },
+    { 0.0, 0.0, 0.45, 0.0 },
+    { 0.0, 0.03, 0.0, 1.5707963267948966 },
+    { 0.0, 0.12, 0.0, 1.5707963267948966 },
+};
+
+void welding_5r_frames(const double q[5], double frames[7][16])
+{
+    static const double tool[12] = { 1.0, 0.0, 0.0, 0.02, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.1 };
+    static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        tool };
+    dhgen_frames(&links, q, frames);
+}
 
 void welding_5r_fk(const double q[5], double T[16])
 {

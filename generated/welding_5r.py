@@ -149,6 +149,22 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.3, 0.08, 1.5707963267948966),
+    (0.0, 0.0, 0.5, 0.0),
+    (0.0, 0.0, 0.45, 0.0),
+    (0.0, 0.03, 0.0, 1.5707963267948966),
+    (0.0, 0.12, 0.0, 1.5707963267948966),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+    tool=(1.0, 0.0, 0.0, 0.02, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.1),
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

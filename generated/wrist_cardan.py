@@ -78,6 +78,19 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The axes at q = 0: a unit vector along each, and a point of it [m].
+AXES = (
+    (0.0, 1.0, 0.0, 0.0, 0.0, 0.0),
+    (0.0, 0.0, 1.0, 0.0, 0.0, 0.0),
+    (1.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=AXES,
+    convention="axes",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

@@ -53,6 +53,9 @@ extern const char *const wrist_zyz_branches[2];
 /* The pose T of the joint values q. */
 void wrist_zyz_fk(const double q[3], double T[16]);
 
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void wrist_zyz_frames(const double q[3], double frames[5][16]);
+
 /* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, then angular
  * velocity. */
 void wrist_zyz_jacobian(const double q[3], double J[18]);

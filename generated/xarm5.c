@@ -17,6 +17,7 @@
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 4
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #ifndef XARM5_PLAIN
 #include "dhgen/tile.h"
 #endif
@@ -68,6 +69,22 @@ static const struct dhgen_joint joints[5] = {
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[5][4] = {
+    { 3.141592653589793, 0.267, 0.0, 1.5707963267948966 },
+    { 1.7566747807196037, 0.0, 0.2894866145437471, 0.0 },
+    { 2.733184269115749, 0.0, 0.35116, 0.0 },
+    { -1.3482663962455592, 0.0, 0.076, -1.5707963267948966 },
+    { 0.0, 0.097, 0.0, 0.0 },
+};
+
+void xarm5_frames(const double q[5], double frames[7][16])
+{
+    static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void xarm5_fk(const double q[5], double T[16])
 {

@@ -121,6 +121,21 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (3.141592653589793, 0.267, 0.0, 1.5707963267948966),
+    (1.7566747807196037, 0.0, 0.2894866145437471, 0.0),
+    (2.733184269115749, 0.0, 0.35116, 0.0),
+    (-1.3482663962455592, 0.0, 0.076, -1.5707963267948966),
+    (0.0, 0.097, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

@@ -15,6 +15,7 @@
 #define DHGEN_GENERAL_LANES XARM6_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -140,6 +141,27 @@ static const struct dhgen_numerical_arm descents = {
     xarm6_fk, xarm6_jacobian, 0,
 };
 
+
+/* The axes at q = 0: a unit vector along each, and a point of it [m]. */
+static const double table[6][6] = {
+    { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 },
+    { 0.0, 1.0, 0.0, 0.0, 0.0, 0.267 },
+    { 0.0, 1.0, 0.0, 0.0535, 0.0, 0.5515 },
+    { 0.0, 0.0, -1.0, 0.131, 0.0, 0.0 },
+    { 0.0, 1.0, 0.0, 0.131, 0.0, 0.20899999999999996 },
+    { 0.0, 0.0, -1.0, 0.20700000000000002, 0.0, 0.0 },
+};
+
+void xarm6_frames(const double q[6], double frames[8][16])
+{
+    static const double tool[12] = {
+        1.0, 0.0, 0.0, 0.20700000000000002, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0,
+            0.11199999999999996,
+    };
+    static const struct dhgen_links links = { 6, DHGEN_AXES, joints, &table[0][0], NULL, NULL, tool
+        };
+    dhgen_frames(&links, q, frames);
+}
 
 void xarm6_fk(const double q[6], double T[16])
 {

@@ -128,6 +128,23 @@ _ARM = _arms.arm_numbers(
 )
 
 
+# The axes at q = 0: a unit vector along each, and a point of it [m].
+AXES = (
+    (0.0, 0.0, 1.0, 0.0, 0.0, 0.0),
+    (0.0, 1.0, 0.0, 0.0, 0.0, 0.267),
+    (0.0, 1.0, 0.0, 0.0535, 0.0, 0.5515),
+    (0.0, 0.0, -1.0, 0.131, 0.0, 0.0),
+    (0.0, 1.0, 0.0, 0.131, 0.0, 0.20899999999999996),
+    (0.0, 0.0, -1.0, 0.20700000000000002, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=AXES,
+    convention="axes",
+    tool=(1.0, 0.0, 0.0, 0.20700000000000002, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.11199999999999996),
+)
+
+
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the message says which."""
 

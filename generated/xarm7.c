@@ -15,6 +15,7 @@
 #define DHGEN_GENERAL_LANES XARM7_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -143,6 +144,24 @@ static const struct dhgen_numerical_arm descents = {
     xarm7_fk, xarm7_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[7][4] = {
+    { 3.141592653589793, 0.267, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
+    { 0.0, 0.293, 0.0525, 1.5707963267948966 },
+    { 0.0, 0.0, 0.0775, 1.5707963267948966 },
+    { 0.0, 0.3425, 0.0, 1.5707963267948966 },
+    { 0.0, 0.0, 0.076, -1.5707963267948966 },
+    { 0.0, 0.097, 0.0, 0.0 },
+};
+
+void xarm7_frames(const double q[7], double frames[9][16])
+{
+    static const struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void xarm7_fk(const double q[7], double T[16])
 {

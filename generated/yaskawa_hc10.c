@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES YASKAWA_HC10_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/frames.h"
 #include "dhgen/general.h"
 
 #if DHGEN_INTERFACE != 1
@@ -154,6 +155,23 @@ static const struct dhgen_numerical_arm descents = {
     yaskawa_hc10_fk, yaskawa_hc10_jacobian, 0,
 };
 
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[6][4] = {
+    { 3.141592653589793, 0.275, 0.0, 1.5707963267948966 },
+    { 1.5707963267948966, 0.0, 0.7, 3.141592653589793 },
+    { 1.5707963267948966, 0.0, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, -0.5, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, -0.162, 0.0, 1.5707963267948966 },
+    { 3.141592653589793, -0.13, 0.0, 3.141592653589793 },
+};
+
+void yaskawa_hc10_frames(const double q[6], double frames[8][16])
+{
+    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
 
 void yaskawa_hc10_fk(const double q[6], double T[16])
 {

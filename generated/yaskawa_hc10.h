@@ -55,6 +55,9 @@ extern const char *const yaskawa_hc10_branches[16];
 /* The pose T of the joint values q. */
 void yaskawa_hc10_fk(const double q[6], double T[16]);
 
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void yaskawa_hc10_frames(const double q[6], double frames[8][16]);
+
 /* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
  * velocity. */
 void yaskawa_hc10_jacobian(const double q[6], double J[36]);

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.link_table import LinkTable
     from dhgen.method import Method
     from dhgen.program.ir import Program
     from dhgen.program.regular.unguarded import Regular
@@ -44,6 +45,7 @@ class SolverModule:
         plane_miss: From them and the pose to what they miss the arm angle by, where rows need it.
         digest: Of the robot file.
         precision: The arithmetic that the programs are for; its suffix ends `name`.
+        links: The table as the robot file has it.
         plain: Whether there is no fast path for regular poses.
     """
 
@@ -56,6 +58,7 @@ class SolverModule:
     forward: Program
     jacobian: Program
     length_unit: str
+    links: LinkTable
     arm_angle: Program | None = None
     plane_miss: Program | None = None
     digest: str = ""

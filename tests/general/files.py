@@ -10,6 +10,7 @@ import numpy as np
 from dhgen.atomic_write import write_files
 from dhgen.general.arm import general_kernel
 from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.link_table import link_table
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.lowering.forward import forward_program, jacobian_program
 from dhgen.program.lowering.lower import whole_program
@@ -77,6 +78,7 @@ def without_derivation(arm: Robot) -> SolverModule:
         forward=replace(forward_program(chain, RESERVED), name=chain.name),
         jacobian=replace(jacobian_program(chain, RESERVED), name=chain.name),
         length_unit=arm.length_unit,
+        links=link_table(arm),
         arm_angle=None,
         precision=DOUBLE,
     )

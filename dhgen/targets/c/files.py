@@ -13,6 +13,7 @@ from dhgen.targets.c.entries import Entries, entry_lines, entry_texts
 from dhgen.targets.c.fitting import fitted
 from dhgen.targets.c.general import general_sizes, general_source
 from dhgen.targets.c.language import C
+from dhgen.targets.c.links import CLinks, c_links
 from dhgen.targets.c.motion import Motion, motion_of
 from dhgen.targets.c.regular import CRegular, flats_of, regular_values
 from dhgen.targets.c.runtime import in_one_file
@@ -52,6 +53,7 @@ class CSolver:
     Attributes:
         comments: What the files say of themselves.
         tables: Definitions of constants.
+        links: The table of its links; not in single precision, which is for small controllers.
         table: Of the arm, for the runtime.
         entries: The names of the pose's entries.
         unused: Parameters of the solver that it does not need.
@@ -66,6 +68,7 @@ class CSolver:
 
     comments: CComments
     tables: CTables
+    links: CLinks | None
     table: CTable
     entries: Entries
     unused: Sequence[str]
@@ -125,6 +128,7 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
     return CSolver(
         comments=c_comments(module),
         tables=c_tables(module, programs),
+        links=None if module.precision is SINGLE else c_links(module),
         table=c_table(module),
         entries=entry_texts(module, programs),
         unused=_unused(module),
@@ -144,6 +148,7 @@ def _brought_along(module: SolverModule, *, regular: bool) -> list[str]:
     single = ["SINGLE_PRECISION", "SCALAR"] if module.precision is SINGLE else []
     switches = ["LIBM"] if single else ["SCALAR", "LIBM"]
     headers = ["ik", *(["circle_roots"] if finds_roots(solver) else [])]
+    headers += [] if single else ["frames"]
     headers += ["complete"] if solver.tightened is not None else []
     kernel = general_kernel(solver)
     if whole_arm(solver) is not None:

@@ -5,14 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.link_table import AXES, IDENTITY
 from dhgen.printing.comments import plain
 from dhgen.robot.task import Directions, TaskKind
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, listed, paragraph
 from dhgen.targets.module import made_text
+from dhgen.targets.python.literal import literal
 from dhgen.targets.python.table import arm_lines
 from dhgen.targets.python.whole import python_links
 from dhgen.targets.scalar import pose_entries
+from dhgen.targets.solver.links import about_table
 from dhgen.targets.solver.task import meaning
 
 if TYPE_CHECKING:
@@ -57,6 +60,9 @@ class PythonTables:
         free_joints: Whose values the caller gives; empty without any.
         links: The arm as descents work on it; empty where none do.
         arm: What the arm's table in the runtime is made of.
+        table_about: What the rows of the table of links are.
+        table: Its definition.
+        frames: What their frames are computed from, as lines.
         constants: Of the programs, as lines.
     """
 
@@ -66,6 +72,9 @@ class PythonTables:
     free_joints: str
     links: str
     arm: Sequence[str]
+    table_about: str
+    table: str
+    frames: Sequence[str]
     constants: Sequence[str]
 
 
@@ -148,8 +157,31 @@ def python_tables(module: SolverModule, flat: Flat | None) -> PythonTables:
         free_joints=f"({', '.join(map(str, free))},)" if free else "",
         links=python_links(module.solver),
         arm=arm_lines(module),
+        table_about=about_table(module, "# "),
+        table="\n".join(
+            [f"{_table_name(module)} = (", *(f"{INDENT}{row!r}," for row in module.links.rows), ")"]
+        ),
+        frames=_frames(module),
         constants=[line for each in constants for line in _constant(each)],
     )
+
+
+def _table_name(module: SolverModule) -> str:
+    return "AXES" if module.links.convention == AXES else "TABLE"
+
+
+def _frames(module: SolverModule) -> list[str]:
+    """What the frames of the links are computed from."""
+    table = module.links
+    named: dict[str, object] = {"drives": table.drives} if table.drives else {}
+    named |= {"base": table.base} if table.base != IDENTITY else {}
+    named |= {"tool": table.tool} if table.tool != IDENTITY else {}
+    return [
+        f"{INDENT}types=JOINT_TYPES,",
+        f"{INDENT}table={_table_name(module)},",
+        f'{INDENT}convention="{table.convention}",',
+        *(f"{INDENT}{name}={literal(value, {}, INDENT)}," for name, value in named.items()),
+    ]
 
 
 def _joint_names(module: SolverModule) -> str:

@@ -20,6 +20,7 @@ class Module:
         dof: Joints of the arm.
         rows: Of its solutions.
         jacobian_size: Entries of the Jacobian.
+        frames: How many there are: of base, links and tool.
         joint_types: R or P for every joint.
         has_turns: Whether one of them turns.
         method: How the arm is solved.
@@ -31,6 +32,7 @@ class Module:
     dof: int
     rows: int
     jacobian_size: int
+    frames: int
     joint_types: str
     has_turns: bool
     method: Method
@@ -46,6 +48,7 @@ def module_of(module: SolverModule) -> Module:
         dof=dof,
         rows=module.solver.rows,
         jacobian_size=6 * dof,
+        frames=dof + 2,
         joint_types=module.chain.joint_types,
         has_turns=any(module.chain.turning),
         method=module.method,

@@ -54,8 +54,8 @@ SURE = 1e-4
 # The least miss of a pose that is rounded is found where steps are no longer than this [rad, arm
 # sizes]: far above their rounding, far below what tells two solutions apart.
 SETTLED = 1e-9
-# So many times what counts as exact is still a solution, and so many times what a solution may miss
-# a rounded pose by is not far from one.
+# So many times what counts as exact is still a solution. So many times what a solution may miss a
+# rounded pose by is not far from one.
 LOOSE = 10.0
 
 

@@ -22,8 +22,8 @@
 /* The least miss of a pose that is rounded is found where steps are no longer than this [rad, arm
  * sizes]: far above their rounding, far below what tells two solutions apart. */
 #define DHGEN_SETTLED 1e-9
-/* So many times what counts as exact is still a solution, and so many times what a solution may miss
- * a rounded pose by is not far from one. */
+/* So many times what counts as exact is still a solution. So many times what a solution may miss a
+ * rounded pose by is not far from one. */
 #define DHGEN_LOOSE 10.0
 
 /* What an exact row may miss: far away rounding is more [arm sizes, rad]. */
@@ -71,8 +71,8 @@ DHGEN_FN double dhgen_approach(
     return least;
 }
 
-/* Takes the joint values of a row to the least miss of a pose that is rounded: that does not vanish.
- * Returns by how much the row misses the pose then. */
+/* Takes the joint values of a row to the least miss of a pose that is rounded: that does not
+ * vanish. Returns by how much the row misses the pose then. */
 DHGEN_FN double dhgen_least_miss(struct dhgen_descent *d, double *q)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;

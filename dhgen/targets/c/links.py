@@ -1,0 +1,63 @@
+"""The table of a robot's links in C, and what the frames of these are computed from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.link_table import IDENTITY
+from dhgen.targets.layout import INDENT, c_array, wrapped
+from dhgen.targets.solver.links import about_table
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.targets.module import SolverModule
+
+
+@dataclass(frozen=True, slots=True)
+class CLinks:
+    """The links of a robot.
+
+    Attributes:
+        about: What the rows of the table are.
+        rows: Its rows.
+        width: How many numbers a row has.
+        others: Definitions beside it, indented.
+        links: What the runtime's `struct dhgen_links` holds, as lines.
+    """
+
+    about: str
+    rows: Sequence[str]
+    width: int
+    others: Sequence[str]
+    links: Sequence[str]
+
+
+def c_links(module: SolverModule) -> CLinks:
+    """The links of a robot."""
+    table = module.links
+    drives = tuple(factor for row in table.drives for factor in row)
+    base, tool = ((() if frame == IDENTITY else frame) for frame in (table.base, table.tool))
+    named = {"drives": drives, "base": base, "tool": tool}
+    others = [
+        line
+        for name, numbers in named.items()
+        if numbers
+        for line in _array(name, numbers).splitlines()
+    ]
+    pointers = [name if numbers else "NULL" for name, numbers in named.items()]
+    kind = f"DHGEN_{table.convention.upper()}"
+    held = ", ".join([str(module.chain.dof), kind, "joints", "&table[0][0]", *pointers])
+    return CLinks(
+        about=about_table(module, " * "),
+        rows=[f"{{ {', '.join(map(repr, row))} }}," for row in table.rows],
+        width=len(table.rows[0]),
+        others=others,
+        links=wrapped(f"{INDENT}static const struct dhgen_links links = {{ {held} }};", INDENT),
+    )
+
+
+def _array(name: str, numbers: Sequence[float]) -> str:
+    text = c_array(f"static const double {name}[{len(numbers)}]", map(repr, numbers))
+    return "\n".join(f"{INDENT}{line}" for line in text.splitlines())
