@@ -17,6 +17,8 @@ MOST_RECALLED = 10_000_000  # of one arm: minutes where a pose takes microsecond
 EPILOG = """\
 verbs:
   dhgen import ARM.urdf    write a robot file with a Denavit-Hartenberg table (--base, --tip)
+  dhgen calibrate FILE --from CALIBRATION
+                           write the robot file of one arm, with what was measured of it
   dhgen FILE ...           derive, show a summary, verify, and write generated/ (or --out DIR)
   dhgen --check FILE ...   compare generated/ with what the compiler makes; exit 1 when it is stale
   dhgen --numerical FILE   fall back to the numerical solver where nothing else works
@@ -171,6 +173,37 @@ def import_parser() -> argparse.ArgumentParser:
         type=_path,
         metavar="FILE",
         help="where to write, - for the terminal (default: the robot's name with .yaml)",
+    )
+    return made
+
+
+def calibrate_parser() -> argparse.ArgumentParser:
+    """Of `dhgen calibrate`."""
+    made = argparse.ArgumentParser(
+        prog="dhgen calibrate",
+        description="Writes the robot file of one arm: that of its kind, with what was measured of "
+        "this one. A calibration holds `kinematics:`, of each joint x, y, z [m], roll, pitch and "
+        "yaw [rad] of its frame in the one before, as Universal Robots' driver extracts them; or "
+        "`deltas:`, a list of what is added to theta, d, a, alpha of each row of the table, with "
+        "beta, a turn about y behind them, for axes that are nearly parallel.",
+    )
+    made.add_argument("file", type=_path, metavar="FILE", help="the robot file of the arm's kind")
+    made.add_argument(
+        "--from",
+        dest="calibration",
+        type=_path,
+        required=True,
+        metavar="CALIBRATION",
+        help="the calibration (YAML)",
+    )
+    made.add_argument(
+        "--axes", action="store_true", help="write axes in the reference position, not a table"
+    )
+    made.add_argument(
+        "--out",
+        type=_path,
+        metavar="FILE",
+        help="where to write, - for the terminal (default: NAME_calibrated.yaml)",
     )
     return made
 

@@ -9,8 +9,8 @@ import sys
 import tempfile
 from typing import TYPE_CHECKING
 
-from dhgen.arguments import explain_parser, import_parser, parser, survey_parser
-from dhgen.commands import check, explain, import_description, survey, write
+from dhgen.arguments import calibrate_parser, explain_parser, import_parser, parser, survey_parser
+from dhgen.commands import calibrate, check, explain, import_description, survey, write
 from dhgen.errors import CommandError, DhgenError
 from dhgen.workers import interrupts_repeated
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 # What the first word may be meant as where it is no file.
 MEANT = {
-    **{verb: f"dhgen {verb}" for verb in ("explain", "import", "survey")},
+    **{verb: f"dhgen {verb}" for verb in ("explain", "import", "calibrate", "survey")},
     **{
         option: f"dhgen --{option}"
         for option in ("check", "numerical", "single-file", "help", "version")
@@ -67,6 +67,8 @@ def _run(words: list[str]) -> int:
         return survey(survey_parser().parse_args(words[1:]))
     if words[:1] == ["import"]:
         return import_description(import_parser().parse_args(words[1:]))
+    if words[:1] == ["calibrate"]:
+        return calibrate(calibrate_parser().parse_args(words[1:]))
     options = parser().parse_args(words)
     _refuse_misspelt(options.files[0])
     if not options.check:

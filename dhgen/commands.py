@@ -1,4 +1,4 @@
-"""What the command does: write, check, explain, import, survey.
+"""What the command does: write, check, explain, import, calibrate, survey.
 
 What needs sympy is imported late: errors and --help do without.
 """
@@ -194,7 +194,6 @@ def survey(options: argparse.Namespace) -> int:
 
 def import_description(options: argparse.Namespace) -> int:
     """Writes the robot file of a description; the exit code."""
-    from dhgen.atomic_write import replace_files  # noqa: PLC0415
     from dhgen.descriptions.compare import SAMPLES  # noqa: PLC0415
     from dhgen.descriptions.convert import Wishes  # noqa: PLC0415
     from dhgen.descriptions.expand import Outside  # noqa: PLC0415
@@ -205,16 +204,9 @@ def import_description(options: argparse.Namespace) -> int:
     imported = import_file(options.file, wishes, outside)
     for note in imported.notes:
         print(f"note: {note}", file=sys.stderr)
-    if options.out == Path("-"):
-        _refuse_mute()
-        print(imported.text, end="")
+    out = _write_robot_file(imported.robot.name, imported.text, options.out)
+    if out is None:
         return 0
-    out = options.out or Path(f"{imported.robot.name}.yaml")
-    if out.exists() and options.out is None and out.read_text("utf-8") != imported.text:
-        message = f"dhgen: {out} is there already: write over it with --out {quote(str(out))}"
-        raise CommandError(f"{message}, or name another file")
-    _refuse_occupied([out])
-    replace_files(out.parent, {out.name: imported.text.encode()})
     chain, off = imported.chain, imported.difference
     joints = len(chain.actuated)
     print(f"{imported.robot.name}: {joints} joints, from {chain.base} to {chain.tip}")
@@ -225,6 +217,41 @@ def import_description(options: argparse.Namespace) -> int:
     )
     print(f"wrote {out}; solvers: dhgen {quote(str(out))}")
     return 0
+
+
+def calibrate(options: argparse.Namespace) -> int:
+    """Writes the robot file of a calibrated arm; the exit code."""
+    from dhgen.calibration.calibrate import calibrate as calibrated_by  # noqa: PLC0415
+    from dhgen.calibration.read import read_calibration  # noqa: PLC0415
+    from dhgen.robot_files import RobotFile  # noqa: PLC0415
+
+    nominal = RobotFile.read(options.file).robot
+    made = calibrated_by(nominal, read_calibration(options.calibration), as_axes=options.axes)
+    for note in made.notes:
+        print(f"note: {note}", file=sys.stderr)
+    out = _write_robot_file(made.robot.name, made.text, options.out)
+    if out is not None:
+        moved = f"{made.moved.moved:.2g} {nominal.length_unit} and {made.moved.turned:.2g} rad"
+        print(f"{made.robot.name}: the tool is up to {moved} away from that of {nominal.name}")
+        print(f"wrote {out}; solvers: dhgen {quote(str(out))}")
+    return 0
+
+
+def _write_robot_file(name: str, text: str, wished: Path | None) -> Path | None:
+    """Writes a robot file, not over another one unless that is wished; None in the terminal."""
+    from dhgen.atomic_write import replace_files  # noqa: PLC0415
+
+    if wished == Path("-"):
+        _refuse_mute()
+        print(text, end="")
+        return None
+    out = wished or Path(f"{name}.yaml")
+    if out.exists() and wished is None and out.read_text("utf-8") != text:
+        message = f"dhgen: {out} is there already: write over it with --out {quote(str(out))}"
+        raise CommandError(f"{message}, or name another file")
+    _refuse_occupied([out])
+    replace_files(out.parent, {out.name: text.encode()})
+    return out
 
 
 def _refuse_mute() -> None:

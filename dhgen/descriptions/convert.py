@@ -88,7 +88,7 @@ def convert(description: Description, wishes: Wishes) -> Import:
     snapped = snap(chain.joints, near, little)
     arm = arm_of(snapped.joints, near, little)
     heading = _heading(description, chain, arm)
-    text, notes = _text(heading, arm, as_axes=wishes.as_axes)
+    text, notes = robot_file_text(heading, arm, as_axes=wishes.as_axes)
     robot = load_text(text, f"{heading.name}.yaml")
     off = difference(chain.joints, robot, arm.size)
     if off.relative > BUG * near:
@@ -116,7 +116,8 @@ def _heading(description: Description, chain: ArmChain, arm: Arm) -> Heading:
     )
 
 
-def _text(heading: Heading, arm: Arm, *, as_axes: bool) -> tuple[str, list[str]]:
+def robot_file_text(heading: Heading, arm: Arm, *, as_axes: bool) -> tuple[str, list[str]]:
+    """A robot file, and what is to be said of how it is written."""
     if as_axes:
         return axes_text(heading, arm), []
     table = cheapest_table(arm)

@@ -29,20 +29,31 @@ class Miss(NamedTuple):
     off: float
 
 
-def misses_note(arm: Arm) -> str | None:
+def misses(arm: Arm) -> str | None:
     """What is nearly so and is kept as it is; None where nothing is."""
-    found = [
-        miss
-        for number, (one, other) in enumerate(pairwise(arm.axes), 1)
-        for miss in _misses(arm, number, one, other)
-    ]
+    found = _all_misses(arm)
     if not found:
         return None
     told = "; ".join(miss.text for miss in found[:SHOWN])
     more = f"; and {len(found) - SHOWN} more" if len(found) > SHOWN else ""
-    needed = _rounded_up(max(miss.off for miss in found))
-    way_out = f"if that is not meant, dhgen import --snap {needed} takes it as exact"
-    return f"kept as it is: {told}{more}; {way_out}"
+    return f"kept as it is: {told}{more}"
+
+
+def misses_note(arm: Arm) -> str | None:
+    """The same, with what takes it as exact."""
+    told = misses(arm)
+    if told is None:
+        return None
+    needed = _rounded_up(max(miss.off for miss in _all_misses(arm)))
+    return f"{told}; if that is not meant, dhgen import --snap {needed} takes it as exact"
+
+
+def _all_misses(arm: Arm) -> list[Miss]:
+    return [
+        miss
+        for number, (one, other) in enumerate(pairwise(arm.axes), 1)
+        for miss in _misses(arm, number, one, other)
+    ]
 
 
 def _misses(arm: Arm, number: int, one: Axis, other: Axis) -> list[Miss]:

@@ -41,12 +41,14 @@ class Heading:
         title: What people call it.
         source: Where its numbers come from, and which links poses are between.
         free: Joints, from 1, whose values are to be given.
+        length_unit: How lengths are called.
     """
 
     name: str
     title: str
     source: str
     free: tuple[int, ...] = ()
+    length_unit: str = "m"
 
 
 def identifier(text: str) -> str:
@@ -265,9 +267,10 @@ def _triple(cells: Sequence[str]) -> str:
 
 
 def _foot(heading: Heading, arm: Arm) -> list[str]:
-    """What follows the joints: the unit where limits look like degrees, and what is given."""
-    units = ["units: {angle: rad}"] if any(map(looks_like_degrees, arm.axes)) else []
-    return [*units, *_free(heading)]
+    """What follows the joints: units that are not the usual ones or doubtful, and what is given."""
+    units = [f"length: {heading.length_unit}"] if heading.length_unit != "m" else []
+    units += ["angle: rad"] if any(map(looks_like_degrees, arm.axes)) else []
+    return [*([f"units: {{{', '.join(units)}}}"] if units else []), *_free(heading)]
 
 
 def looks_like_degrees(axis: Axis) -> bool:

@@ -1,0 +1,141 @@
+"""Calibration files: origins of joints as in drivers of Universal Robots, or deltas of a table.
+
+kinematics:                                   deltas:
+  shoulder: {x: 0, y: 0, z: 0.1625,             - {theta: 1e-4, d: 0, a: 2e-5, alpha: -3e-4}
+             roll: 0, pitch: 0, yaw: 0}         - {theta: 0, a: 1e-5, alpha: 2e-4, beta: 1e-4}
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ruamel.yaml.nodes import MappingNode, ScalarNode, SequenceNode
+
+from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.robot.arithmetic import nearest
+from dhgen.robot.nodes import span_of
+from dhgen.robot.reader import MAX_BYTES, read_document
+from dhgen.robot.source import quoted
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from ruamel.yaml.nodes import Node
+
+    from dhgen.robot.reader import Document
+
+ORIGINS, DELTAS = "kinematics", "deltas"
+PLACES = ("x", "y", "z", "roll", "pitch", "yaw")
+CELLS = ("theta", "d", "a", "alpha", "beta")
+OTHERS = ("hash",)  # beside the origins
+
+
+@dataclass(frozen=True, slots=True)
+class Calibration:
+    """What was measured of an arm.
+
+    Attributes:
+        file: Where it is from.
+        is_deltas: Whether rows are added to those of the robot file; else they are origins.
+        rows: Of each joint, x, y, z [m] and roll, pitch, yaw [rad] of its frame in the one before;
+            or what is added to theta, d, a, alpha of its row, and beta, a turn about y behind them
+            (S. Hayati and M. Mirmirani, 1985).
+        words: What the file calls itself; empty where it doesn't.
+    """
+
+    file: str
+    is_deltas: bool
+    rows: tuple[tuple[float, ...], ...]
+    words: str = ""
+
+
+def read_calibration(path: Path) -> Calibration:
+    """What a calibration file says.
+
+    Raises:
+        RobotFileError: It can't be read, or is none: all mistakes at once.
+    """
+    try:
+        with path.open("rb") as file:
+            text = file.read(MAX_BYTES + 1).decode("utf-8")
+    except OSError as error:
+        raise _refusal(path, f"the file can't be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise _refusal(path, "the file is not UTF-8: save it as UTF-8") from None
+    return _Reader(read_document(text, str(path))).run()
+
+
+def _refusal(path: Path, message: str) -> RobotFileError:
+    return RobotFileError((Diagnostic(str(path), 0, 0, message),))
+
+
+class _Reader:
+    """One file, its mistakes gathered."""
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self._mistakes = list(document.mistakes)
+
+    def run(self) -> Calibration:
+        document = self._document
+        if document.has(ORIGINS) == document.has(DELTAS):
+            wanted = f"a calibration holds {ORIGINS}: (of each joint x, y, z, roll, pitch, yaw) or "
+            told = f"{wanted}{DELTAS}: (a list, of each row {', '.join(CELLS)})"
+            raise RobotFileError((document.source.point(span_of(document.root), told),))
+        is_deltas = document.has(DELTAS)
+        node = document.find((DELTAS if is_deltas else ORIGINS,))[1]
+        rows = self._deltas(node) if is_deltas else self._origins(node)
+        words = self._words(node)
+        if self._mistakes:
+            raise RobotFileError(tuple(sorted(self._mistakes, key=lambda m: (m.line, m.column))))
+        return Calibration(document.source.file, is_deltas, tuple(rows), words)
+
+    def _words(self, node: Node) -> str:
+        if not isinstance(node, MappingNode) or "hash" not in self._document.pairs[id(node)]:
+            return ""
+        value = self._document.pairs[id(node)]["hash"][1]
+        return str(value.value) if isinstance(value, ScalarNode) else ""
+
+    def _origins(self, node: Node) -> list[tuple[float, ...]]:
+        if not isinstance(node, MappingNode):
+            self._complain(node, f"{ORIGINS} holds a line for each joint, from base to tool")
+            return []
+        pairs = self._document.pairs[id(node)].items()
+        return [self._row(value, PLACES, PLACES) for key, (_, value) in pairs if key not in OTHERS]
+
+    def _deltas(self, node: Node) -> list[tuple[float, ...]]:
+        if not isinstance(node, SequenceNode):
+            self._complain(node, f"{DELTAS} is a list with a row for each joint")
+            return []
+        return [self._row(row, CELLS, ()) for row in node.value]
+
+    def _row(
+        self, node: Node, names: tuple[str, ...], needed: tuple[str, ...]
+    ) -> tuple[float, ...]:
+        """The numbers of a row; those that may be left out are zero."""
+        if not isinstance(node, MappingNode):
+            self._complain(node, f"expected {{{', '.join(f'{name}: 0' for name in names)}}}")
+            return ()
+        pairs = self._document.pairs[id(node)]
+        for name, (key, _) in pairs.items():
+            if name not in names:
+                hint = nearest(name, names) or f": there are {', '.join(names)}"
+                self._complain(key, f"no key is called {quoted(name)}{hint}")
+        missing = [name for name in needed if name not in pairs]
+        if missing:
+            self._complain(node, f"{', '.join(missing)} missing")
+        return tuple(self._number(pairs[name][1]) if name in pairs else 0.0 for name in names)
+
+    def _number(self, node: Node) -> float:
+        try:
+            value = float(str(node.value)) if isinstance(node, ScalarNode) else math.nan
+        except ValueError:
+            value = math.nan
+        if not math.isfinite(value):
+            self._complain(node, "expected a number")
+        return value
+
+    def _complain(self, node: Node, message: str) -> None:
+        self._mistakes.append(self._document.source.point(span_of(node), message))

@@ -1,0 +1,142 @@
+"""`dhgen calibrate`: the robot file against products of matrices written out here."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+from ruamel.yaml import YAML
+
+from dhgen.cli import main
+from dhgen.robot.load import load
+from dhgen.robot.robot import DhTable, ReferenceAxes
+from dhgen.survey.oracle.forward import forward
+from tests.calibration.products import of_deltas, of_origins
+from tests.compiling import library, written
+
+if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
+
+ROBOTS = Path(__file__).resolve().parents[2] / "robots"
+MEASURED = Path(__file__).with_name("ur5e_calibration.yaml")
+# As Universal Robots' description has it: the table of robots/ur5e.yaml in other words.
+NOMINAL = """kinematics:
+  shoulder: {x: 0, y: 0, z: 0.1625, roll: 0, pitch: 0, yaw: 0}
+  upper_arm: {x: 0, y: 0, z: 0, roll: 1.570796326794897, pitch: 0, yaw: 0}
+  forearm: {x: -0.425, y: 0, z: 0, roll: 0, pitch: 0, yaw: 0}
+  wrist_1: {x: -0.3922, y: 0, z: 0.1333, roll: 0, pitch: 0, yaw: 0}
+  wrist_2: {x: 0, y: -0.0997, z: 0, roll: 1.570796326794897, pitch: 0, yaw: 0}
+  wrist_3: {x: 0, y: 0.0996, z: 0, roll: 1.570796326589793, pitch: 3.141592653589793,
+            yaw: 3.141592653589793}
+"""
+DELTAS = """deltas:
+  - {theta: 1e-4, d: 1e-4, a: 2e-5, alpha: -3e-4}
+  - {theta: 2e-4, a: 1e-4, alpha: 2e-4, beta: 1e-4}
+  - {a: -1.5e-4}
+  - {d: 1e-4, alpha: 1e-3, beta: -3e-4}
+  - {}
+  - {theta: -2e-3, alpha: 1e-4}
+"""
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def calibrated(robot: str, calibration: str | Path, *words: str) -> int:
+    """What the command ends with."""
+    if isinstance(calibration, str):
+        Path("measured.yaml").write_text(calibration, encoding="utf-8")
+        calibration = Path("measured.yaml")
+    return main(["calibrate", str(ROBOTS / f"{robot}.yaml"), "--from", str(calibration), *words])
+
+
+def joint_values(count: int) -> FloatArray:
+    return np.random.default_rng(5).uniform(-np.pi, np.pi, (count, 6))
+
+
+def test_origins_as_drivers_extract_them(capsys: pytest.CaptureFixture[str]) -> None:
+    assert calibrated("ur5e", MEASURED) == 0
+    told = capsys.readouterr()
+    assert told.out.startswith("ur5e_calibrated: the tool is up to 0.0017 m and ")
+    assert "axes 2 and 3 miss being parallel by 0.0026 rad" in told.err
+    robot = load("ur5e_calibrated.yaml")
+    assert robot.source == "ur5e with the calibration calib_6423711872134 of ur5e_calibration.yaml"
+    assert [joint.limits for joint in robot.joints] == [(-2 * np.pi, 2 * np.pi)] * 6
+    rows = YAML(typ="safe").load(MEASURED)["kinematics"]
+    for q in joint_values(50):
+        np.testing.assert_allclose(forward(robot, q), of_origins(rows, q), rtol=0.0, atol=1e-12)
+
+
+def test_an_arm_without_errors_stays_a_table() -> None:
+    """The description's default numbers, rounded to 2e-10 rad, are the table's own."""
+    assert calibrated("ur5e", NOMINAL) == 0
+    robot, nominal = load("ur5e_calibrated.yaml"), load(ROBOTS / "ur5e.yaml")
+    assert isinstance(robot.geometry, DhTable)
+    for q in joint_values(50):
+        np.testing.assert_allclose(forward(robot, q), forward(nominal, q), rtol=0.0, atol=1e-9)
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_deltas_of_a_table(convention: str) -> None:
+    """Of a modified row beta stands before the joint's own motion."""
+    text = (ROBOTS / "puma560.yaml").read_text("utf-8").replace("standard", convention)
+    Path("kind.yaml").write_text(text, encoding="utf-8")
+    Path("measured.yaml").write_text(DELTAS, encoding="utf-8")
+    assert main(["calibrate", "kind.yaml", "--from", "measured.yaml"]) == 0
+    nominal, robot = load("kind.yaml"), load("puma560_calibrated.yaml")
+    rows = YAML(typ="safe").load(DELTAS)["deltas"]
+    for q in joint_values(50):
+        reached = of_deltas(nominal, rows, q)
+        np.testing.assert_allclose(forward(robot, q), reached, rtol=0.0, atol=1e-12)
+
+
+def test_axes_where_they_are_asked_for() -> None:
+    assert calibrated("ur5e", NOMINAL, "--axes", "--out", "axes.yaml") == 0
+    assert isinstance(load("axes.yaml").geometry, ReferenceAxes)
+
+
+@pytest.mark.parametrize(
+    ("robot", "text", "message"),
+    [
+        ("ur10e", MEASURED, "this is the calibration of another arm: by it the tool of ur10e is "),
+        ("scara", DELTAS, "6 rows for an arm of 4 joints"),
+        (
+            "welding_5r",
+            "deltas: [{}, {}, {}, {}, {}]",
+            "welding_5r is asked for pointing: calibrations are for ",
+        ),
+        ("puma", DELTAS, "deltas are for arms with a table; this one has axes"),
+        ("puma560", "deltas: [{tehta: 1}]", "measured.yaml:1:11: no key is called 'tehta'"),
+        ("puma560", "deltas: 3", "measured.yaml:1:9: deltas is a list with a row for each joint"),
+        ("puma560", "deltas: [3]", "measured.yaml:1:10: expected {theta: 0, d: 0, a: 0, "),
+        ("puma560", "deltas: [{theta: nan}]", "measured.yaml:1:18: expected a number"),
+        ("ur5e", "kinematics: {shoulder: {x: 0}}", "y, z, roll, pitch, yaw missing"),
+        ("ur5e", "name: ur5e", "measured.yaml:1:1: a calibration holds kinematics: "),
+        ("ur5e", "", "measured.yaml: the file is empty"),
+        ("ur5e", Path("none.yaml"), "none.yaml: the file can't be read: No such file"),
+    ],
+)
+def test_mistakes_are_told_at_their_place(
+    robot: str, text: str | Path, message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code = calibrated(robot, text)
+    assert (code, message) == (2, message)
+    assert message in capsys.readouterr().err
+    assert not list(Path().glob("*_calibrated.yaml"))
+
+
+@pytest.mark.slow
+def test_all_calibrated_arms_are_solved(tmp_path: Path) -> None:
+    """By the general algorithm: no two axes are parallel any more."""
+    assert calibrated("ur5e", MEASURED) == 0
+    compilation = written(tmp_path / "ur5e_calibrated.yaml", tmp_path)
+    assert compilation.module.method == "general 6R"
+    solver = library(compilation.module, tmp_path)
+    for q in joint_values(200):
+        rows, _ = solver.ik(np.array(forward(compilation.robot, q)), np.zeros(6))
+        gap = np.abs(np.remainder(rows - q + np.pi, 2 * np.pi) - np.pi).max(axis=1)
+        assert np.nanmin(gap) < 1e-6
