@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import re
 from functools import partial
 from pathlib import Path
 
 from dhgen import __version__
 from dhgen.descriptions.snap import DEFAULT, LITTLE, MOST
 from dhgen.robot.source import quoted
+from dhgen.robot.task import ARM_ANGLE
 
 OUT = Path("generated")
 MOST_POSES = 100_000  # of one arm: the search takes up to an hour, and all are in memory at once
@@ -153,6 +155,13 @@ def import_parser() -> argparse.ArgumentParser:
         "--axes", action="store_true", help="write axes in the reference position, not a table"
     )
     made.add_argument(
+        "--free",
+        type=_joints,
+        metavar="JOINTS",
+        help="the joints, from 1, whose values the caller gives: 7, or 1,7, or none, or arm_angle "
+        "(default: as many as there are above six, where that leaves the most structure)",
+    )
+    made.add_argument(
         "--package",
         type=partial(_pair, mark="="),
         action="append",
@@ -213,6 +222,15 @@ def _pair(word: str, mark: str) -> tuple[str, str]:
     if not name or not found:
         raise argparse.ArgumentTypeError(f"write NAME{mark}VALUE, not {quoted(word)}")
     return name, value
+
+
+def _joints(word: str) -> tuple[int, ...] | str:
+    if word in {"none", ARM_ANGLE}:
+        return () if word == "none" else word
+    numbers = word.split(",")
+    if not all(re.fullmatch("[0-9]{1,2}", number) for number in numbers):
+        raise argparse.ArgumentTypeError(f"write numbers of joints, 7 or 1,7, not {quoted(word)}")
+    return tuple(map(int, numbers))
 
 
 def _tolerance(word: str) -> float:

@@ -199,7 +199,8 @@ def import_description(options: argparse.Namespace) -> int:
     from dhgen.descriptions.expand import Outside  # noqa: PLC0415
     from dhgen.descriptions.files import import_file  # noqa: PLC0415
 
-    wishes = Wishes(options.base, options.tip, options.snap, as_axes=options.axes)
+    chosen = options.base, options.tip, options.snap
+    wishes = Wishes(*chosen, as_axes=options.axes, free=options.free)
     outside = Outside(dict(options.package), dict(options.arg))
     imported = import_file(options.file, wishes, outside)
     for note in imported.notes:

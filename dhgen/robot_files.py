@@ -8,9 +8,11 @@ from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from dhgen.descriptions.files import is_description, robot_of_description
+from dhgen.descriptions.convert import Wishes
+from dhgen.descriptions.expand import Outside
+from dhgen.descriptions.files import is_description, read_as_robot_file
 from dhgen.errors import Diagnostic, RobotFileError
-from dhgen.robot.load import load
+from dhgen.robot.load import load_text, read_text
 from dhgen.tolerances import DOUBLE, SINGLE
 
 if TYPE_CHECKING:
@@ -19,23 +21,49 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
 
 
+AS_USUAL, NOTHING_ELSE = Wishes(), Outside()
 ENDINGS = (".yaml", ".yml")  # of the names of robot files in a folder
 
 
 @dataclass(frozen=True, slots=True)
 class RobotFile:
-    """A robot, where it was read, and a digest of the file, however its lines end."""
+    """A robot and its robot file.
+
+    Attributes:
+        path: What was read.
+        robot: What it describes.
+        text: The robot file; of a description, the one that an import writes.
+    """
 
     path: Path
     robot: Robot
-    digest: str = ""
+    text: str = ""
 
     @classmethod
-    def read(cls, path: Path) -> RobotFile:
-        """Reads one, or imports a robot description; RobotFileError where it has mistakes."""
-        robot = robot_of_description(path) if is_description(path) else load(path)
-        lines = path.read_bytes().splitlines()
-        return cls(path, robot, sha256(b"\n".join(lines)).hexdigest()[:16])
+    def read(
+        cls, path: Path, wishes: Wishes = AS_USUAL, outside: Outside = NOTHING_ELSE
+    ) -> RobotFile:
+        """Reads one, or imports a robot description.
+
+        Args:
+            path: The file.
+            wishes: What is said of an import.
+            outside: What a xacro needs.
+
+        Raises:
+            RobotFileError: The file can't be read, or has mistakes.
+        """
+        if is_description(path):
+            text, robot = read_as_robot_file(path, wishes, outside)
+        else:
+            text = read_text(path)
+            robot = load_text(text, str(path))
+        return cls(path, robot, text)
+
+    @property
+    def digest(self) -> str:
+        """Of the text, however its lines end."""
+        return sha256(b"\n".join(self.text.encode().splitlines())).hexdigest()[:16]
 
     def with_numerical(self) -> RobotFile:
         """The same as if the file said `numerical: true`."""

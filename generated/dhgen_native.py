@@ -449,7 +449,7 @@ def _build(robot: ModuleType, source: Path, compiler: str, flags: Sequence[str])
     flags.append(f"-I{source.parent}")
     texts.append("\n".join((compiler, *flags)).encode())
     digest = _digest(b"\0".join(texts))
-    folder, start = _folder(), f"{source.stem}-{digest}-"
+    folder, start = cache_folder(), f"{source.stem}-{digest}-"
     for kept in folder.glob(f"{start}*.so"):
         if _is_whole(kept):
             return kept
@@ -483,7 +483,8 @@ def _room(folder: Path) -> tempfile.TemporaryDirectory[str]:
         raise OSError(error.errno, told, str(folder)) from None
 
 
-def _folder() -> Path:
+def cache_folder() -> Path:
+    """Where libraries are kept; it need not be there yet."""
     if chosen := os.environ.get("DHGEN_CACHE_DIR"):
         return Path(chosen)
     user = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")

@@ -15,7 +15,7 @@ from dhgen.descriptions.snap import LEAST, snap
 from dhgen.descriptions.write import Heading, plain
 from dhgen.errors import Diagnostic, RobotFileError, VerificationError
 from dhgen.robot.load import load_text
-from dhgen.robot.task import TaskKind
+from dhgen.robot.task import ARM_ANGLE, TaskKind
 
 if TYPE_CHECKING:
     from dhgen.calibration.read import Calibration
@@ -68,7 +68,7 @@ def calibrate(robot: Robot, calibration: Calibration, *, as_axes: bool = False) 
         name=f"{robot.name}_calibrated",
         title=f"{robot.title}, calibrated",
         source=f"{robot.name} with {_called(calibration)}",
-        free=robot.free,
+        free=ARM_ANGLE if robot.arm_angle else robot.free,
         length_unit=robot.length_unit,
     )
     text, notes = robot_file_text(heading, arm, as_axes=as_axes)

@@ -17,7 +17,7 @@ from dhgen.errors import Diagnostic, RobotFileError
 from dhgen.robot.arithmetic import nearest
 from dhgen.robot.nodes import span_of
 from dhgen.robot.reader import MAX_BYTES, read_document
-from dhgen.robot.source import quoted
+from dhgen.robot.source import SourceText, quoted
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -64,7 +64,7 @@ def read_calibration(path: Path) -> Calibration:
         raise _refusal(path, f"the file can't be read: {error.strerror}") from None
     except UnicodeDecodeError:
         raise _refusal(path, "the file is not UTF-8: save it as UTF-8") from None
-    return _Reader(read_document(text, str(path))).run()
+    return _Reader(read_document(SourceText.of(text, str(path)))).run()
 
 
 def _refusal(path: Path, message: str) -> RobotFileError:

@@ -21,7 +21,7 @@ from dhgen.descriptions.write import (
     plain,
     table_text,
 )
-from dhgen.errors import VerificationError
+from dhgen.errors import Diagnostic, RobotFileError, VerificationError
 from dhgen.robot.load import load_text
 
 if TYPE_CHECKING:
@@ -50,12 +50,15 @@ class Wishes:
         snap: What is nearer to an exact value is taken as that [rad, and arm sizes]; None for
             `DEFAULT` and `LITTLE`.
         as_axes: Whether the file is to hold axes in place of a table.
+        free: Joints, from 1, whose values are to be given, in ascending order, or `ARM_ANGLE`; None
+            for the usual ones.
     """
 
     base: str | None = None
     tip: str | None = None
     snap: float | None = None
     as_axes: bool = False
+    free: tuple[int, ...] | str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,10 +87,12 @@ def convert(description: Description, wishes: Wishes) -> Import:
         RobotFileError: There is no such arm in it.
     """
     chain = choose_chain(description, wishes.base, wishes.tip)
+    if isinstance(wishes.free, tuple):
+        _demand_joints(description, chain, wishes.free)
     near, little = (DEFAULT, LITTLE) if wishes.snap is None else (max(wishes.snap, LEAST),) * 2
     snapped = snap(chain.joints, near, little)
     arm = arm_of(snapped.joints, near, little)
-    heading = _heading(description, chain, arm)
+    heading = _heading(description, chain, free_joints(arm) if wishes.free is None else wishes.free)
     text, notes = robot_file_text(heading, arm, as_axes=wishes.as_axes)
     robot = load_text(text, f"{heading.name}.yaml")
     off = difference(chain.joints, robot, arm.size)
@@ -105,14 +110,25 @@ def convert(description: Description, wishes: Wishes) -> Import:
     return Import(text, robot, chain, off, tuple(told))
 
 
-def _heading(description: Description, chain: ArmChain, arm: Arm) -> Heading:
+def _demand_joints(description: Description, chain: ArmChain, free: tuple[int, ...]) -> None:
+    """Stops where the arm has no such joints."""
+    count = len(chain.actuated)
+    if list(free) == sorted(set(free)) and all(1 <= number <= count for number in free):
+        return
+    told = ", ".join(map(str, free))
+    where = f"the arm from {plain(chain.base)} to {plain(chain.tip)} has joints 1 to {count}"
+    message = f"joints {told} can't be free: {where}, and each is named once, in ascending order"
+    raise RobotFileError((Diagnostic(description.source.file, 0, 0, message),))
+
+
+def _heading(description: Description, chain: ArmChain, free: tuple[int, ...] | str) -> Heading:
     file = PurePath(description.source.file.removesuffix(" (expanded)")).name
     links = f"poses of {plain(chain.tip)} in {plain(chain.base)}"
     return Heading(
         name=identifier(description.name),
         title=plain(description.name),
         source=f"{description.kind} {plain(file)}, {links}",
-        free=free_joints(arm),
+        free=free,
     )
 
 

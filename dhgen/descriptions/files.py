@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from dhgen.descriptions.convert import Wishes, convert
-from dhgen.descriptions.expand import Outside, expanded, has_expressions, has_macros
+from dhgen.descriptions.convert import convert
+from dhgen.descriptions.expand import expanded, has_expressions, has_macros
 from dhgen.descriptions.markup import MAX_BYTES, read_xml
 from dhgen.descriptions.mjcf import read_mjcf
 from dhgen.descriptions.urdf import read_urdf
@@ -16,7 +16,8 @@ from dhgen.robot.load import kind_of_xml
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from dhgen.descriptions.convert import Import
+    from dhgen.descriptions.convert import Import, Wishes
+    from dhgen.descriptions.expand import Outside
     from dhgen.descriptions.model import Description
     from dhgen.robot.robot import Robot
 
@@ -76,11 +77,15 @@ def import_file(path: Path, wishes: Wishes, outside: Outside) -> Import:
     return convert(read_description(path, outside), wishes)
 
 
-def robot_of_description(path: Path) -> Robot:
-    """The robot of a description file, as if it had been imported; notes are about that file."""
-    imported = import_file(path, Wishes(), Outside())
+def read_as_robot_file(path: Path, wishes: Wishes, outside: Outside) -> tuple[str, Robot]:
+    """The robot file that an import would write, and its robot; notes are about the description.
+
+    Raises:
+        RobotFileError: The file can't be read, has mistakes, or leaves the choice of an arm.
+    """
+    imported = import_file(path, wishes, outside)
     notices = tuple(Diagnostic(str(path), 0, 0, note) for note in imported.notes)
-    return replace(imported.robot, notices=notices)
+    return imported.text, replace(imported.robot, notices=notices)
 
 
 def _refusal(path: Path, message: str) -> RobotFileError:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from dhgen.descriptions.rotations import to_rpy
 from dhgen.robot.angles import exact_angle, twelfths
 from dhgen.robot.expression import to_text
-from dhgen.robot.names import MAX_ROBOT_NAME, why_no_joint_name, why_no_robot_name
+from dhgen.robot.names import MAX_ROBOT_NAME, YAML_WORDS, why_no_joint_name, why_no_robot_name
 from dhgen.robot.robot import Convention
 
 if TYPE_CHECKING:
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 DIGITS = 15  # of lengths behind the point of an arm of 1 m: those behind are rounding
 SAME = 1e-9  # arm sizes by which lengths that are one differ
 WIDTH = 100
-SPOKEN = {"null", "true", "false", "yes", "no", "on", "off", "y", "n"}  # words that YAML reads
 NOTHING = "null"  # what a text of YAML can't be without quotes
 WRITTEN = 1e-8  # [rad] by which limits of whole degrees differ from them, written in radians
 _TWELFTH = math.pi / 12
@@ -40,14 +39,14 @@ class Heading:
         name: Identifier of the robot.
         title: What people call it.
         source: Where its numbers come from, and which links poses are between.
-        free: Joints, from 1, whose values are to be given.
+        free: Joints, from 1, whose values are to be given, or `ARM_ANGLE`.
         length_unit: How lengths are called.
     """
 
     name: str
     title: str
     source: str
-    free: tuple[int, ...] = ()
+    free: tuple[int, ...] | str = ()
     length_unit: str = "m"
 
 
@@ -246,7 +245,7 @@ def _aligned(rows: Sequence[dict[str, str]], joints: Sequence[Joint]) -> list[st
 
 def _bare_or_quoted(name: str) -> str:
     """A joint's name as YAML takes it between braces."""
-    is_word = re.fullmatch(r"[A-Za-z_][\w/.+-]*", name, re.ASCII) and name.lower() not in SPOKEN
+    is_word = re.fullmatch(r"[A-Za-z_][\w/.+-]*", name, re.ASCII) and name.lower() not in YAML_WORDS
     return name if is_word else f"'{name}'"
 
 
@@ -285,6 +284,8 @@ def _farthest(axis: Axis) -> float:
 def _free(heading: Heading) -> list[str]:
     if not heading.free:
         return [""]
+    if isinstance(heading.free, str):
+        return [f"free: {heading.free}", ""]
     which = ", ".join(map(str, heading.free))
     return [f"free: [{which}]  # the caller gives its value; `free: []` names other choices", ""]
 

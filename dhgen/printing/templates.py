@@ -39,7 +39,7 @@ def render(template: str, **values: object) -> str:
 def _environment() -> Environment:
     """The environment of every template: strict, and with the layout of the output in mind."""
     return Environment(
-        loader=FileSystemLoader(_folder()),
+        loader=FileSystemLoader(template_folder()),
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -48,7 +48,7 @@ def _environment() -> Environment:
     )
 
 
-def _folder() -> Path:
+def template_folder() -> Path:
     """The folder of templates: `dhgen/templates` in a wheel, beside `dhgen` in a checkout."""
     package = Path(__file__).resolve().parent.parent
     # The wheel's first: beside an installed dhgen may lie somebody else's `templates`.

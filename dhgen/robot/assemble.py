@@ -11,10 +11,10 @@ from dhgen.robot.joints import read_axis, read_row
 from dhgen.robot.lengths import note_distance, note_spread
 from dhgen.robot.names import why_no_parameter_name
 from dhgen.robot.robot import Convention, DhTable, Parameter, ReferenceAxes, Robot
-from dhgen.robot.schema import ARM_ANGLE, AxisRow, FrameEntry, JointRow, Units
+from dhgen.robot.schema import AxisRow, FrameEntry, JointRow, Units
 from dhgen.robot.shape import Shape
 from dhgen.robot.source import quoted
-from dhgen.robot.task import ANGLES, COORDINATES, Task, TaskKind
+from dhgen.robot.task import ANGLES, ARM_ANGLE, COORDINATES, Task, TaskKind
 
 if TYPE_CHECKING:
     from dhgen.robot.report import Report

@@ -38,6 +38,15 @@ def load(path: str | os.PathLike[str]) -> Robot:
     Raises:
         RobotFileError: The file can't be read, or describes no robot: all its mistakes at once.
     """
+    return load_text(read_text(path), os.fspath(path))
+
+
+def read_text(path: str | os.PathLike[str]) -> str:
+    """The text of a file that may be a robot file.
+
+    Raises:
+        RobotFileError: The file can't be read, or is no text.
+    """
     name = os.fspath(path)
     try:
         with Path(path).open("rb") as file:
@@ -55,10 +64,9 @@ def load(path: str | os.PathLike[str]) -> Robot:
     if len(content) > MAX_BYTES:
         raise _refusal(Diagnostic(name, 0, 0, f"a robot file has at most {MAX_BYTES // 1024} KiB"))
     try:
-        text = content.decode("utf-8")
+        return content.decode("utf-8")
     except UnicodeDecodeError as error:
         raise _refusal(_no_utf8(content, name, error.start)) from None
-    return load_text(text, name)
 
 
 def load_text(text: str, file_name: str) -> Robot:
@@ -71,7 +79,16 @@ def load_text(text: str, file_name: str) -> Robot:
     Raises:
         RobotFileError: The text describes no robot: all its mistakes at once.
     """
-    report = Report(read_document(text.removeprefix("\ufeff"), file_name))
+    return load_source(SourceText.of(text.removeprefix("\ufeff"), file_name))
+
+
+def load_source(source: SourceText) -> Robot:
+    """Read a robot file's text that knows how its places are called.
+
+    Raises:
+        RobotFileError: The text describes no robot: all its mistakes at once.
+    """
+    report = Report(read_document(source))
     robot = assemble(report)
     if report.errors or robot is None:
         raise RobotFileError(report.errors, report.notes_on_errors)

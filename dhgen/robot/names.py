@@ -13,6 +13,8 @@ MAX_ROBOT_NAME = 48
 MAX_PARAMETER_NAME = 32
 MAX_JOINT_NAME = 64
 JOINT_NAME = r"[A-Za-z0-9_/][A-Za-z0-9_/:. +-]*"  # what URDF and MJCF files hold; harmless in code
+# Texts that YAML reads as something else where they are not in quotes.
+YAML_WORDS = frozenset({"null", "true", "false", "yes", "no", "on", "off", "y", "n"})
 RESERVED = ("q", "pi", "deg", "sqrt", "sin", "cos")
 
 _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*", re.ASCII)

@@ -97,14 +97,14 @@ class Document:
         return None if is_null(scalar) else str(scalar.value)
 
 
-def read_document(text: str, file: str) -> Document:
+def read_document(source: SourceText) -> Document:
     """Parse a robot file's YAML.
 
     Raises:
         RobotFileError: The text is no YAML, or uses what a robot file has no use for: anchors,
             tags, merge keys, several documents, deep nesting.
     """
-    source = SourceText.of(text, file)
+    text = source.text
     _check_characters(source)
     try:
         _check_events(source)

@@ -169,6 +169,6 @@ class Robot:
     doubts: tuple[Diagnostic, ...] = ()
 
     @property
-    def joints(self) -> tuple[DhRow, ...] | tuple[AxisJoint, ...]:
+    def joints(self) -> tuple[DhRow | AxisJoint, ...]:
         """The joints from base to tool."""
         return self.geometry.rows if isinstance(self.geometry, DhTable) else self.geometry.axes

@@ -27,13 +27,12 @@ from dhgen.robot.names import (
     why_no_robot_name,
     why_no_text,
 )
-from dhgen.robot.task import ANGLES, COORDINATES, TaskKind
+from dhgen.robot.task import ANGLES, ARM_ANGLE, COORDINATES, TaskKind
 
 if TYPE_CHECKING:
     from pydantic_core.core_schema import WithDefaultSchema
 
 
-ARM_ANGLE = "arm_angle"  # what `free` holds instead of joints
 TASKS = tuple(kind.value for kind in TaskKind if kind is not TaskKind.LIST)
 LISTED = (*COORDINATES, "roll", "pitch", "yaw")
 SWITCHES = ("true", "True", "TRUE", "false", "False", "FALSE")  # as YAML writes them

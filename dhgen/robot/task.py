@@ -34,6 +34,7 @@ class Directions(Enum):
         return single.get(self, 3 if self is Directions.ROTATION else 2)
 
 
+ARM_ANGLE = "arm_angle"  # what `free` of a robot file holds instead of joints
 COORDINATES = ("x", "y", "z")
 ANGLES = {
     (): Directions.NONE,

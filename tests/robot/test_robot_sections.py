@@ -13,6 +13,7 @@ from dhgen.robot.report import Report
 from dhgen.robot.robot import Convention, DhTable
 from dhgen.robot.schema import RobotFile
 from dhgen.robot.shape import Shape
+from dhgen.robot.source import SourceText
 from dhgen.robot.task import Task, TaskKind
 from tests.robot.robot_texts import (
     JOINTS,
@@ -116,7 +117,7 @@ def test_a_value_of_another_type_is_told_what_is_valid(key: str) -> None:
     )
     for value in MISTYPED:
         text = JOINTS if key == "name" else MINIMAL
-        report = Report(read_document(f"{text}{key}: {value}\n", "r.yaml"))
+        report = Report(read_document(SourceText.of(f"{text}{key}: {value}\n", "r.yaml")))
         Shape(report)
         for diagnostic in report.errors:
             assert re.match(told, diagnostic.message)

@@ -1,0 +1,210 @@
+"""An arm that was loaded: what is there at once, and what a build makes of it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.errors import DhgenError, VerificationError, about
+from dhgen.library.documents import (
+    Document,
+    as_markdown,
+    as_text,
+    escaped,
+    kind_line,
+    parameters_line,
+    table_rows,
+)
+from dhgen.library.progress import say_nothing, tell_who_waits
+from dhgen.robot.robot import JointKind
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import ArrayLike
+
+    from dhgen.arrays import FloatArray
+    from dhgen.compiler import Compilation
+    from dhgen.kinematics.numeric import NumericArm
+    from dhgen.library.solver import Solver
+    from dhgen.robot_files import RobotFile
+
+_ENDLESS = (-math.inf, math.inf)
+
+
+@dataclass(frozen=True, repr=False)
+class Arm:
+    """An arm, as `dhgen.load` gives it.
+
+    Attributes:
+        file: Its robot file, read.
+        label: What messages call it: the path that was loaded, or the name of a dict's robot.
+    """
+
+    file: RobotFile
+    label: str
+
+    @property
+    def name(self) -> str:
+        """The robot's identifier."""
+        return self.file.robot.name
+
+    @property
+    def text(self) -> str:
+        """The robot file (YAML); of a description, the one that `dhgen import` writes."""
+        return self.file.text
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was chosen, taken as exact, or looks like a slip."""
+        return tuple(map(str, self.file.robot.notices))
+
+    @property
+    def dof(self) -> int:
+        """The number of joints."""
+        return len(self.file.robot.joints)
+
+    @property
+    def joint_types(self) -> str:
+        """R or P for every joint."""
+        turn = JointKind.REVOLUTE
+        return "".join("R" if each.kind is turn else "P" for each in self.file.robot.joints)
+
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """What the joints are called: as in the robot file, or joint1, joint2 and so on."""
+        joints = enumerate(self.file.robot.joints, 1)
+        return tuple(joint.name or f"joint{number}" for number, joint in joints)
+
+    @property
+    def joint_limits(self) -> tuple[tuple[float, float], ...]:
+        """Lowest and highest value of every joint, infinite without one."""
+        return tuple(joint.limits or _ENDLESS for joint in self.file.robot.joints)
+
+    @property
+    def free(self) -> tuple[int, ...]:
+        """The joints, from 1, whose values the caller gives."""
+        return self.file.robot.free
+
+    def fk(self, q: ArrayLike) -> FloatArray:
+        """The pose of the tool, (4, 4), of joint values (n,); or a stack of both."""
+        return self._model.pose(self._joint_values(q))
+
+    def jacobian(self, q: ArrayLike) -> FloatArray:
+        """The geometric Jacobian (6, n): velocity of the tool's origin, then angular velocity."""
+        return self._model.jacobian(self._joint_values(q))
+
+    def derivation(self) -> Document:
+        """The derivation of the inverse kinematics, in Markdown.
+
+        Raises:
+            UnsolvedError: No derivation solves the arm; the message says why.
+            PrecisionError: The robot file asks for single precision, which this arm can't have.
+        """
+        from dhgen.library.kept import folder_of, is_whole  # noqa: PLC0415
+
+        folder, name = folder_of(self.file), f"{self.name}.md"
+        if is_whole(folder):
+            return Document((folder / name).read_text("utf-8"))
+        return Document(self._compilation.files[name])
+
+    def build(
+        self, *, progress: Callable[[str], None] | None = tell_who_waits, native: bool = True
+    ) -> Solver:
+        """The solver: derived, verified and kept, or the one that was kept before.
+
+        That takes 10 to 90 s the first time, and a second from then on, also in other processes:
+        solvers are kept in $DHGEN_CACHE_DIR, or dhgen/ in the user's cache folder, by their
+        content. Another version of dhgen builds anew.
+
+        Args:
+            progress: Is told what is being done; by default stderr is, where a person waits there.
+                None for nobody.
+            native: Whether C solves where there is a C compiler, which takes no time to warm up;
+                else it is Python, with numba.
+
+        Raises:
+            UnsolvedError: No derivation solves the arm; the message says why.
+            PrecisionError: The robot file asks for single precision, which this arm can't have.
+            VerificationError: The solver does not do what it promises: a bug in dhgen.
+            CompilerError: The C compiler can't build anything.
+            OSError: The cache folder can't be written to.
+        """
+        from dhgen.library.kept import folder_of, is_whole  # noqa: PLC0415
+        from dhgen.library.solver import Solver  # noqa: PLC0415
+
+        folder = folder_of(self.file)
+        if not is_whole(folder):
+            self._build(folder, progress or say_nothing)
+        return Solver(self, folder, in_c=native)
+
+    def _build(self, folder: Path, tell: Callable[[str], None]) -> None:
+        from dhgen.compiler import verified  # noqa: PLC0415
+        from dhgen.library.kept import keep  # noqa: PLC0415
+        from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
+
+        tell(f"building the solver of {self.name}, once; deriving")
+        compilation = self._compilation
+        try:
+            report = verified(compilation, tell)
+        except VerificationError as error:
+            for doubt in self.file.robot.doubts:
+                error.add_note(f"note: {doubt}")
+            raise
+        keep(folder, compilation.files)
+        keep_compiled(report.code, folder / f"{self.name}.py")
+
+    @cached_property
+    def _model(self) -> NumericArm:
+        from dhgen.kinematics.build import build_chain  # noqa: PLC0415
+        from dhgen.kinematics.numeric import numeric_arm  # noqa: PLC0415
+
+        return numeric_arm(build_chain(self.file.robot))
+
+    @cached_property
+    def _compilation(self) -> Compilation:
+        from dhgen.compiler import compile_loaded  # noqa: PLC0415
+
+        path = self.file.path  # files call it by its name alone: the folder is the cache's affair
+        try:
+            with about(Path(self.label)):
+                return compile_loaded(self.file, out=path.parent)
+        except DhgenError as error:
+            for note in self.notes:
+                error.add_note(f"note: {note}")
+            raise
+
+    def _joint_values(self, q: ArrayLike) -> FloatArray:
+        values = np.asarray(q, np.float64)
+        if values.shape[-1:] != (self.dof,):
+            raise ValueError(f"q must hold {self.dof} joint values")
+        return values
+
+    def __reduce__(self) -> tuple[type[Arm], tuple[RobotFile, str]]:
+        return Arm, (self.file, self.label)
+
+    def __repr__(self) -> str:
+        return f"<dhgen.Arm {self.name}: {kind_line(self.file.robot)}>"
+
+    def __str__(self) -> str:
+        robot = self.file.robot
+        head = f"{self.name}: {kind_line(robot)}"
+        remarks = [f"note: {note}" for note in self.notes]
+        beside = [robot.source, parameters_line(robot), *remarks]
+        return "\n".join([head, *as_text(table_rows(robot)), *filter(None, beside)])
+
+    def _repr_markdown_(self) -> str:
+        """The table, the lengths in it and the tool's pose at zero, as a notebook shows it."""
+        from dhgen.derivation import tool_at_zero  # noqa: PLC0415
+
+        robot = self.file.robot
+        head = f"**{escaped(robot.title)}**: {escaped(kind_line(robot))}"
+        remarks = [f"note: {note}" for note in self.notes]
+        at_zero = tool_at_zero(self._model.chain, robot.length_unit)
+        beside = filter(None, [robot.source, parameters_line(robot), at_zero, *remarks])
+        return "\n\n".join([head, as_markdown(table_rows(robot)), *map(escaped, beside)])
