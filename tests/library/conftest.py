@@ -11,31 +11,39 @@ import dhgen
 from tests.library.arms import PLANAR
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
     from pathlib import Path
 
 
-@pytest.fixture(scope="package")
+@pytest.fixture(scope="session")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where the solver below is kept."""
+    return tmp_path_factory.mktemp("cache")
+
+
+@pytest.fixture(autouse=True)
+def _in_the_tests_own_cache(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("DHGEN_CACHE_DIR", str(cache))
+
+
+@pytest.fixture(scope="session")
 def told() -> list[str]:
     """What the build below says of its progress."""
     return []
 
 
-@pytest.fixture(scope="package")
+@pytest.fixture(scope="session")
 def arm() -> dhgen.Arm:
     return dhgen.load(PLANAR)
 
 
-@pytest.fixture(scope="package")
-def solver(
-    tmp_path_factory: pytest.TempPathFactory, arm: dhgen.Arm, told: list[str]
-) -> Iterator[dhgen.Solver]:
-    """A solver, and the folder that is kept in as long as a test uses this."""
+@pytest.fixture(scope="session")
+def solver(cache: Path, arm: dhgen.Arm, told: list[str]) -> dhgen.Solver:
+    """A solver, kept for all tests."""
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(numba.config, "DISABLE_JIT", True)
         patched.setattr("dhgen.verify.verify.COUNT", 20)
-        patched.setenv("DHGEN_CACHE_DIR", str(tmp_path_factory.mktemp("cache")))
-        yield arm.build(progress=told.append)
+        patched.setenv("DHGEN_CACHE_DIR", str(cache))
+        return arm.build(progress=told.append)
 
 
 @pytest.fixture
