@@ -15,7 +15,15 @@ from dhgen.atomic_write import write_files
 from dhgen.compiler import Compilation, compile_loaded
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import runtime_files
-from dhgen.verify.native import PORTABLE, Build, CompiledSolver, c_compiler, compile_solver
+from dhgen.verify.native import (
+    C_FLAGS,
+    PORTABLE,
+    Build,
+    CompiledSolver,
+    c_compiler,
+    compile_solver,
+)
+from tests.headers import VECTORS, read_before
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -56,10 +64,21 @@ def library(module: SolverModule, folder: Path, build: Build = PORTABLE) -> Comp
 
 
 def sharing(source: Path, build: Build) -> Build:
-    """A build in which general arms share the runtime, which takes longer to compile than they."""
+    """A build in which arms share what takes longer than they: vectors, the general runtime."""
+    build = with_vectors(build)
     if '#include "dhgen/general.h"' not in source.read_text("utf-8"):
         return build
     return replace(build, flags=(*build.flags, "-DDHGEN_SHARED", *_runtime(build)))
+
+
+def with_vectors(build: Build) -> Build:
+    """A build that has read the compiler's vectors, where it is for a machine that has any."""
+    if not any(flag.startswith(("-march", "-mavx")) for flag in build.flags):
+        return build
+    compiler = build.compiler or c_compiler()
+    assert compiler is not None, "the tests need a C compiler"
+    read = read_before(compiler, VECTORS, *C_FLAGS, "-fPIC", *build.flags)
+    return replace(build, flags=(*build.flags, *read))
 
 
 @cache

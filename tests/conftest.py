@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from tests.structures import GENERAL
+
 settings.register_profile("untimed", deadline=None)  # how long a case takes, the machine decides
 settings.load_profile("untimed")
 
@@ -29,5 +31,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         shared = {"package": item.path.parent.name, "module": item.path.stem}
         places = [place for scope, place in shared.items() if scope in scopes]
         group = arms[0] if arms else params.get("name", places[0] if places else None)
+        if str(group) in GENERAL or item.path.parent.name == "general":
+            group = "general"
         if group is not None:
             item.add_marker(pytest.mark.xdist_group(str(group)))

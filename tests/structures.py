@@ -19,3 +19,7 @@ STRUCTURES = (
 # others runs there without it.
 COMPILED = ("scara", "ur5")
 COMPILED_SLOWLY = ("fanuc_crx10ia", "scorbot_pointing")
+
+# Those of the general algorithm whose programs are run: numba compiles it once a process, and a C
+# compiler what they share.
+GENERAL = frozenset({"close_pair", "fanuc_crx10ia", "offset_stop"})

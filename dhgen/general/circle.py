@@ -16,6 +16,10 @@ from dhgen.runtime.python.general.tables import COSINES, DEGREE, SAMPLES, SINES
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
+HARMONICS = DEGREE + 4  # three more than f has, which show its noise
+ANGLES = np.outer(range(SAMPLES), range(HARMONICS))[..., np.newaxis] % SAMPLES  # m φ, as places
+WEIGHTS = np.array([1.0 / SAMPLES, *[2.0 / SAMPLES] * (HARMONICS - 1)])[:, np.newaxis]
+
 
 @dataclass(frozen=True, slots=True)
 class Trigonometric:
@@ -46,18 +50,16 @@ class Trigonometric:
         return value, first, second
 
 
-def trigonometric(samples: FloatArray) -> Trigonometric:
-    """The polynomial from its values (24,) at the sample angles."""
-    values = samples.tolist()
-    scale = max(map(abs, values)) or 1.0
-    a, b = [], []
-    for m in range(DEGREE + 4):
-        weight = 1.0 / SAMPLES if m == 0 else 2.0 / SAMPLES
-        total_c = total_s = 0.0
-        for k, value in enumerate(values):
-            total_c += value * COSINES[m * k % SAMPLES]
-            total_s += value * SINES[m * k % SAMPLES]
-        a.append(weight * total_c)
-        b.append(weight * total_s)
-    noise = max(abs(x) for x in a[DEGREE + 1 :] + b[DEGREE + 1 :]) / scale
-    return Trigonometric(np.array(a[: DEGREE + 1]), np.array(b[: DEGREE + 1]), scale, noise)
+def trigonometric(samples: FloatArray) -> list[Trigonometric]:
+    """The polynomials from their values (N, 24) at the sample angles."""
+    cosines, sines = np.zeros((2, HARMONICS, len(samples)))
+    for values, places in zip(samples.T, ANGLES, strict=True):
+        cosines += values * np.array(COSINES)[places]
+        sines += values * np.array(SINES)[places]
+    cosines *= WEIGHTS
+    sines *= WEIGHTS
+    scales = np.abs(samples).max(axis=1)
+    scales[scales == 0.0] = 1.0
+    left = np.abs([cosines[DEGREE + 1 :], sines[DEGREE + 1 :]]).max(axis=(0, 1)) / scales
+    parts = cosines[: DEGREE + 1].T, sines[: DEGREE + 1].T, scales.tolist(), left.tolist()
+    return [Trigonometric(*each) for each in zip(*parts, strict=True)]

@@ -107,13 +107,13 @@ def reflect(rows: FloatArray, column: int) -> None:
     length = np.copysign(np.sqrt(square), axis[0])
     axis[0] += length
     factor = 1.0 / (length * axis[0] + TINY)
-    for j in range(column + 1, rows.shape[1]):
-        total = axis[0] * rows[0, j]
-        for x, row in zip(axis[1:], rows[1:, j], strict=True):
-            total = total + x * row
-        total = total * factor
-        for i, x in enumerate(axis):
-            rows[i, j] -= x * total
+    others = rows[:, column + 1 :]
+    total = axis[0] * others[0]
+    for x, row in zip(axis[1:], others[1:], strict=True):
+        total += x * row
+    total *= factor
+    for i, x in enumerate(axis):
+        others[i] -= x * total
     rows[0, column] = -length
     rows[1:, column] = 0.0
 

@@ -239,8 +239,7 @@ def _score(
 ) -> Score:
     """The score from the witnesses' samples and their hidden angles' cosines and sines."""
     noise, displacement = [], []
-    for angle, row in zip(angles, samples, strict=True):
-        f = trigonometric(row)
+    for angle, row, f in zip(angles, samples, trigonometric(samples), strict=True):
         noise.append(f.noise if row.any() else 1.0)  # a determinant of nothing but zeros
         value, first, second = f.at(*angle)
         root = sqrt(abs(first * first - 2.0 * value * second))

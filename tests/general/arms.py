@@ -163,22 +163,6 @@ def doubtful_in_all_languages(known: GeneralKernel, poses: Sequence[np.ndarray])
     return doubtful
 
 
-@cache
-def plain_python(name: str) -> Callable[[np.ndarray], Answer]:
-    """The Python runtime for an arm, not compiled."""
-    return in_python(kernel(name))
-
-
-def in_python(known: GeneralKernel) -> Callable[[np.ndarray], Answer]:
-    """The same of any kernel."""
-
-    def run(T: np.ndarray) -> Answer:
-        found = solve(T, known)
-        return found.q, found.residual, found.certain
-
-    return run
-
-
 def _answer(function: Callable[..., int], T: np.ndarray) -> Answer:
     q, residual = np.empty((16, 6)), np.empty(16)
     count = function(np.ascontiguousarray(T, dtype=float), q, residual)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -59,6 +60,7 @@ def chain(folder: Path, rows: tuple[str, ...], free: list[int]) -> Chain:
     return build_chain(load(path))
 
 
+@cache
 def known(arm: Chain) -> GeneralKernel:
     kernel = general_kernel(arm)
     assert kernel is not None

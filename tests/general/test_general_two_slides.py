@@ -251,7 +251,7 @@ def test_the_polynomial_has_degree_four(tmp_path: Path, slides: tuple[int, ...])
     kernel = known(chain)
     for T in poses(chain, POSES, seed=3):
         for number in range(len(kernel.formulations)):
-            f = trigonometric(four_turns_samples(kernel, T, number))
+            (f,) = trigonometric(four_turns_samples(kernel, T, number)[None])
             beyond = np.abs([f.cosine[DEGREE + 1 :], f.sine[DEGREE + 1 :]]).max()
             assert max(beyond / f.scale, f.noise) < 1e-11
             assert max(abs(f.cosine[DEGREE]), abs(f.sine[DEGREE])) > 1e-9 * f.scale

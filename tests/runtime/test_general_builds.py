@@ -22,6 +22,7 @@ LANGUAGES = {
     "clang++": ("-x", "c++", "-std=c++14"),
 }
 COMPILERS = [name for name in LANGUAGES if shutil.which(name)]
+QUICKEST = "clang" if "clang" in COMPILERS else COMPILERS[0]
 HEADERS = sorted(path.relative_to(FOLDER).as_posix() for path in FOLDER.glob("dhgen/*/*.h"))
 INSIDE = """\
 #include <math.h>
@@ -66,7 +67,7 @@ def test_it_may_stand_in_a_namespace(compiler: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("header", HEADERS)
 def test_a_header_includes_what_it_needs(header: str, tmp_path: Path) -> None:
-    assert said(COMPILERS[0], f'#include "{header}"\n', folder=tmp_path) == ""
+    assert said(QUICKEST, f'#include "{header}"\n', folder=tmp_path) == ""
 
 
 @pytest.mark.parametrize("flag", ["-ffast-math", "-ffinite-math-only"])

@@ -16,6 +16,7 @@ from dhgen.targets.module import regular_solver
 from dhgen.verify.native import C_FLAGS, c_compiler
 from tests.compiling import compile_file
 from tests.compiling import written as written_file
+from tests.headers import VECTORS, read_before
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -148,8 +149,10 @@ def check_names(folder: Path) -> None:
     for node in module.body:
         if isinstance(node, ast.FunctionDef):
             assert not (stored(node) | {each.arg for each in node.args.args}) & numbers, node.name
-    for machine in ((), ("-march=native",)):
-        command = (str(c_compiler()), *C_FLAGS, "-Wshadow", *machine, "-fsyntax-only", "arm.c")
+    compiler, flags = str(c_compiler()), (*C_FLAGS, "-Wshadow")
+    native = *flags, "-march=native"
+    for own in (flags, (*native, *read_before(compiler, VECTORS, *native))):
+        command = (compiler, *own, "-fsyntax-only", "arm.c")
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
         assert (done.returncode, done.stderr) == (0, "")
 

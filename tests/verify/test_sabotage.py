@@ -15,7 +15,7 @@ from dhgen.compiler import Compilation, verified
 from dhgen.errors import CompilerError, VerificationError
 from dhgen.verify.native import Build
 from dhgen.verify.verify import verify
-from tests.compiling import compile_file
+from tests.compiling import compile_file, with_vectors
 from tests.targets.made import ROBOTS
 
 if TYPE_CHECKING:
@@ -49,7 +49,8 @@ def refused(what: str) -> Iterator[None]:
 def as_written(monkeypatch: pytest.MonkeyPatch) -> None:
     """Plain Python, and C as it stands: what is wrong is wrong all the same, and seen sooner."""
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
-    monkeypatch.setattr("dhgen.verify.verify.NATIVE", Build("native", ("-O0", "-march=native")))
+    native = with_vectors(Build("native", ("-O0", "-march=native")))
+    monkeypatch.setattr("dhgen.verify.verify.NATIVE", native)
     monkeypatch.setattr("dhgen.verify.verify.COUNT", 30)
 
 

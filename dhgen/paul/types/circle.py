@@ -159,12 +159,23 @@ def _quotient(
     x: Polynomial, y: Polynomial, u: Polynomial, v: Polynomial
 ) -> tuple[Polynomial, Polynomial] | None:
     """(x + i y) / (u + i v) where that is a polynomial: (x + i y)(u - i v) over u^2 + v^2."""
-    square = u * u + v * v
-    if not square:
+    if not (u or v) or _has_higher_powers((u, v), (x, y)):
         return None
+    square = u * u + v * v
     real, rest = (x * u + y * v).div(square)
     imaginary, other = (y * u - x * v).div(square)
     return None if rest or other else (real, imaginary)
+
+
+def _has_higher_powers(
+    divisor: tuple[Polynomial, Polynomial], dividend: tuple[Polynomial, Polynomial]
+) -> bool:
+    """Whether some letter has a higher power in the divisor: then nothing need be divided."""
+    highest = (
+        [max(powers) for powers in zip(*(part.degrees() for part in parts), strict=True)]
+        for parts in (divisor, dividend)
+    )
+    return any(power > most for power, most in zip(*highest, strict=True)) and any(dividend)
 
 
 def _without_common_factor(parts: Parts) -> Parts:

@@ -187,7 +187,9 @@ def _solutions(program: Program, derivation: Derivation) -> Solutions:
     given = q[:, [joint - 1 for joint in chain.free]]
     if chain.arm_angle:
         given = source.uniform(-np.pi, np.pi, (SAMPLES, 1))
-    rows = interpret(program, arm.pose(q), q, given)
+    # what rows are called, the formulas show; it takes far longer to split those that nearly meet
+    formulas = replace(program, tightened=None, led=None)
+    rows = interpret(formulas, arm.pose(q), q, given)
     found = np.where((rows.free | rows.close)[..., None], np.nan, rows.q)
     return _drawn(arm, found)
 
