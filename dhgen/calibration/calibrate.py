@@ -56,6 +56,9 @@ def calibrate(robot: Robot, calibration: Calibration, *, as_axes: bool = False) 
     if robot.task.kind is not TaskKind.POSE:
         wanted = f"{robot.name} is asked for {robot.task.kind.value}"
         raise _refusal(calibration, f"{wanted}: calibrations are for arms with `task: pose`")
+    if robot.is_coupled:
+        told = "calibrations are for arms whose joints have a drive and limits each"
+        raise _refusal(calibration, f"drives of {robot.name} are coupled, or sums limited: {told}")
     joints = calibrated_joints(robot, calibration)
     snapped = snap(joints, LEAST, LEAST)
     arm = arm_of(snapped.joints, LEAST, LEAST)

@@ -10,6 +10,7 @@ from dhgen.derivation.sections.closing import (
     singular_section,
     solutions_section,
 )
+from dhgen.derivation.sections.drives import drives_section
 from dhgen.derivation.sections.example import example_section
 from dhgen.derivation.sections.forward import forward_in_short, forward_section
 from dhgen.derivation.sections.general import general_section, numerical_section
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
 def document_blocks(story: Story) -> list[Block]:
     """The whole derivation."""
     beginning, model = opening(story), _sections(story)
-    rest = [*robot_section(story, symbols_of(model)), *model]
+    rest = [*robot_section(story, symbols_of(model)), *drives_section(story), *model]
     return [*beginning, *cited_documents([*beginning, *rest]), *rest]
 
 

@@ -10,6 +10,8 @@ from decimal import Decimal
 from operator import truediv
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from dhgen.derivation.known_functions import pose_by_joints
 from dhgen.derivation.notation.names import branch_sign, cosine, joint_symbol, letter, sine, theta
 from dhgen.derivation.text.formula import (
@@ -111,7 +113,7 @@ def letters_at(story: Story, q: Sequence[float], T: FloatArray) -> dict[str, flo
         T: Their pose, shape (4, 4).
     """
     algebra = story.algebra
-    inner = {j.number: j.sign * q[j.number - 1] + j.offset for j in algebra.chain.joints}
+    inner = dict(enumerate(algebra.chain.drives.values(np.asarray(q)).tolist(), start=1))
     known = {constant.name: constant.value for constant in algebra.chain.constants}
     letters = {"π": math.pi, "π/2": math.pi / 2}
     for angle in algebra.angles:

@@ -195,8 +195,8 @@ def _refuse_unfit(description: Description, chain: ArmChain) -> None:
             message += f"--base {joint.child}"
             mistakes.append(description.source.point(joint.place, message))
         elif joint.mimics is not None and joint.motion.is_actuated:
-            message = f"{quoted(joint.name)} follows {quoted(joint.mimics)} (mimic), and drives "
-            message += f"that are coupled are not read: end before it, --tip {joint.parent}"
+            message = f"{quoted(joint.name)} follows {quoted(joint.mimics)} (mimic), and joints "
+            message += f"without a drive are not read: end before it, --tip {joint.parent}"
             mistakes.append(description.source.point(joint.place, message))
     if mistakes:
         raise RobotFileError(tuple(mistakes))

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.axes import exact_axes
 from dhgen.kinematics.chain import Chain, ChainJoint, Element, Fixed, Slide, Turn, arm_size
 from dhgen.kinematics.common_normals import table_of_axes
 from dhgen.kinematics.constants import ConstantTable
+from dhgen.kinematics.drives import Share, SumLimit
 from dhgen.kinematics.normal import NormalForm, normal_form
 from dhgen.kinematics.transform import (
     compose,
@@ -18,13 +19,14 @@ from dhgen.kinematics.transform import (
     rotation_z,
     translation,
 )
-from dhgen.robot.expression import ZERO, evaluate
+from dhgen.robot.expression import ZERO, evaluate, to_text
 from dhgen.robot.robot import Convention, DhTable, JointKind
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
     from dhgen.robot.robot import DhRow, Frame, Robot
+    from dhgen.robot.robot import SumLimit as SumOfFile
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,9 +43,18 @@ class _RowCells:
 def build_chain(robot: Robot) -> Chain:
     """The exact chain of a robot, whichever way it was written."""
     if isinstance(robot.geometry, DhTable):
-        return _chain_of_rows(robot, robot.geometry)
-    exact = exact_axes(robot, robot.geometry)
-    return exact or _chain_of_rows(*table_of_axes(robot, robot.geometry))
+        chain = _chain_of_rows(robot, robot.geometry)
+    else:
+        exact = exact_axes(robot, robot.geometry)
+        chain = exact or _chain_of_rows(*table_of_axes(robot, robot.geometry))
+    return replace(chain, sums=tuple(_sum(each, chain.dof) for each in robot.sums))
+
+
+def _sum(limit: SumOfFile, dof: int) -> SumLimit:
+    factors = [0.0] * dof
+    for coupling in limit.of:
+        factors[coupling.joint - 1] += coupling.value
+    return SumLimit(tuple(factors), *limit.limits, limit.kind is JointKind.REVOLUTE)
 
 
 def _chain_of_rows(robot: Robot, geometry: DhTable) -> Chain:
@@ -129,7 +140,11 @@ def _link(
 def _joint(number: int, row: DhRow, parameters: dict[str, float]) -> ChainJoint:
     offset = row.theta if row.kind is JointKind.REVOLUTE else row.d
     added = evaluate(offset, parameters)
-    return ChainJoint(number, row.kind, row.sign, added, row.limits, row.name)
+    shares = tuple(
+        Share(coupling.joint, coupling.value, to_text(coupling.factor))
+        for coupling in row.couplings
+    )
+    return ChainJoint(number, row.kind, row.sign, added, row.limits, row.name, shares)
 
 
 def _lengths(geometry: DhTable, tool: Frame, parameters: dict[str, float]) -> list[float]:

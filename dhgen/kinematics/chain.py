@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.drives import Drives
 from dhgen.kinematics.normal import normal_form
 from dhgen.kinematics.transform import Transform, compose, identity, turn_between
 from dhgen.robot.robot import JointKind
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from sympy.polys.rings import PolyRing
 
     from dhgen.kinematics.constants import Constant
+    from dhgen.kinematics.drives import Share, SumLimit
     from dhgen.robot.task import Task
 
 
@@ -51,7 +53,7 @@ Element = Fixed | Turn | Slide
 
 @dataclass(frozen=True, slots=True)
 class ChainJoint:
-    """A joint as the algebra sees it: its angle or length is sign q + offset.
+    """A joint as the algebra sees it: its angle or length is sign q + shares + offset.
 
     Attributes:
         number: From 1.
@@ -60,6 +62,7 @@ class ChainJoint:
         offset: What is added to sign q [rad or length].
         limits: Lowest and highest q, or None.
         name: What the robot file calls it; empty where it names no joints.
+        shares: What other joints' drives add.
     """
 
     number: int
@@ -68,6 +71,7 @@ class ChainJoint:
     offset: float
     limits: tuple[float, float] | None
     name: str = ""
+    shares: tuple[Share, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +90,7 @@ class Chain:
         free: Joints, from 1, whose value the caller gives.
         size: Length that tolerances are relative to (see `arm_size`).
         arm_angle: Whether the caller gives the arm angle, in place of the value of a joint.
+        sums: Limits of sums of drives' values.
     """
 
     name: str
@@ -99,11 +104,22 @@ class Chain:
     free: tuple[int, ...]
     size: float
     arm_angle: bool = False
+    sums: tuple[SumLimit, ...] = ()
 
     @property
     def dof(self) -> int:
         """The number of joints."""
         return len(self.joints)
+
+    @property
+    def drives(self) -> Drives:
+        """How angles and lengths come from the values that the caller counts."""
+        joints = self.joints
+        return Drives(
+            tuple(joint.sign for joint in joints),
+            tuple(joint.offset for joint in joints),
+            tuple(joint.shares for joint in joints),
+        )
 
     @property
     def joint_names(self) -> tuple[str, ...]:

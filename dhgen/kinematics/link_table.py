@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from dhgen.robot.expression import Expression
-    from dhgen.robot.robot import AxisJoint, Frame, Robot
+    from dhgen.robot.robot import AxisJoint, DhRow, Frame, Robot
 
 AXES = "axes"
 IDENTITY = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)
@@ -51,17 +51,21 @@ def link_table(robot: Robot) -> LinkTable:
             tuple(evaluate(cell, values) for cell in (row.theta, row.d, row.a, row.alpha))
             for row in robot.geometry.rows
         )
-        drives = _drives([row.sign for row in robot.geometry.rows])
+        drives = _drives(robot.geometry.rows)
         return LinkTable(robot.geometry.convention.value, rows, drives, base, tool)
     axes = tuple(_axis(axis, values) for axis in robot.geometry.axes)
     home = _placement(robot.geometry.home, values)
     return LinkTable(AXES, axes, (), base, _product(home, tool))
 
 
-def _drives(signs: Sequence[int]) -> tuple[tuple[float, ...], ...]:
-    if min(signs) > 0:
+def _drives(rows: Sequence[DhRow]) -> tuple[tuple[float, ...], ...]:
+    if all(row.sign > 0 and not row.couplings for row in rows):
         return ()
-    return tuple(tuple(float(s * (i == j)) for j in range(len(signs))) for i, s in enumerate(signs))
+    found = [[float(row.sign * (i == j)) for j in range(len(rows))] for i, row in enumerate(rows)]
+    for factors, row in zip(found, rows, strict=True):
+        for coupling in row.couplings:
+            factors[coupling.joint - 1] = coupling.value
+    return tuple(map(tuple, found))
 
 
 def _axis(axis: AxisJoint, values: Mapping[str, float]) -> tuple[float, ...]:

@@ -53,13 +53,12 @@ class NumericArm:
         columns = np.concatenate(
             [np.where(turns, velocities, directions), np.where(turns, directions, 0.0)], axis=-1
         )
-        signs = np.array([joint.sign for joint in self.chain.joints])
-        return T, np.swapaxes(columns, -1, -2) * signs
+        return T, self.chain.drives.rates(np.swapaxes(columns, -1, -2))
 
     def steps(self, q: FloatArray) -> FloatArray:
         """What the joints' own transforms are for joint values (..., n), (..., n, 4, 4)."""
-        joints, turns = self.chain.joints, self.chain.turning
-        values = q * [joint.sign for joint in joints] + [joint.offset for joint in joints]
+        turns = self.chain.turning
+        values = self.chain.drives.values(q)
         angles = np.where(turns, values, 0.0)
         steps = np.zeros((*q.shape, 4, 4))
         steps[..., 0, 0] = steps[..., 1, 1] = np.cos(angles)

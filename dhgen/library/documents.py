@@ -6,7 +6,8 @@ import math
 import re
 from typing import TYPE_CHECKING
 
-from dhgen.robot.expression import ZERO, to_text
+from dhgen.robot.exact import add, multiply
+from dhgen.robot.expression import ZERO, Name, Negate, to_text
 from dhgen.robot.robot import AxisJoint, Convention, DhRow, DhTable, JointKind
 from dhgen.robot.task import TaskKind
 
@@ -100,11 +101,14 @@ def _row_cells(row: DhRow) -> dict[str, str]:
     cells = {"theta": row.theta, "d": row.d, "a": row.a, "alpha": row.alpha}
     shown = {name: to_text(cell) for name, cell in cells.items()}
     own = "theta" if row.kind is JointKind.REVOLUTE else "d"
-    return {**shown, own: _variable(row.sign, cells[own])}
+    return {**shown, own: _variable(row, cells[own])}
 
 
-def _variable(sign: int, offset: Expression) -> str:
-    q, beside = "-q" if sign < 0 else "q", to_text(offset)
+def _variable(row: DhRow, offset: Expression) -> str:
+    moved: Expression = Name("q") if row.sign > 0 else Negate(Name("q"))
+    for each in row.couplings:
+        moved = add(moved, multiply(each.factor, Name(f"q{each.joint}")))
+    q, beside = to_text(moved), to_text(offset)
     if offset == ZERO:
         return q
     return f"{q} - {beside[1:]}" if beside.startswith("-") else f"{q} + {beside}"

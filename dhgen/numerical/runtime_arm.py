@@ -29,9 +29,16 @@ def runtime_arm(kernel: NumericalKernel) -> Arm:
         joints=tuple(map(_joint, chain.solved)),
         base=twelve(base),
         chain=tuple(
-            ChainJoint(twelve(after), _turns(joint), float(joint.sign), float(joint.offset))
+            ChainJoint(
+                twelve(after),
+                _turns(joint),
+                float(joint.sign),
+                float(joint.offset),
+                tuple((share.drive - 1, share.factor) for share in joint.shares),
+            )
             for joint, after in zip(chain.joints, behind, strict=True)
         ),
+        order=tuple(joint - 1 for joint in chain.drives.order) if chain.drives.are_coupled else (),
         free=tuple(number - 1 for number in chain.free),
         redundant=kernel.redundant,
         checked=kernel.checked,

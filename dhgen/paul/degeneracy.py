@@ -175,11 +175,11 @@ def _leading(step: Step) -> list[Polynomial]:
 
 def _joint_values(chain: Chain, q: FloatArray) -> FloatArray:
     """Joint values as the caller counts them (n, dof), from those of the algebra."""
-    found = [
-        joint.sign * (row * (chain.size if joint.kind is JointKind.PRISMATIC else 1) - joint.offset)
+    values = [
+        row * (chain.size if joint.kind is JointKind.PRISMATIC else 1)
         for joint, row in zip(chain.joints, q, strict=True)
     ]
-    return np.stack(found, axis=1)
+    return np.stack(chain.drives.back(values), axis=1)
 
 
 def _are_fixed(knowledge: Knowledge, angle: AngleSum, q: FloatArray) -> FloatArray:
@@ -189,7 +189,7 @@ def _are_fixed(knowledge: Knowledge, angle: AngleSum, q: FloatArray) -> FloatArr
     held = [
         _rates(chain, known) for known in knowledge.runs.algebra.angles if knowledge.knows(known)
     ]
-    held += [np.eye(chain.dof)[joint - 1] for joint in sorted(knowledge.slides)]
+    held += [_moves(chain)[joint - 1] for joint in sorted(knowledge.slides)]
     rows = [
         task_jacobian(arm, q),
         np.broadcast_to(np.array(held).reshape(-1, chain.dof), (len(q), len(held), chain.dof)),
@@ -207,8 +207,13 @@ def _rates(chain: Chain, angle: AngleSum) -> FloatArray:
     """How an angle changes with every joint, (dof,)."""
     rates = np.zeros(chain.dof)
     for joint, sign in angle.terms:
-        rates[joint - 1] = sign * chain.joints[joint - 1].sign
+        rates += sign * _moves(chain)[joint - 1]
     return rates
+
+
+def _moves(chain: Chain) -> FloatArray:
+    """How every joint's angle or length changes with every drive, (dof, dof)."""
+    return chain.drives.rates(np.eye(chain.dof))
 
 
 # Roots so far apart have lost as many digits, and what is divided by the offset as many again. Of

@@ -39,6 +39,9 @@ FUNCTIONS: tuple[Function, ...] = get_args(Function)
 # of some joint, as textbooks call and number them
 _VARIABLE = re.compile(r"\b(?:q|th(?:eta)?)(?:_?\d+)?\b", re.ASCII)
 
+# of another joint, as cells call it
+_NUMBERED = re.compile(r"q\d+", re.ASCII)
+
 _OPERATORS: dict[type[ast.operator], Operator] = {
     ast.Add: "+",
     ast.Sub: "-",
@@ -138,22 +141,26 @@ class _Parser:
             raise self._error(node, f"{name} needs an argument: {name}(...)")
         if name == "q":
             raise self._error(node, "the variable q is only allowed in theta or d of a joint")
-        valid = (*self.values, "pi", "deg", *FUNCTIONS)
+        known = (each for each in self.values if not _NUMBERED.fullmatch(each))
+        valid = (*known, "pi", "deg", *FUNCTIONS)
         end = nearest(name, valid)
         if "q" in self.values and _VARIABLE.fullmatch(name):
-            end = self._variable()
+            end = self._variable(name)
+        elif _NUMBERED.fullmatch(name) and any(map(_NUMBERED.fullmatch, self.values)):
+            end = f": there is no joint {int(name[1:])}"
         error = self._error(node, f"unknown name {quoted(name)}{end}")
         raise UnknownNameError(name, error.message, error.span)
 
-    def _variable(self) -> str:
-        """The end of a message about a joint variable with a number."""
+    def _variable(self, name: str) -> str:
+        """The end of a message about a joint variable that is called otherwise, or that is none."""
+        number = re.sub(r"\D", "", name)
+        others = [each for each in self.values if _NUMBERED.fullmatch(each)]
+        if f"q{number}" in others:
+            return f": the variable of joint {number} is called q{number}"
         named = set(_VARIABLE.findall(self.body)) - (self.values.keys() - {"q"})
-        if len(named) == 1:
+        if len(named) == 1 or not number or 1 <= int(number) <= len(others) + 1:
             return ": in every row the joint's own variable is called q"
-        return (
-            ": a table can't couple joints; write q for this joint's whole motion, and "
-            "convert drive positions in the program that calls the solver"
-        )
+        return f": there is no joint {int(number)}"
 
     def _binary(self, node: ast.BinOp, operator: Operator, depth: int) -> _Part:
         left = self.part(node.left, depth + 1)

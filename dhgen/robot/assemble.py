@@ -6,19 +6,21 @@ from typing import TYPE_CHECKING
 
 from dhgen.robot.cell_notes import note_slips, note_snapped, note_turns
 from dhgen.robot.cells import INVALID, Cells
+from dhgen.robot.couplings import check_couplings
 from dhgen.robot.frames import IDENTITY_FRAME, read_frame
 from dhgen.robot.joints import read_axis, read_row
 from dhgen.robot.lengths import note_distance, note_spread
 from dhgen.robot.names import why_no_parameter_name
 from dhgen.robot.robot import Convention, DhTable, Parameter, ReferenceAxes, Robot
-from dhgen.robot.schema import AxisRow, FrameEntry, JointRow, Units
+from dhgen.robot.schema import AxisRow, FrameEntry, JointRow, SumEntry, Units
 from dhgen.robot.shape import Shape
 from dhgen.robot.source import quoted
+from dhgen.robot.sums import read_sum
 from dhgen.robot.task import ANGLES, ARM_ANGLE, COORDINATES, Task, TaskKind
 
 if TYPE_CHECKING:
     from dhgen.robot.report import Report
-    from dhgen.robot.robot import Frame
+    from dhgen.robot.robot import Frame, SumLimit
 
 
 def assemble(report: Report) -> Robot | None:
@@ -47,7 +49,9 @@ class _Assembly:
         geometry = self._geometry()
         base, tool = self._frame("base"), self._frame("tool")
         self._check_names()
+        sums = self._sums(geometry)
         free = self._free(self._count("joints") or self._count("axes"))
+        self._check_drives(geometry, len(sums))
         for name in self.cells.used.unused():
             message = f"no cell uses the parameter '{name}': remove it, or use it in a cell"
             self.report.notice_at_key(("parameters", name), message)
@@ -71,6 +75,7 @@ class _Assembly:
             length_unit=units.length,
             float32=file.float32,
             plain=file.plain,
+            sums=sums,
             taken=tuple(dict.fromkeys(self.cells.taken)),
             notices=self.report.notices,
             doubts=tuple(self.report.doubts),
@@ -115,13 +120,37 @@ class _Assembly:
     def _table(self) -> DhTable:
         if self.document.has("home") and not self.document.has("axes"):
             self.report.error_at_key(("home",), "'home' goes with 'axes'; with 'joints' use 'tool'")
-        rows = []
-        for path in [("joints", i) for i in range(self._count("joints"))]:
+        rows, count = [], self._count("joints")
+        for path in [("joints", i) for i in range(count)]:
             if entry := self.shape.section(path, JointRow):
+                others = [number for number in range(1, count + 1) if number != path[1] + 1]
                 complete = self.shape.right(path)
-                rows.append(read_row(self.cells, path, entry, complete=complete))
+                rows.append(read_row(self.cells, path, entry, others, complete=complete))
+        if len(rows) == count:
+            check_couplings(self.cells, "joints", rows)
         file = self.shape.file
         return DhTable(Convention(file.convention if file else "standard"), tuple(rows))
+
+    def _sums(self, geometry: DhTable | ReferenceAxes | None) -> tuple[SumLimit, ...]:
+        if geometry is None:
+            return ()
+        rows = geometry.rows if isinstance(geometry, DhTable) else geometry.axes
+        kinds = [row.kind for row in rows]
+        if len(kinds) < max(self._count("joints"), self._count("axes")):
+            return ()  # a row that could not be read is told already
+        found = (
+            read_sum(self.cells, path, entry, kinds)
+            for path in [("limits", i) for i in range(self._count("limits"))]
+            if (entry := self.shape.section(path, SumEntry))
+        )
+        return tuple(each for each in found if each is not None)
+
+    def _check_drives(self, geometry: DhTable | ReferenceAxes | None, sums: int) -> None:
+        """What the caller gives has to be the value of a joint alone."""
+        rows = geometry.rows if isinstance(geometry, DhTable) else ()
+        if self.document.has("free") and (sums or any(row.couplings for row in rows)):
+            message = "arms with coupled drives, or limits on sums, have no free joints"
+            self.report.error_at_key(("free",), message)
 
     def _axes(self) -> ReferenceAxes:
         if self.document.has("convention"):

@@ -20,7 +20,7 @@ from dhgen.robot.angles import (
 )
 from dhgen.robot.arithmetic import parse
 from dhgen.robot.cell_notes import NearCell, Taken, UsedNames, taken
-from dhgen.robot.exact import canonical
+from dhgen.robot.exact import canonical, rational
 from dhgen.robot.expression import (
     ZERO,
     Expression,
@@ -35,6 +35,7 @@ from dhgen.robot.units import SaidUnits
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
+    from fractions import Fraction
 
     from dhgen.robot.reader import Path
     from dhgen.robot.report import Report
@@ -52,6 +53,7 @@ class Cells:
         self._later: dict[str, str] = {}
         self._circles: set[frozenset[str]] = set()
         self.units = SaidUnits(self.value)
+        self.ratios: dict[str, Fraction] = {}
         self.used = UsedNames()
         self.lengths: list[Length] = []
         self.taken: list[Taken] = []
@@ -69,6 +71,8 @@ class Cells:
         if name not in RESERVED:  # has its own meaning all the same
             self._values[name] = value
         self.units.define(name, expression)
+        if (ratio := rational(expression, self.ratios)) is not None:
+            self.ratios[name] = ratio
         return value
 
     def knows(self, name: str) -> bool:
@@ -167,29 +171,42 @@ class Cells:
             )
             self.report.error(path, f"{quoted(text.strip())} {message}")
 
-    def snap_length(self, path: Path, text: str, expression: Expression) -> Expression:
-        """The exact form of a length."""
+    def snap_length(
+        self, path: Path, text: str, expression: Expression, variable: str = ""
+    ) -> Expression:
+        """The exact form of a length; `variable` is what a joint moves by in the cell."""
         self.refuse_degrees(path, text, expression)
         value = self.value(expression)
         if abs(value) > LARGEST_LENGTH:
             self.report.error(path, f"the length {value:.6g} is beyond {LARGEST_LENGTH:.0e}")
         self.lengths.append(Length(abs(value), path, text.strip()))
-        return self._snapped(path, text, value, ZERO) if abs(value) <= SNAP else expression
+        if not abs(value) <= SNAP:
+            return expression
+        return self._snapped(path, text, value, ZERO, variable)
 
-    def snap_angle(self, path: Path, text: str, expression: Expression) -> Expression:
-        """The exact form of an angle, or a notice when it looks like a slip."""
+    def snap_angle(
+        self, path: Path, text: str, expression: Expression, variable: str = ""
+    ) -> Expression:
+        """The exact form of an angle, or a notice when it looks like a slip.
+
+        Args:
+            path: The place of the cell.
+            text: Its text.
+            expression: The angle, or the offset in it.
+            variable: What the joint moves by, with the sign: q, -q, q - q2.
+        """
         value = self.value(expression)
         if abs(value) > LARGEST_ANGLE:
             self.report.error(path, f"the angle {value:.6g} rad is beyond {LARGEST_ANGLE:.0e}")
         elif (k := twelfths(value)) is not None:
-            return self._snapped(path, text, value, exact_angle(k))
+            return self._snapped(path, text, value, exact_angle(k), variable)
         else:
-            self._look_at_angle(path, text, expression, value)
+            self._look_at_angle(path, text, expression, variable)
         return expression
 
-    def _look_at_angle(self, path: Path, text: str, angle: Expression, value: float) -> None:
+    def _look_at_angle(self, path: Path, text: str, angle: Expression, variable: str) -> None:
         """Looks for slips: the other unit, and what is nearly a right angle."""
-        unit, variable = self._unit(text), _variable(text)
+        unit, value = self._unit(text), self.value(angle)
         if notice := self.units.mixed_notice(angle) or unit_notice(value, unit):
             part = "the offset of " if variable else ""
             self._notice_unit(path, part + quoted(text.strip()), notice, angle)
@@ -213,17 +230,13 @@ class Cells:
             return "deg"
         return "" if self.units.degrees and not re.search(r"\bpi\b", text) else "pi"
 
-    def _snapped(self, path: Path, text: str, value: float, exact: Expression) -> Expression:
+    def _snapped(
+        self, path: Path, text: str, value: float, exact: Expression, variable: str = ""
+    ) -> Expression:
         if near := near_exact(value, self.value(exact), exact):
             self.snapped.append(NearCell(path, text.strip(), near))
-            self.taken.append(taken(path, text.strip(), _variable(text), exact))
+            self.taken.append(taken(path, text.strip(), variable, exact))
         return exact
-
-
-def _variable(text: str) -> str:
-    """The joint's variable in a cell, with a minus before it if there is one; empty without it."""
-    found = re.search(r"(-?)\s*\bq\b", text)
-    return f"{found[1]}q" if found else ""
 
 
 def _exact_ratio(expression: Expression, value: float) -> Expression | None:

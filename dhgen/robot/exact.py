@@ -9,8 +9,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
-from dhgen.robot.expression import ONE, ZERO, Binary, Call, Expression, Negate, Number
+from dhgen.robot.expression import ONE, ZERO, Binary, Call, Expression, Name, Negate, Number
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
 
 _ROOTS = (1, 2, 3, 6)
 
@@ -186,3 +190,39 @@ def _exact(operator: str, a: Expression, b: Expression) -> Expression | None:
     if x is None or y is None:
         return None
     return (x + y if operator == "+" else x * y).expression()
+
+
+def rational(expression: Expression, known: Mapping[str, Fraction]) -> Fraction | None:
+    """The exact value of an expression that is a ratio of whole numbers, or None.
+
+    Args:
+        expression: Of numbers and parameters.
+        known: The parameters that are such ratios.
+    """
+    match expression:
+        case Number(value):
+            return value
+        case Name(name):
+            return known.get(name)
+        case Negate(operand):
+            inner = rational(operand, known)
+            return None if inner is None else -inner
+        case Binary(operator, left, right):
+            a, b = rational(left, known), rational(right, known)
+            return None if a is None or b is None else _combined(operator, a, b)
+        case _:
+            return None
+
+
+def _combined(operator: str, a: Fraction, b: Fraction) -> Fraction | None:
+    match operator:
+        case "+":
+            return a + b
+        case "-":
+            return a - b
+        case "*":
+            return a * b
+        case "/":
+            return a / b
+        case _:
+            return a ** int(b)  # whole, as cells demand

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.robot.angles import LARGEST_ANGLE, LARGEST_LENGTH, SNAP
 from dhgen.robot.cells import INVALID
+from dhgen.robot.couplings import read_couplings
 from dhgen.robot.frames import read_lengths
 from dhgen.robot.lengths import Length
 from dhgen.robot.robot import AxisJoint, DhRow, JointKind
@@ -16,6 +17,8 @@ from dhgen.robot.source import quoted
 from dhgen.robot.units import VARIABLE, Split, split
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.robot.cells import Cells
     from dhgen.robot.expression import Expression
     from dhgen.robot.reader import Path
@@ -107,38 +110,58 @@ def _report_order(
     cells.report.error(path, f"the lower limit {low} is not below the upper one {high}")
 
 
-def read_row(cells: Cells, path: Path, entry: JointRow, *, complete: bool) -> DhRow:
+def read_row(
+    cells: Cells, path: Path, entry: JointRow, others: Sequence[int], *, complete: bool
+) -> DhRow:
     """A row of the table; mistakes are reported.
 
     Args:
         cells: Reads the cells, and reports.
         path: The place of the row.
         entry: Its keys.
+        others: The numbers of all other joints, whose variables it may hold.
         complete: Whether these are all: a misspelt key may have held the variable.
     """
-    theta = _split(cells, (*path, "theta"), entry.theta)
-    d = _split(cells, (*path, "d"), entry.d)
+    theta = _split(cells, (*path, "theta"), entry.theta, others)
+    d = _split(cells, (*path, "d"), entry.d, others)
     if INVALID not in (theta.offset, d.offset):
-        if theta.sign and d.sign:
-            cells.report.error((*path, "d"), "q is already in theta: a joint has only one variable")
-        elif complete and not theta.sign and not d.sign:
-            message = (
-                "no variable: write q in theta (revolute) or in d (prismatic); a fixed "
-                "transform belongs in base, tool or a neighbouring row"
-            )
-            cells.report.error(path, message)
+        _check_variables(cells, path, theta, d, complete=complete)
     kind = JointKind.PRISMATIC if d.sign else JointKind.REVOLUTE
+    moving = "d" if d.sign else "theta"
     offset = cells.radians(theta.offset)
     return DhRow(
         kind=kind,
         sign=theta.sign or d.sign,
-        theta=cells.snap_angle((*path, "theta"), entry.theta, offset),
-        d=cells.snap_length((*path, "d"), entry.d, d.offset),
+        theta=cells.snap_angle((*path, "theta"), entry.theta, offset, theta.variable),
+        d=cells.snap_length((*path, "d"), entry.d, d.offset, d.variable),
         a=cells.length((*path, "a"), entry.a),
         alpha=cells.angle((*path, "alpha"), entry.alpha),
         limits=read_limits(cells, (*path, "limits"), kind, entry.limits),
         name=entry.name,
+        couplings=read_couplings(cells, (*path, moving), (d if d.sign else theta).others),
     )
+
+
+def _check_variables(cells: Cells, path: Path, theta: Split, d: Split, *, complete: bool) -> None:
+    """A row has a variable of its own, and others only beside it."""
+    if theta.sign and d.sign:
+        cells.report.error((*path, "d"), "q is already in theta: a joint has only one variable")
+    elif (theta.sign and d.others) or (d.sign and theta.others):
+        still, moving = ("d", "theta") if theta.sign else ("theta", "d")
+        message = f"the variables of other joints stand beside q, in {moving}"
+        cells.report.error((*path, still), message)
+    elif not theta.sign and not d.sign and (theta.others or d.others):
+        message = (
+            "q is missing: every row has a drive of its own, to which those of other joints are "
+            "added, as in 'theta: q - q2'"
+        )
+        cells.report.error((*path, "theta" if theta.others else "d"), message)
+    elif complete and not theta.sign and not d.sign:
+        message = (
+            "no variable: write q in theta (revolute) or in d (prismatic); a fixed "
+            "transform belongs in base, tool or a neighbouring row"
+        )
+        cells.report.error(path, message)
 
 
 def read_axis(cells: Cells, path: Path, entry: AxisRow, *, complete: bool) -> AxisJoint:
@@ -165,10 +188,13 @@ def read_axis(cells: Cells, path: Path, entry: AxisRow, *, complete: bool) -> Ax
     )
 
 
-def _split(cells: Cells, path: Path, text: str) -> Split:
-    expression = cells.parse(path, text, more={VARIABLE.name: math.nan})
+def _split(cells: Cells, path: Path, text: str, others: Sequence[int]) -> Split:
+    names = (VARIABLE.name, *(f"q{joint}" for joint in others))
+    expression = cells.parse(path, text, more=dict.fromkeys(names, math.nan))
     parts = split(expression)
     if parts is None:
         message = "q may only have a sign and an offset: q, -q, q + pi/2, pi - q"
+        if others:
+            message += "; the variables of other joints may have factors, too: q - 2*q1"
         cells.report.error(path, message)
     return parts or Split(0, INVALID)

@@ -45,6 +45,21 @@ class Parameter:
 
 
 @dataclass(frozen=True, slots=True)
+class Coupling:
+    """What the drive of another joint adds to a joint: `theta: q - q2` has one of -1 times q2.
+
+    Attributes:
+        joint: The other joint, from 1.
+        factor: What its variable is multiplied by, as written.
+        value: The same as a float [this joint's unit per that joint's].
+    """
+
+    joint: int
+    factor: Expression
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
 class DhRow:
     """One row of a Denavit-Hartenberg table.
 
@@ -62,6 +77,7 @@ class DhRow:
         b: A shift along y after the twist, of modified rows that the compiler makes from axes that
             are nearly parallel: their common normal is far away [length].
         name: What the joint is called elsewhere; empty where the file names no joints.
+        couplings: What the drives of other joints add to q, by their numbers.
     """
 
     kind: JointKind
@@ -73,6 +89,7 @@ class DhRow:
     limits: tuple[float, float] | None = None
     b: Expression = ZERO
     name: str = ""
+    couplings: tuple[Coupling, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,6 +142,21 @@ class Frame:
 
 
 @dataclass(frozen=True, slots=True)
+class SumLimit:
+    """Limits of a sum of joints' variables.
+
+    Attributes:
+        of: The sum: each variable with its factor.
+        limits: Lowest and highest value [rad or length].
+        kind: What it is a value of: all its joints turn, or all slide.
+    """
+
+    of: tuple[Coupling, ...]
+    limits: tuple[float, float]
+    kind: JointKind
+
+
+@dataclass(frozen=True, slots=True)
 class Robot:
     """A validated robot file.
 
@@ -145,6 +177,7 @@ class Robot:
         float32: Whether C in single precision is wanted besides.
         plain: Whether solvers do without their fast path for regular poses.
         taken: The cells that are taken as exact values next to their own.
+        sums: Limits of sums of joints' variables.
         notices: What was snapped to an exact value, looks like a slip, or is of no use.
         doubts: What may be why the arm's solvers do not pass, if they do not.
     """
@@ -165,8 +198,15 @@ class Robot:
     float32: bool = False
     plain: bool = False
     taken: tuple[Taken, ...] = ()
+    sums: tuple[SumLimit, ...] = ()
     notices: tuple[Diagnostic, ...] = ()
     doubts: tuple[Diagnostic, ...] = ()
+
+    @property
+    def is_coupled(self) -> bool:
+        """Whether a drive moves more than its own joint, or sums of drives' values have limits."""
+        rows = self.geometry.rows if isinstance(self.geometry, DhTable) else ()
+        return bool(self.sums) or any(row.couplings for row in rows)
 
     @property
     def joints(self) -> tuple[DhRow | AxisJoint, ...]:

@@ -243,6 +243,14 @@ class AxisRow(_Strict):
     name: JointName
 
 
+class SumEntry(_Strict):
+    """Limits of a sum of joints' variables, by their numbers."""
+
+    of: Cell = Field(description="The sum, e.g. q2 + q3 or q2 - 1/2*q3.")
+    least: End = Field(alias="from", description="Its lowest value [angle or length, as it is].")
+    most: End = Field(alias="to", description="Its highest value.")
+
+
 class Units(_Strict):
     """The units of the file. Lengths are not converted: the generated code has the same unit."""
 
@@ -300,6 +308,12 @@ class RobotFile(_Strict):
         description="What of the pose the caller means: pose, position, orientation, pointing "
         "(position and the tool's z axis), direction (the tool's z axis), or a list of some of x, "
         "y, z and of yaw, or pitch, or roll and pitch.",
+    )
+    limits: list[SumEntry] = Field(
+        default=[],
+        max_length=MAX_JOINTS,
+        description="Limits of sums of joints' variables, e.g. {of: q2 + q3, from: -80 deg, to: "
+        "150 deg}; those of single joints stand in their rows.",
     )
     free: Free = Field(
         default=[],

@@ -16,6 +16,7 @@ from dhgen.robot.schema import (
     FrameEntry,
     JointRow,
     RobotFile,
+    SumEntry,
     Units,
 )
 from dhgen.robot.source import quoted
@@ -73,6 +74,8 @@ _ENTRIES = {
     "joints": f"a joint, e.g. {_ROW}",
     "axes": f"an axis, e.g. {_AXIS}",
     "matrix": "a row of four numbers",
+    "limits": "a sum with its limits, e.g. {of: q2 + q3, from: -80 deg, to: 150 deg}; limits of a "
+    "joint stand in its row",
 }
 
 
@@ -139,6 +142,7 @@ _MODELS: Mapping[str, type[BaseModel]] = {
     "base": FrameEntry,
     "tool": FrameEntry,
     "units": Units,
+    "limits": SumEntry,
 }
 _WORDS = {"name", "title", "source"}  # who writes them in a joint may not mean the robot's
 _JOINT_TYPES = "a joint slides by 'theta: 0, d: q', and turns by 'theta: q, d: 0'"
@@ -233,7 +237,7 @@ def _elsewhere(key: str, path: Path) -> str:
         return f"; {_OTHER_TABLES[key]}"
     if path[0] in {"joints", "axes"} and key in _WORDS:
         return "; a joint has only a 'name': say more in a comment, '# elbow'"
-    if len(path) == 1 and key in {"limits", "joint_limits", "qlim"}:
+    if len(path) == 1 and key in {"joint_limits", "qlim"}:
         return "; limits stand in each joint: 'limits: [-1.5, 1.5]'"
     if len(path) > 1 and key in RobotFile.model_fields and key not in _WORDS:
         at_joint = key == "free" and isinstance(path[1], int)
@@ -244,4 +248,4 @@ def _elsewhere(key: str, path: Path) -> str:
 
 def _valid_keys(path: Path) -> tuple[str, ...]:
     model = RobotFile if len(path) == 1 else _MODELS[str(path[0])]
-    return tuple(model.model_fields)
+    return tuple(field.alias or name for name, field in model.model_fields.items())

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from dhgen.robot.angles import degrees_text, turns_notice
-from dhgen.robot.exact import add, negate, subtract
+from dhgen.robot.exact import add, multiply, negate, surd
 from dhgen.robot.expression import (
     DEGREE,
+    ONE,
     ZERO,
     Binary,
     Call,
@@ -23,44 +25,96 @@ from dhgen.robot.expression import (
 from dhgen.robot.source import quoted
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
 
 VARIABLE = Name("q")
+_OTHERS = re.compile(r"q(\d+)", re.ASCII)
 
 
 @dataclass(frozen=True, slots=True)
 class Split:
-    """sign*q + offset; a sign of 0 means that there is no q."""
+    """sign*q + offset, and multiples of other joints' variables.
+
+    Attributes:
+        sign: Of q; 0 means that there is no q.
+        offset: What is added.
+        others: What multiplies the variable of another joint, by its number.
+    """
 
     sign: int
     offset: Expression
+    others: Mapping[int, Expression] = field(default_factory=dict)
+
+    @property
+    def variable(self) -> str:
+        """What the joint moves by, as a cell has it: q, -q, q - q2; empty for nothing."""
+        own: dict[int, Expression] = {1: VARIABLE, 0: ZERO, -1: Negate(VARIABLE)}
+        total = own[self.sign]
+        for joint, factor in sorted(self.others.items()):
+            total = add(total, multiply(factor, Name(f"q{joint}")))
+        return "" if total == ZERO else to_text(total)
 
 
 def split(expression: Expression) -> Split | None:
-    """An expression as sign*q + offset; None when q is in it in any other way."""
+    """An expression as sign*q + multiples + offset; None when q is in it in any other way."""
     if not contains_variable(expression):
         return Split(0, expression)
     match expression:
-        case Name():
-            return Split(1, ZERO)
+        case Name(name):
+            other = _OTHERS.fullmatch(name)
+            return Split(0, ZERO, {int(other[1]): ONE}) if other else Split(1, ZERO)
         case Negate(operand):
             inner = split(operand)
-            return None if inner is None else Split(-inner.sign, negate(inner.offset))
+            return None if inner is None else _negative(inner)
         case Binary("+" | "-" as operator, left, right):
             a, b = split(left), split(right)
             if a is None or b is None or (a.sign and b.sign):
                 return None
-            sign = b.sign if operator == "+" else -b.sign
-            combine = add if operator == "+" else subtract
-            return Split(a.sign + sign, combine(a.offset, b.offset))
+            return _sum(a, b if operator == "+" else _negative(b))
+        case Binary("*", left, right) if not contains_variable(left):
+            return _multiple(left, right)
+        case Binary("*", left, right) if not contains_variable(right):
+            return _multiple(right, left)
+        case Binary("/", left, right) if not contains_variable(right):
+            return _multiple(_inverse(right), left)
         case _:
             return None
 
 
+def _negative(a: Split) -> Split:
+    others = {joint: negate(factor) for joint, factor in a.others.items()}
+    return Split(-a.sign, negate(a.offset), others)
+
+
+def _sum(a: Split, b: Split) -> Split:
+    others = dict(a.others)
+    for joint, factor in b.others.items():
+        others[joint] = add(others.get(joint, ZERO), factor)
+    return Split(a.sign + b.sign, add(a.offset, b.offset), others)
+
+
+def _multiple(factor: Expression, expression: Expression) -> Split | None:
+    """Of other joints' variables only: the own one has no factor but its sign."""
+    inner = split(expression)
+    if inner is None or inner.sign:
+        return None
+    others = {joint: multiply(factor, each) for joint, each in inner.others.items()}
+    return Split(0, multiply(factor, inner.offset), others)
+
+
+def _inverse(divisor: Expression) -> Expression:
+    exact = surd(divisor)
+    inverse = None if exact is None else exact.inverse()
+    return Binary("/", ONE, divisor) if inverse is None else inverse.expression()
+
+
 def contains_variable(expression: Expression) -> bool:
-    """Whether q occurs."""
-    return VARIABLE in parts(expression)
+    """Whether q occurs, or the variable of another joint."""
+    return any(
+        isinstance(part, Name) and (part == VARIABLE or _OTHERS.fullmatch(part.name))
+        for part in parts(expression)
+    )
 
 
 class SaidUnits:
@@ -161,7 +215,7 @@ class SaidUnits:
 
     def _is_plain(self, argument: Expression) -> bool:
         """Whether a number does not speak of pi, and so may be meant as degrees."""
-        if self.speaks_of_pi(argument) or VARIABLE in parts(argument):
+        if self.speaks_of_pi(argument) or contains_variable(argument):
             return False
         value = self._value(argument)
         return bool(value) and (self.degrees or turns_notice(value, "") is not None)

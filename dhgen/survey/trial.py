@@ -68,6 +68,7 @@ class Trial:
 
     def apart(self, rows: FloatArray, q: FloatArray) -> FloatArray:
         """The largest difference of joint values, whole turns aside, lengths in arm sizes."""
-        miss = np.abs(rows - q)
+        off = rows - q
+        miss = np.abs(off @ self.model.shares.T if self.model.is_coupled else off)
         turned = np.abs(miss - 2 * np.pi * np.round(miss / (2 * np.pi)))
         return np.asarray(np.where(self.model.revolute, turned, miss / self.size).max(axis=-1))

@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.task import telling_entries
+from dhgen.kinematics.turns import coupled_turns
 from dhgen.printing.comments import plain_path
 from dhgen.program.regular.limits import ArmLimits, Limits
 from dhgen.program.regular.regular import regular
+from dhgen.targets.coupled import joints_alone, turns_alone
 from dhgen.targets.layout import paragraph
 from dhgen.tolerances import DOUBLE, Precision
 
@@ -144,13 +146,13 @@ def stands_on_limits(module: SolverModule) -> bool:
     An arm angle would be one more thing that has to be met.
     """
     chain = module.chain
-    limited = any(joint.limits for joint in chain.joints)
-    return limited and any(chain.turning) and not chain.arm_angle
+    limited = any(joint.limits for joint in joints_alone(module))
+    return limited and turns_alone(module) and any(chain.turning) and not chain.arm_angle
 
 
 def regular_solver(module: SolverModule) -> Regular | None:
     """The program of regular poses, with limits, where the files have one."""
-    if module.plain:
+    if module.plain or coupled_turns(module.chain) is not None:
         return None
     table = module.precision.tolerances
     graze = table.graze if stands_on_limits(module) else None

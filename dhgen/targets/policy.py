@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from dhgen.program.regular.regular import tells_regular
 from dhgen.program.walk import finds_roots
 from dhgen.runtime.python.limits import NEARLY_A_TURN
+from dhgen.targets.coupled import joints_alone, turns_alone
 from dhgen.targets.module import stands_on_limits
 from dhgen.targets.walk import (
     checks_again,
@@ -92,7 +93,7 @@ def policy_of(module: SolverModule) -> Policy:
     return Policy(
         retries=chooses_again(solver),
         checks=checks,
-        keeps_limits=bool(joints) and any(joint.limits for joint in module.chain.joints),
+        keeps_limits=bool(joints) and any(joint.limits for joint in joints_alone(module)),
         completes=completes,
         adds_others=completes and checks and solver.rows > 1,
         ascends=finds_roots(solver) and len(solver.axes) == 1,
@@ -134,14 +135,19 @@ def _clamped(module: SolverModule) -> float:
 
 
 def _follows_seed(module: SolverModule) -> bool:
-    """Whether an arm has poses that rounding says little about, and rows for its branches."""
+    """Whether an arm has poses that rounding says little about, and rows for its branches.
+
+    Where whole turns of drives move others, a seed may be a turn of a row that looks unlike it.
+    """
     chain, turning = module.chain, any(module.chain.turning)
-    return turning and not chain.arm_angle and whole_arm(module.solver) is None
+    return (
+        turning and turns_alone(module) and not chain.arm_angle and whole_arm(module.solver) is None
+    )
 
 
 def _widest_turn(module: SolverModule) -> float:
     """How far apart limits of an angle are at most."""
-    joints = zip(module.chain.joints, module.chain.turning, strict=True)
+    joints = zip(joints_alone(module), module.chain.turning, strict=True)
     ranges = (
         joint.limits[1] - joint.limits[0] for joint, turns in joints if turns and joint.limits
     )

@@ -93,7 +93,15 @@ class Measures:
         return step
 
     def _short_way(self, moved: FloatArray) -> FloatArray:
-        """Differences of joint values without whole turns."""
+        """Differences of joint values without whole turns of the joints.
+
+        Those of a joint may move several drives.
+        """
+        drives = self._chain.drives
+        if drives.are_coupled:
+            off = moved @ drives.matrix.T
+            turns = np.where(self._turns, 2.0 * np.pi * np.round(off / (2.0 * np.pi)), 0.0)
+            return np.asarray(moved - turns @ drives.inverse.T)
         turns = 2.0 * np.pi * np.round(moved / (2.0 * np.pi))
         return np.asarray(moved - np.where(self._turns, turns, 0.0))
 

@@ -15,6 +15,8 @@ from dhgen.robot.task import TaskKind
 from dhgen.verify.singular import TRIED, singular_places, whole_turns
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
     from dhgen.robot.task import Task
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
 
 NEAR = (1e-6, 1e-8, 1e-10)  # [rad] distances from a singular angle
 CLEAR = 1e-3  # least growth of the singular value from a singular place
+TRIES = 200  # at joint values that keep limits of sums
 SINGULAR_SHARE = 10  # random poses for each that is singular by one joint
 
 
@@ -114,7 +117,22 @@ def _strokes(chain: Chain) -> tuple[FloatArray, FloatArray]:
 
 def _uniform(chain: Chain, source: np.random.Generator, count: int) -> FloatArray:
     low, high = _ranges(chain)
-    return source.uniform(low, high, (count, chain.dof))
+    q = source.uniform(low, high, (count, chain.dof))
+    for _ in range(TRIES):
+        beyond = ~keeps_sums(chain, q)
+        if not beyond.any():
+            break
+        q[beyond] = source.uniform(low, high, (int(beyond.sum()), chain.dof))
+    return q
+
+
+def keeps_sums(chain: Chain, q: FloatArray) -> NDArray[np.bool_]:
+    """Whether sums of joint values (N, n) are inside their limits, (N,)."""
+    kept = np.ones(len(q), bool)
+    for limit in chain.sums:
+        total = q @ np.array(limit.factors)
+        kept &= (limit.lowest <= total) & (total <= limit.highest)
+    return kept
 
 
 def _right_angles(chain: Chain, source: np.random.Generator, count: int) -> FloatArray:

@@ -14,7 +14,6 @@ import numpy as np
 from .arguments import BYTE, FLOAT, array_of, demand_array, numbers, results
 from .entry import Choice, demand_filled, poses_of, share
 from .jit import carray, lent_rows, lent_statuses, lent_values, room
-from .nearest import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -205,7 +204,7 @@ def warm_up() -> None:
     q, status = ik_all(T)
     ik_into(T, q, status)
     ik_into(T, q, status, zero)
-    nearest(choice.arm, q, status, zero, True, np.empty(DOF))
+    choice.nearest_row(q, status, zero, True, np.empty(DOF))
     ik_batch(T[np.newaxis])
     for compile_all in apart:
         compile_all()

@@ -15,7 +15,6 @@ from .arguments import BYTE, FLOAT, array_of, demand_array, numbers, results
 from .entry import Choice, demand_filled, poses_of, share
 from .jit import carray, lent_rows, lent_statuses, lent_values, room
 from .left_to_the_seed import nearest_that_works
-from .nearest import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -256,7 +255,7 @@ def warm_up() -> None:
     q, status = ik_all(T, q_free)
     ik_into(T, q_free, q, status)
     ik_into(T, q_free, q, status, zero)
-    nearest(choice.arm, q, status, zero, True, np.empty(DOF))
+    choice.nearest_row(q, status, zero, True, np.empty(DOF))
     ik_batch(T[np.newaxis], q_free[np.newaxis])
     for compile_all in apart:
         compile_all()

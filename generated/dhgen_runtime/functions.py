@@ -13,6 +13,7 @@ from . import (
     calls_given,
     careful,
     clamp,
+    coupled,
     duplicates,
     follow_seed,
     one_pose,
@@ -95,6 +96,7 @@ class Solver:
         apart: Functions that compile what stands apart in a file, one for each.
         words: What messages and docstrings say of the robot: no_pose, no_row, allocates, and
             `given` of values that the caller gives.
+        coupling: Of drives whose whole turns hang together; None where none do.
     """
 
     arm: Floats
@@ -106,6 +108,7 @@ class Solver:
     given: int
     apart: tuple[Callable[[], None], ...]
     words: Mapping[str, str]
+    coupling: Floats | None = None
 
 
 def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[str, Any]:
@@ -133,13 +136,15 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
         "slides": "P" in robot["JOINT_TYPES"],
         "read_rows": getattr(pose, f"read_{solver.task}"),
         "rotation_miss": getattr(pose, f"miss_of_{solver.task}"),
-        "apart": (how.compile_apart, *_needed(solver.arm), *solver.apart),
+        "coupling": solver.coupling,
+        "apart": (how.compile_apart, *_needed(solver), *solver.apart),
         "choice": Choice(
             solver.arm,
             robot["BRANCHES"],
             words["no_pose"],
             words["no_row"],
             robot["Unreachable"],
+            solver.coupling,
         ),
         "shapes": f"T, q and status must have shapes (4, 4), ({rows}, {dof}), ({rows},)",
         "given_must": f"q_free must have shape ({given},)",
@@ -164,6 +169,9 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
         add(name, how.njit(forceinline=True))
     if given:
         add("given_values")
+    turns = "turned_alone" if solver.coupling is None else "turned_together"
+    add(turns, how.merged)
+    names["settle"] = names[turns]
     add("careful", how.jit)
     add("into", how.merged)
     for name in ("unseeded", "seeded"):
@@ -192,9 +200,11 @@ def _given_names(robot: Mapping[str, Any], solver: Solver) -> dict[str, Any]:
     return {"given_of_joints": lambda q: q[places], "reach": math.pi if turns else stroke}
 
 
-def _needed(arm: Floats) -> list[Callable[[], None]]:
+def _needed(solver: Solver) -> list[Callable[[], None]]:
     """What compiles the files of the runtime that an arm needs."""
-    found = [careful.OWN.compile_apart]
+    arm, found = solver.arm, [careful.OWN.compile_apart]
+    if solver.coupling is not None:
+        found.append(coupled.OWN.compile_apart)
     return found + [
         file.OWN.compile_apart for file, steps in APART if any(arm[step] > 0.0 for step in steps)
     ]

@@ -109,6 +109,7 @@ def test_axes_where_they_are_asked_for() -> None:
             "deltas: [{}, {}, {}, {}, {}]",
             "welding_5r is asked for pointing: calibrations are for ",
         ),
+        ("abb_irb2400", DELTAS, "drives of abb_irb2400 are coupled, or sums limited: "),
         ("puma", DELTAS, "deltas are for arms with a table; this one has axes"),
         ("puma560", "deltas: [{tehta: 1}]", "measured.yaml:1:11: no key is called 'tehta'"),
         ("puma560", "deltas: 3", "measured.yaml:1:9: deltas is a list with a row for each joint"),

@@ -101,6 +101,15 @@ def crossed_nothing(asked: Trial, q: FloatArray) -> NDArray[np.bool_]:
     return np.asarray(np.minimum(far[1:], far[:-1]) > np.maximum(STEEPEST * moved, REGULAR))
 
 
+def keep_sums(name: str, q: FloatArray) -> NDArray[np.bool_]:
+    """Whether sums of joint values (N, n) are inside their limits, (N,)."""
+    kept = np.ones(len(q), bool)
+    for each in robot(name).sums:
+        total = np.sum([term.value * q[:, term.joint - 1] for term in each.of], axis=0)
+        kept &= (each.limits[0] < total) & (total < each.limits[1])
+    return kept
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_the_nearest_solution_follows_a_motion(name: str) -> None:
     """The nearest, but of a family: there it may be nearer to the seed than the motion is."""
@@ -109,7 +118,7 @@ def test_the_nearest_solution_follows_a_motion(name: str) -> None:
         return
     followed = 0
     for q in motions(name, within_limits=True):
-        far = least(asked, q) > 30 * REGULAR
+        far = (least(asked, q) > 30 * REGULAR) & keep_sums(name, q)
         T, given = asked.poses(q), given_along(asked, q)
         rows, status = asked.solver.batch(T, asked.given(q))
         for step in range(1, STEPS):

@@ -34,6 +34,10 @@ ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 # Which of a family of solutions damped least squares find, rounding decides: see tests/numerical.
 NAMES = [name for name in STRUCTURES if not load(ROBOTS / f"{name}.yaml").numerical]
 MADE_UP = Path(__file__).parent / "robots"
+# Whole turns of these hang together, which most tests know nothing of.
+COUPLED = Path(__file__).parent / "coupled"
+# Asked for whole poses, which few of their limits allow.
+ROUNDED = Path(__file__).parent / "rounded"
 MADE_UP_NAMES = sorted(path.stem for path in MADE_UP.glob("*.yaml"))
 
 
@@ -50,8 +54,8 @@ _KEPT: list[tempfile.TemporaryDirectory[str]] = []
 
 def robot_path(name: str) -> Path:
     """The robot's file, of the project or made up for these tests."""
-    path = ROBOTS / f"{name}.yaml"
-    return path if path.exists() else MADE_UP / f"{name}.yaml"
+    paths = [folder / f"{name}.yaml" for folder in (ROBOTS, MADE_UP, COUPLED, ROUNDED)]
+    return next(path for path in paths if path.exists())
 
 
 @cache

@@ -8,11 +8,15 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.names import joint_symbol, parameter
 from dhgen.derivation.text.formula import Symbol
-from dhgen.robot.expression import ZERO, to_text
+from dhgen.robot.exact import add, multiply
+from dhgen.robot.expression import ZERO, Name, Negate, to_text
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.robot.expression import Expression
+    from dhgen.robot.robot import Coupling
 
 _TOKENS = re.compile(
     r"sqrt\((\d+)\)|([A-Za-z_][A-Za-z0-9_]*)|(?<![*/])(\d+(?:\.\d+)?)\*\(pi/180\)"
@@ -22,6 +26,7 @@ _LONG_ROOT = re.compile(r"sqrt\((?!\d+\))")
 _SIGNS = {"**": ("^", "^"), "*": (" ", " "), "-": ("-", "−")}
 _DECIMALS = 3  # of a limit in degrees
 _EXACT = 9  # decimals that conversion from radians leaves right
+_VARIABLE = re.compile(r"q(\d+)")
 _FUNCTIONS = frozenset({"sin", "cos"})
 
 
@@ -30,8 +35,12 @@ def expression_symbol(expression: Expression) -> Symbol:
     return text_symbol(to_text(expression))
 
 
-def variable_symbol(number: int, sign: int, offset: Expression) -> Symbol:
-    """The cell that holds the joint variable: q_2, q_2 - pi/2, -q_5."""
+def variable_symbol(
+    number: int, sign: int, offset: Expression, couplings: Sequence[Coupling] = ()
+) -> Symbol:
+    """The cell that holds the joint variable: q_2, q_2 - pi/2, -q_5, q_3 - q_2."""
+    if couplings:
+        return expression_symbol(_cell(number, sign, offset, couplings))
     variable = joint_symbol(number)
     minus = sign < 0
     latex, text = ("-" * minus) + variable.latex, ("−" * minus) + variable.text
@@ -44,6 +53,15 @@ def variable_symbol(number: int, sign: int, offset: Expression) -> Symbol:
     inner = text_symbol(body)
     plain_sign = "−" if sign_text == "-" else "+"
     return Symbol(f"{latex} {sign_text} {inner.latex}", f"{text} {plain_sign} {inner.text}")
+
+
+def _cell(number: int, sign: int, offset: Expression, couplings: Sequence[Coupling]) -> Expression:
+    """A cell with variables of other joints, its own one with its number."""
+    own = Name(f"q{number}")
+    total: Expression = own if sign > 0 else Negate(own)
+    for each in couplings:
+        total = add(total, multiply(each.factor, Name(f"q{each.joint}")))
+    return add(total, offset)
 
 
 def limit_symbol(value: float, kind: JointKind) -> Symbol:
@@ -102,6 +120,9 @@ def _name(name: str) -> tuple[str, str]:
         return r"\pi", "π"
     if name == "q":  # of whichever joint
         return "q", "q"
+    if number := _VARIABLE.fullmatch(name):
+        symbol = joint_symbol(int(number[1]))
+        return symbol.latex, symbol.text
     if name in _FUNCTIONS:
         return rf"\{name}", name
     return parameter(name).latex, parameter(name).text

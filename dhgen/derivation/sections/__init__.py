@@ -1,6 +1,6 @@
 """The sections of a document, each from the story of a derivation.
 
-In the order of a document: `robot` with `tables`, `parameters` and `frames`; `forward`
+In the order of a document: `robot` with `tables`, `parameters` and `frames`; `drives`; `forward`
 with `transforms` and `jacobian`; `inverse` with `types_table`, `elements` and `shoulder`; behind
 the steps `joints` and `closing`. In place of all that follows the forward model, arms without a
 closed form have `general`.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.derivation.sections.drives import columns_by_drives
 from dhgen.derivation.text.blocks import display, paragraph
 from dhgen.derivation.text.formula import Formula, Matrix, Symbol, equal, times
 from dhgen.derivation.text.lines import WIDTH, width
@@ -33,6 +34,7 @@ def jacobian_columns(story: Story) -> list[Block]:
             *(_J, _TOOL_ORIGIN, Symbol("i", "i")),
         ),
         *_columns(story),
+        *columns_by_drives(story),
     ]
 
 
@@ -45,6 +47,8 @@ def _of_kinds(story: Story) -> str:
 def jacobian_blocks(story: Story) -> list[Block]:
     """The formula of a column, and the matrix when it is narrow enough."""
     blocks = jacobian_columns(story)
+    if any(not factor.is_integer() for factor in _factors(story.algebra)):
+        return blocks
     rows = _rows(story.algebra)
     if sum(len(entry) for row in rows for entry in row) > WIDTH:  # a term is a character at least
         return blocks
@@ -92,19 +96,35 @@ def _rows(algebra: Algebra) -> list[tuple[Polynomial, ...]]:
     elements: list[Element] = [e for link in chain.links for e in algebra.lifted(link)]
     base, tool = algebra.lift(chain.base), algebra.lift(chain.tool)
     whole = compose(compose(base, product(elements, algebra), algebra.normal), tool, algebra.normal)
-    columns = []
+    columns: list[list[Polynomial]] = []
     for place, element in enumerate(elements):
         if not isinstance(element, Turn | Slide):
             continue
-        sign = element.sign * chain.joints[element.joint - 1].sign
+        sign = element.sign
         before = compose(base, product(elements[:place], algebra), algebra.normal)
         axis = tuple(sign * entry for entry in before.column(2))
         if isinstance(element, Slide):
-            columns.append((*axis, *([algebra.ring.zero] * 3)))
+            columns.append([*axis, *([algebra.ring.zero] * 3)])
         else:
             moved = (sign * derivative(algebra, e, element.joint) for e in whole.translation)
-            columns.append((*moved, *axis))
-    return list(zip(*columns, strict=True))
+            columns.append([*moved, *axis])
+    matrix = chain.drives.matrix.astype(int).tolist()
+    return [_by_drives(algebra, row, matrix) for row in zip(*columns, strict=True)]
+
+
+def _by_drives(
+    algebra: Algebra, row: tuple[Polynomial, ...], matrix: list[list[int]]
+) -> tuple[Polynomial, ...]:
+    """A row by the drives, of one by angles and lengths."""
+    rates = zip(*matrix, strict=True)
+    return tuple(
+        sum((each * entry for each, entry in zip(rate, row, strict=True)), algebra.ring.zero)
+        for rate in rates
+    )
+
+
+def _factors(algebra: Algebra) -> list[float]:
+    return [share.factor for joint in algebra.chain.joints for share in joint.shares]
 
 
 def derivative(algebra: Algebra, polynomial: Polynomial, joint: int) -> Polynomial:

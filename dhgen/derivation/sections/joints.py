@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.effects import comparisons
 from dhgen.derivation.notation.expressions import expression_symbol
 from dhgen.derivation.notation.names import joint_symbol, letter, single, theta
-from dhgen.derivation.sections.tables import joints_of, sign_and_offset
+from dhgen.derivation.sections.drives import drive_value
+from dhgen.derivation.sections.tables import couplings_of, joints_of, sign_and_offset
 from dhgen.derivation.text.blocks import Paragraph, display, paragraph, say
 from dhgen.derivation.text.formula import Formula, Symbol, add, equal, minus
 from dhgen.derivation.text.words import counted, numeral
@@ -48,7 +49,8 @@ def joint_values(story: Story) -> list[Block]:
 
 def _text(story: Story) -> Prose:
     joints = story.algebra.chain.joints
-    shifted = any(j.kind is JointKind.REVOLUTE and j.offset != 0.0 for j in joints)
+    turning = [joint for joint in joints if joint.kind is JointKind.REVOLUTE]
+    shifted = any(joint.offset != 0.0 or joint.shares for joint in turning)
     if not (_sums(story) or shifted):
         return say("What remains is to return to the joint variables:")
     text = "What remains is addition; whole turns are taken off, so that every angle lies in {}:"
@@ -115,6 +117,8 @@ def _variables(story: Story) -> list[Formula]:
         turning = joint.kind is JointKind.REVOLUTE
         inner: Formula = theta(single(number)) if turning else letter("r", "r", str(number))
         sign, offset = sign_and_offset(story, number)
+        if couplings_of(story, number):
+            continue
         if turning and sign > 0 and offset == NOTHING:
             continue
         value = inner if sign > 0 else minus(inner)
@@ -122,7 +126,8 @@ def _variables(story: Story) -> list[Formula]:
             added = Symbol(*_enclosed(expression_symbol(offset)))
             value = _minus(inner, added) if sign > 0 else _minus(added, inner)
         lines.append(equal(joint_symbol(number), value))
-    return lines
+    order = story.algebra.chain.drives.order
+    return lines + [drive_value(story, each) for each in order if couplings_of(story, each)]
 
 
 def _minus(left: Formula, right: Formula) -> Formula:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.robot.expression import Expression
+    from dhgen.robot.robot import Coupling
 
 
 _CONVENTIONS = {
@@ -107,9 +108,9 @@ def _columns() -> list[Symbol]:
 def _cells(number: int, row: DhRow) -> tuple[Prose, ...]:
     theta_cell, d_cell = expression_symbol(row.theta), expression_symbol(row.d)
     if row.kind is JointKind.REVOLUTE:
-        theta_cell = variable_symbol(number, row.sign, row.theta)
+        theta_cell = variable_symbol(number, row.sign, row.theta, row.couplings)
     else:
-        d_cell = variable_symbol(number, row.sign, row.d)
+        d_cell = variable_symbol(number, row.sign, row.d, row.couplings)
     cells = (theta_cell, d_cell, expression_symbol(row.a), expression_symbol(row.alpha))
     return (_joint(number, row), *(say("{}", cell) for cell in cells))
 
@@ -160,7 +161,8 @@ def variables(story: Story) -> Block:
         revolute = joint.kind is JointKind.REVOLUTE
         turning += revolute
         inner = theta(single(number)) if revolute else letter("r", "r", str(number))
-        outer = variable_symbol(number, *sign_and_offset(story, number))
+        held = couplings_of(story, number)
+        outer = variable_symbol(number, *sign_and_offset(story, number), held)
         if revolute and outer.text == joint_symbol(number).text:
             plain += 1
         else:
@@ -179,6 +181,12 @@ def variables(story: Story) -> Block:
 def joints_of(story: Story) -> tuple[DhRow | AxisJoint, ...]:
     """The joints as the user wrote them."""
     return tuple(story.robot.joints)
+
+
+def couplings_of(story: Story, number: int) -> tuple[Coupling, ...]:
+    """What other joints' drives add to a joint."""
+    joint = story.robot.joints[number - 1]
+    return joint.couplings if isinstance(joint, DhRow) else ()
 
 
 def sign_and_offset(story: Story, number: int) -> tuple[int, Expression]:

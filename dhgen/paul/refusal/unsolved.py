@@ -6,6 +6,7 @@ import math
 from collections import Counter
 from typing import TYPE_CHECKING
 
+from dhgen.general.arm import is_general
 from dhgen.kinematics.neighbours import EXACT, axis_triples, missed_point, short_number
 from dhgen.paul.form import unknown_name
 from dhgen.paul.types import CLOSED
@@ -25,6 +26,10 @@ MOST_GROUPS = 3
 MOST_REASONS = 5  # lines for one group
 PLACES_SHOWN = 3
 NO_PAIR = "no two of these are in the same row or column"
+COUPLED = (
+    "without coupled drives the general algorithm for six joints would solve the arm: leave the "
+    "variables of other joints out, and convert drives in the program that calls the solver"
+)
 NEARLY_PARALLEL = math.radians(5.0)
 NEARLY_CONCURRENT = 0.15  # of the arm's size
 
@@ -37,6 +42,7 @@ def refusal(search: Search, chain: Chain) -> str:
         f"no order of equations solves for every joint; still unknown: {open_joints}",
         *_nearest(search, state),
         *missed_structure(chain),
+        *([COUPLED] if is_general(chain) and chain.drives.are_coupled else []),
         "--numerical would give the solutions that damped least squares finds from many starts",
     ]
     return "\n".join(lines)

@@ -14,8 +14,11 @@ from dhgen.program.building.schedule import Option
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.chain import Chain, ChainJoint
+    from dhgen.kinematics.drives import Share
     from dhgen.paul.knowledge import Cut
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
@@ -138,7 +141,8 @@ class Angles:
         """The value of a joint as the caller counts it."""
         slide = self._algebra.slides.get(joint)
         inner = self._of(joint) if slide is None else self._values[slide]
-        return self._joints.result(joint, inner, wrapped=inner in self._angles.values())
+        others = [self.joint_value(share.drive) for share in self._joints.shares(joint)]
+        return self._joints.result(joint, inner, others, wrapped=inner in self._angles.values())
 
     def _known(self, angle: AngleSum, cosine: Node, sine: Node) -> None:
         self._builder.name(cosine, angle.cosine)
@@ -191,48 +195,68 @@ class JointVariables:
         self._chain = chain
         self._builder = builder
 
+    def shares(self, joint: int) -> tuple[Share, ...]:
+        """What other joints' drives add to a joint that is solved for."""
+        return () if joint in self._chain.free else self._chain.joints[joint - 1].shares
+
     def seed(self, joint: int) -> Node:
-        """The angle or length for the seed's value of a joint."""
-        return self._inner(joint, self._builder.seed(joint))
+        """The angle or length for the seed's values."""
+        return driven(self._builder, self._chain.joints[joint - 1], self._builder.seed)
 
     def given(self, joint: int) -> Node:
-        """The angle or length for the value that the caller gives for a free joint."""
-        return self._inner(joint, self._given(joint))
+        """The angle or length for the values that the caller gives for free joints."""
+        return driven(self._builder, self._chain.joints[joint - 1], self._given)
 
-    def result(self, joint: int, inner: Node, *, wrapped: bool) -> Node:
+    def result(self, joint: int, inner: Node, others: Sequence[Node], *, wrapped: bool) -> Node:
         """The joint's value for its angle or length.
 
         Args:
             joint: Its number, from 1.
             inner: The angle or length.
+            others: The values of the other joints that have a share in it.
             wrapped: Whether an angle is known to lie in (-pi, pi].
         """
-        known = self._chain.joints[joint - 1]
+        builder, known = self._builder, self._chain.joints[joint - 1]
         if joint in self._chain.free:
             return self._given(joint)
-        value = self._builder.sub(inner, self._offset(joint))
-        value = value if known.sign > 0 else self._builder.neg(value)
-        if known.kind is JointKind.PRISMATIC or (wrapped and known.offset == 0.0):
-            return value
-        return self._builder.apply("wrap", value)
+        value = builder.sub(inner, self._offset(joint))
+        for share, other in zip(known.shares, others, strict=True):
+            value = builder.sub(value, builder.mul(factor_constant(builder, known, share), other))
+        value = value if known.sign > 0 else builder.neg(value)
+        as_it_is = wrapped and known.offset == 0.0 and not known.shares
+        return (
+            value if known.kind is JointKind.PRISMATIC or as_it_is else builder.apply("wrap", value)
+        )
 
     def _given(self, joint: int) -> Node:
         return self._builder.given(self._chain.free.index(joint) + 1)
 
-    def _inner(self, joint: int, value: Node) -> Node:
-        known = self._chain.joints[joint - 1]
-        turned = value if known.sign > 0 else self._builder.neg(value)
-        return self._builder.add(turned, self._offset(joint))
-
     def _offset(self, joint: int) -> Node:
-        known = self._chain.joints[joint - 1]
-        if known.offset == 0.0:
-            return self._builder.integer(0)
-        return offset_constant(self._builder, known)
+        return offset_constant(self._builder, self._chain.joints[joint - 1])
+
+
+def driven(builder: Builder, joint: ChainJoint, value: Callable[[int], Node]) -> Node:
+    """The angle or length of a joint, where the drives have some values by their numbers."""
+    own = value(joint.number)
+    total = own if joint.sign > 0 else builder.neg(own)
+    for share in joint.shares:
+        moved = builder.mul(factor_constant(builder, joint, share), value(share.drive))
+        total = builder.add(total, moved)
+    return builder.add(total, offset_constant(builder, joint))
+
+
+def factor_constant(builder: Builder, joint: ChainJoint, share: Share) -> Node:
+    """What a drive's value is multiplied by in another joint."""
+    if share.factor.is_integer():
+        return builder.integer(int(share.factor))
+    meaning = f"{share.meaning}: what q{share.drive} counts in joint {joint.number}"
+    return builder.constant(f"factor{joint.number}{share.drive}", share.factor, meaning)
 
 
 def offset_constant(builder: Builder, joint: ChainJoint) -> Node:
     """What is to be added to the value of a joint."""
+    if joint.offset == 0.0:
+        return builder.integer(0)
     turns = joint.kind is JointKind.REVOLUTE
     meaning = f"offset of joint {joint.number}" + (" [rad]" if turns else "")
     power = 0 if turns else 1

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
 from dhgen.method import Method
 from dhgen.paul.kind import Kind
@@ -96,8 +98,12 @@ class Lowering:
     def new_root(self, angle: AngleSum, coefficients: tuple[Node, ...]) -> Node:
         """A root of the polynomial of the step at hand, which is an angle."""
         words = tuple(f"root{number}" for number in range(1, Kind.CIRCLE.value.roots + 1))
-        joints = self._algebra.chain.joints
-        turning = tuple((joint, sign * joints[joint - 1].sign) for joint, sign in angle.terms)
+        chain = self._algebra.chain
+        facing = np.zeros(chain.dof)
+        for joint, sign in angle.terms:
+            facing[joint - 1] = sign
+        rates = enumerate(chain.drives.rates(facing).tolist(), start=1)
+        turning = tuple((joint, int(rate)) for joint, rate in rates if rate)
         name = f"x{angle.suffix}"
         return self.builder.circle_root(name, coefficients, turning, words, self.step_number)
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.chain import Fixed, Slide, Turn
 from dhgen.program.building.builder import Builder
-from dhgen.program.lowering.angles import offset_constant
+from dhgen.program.lowering.angles import driven, factor_constant
 from dhgen.program.lowering.vectors import cross
 from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.role import Source
@@ -43,21 +43,33 @@ def jacobian_program(chain: Chain, reserved: Reserved = NOTHING) -> Program:
     walk.along_arm()
     builder = walk.builder
     tip = walk.columns[3]
-    rows: list[list[Node]] = [[] for _ in range(6)]
+    columns: list[Vector] = []
     for axis, origin in walk.axes:
         if origin is None:
-            column = [*axis, *(builder.integer(0) for _ in range(3))]
+            columns.append([*axis, *(builder.integer(0) for _ in range(3))])
         else:
             arm = [builder.sub(p, o) for p, o in zip(tip, origin, strict=True)]
-            column = [*cross(builder, axis, arm), *axis]
-        for row, entry in zip(rows, column, strict=True):
-            row.append(entry)
+            columns.append([*cross(builder, axis, arm), *axis])
     results = {
         f"J{row + 1}{column + 1}": entry
-        for row, entries in enumerate(rows)
+        for row, entries in enumerate(zip(*_by_drives(builder, chain, columns), strict=True))
         for column, entry in enumerate(entries)
     }
     return builder.finish_entries(chain.name, results)
+
+
+def _by_drives(builder: Builder, chain: Chain, columns: list[Vector]) -> list[Vector]:
+    """A column for each drive, of those by what each joint moves along its own axis."""
+    found = list(columns)
+    for joint, column in zip(chain.joints, columns, strict=True):
+        own = column if joint.sign > 0 else [builder.neg(entry) for entry in column]
+        for share in joint.shares:
+            factor = factor_constant(builder, joint, share)
+            found[share.drive - 1] = [
+                builder.add(entry, builder.mul(factor, more))
+                for entry, more in zip(found[share.drive - 1], own, strict=True)
+            ]
+    return found
 
 
 class Walk:
@@ -125,14 +137,7 @@ class Walk:
         return [self.builder.neg(entry) for entry in axis]
 
     def _inner(self, joint: int) -> Node:
-        builder = self.builder
-        known = self._chain.joints[joint - 1]
-        given = builder.joint(joint)
-        turned = given if known.sign > 0 else builder.neg(given)
-        if known.offset == 0.0:
-            return turned
-        offset = offset_constant(builder, known)
-        return builder.add(turned, offset)
+        return driven(self.builder, self._chain.joints[joint - 1], self.builder.joint)
 
     def _turn(self, cosine: Node, sine: Node) -> None:
         builder = self.builder

@@ -21,6 +21,7 @@ from .arguments import (
     of_each,
     span,
 )
+from .coupled import coupled_nearest
 from .jit import overload
 from .nearest import nearest
 from .status import INVALID_POSE, OUT_OF_LIMITS
@@ -48,6 +49,7 @@ class Choice:
         no_pose: What is wrong with a pose that is none.
         no_row: What is wrong with a pose without solutions.
         unreachable: The exception for such a pose.
+        coupling: Of drives whose whole turns hang together; None where none do.
     """
 
     arm: FloatArray
@@ -55,6 +57,7 @@ class Choice:
     no_pose: str
     no_row: str
     unreachable: type[ValueError]
+    coupling: FloatArray | None = None
 
     def rows(self, branch: Any, limits: Any) -> tuple[int, int]:  # noqa: ANN401
         """The rows of a branch.
@@ -91,12 +94,20 @@ class Choice:
         dof = q.shape[1]
         seed = np.zeros(dof) if q_seed is None else array_of(q_seed, (dof,), "q_seed")
         solution = np.empty(dof)
-        if nearest(self.arm, q, status, seed, limits, solution):
+        if self.nearest_row(q, status, seed, limits, solution):
             return solution
         where = f" in branch {self.branches[rows[0]]}" if len(q) < len(self.branches) else ""
         beyond = OUT_OF_LIMITS in status
         why = "solutions found are beyond the joint limits" if beyond else self.no_row
         raise self.unreachable(why + where)
+
+    def nearest_row(
+        self, q: FloatArray, status: Statuses, seed: FloatArray, limits: bool, found: FloatArray
+    ) -> bool:
+        """The row nearest to a seed into `found`; whether there is one."""
+        if self.coupling is None:
+            return nearest(self.arm, q, status, seed, limits, found)
+        return coupled_nearest(self.arm, self.coupling, q, status, seed, limits, found)
 
 
 def of_joints(how: Compiling, dof: int) -> Callable[[Callable[[Any], Any]], Callable[[Any], Any]]:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .careful import careful_ik
+from .coupled import settle_rows
 from .jit import COMPILED, carray, room
 from .status import INVALID_POSE, OK
 from .tiles import ENTRIES
@@ -30,6 +31,8 @@ GIVEN: int  # how many values the caller gives
 counted: tuple[bool, bool, bool]  # which coordinates a pose names
 slides: bool  # whether joints slide: then squares of lengths have to be finite, and so cubes
 arm: Floats
+coupling: Floats  # of drives whose whole turns hang together
+settle: Callable[[Floats, Bytes, int], int]  # one of the two functions below `careful`
 robot: Callable[[], Robot]
 read_rows: Callable[[Floats], tuple[bool, Pose]]
 shapes: str  # what is said of arrays with another shape
@@ -91,12 +94,22 @@ def careful(pose: Pose, q_free: Floats, seed: Floats, q: Floats, status: Bytes) 
     for i in range(DOF):
         values[i] = seed[i]
     rows, kinds = np.empty((ROWS, DOF)), np.empty(ROWS, np.uint8)
-    count = careful_ik(arm, robot(), pose, given, values, rows, kinds)
+    count = settle(rows, kinds, careful_ik(arm, robot(), pose, given, values, rows, kinds))
     for row in range(ROWS):
         status[row] = kinds[row]
         for i in range(DOF):
             q[row, i] = rows[row, i]
     return count
+
+
+def turned_alone(rows: Floats, kinds: Bytes, count: int) -> int:  # noqa: ARG001
+    """What stands for `turned_together` where each drive's whole turns are its own."""
+    return count
+
+
+def turned_together(rows: Floats, kinds: Bytes, count: int) -> int:
+    """Takes the whole turns of coupled drives together; how many rows are inside limits then."""
+    return settle_rows(arm, coupling, rows, kinds, count)
 
 
 def into(T: Floats, q_free: Floats, seed: Floats, q: Floats, status: Bytes) -> int:

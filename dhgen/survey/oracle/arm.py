@@ -40,12 +40,19 @@ class Arm:
         twist: (n, 4, 4), each joint's twist as a matrix; its square is zero when prismatic.
         end: (4, 4), the constant transform after the last joint.
         revolute: (n,), which joints turn.
+        shares: (n, n), what each joint's value is made of where others' have a share in it.
     """
 
     before: FloatArray
     twist: FloatArray
     end: FloatArray
     revolute: NDArray[np.bool_]
+    shares: FloatArray
+
+    @property
+    def is_coupled(self) -> bool:
+        """Whether drives have shares in joints other than their own."""
+        return not np.array_equal(self.shares, np.eye(len(self.shares)))
 
     def divided_by(self, length: float) -> Arm:
         """The same arm with all lengths, also those of prismatic q, divided by a length."""
@@ -53,7 +60,9 @@ class Arm:
         before[:, :3, 3] /= length
         twist[self.revolute, :3, 3] /= length
         end[:3, 3] /= length
-        return Arm(before, twist, end, self.revolute)
+        unit = np.where(self.revolute, 1.0, length)
+        shares = self.shares * unit / unit[:, None]
+        return Arm(before, twist, end, self.revolute, shares)
 
 
 def arm(robot: Robot) -> Arm:
@@ -66,7 +75,17 @@ def arm(robot: Robot) -> Arm:
         before, twist, end = _from_axes(geometry, values)
     before[0] = _frame(robot.base, values) @ before[0]
     revolute = np.array([joint.kind is JointKind.REVOLUTE for joint in robot.joints])
-    return Arm(before, twist, end @ _frame(robot.tool, values), revolute)
+    return Arm(before, twist, end @ _frame(robot.tool, values), revolute, _shares(robot))
+
+
+def _shares(robot: Robot) -> FloatArray:
+    """The identity, and beside it what drives add to joints other than their own."""
+    shares = np.eye(len(robot.joints))
+    rows = robot.geometry.rows if isinstance(robot.geometry, DhTable) else ()
+    for place, row in enumerate(rows):
+        for coupling in row.couplings:
+            shares[place, coupling.joint - 1] = row.sign * coupling.value
+    return shares
 
 
 def base_frame(robot: Robot) -> FloatArray:

@@ -80,7 +80,9 @@ def elbow_in_link(robot: Robot) -> Arm:
     model = arm(robot)
     none = np.zeros(len(model.before))
     end = np.eye(4)
-    upper = Arm(model.before[:ELBOW], model.twist[:ELBOW], end, model.revolute[:ELBOW])
+    first = slice(ELBOW)
+    own = np.eye(ELBOW)
+    upper = Arm(model.before[first], model.twist[first], end, model.revolute[first], own)
     place = np.append(_places(model, none).elbow, 1.0)
     end[:3, 3] = np.linalg.solve(forward(upper, none[:ELBOW]), place)[:3]
     return upper

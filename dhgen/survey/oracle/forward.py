@@ -21,8 +21,11 @@ if TYPE_CHECKING:
 
 
 def motions(model: Arm, q: ArrayLike) -> AnyArray:
-    """The joints' own transforms exp(xi q), shape (..., n, 4, 4), for q of shape (..., n)."""
-    q = np.asarray(q)
+    """The joints' own transforms exp(xi x), shape (..., n, 4, 4), for q of shape (..., n).
+
+    x is q but for joints in which other drives have a share.
+    """
+    q = np.asarray(q) @ model.shares.T if model.is_coupled else np.asarray(q)
     first = np.where(model.revolute, np.sin(q), q)[..., None, None]
     # 2 sin^2(q/2) is 1 - cos q without its cancellation near zero
     second = np.where(model.revolute, 2 * np.sin(q / 2) ** 2, 0)[..., None, None]
@@ -62,6 +65,8 @@ def forward_with_derivatives(model: Arm, q: ArrayLike) -> tuple[FloatArray, Floa
         # exp(xi q) and xi commute, so the twist may stand behind the motion
         derivatives[..., joint, :, :] = prefixes[joint] @ (model.twist[joint] @ suffix)
         suffix = (model.before[joint] @ moved[..., joint, :, :]) @ suffix
+    if model.is_coupled:
+        derivatives = np.einsum("ij,...ikl->...jkl", model.shares, derivatives)
     return suffix, derivatives
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -39,6 +39,7 @@ class Problem:
         q: (n,), holds the values of the free joints.
         tables: The model as `follow` takes it.
         elbow: Where an arm angle is given: the joints before the elbow, and its place (3,).
+        drives: (n, n), what the drives' values are made of, where others' have a share in them.
     """
 
     model: Arm
@@ -49,6 +50,7 @@ class Problem:
     q: FloatArray
     tables: tuple[FloatArray, FloatArray]
     elbow: tuple[Arm, FloatArray] | None = None
+    drives: NDArray[np.floating] | None = None
 
     @property
     def units(self) -> FloatArray:
@@ -97,7 +99,8 @@ def state(robot: Robot, T: FloatArray, q_free: Sequence[float]) -> Problem:
     target[:, 3] /= unit_length
     entries = task_entries(robot.task)
     moving = np.setdiff1d(np.arange(len(q)), free)
-    scaled = model.divided_by(unit_length)
+    # joints are solved for one by one, whatever drives have shares in them
+    scaled = replace(model, shares=np.eye(len(q))).divided_by(unit_length)
     return Problem(
         model=scaled,
         unit_length=unit_length,
@@ -106,6 +109,7 @@ def state(robot: Robot, T: FloatArray, q_free: Sequence[float]) -> Problem:
         moving=moving,
         q=q,
         tables=_link_tables(scaled),
+        drives=np.linalg.inv(model.shares) if model.is_coupled else None,
         elbow=elbow,
     )
 

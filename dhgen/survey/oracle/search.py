@@ -138,4 +138,4 @@ def _handed_out(problem: Problem, q: FloatArray) -> FloatArray:
     # rounded first, so that digits beyond the accuracy do not decide the order
     order = np.lexsort(np.round(q.T, 6)[::-1])
     handed_out: FloatArray = q[order] * problem.units
-    return handed_out
+    return handed_out if problem.drives is None else handed_out @ problem.drives.T

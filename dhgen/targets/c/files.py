@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.turns import coupled_turns
 from dhgen.printing.templates import named, render
 from dhgen.program.walk import finds_roots
 from dhgen.targets.c.calls import Prototypes, c_prototypes
@@ -20,6 +21,7 @@ from dhgen.targets.c.runtime import in_one_file
 from dhgen.targets.c.single_precision import in_single_precision
 from dhgen.targets.c.table import CTable, c_table
 from dhgen.targets.c.texts import CComments, CTables, c_comments, c_tables
+from dhgen.targets.coupled import CCoupling, c_coupling
 from dhgen.targets.layout import INDENT, packed
 from dhgen.targets.module import regular_solver
 from dhgen.targets.solver.bodies import Bodies, bodies_of
@@ -62,6 +64,7 @@ class CSolver:
         bodies: The programs.
         general: The table of the general algorithm, where that solves the arm.
         descents: The table of least squares, where these do or may complete rows.
+        coupling: Of drives whose whole turns hang together, where some do.
         regular: What serves regular poses, where there is a program for them.
         runtime: How it is brought along.
     """
@@ -77,6 +80,7 @@ class CSolver:
     bodies: Bodies
     general: str
     descents: str
+    coupling: CCoupling | None
     regular: CRegular | None
     runtime: CRuntime
 
@@ -137,6 +141,7 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
         bodies=bodies_of(motion.module, C(), _assignments, entry_lines),
         general="" if kernel is None else general_source(kernel),
         descents="" if descents is None else render("c/descents.c.jinja", descents=descents),
+        coupling=c_coupling(module),
         regular=regular_values(module, flats) if flats else None,
         runtime=CRuntime(_brought_along(module, regular=regular is not None)),
     )
@@ -150,6 +155,7 @@ def _brought_along(module: SolverModule, *, regular: bool) -> list[str]:
     headers = ["ik", *(["circle_roots"] if finds_roots(solver) else [])]
     headers += [] if single else ["frames"]
     headers += ["complete"] if solver.tightened is not None else []
+    headers += ["coupled"] if coupled_turns(module.chain) is not None else []
     kernel = general_kernel(solver)
     if whole_arm(solver) is not None:
         headers += ["numerical" if kernel is None else "general"]

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.robot.task import Directions, TaskKind
+from dhgen.targets.coupled import joints_alone
 from dhgen.targets.layout import INDENT, c_array, packed
 from dhgen.targets.module import named_entries, slacks
 from dhgen.targets.policy import fan_steps, policy_of
@@ -111,10 +112,9 @@ def _joints(module: SolverModule) -> list[str]:
     """A row for each joint."""
     chain = module.chain
     numbers = zip(slacks(module), module.weights, paces_of(chain), fan_steps(module), strict=True)
+    alone = zip(joints_alone(module), chain.turning, numbers, strict=True)
     rows = []
-    for joint, turns, (slack, weight, pace, step) in zip(
-        chain.joints, chain.turning, numbers, strict=True
-    ):
+    for joint, turns, (slack, weight, pace, step) in alone:
         ends = c_ends(joint.limits)
         rows.append(f"{{ {ends}, {slack!r}, {weight!r}, {pace}, {step!r}, {int(turns)} }},")
     return rows

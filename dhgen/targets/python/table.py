@@ -6,6 +6,7 @@ from dataclasses import fields
 from typing import TYPE_CHECKING
 
 from dhgen.runtime.python.arm import Arm
+from dhgen.targets.coupled import NO_LIMITS, joints_alone, turns_alone
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import named_entries, slacks
 from dhgen.targets.policy import fan_steps, policy_of
@@ -23,11 +24,12 @@ NAMED = {"types": "JOINT_TYPES", "limits": "JOINT_LIMITS"}
 def arm_lines(module: SolverModule) -> list[str]:
     """The expressions that a robot's table is made of, indented."""
     arm = _arm(module)
+    named = NAMED if turns_alone(module) else {"types": NAMED["types"]}
     lines = [f"{INDENT}_arms.Arm("]
     for each in fields(arm):
         value = getattr(arm, each.name)
         if value != each.default:
-            text = NAMED.get(each.name) or literal(value, {}, INDENT * 2)
+            text = named.get(each.name) or literal(value, {}, INDENT * 2)
             lines.append(f"{INDENT * 2}{each.name}={text},")
     links = module.solver.tightened is not None
     numbers = [f"{INDENT}_joints.arm_numbers(_LINKS),"] if links else []
@@ -39,7 +41,7 @@ def _arm(module: SolverModule) -> Arm:
     measures = policy.checks or policy.completes
     return Arm(
         types=chain.joint_types,
-        limits=tuple(joint.limits or (0.0, 0.0) for joint in chain.joints),
+        limits=tuple(joint.limits or NO_LIMITS for joint in joints_alone(module)),
         slacks=tuple(slacks(module)),
         weights=module.weights,
         paces=tuple(map(float, paces_of(chain))),

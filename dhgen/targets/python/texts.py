@@ -9,6 +9,7 @@ from dhgen.kinematics.link_table import AXES, IDENTITY
 from dhgen.printing.comments import plain
 from dhgen.robot.task import Directions, TaskKind
 from dhgen.targets.constants import constant_texts
+from dhgen.targets.coupled import coupling_fields
 from dhgen.targets.layout import INDENT, WIDTH, listed, paragraph
 from dhgen.targets.module import made_text
 from dhgen.targets.python.literal import literal
@@ -59,6 +60,7 @@ class PythonTables:
         branches: The name of every row.
         free_joints: Whose values the caller gives; empty without any.
         links: The arm as descents work on it; empty where none do.
+        turned_together: Fields of what is chosen together of its drives; empty without.
         arm: What the arm's table in the runtime is made of.
         table_about: What the rows of the table of links are.
         table: Its definition.
@@ -71,6 +73,7 @@ class PythonTables:
     branches: Sequence[str]
     free_joints: str
     links: str
+    turned_together: Sequence[str]
     arm: Sequence[str]
     table_about: str
     table: str
@@ -156,6 +159,7 @@ def python_tables(module: SolverModule, flat: Flat | None) -> PythonTables:
         branches=module.branches,
         free_joints=f"({', '.join(map(str, free))},)" if free else "",
         links=python_links(module.solver),
+        turned_together=coupling_fields(module),
         arm=arm_lines(module),
         table_about=about_table(module, "# "),
         table="\n".join(

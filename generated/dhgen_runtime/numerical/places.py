@@ -51,3 +51,6 @@ JOINT_TURNS = 0  # 1 where it turns, 0 where it slides
 JOINT_SIGN = 1  # of its value
 JOINT_OFFSET = 2  # what is added to that
 JOINT_AFTER = 3  # the rigid transform behind it
+# Behind the records: how many shares there are of joints' values in others, and for each its record
+SHARE_RECORD = 3
+SHARE_OF, SHARE_FROM, SHARE_FACTOR = 0, 1, 2  # the joint that is moved, whose value moves it, by it

@@ -56,12 +56,14 @@ class ChainJoint:
         turns: Whether it turns; else it slides.
         sign: Of its value.
         offset: What is added to that.
+        shares: What other joints' values add: their places, from 0, and factors.
     """
 
     after: tuple[float, ...]
     turns: bool = True
     sign: float = 1.0
     offset: float = 0.0
+    shares: tuple[tuple[int, float], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +78,8 @@ class Arm:
         joints: Those that are solved for.
         base: The rigid transform before the first joint, twelve numbers.
         chain: All joints.
+        order: Places of the joints, each behind those that have a share in it; empty where none
+            has.
         free: Places of the joints whose values the caller gives.
         redundant: Whether every pose has infinitely many solutions.
         checked: Whether the task names more than the joints can choose.
@@ -93,6 +97,7 @@ class Arm:
     redundant: bool = False
     checked: bool = False
     arm_angle: bool = False
+    order: tuple[int, ...] = ()
 
 
 def strides(dimension: int) -> tuple[float, ...]:
@@ -139,6 +144,8 @@ def arm_numbers(
     chain = [*arm.base]
     for link in arm.chain:
         chain += [float(link.turns), link.sign, link.offset, *link.after]
+    shares = [(place, *share) for place in arm.order for share in arm.chain[place].shares]
+    chain += [float(len(shares)), *(float(x) for share in shares for x in share)]
     limited = any(j.lowest > -math.inf or j.highest < math.inf for j in arm.joints)
     entries = len(arm.coordinates) + MISSES[arm.directions] + arm.arm_angle
     head = [

@@ -16,6 +16,10 @@ from .places import (
     JOINT_OFFSET,
     JOINT_SIGN,
     JOINT_TURNS,
+    SHARE_FACTOR,
+    SHARE_FROM,
+    SHARE_OF,
+    SHARE_RECORD,
 )
 
 if TYPE_CHECKING:
@@ -53,12 +57,17 @@ def _follow(P: Floats, numbers: Floats, at: int) -> None:
 def forward(arm: Floats, q: Floats, P: Floats, J: Floats) -> None:
     """Computes the pose of joint values, twelve numbers, and the geometric Jacobian (6, DOF)."""
     at = int(arm[CHAIN])
+    shares = at + BASE + int(arm[DOF]) * CHAIN_RECORD
     take_from(P, arm, at)
     at += BASE
     for joint in range(int(arm[DOF])):
         for i in range(3):
             J[i, joint], J[3 + i, joint] = P[4 * i + 3], P[4 * i + 2]
         value = arm[at + JOINT_SIGN] * q[joint] + arm[at + JOINT_OFFSET]
+        for k in range(int(arm[shares])):
+            share = shares + 1 + k * SHARE_RECORD
+            if arm[share + SHARE_OF] == joint:
+                value += arm[share + SHARE_FACTOR] * q[int(arm[share + SHARE_FROM])]
         if arm[at + JOINT_TURNS] > 0.0:
             c, s = math.cos(value), math.sin(value)
             for i in range(0, 12, 4):
@@ -83,3 +92,10 @@ def forward(arm: Floats, q: Floats, P: Floats, J: Floats) -> None:
             J[0, joint], J[1, joint], J[2, joint] = z0, z1, z2
             J[3, joint] = J[4, joint] = J[5, joint] = 0.0
         at += CHAIN_RECORD
+    at = int(arm[CHAIN]) + BASE
+    for k in range(int(arm[shares])):
+        share = shares + 1 + k * SHARE_RECORD
+        joint, other = int(arm[share + SHARE_OF]), int(arm[share + SHARE_FROM])
+        factor = arm[share + SHARE_FACTOR] * arm[at + joint * CHAIN_RECORD + JOINT_SIGN]
+        for i in range(6):
+            J[i, other] += factor * J[i, joint]

@@ -1,0 +1,99 @@
+"""Couplings: other joints' variables in a row, and what is wrong with those of all rows."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.robot.exact import rational
+from dhgen.robot.robot import Coupling, JointKind
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from dhgen.robot.cells import Cells
+    from dhgen.robot.expression import Expression
+    from dhgen.robot.reader import Path
+    from dhgen.robot.robot import DhRow
+
+LARGEST_FACTOR = 1e6  # beyond, a drive's rounding would be the other joint's turn
+LARGEST_WHOLE = 10**6  # of a ratio: gears have fewer teeth
+
+
+def read_couplings(
+    cells: Cells, path: Path, factors: Mapping[int, Expression]
+) -> tuple[Coupling, ...]:
+    """The multiples of other joints' variables in a cell; mistakes are reported.
+
+    Args:
+        cells: Reads the cells, and reports.
+        path: The place of the cell.
+        factors: What multiplies the variable of each joint, from 1.
+    """
+    found = []
+    for joint, factor in sorted(factors.items()):
+        value = cells.value(factor)
+        if not abs(value) <= LARGEST_FACTOR:
+            message = f"q{joint} is taken {value:.6g} times: at most {LARGEST_FACTOR:.0e} can be"
+            cells.report.error(path, message)
+        elif value:
+            found.append(Coupling(joint, factor, value))
+    return tuple(found)
+
+
+def check_couplings(cells: Cells, key: str, rows: Sequence[DhRow]) -> None:
+    """Reports couplings that are no ratio, and joints that hang on each other in a circle.
+
+    Args:
+        cells: Reports.
+        key: Where the table stands.
+        rows: The table.
+    """
+    cell = {JointKind.REVOLUTE: "theta", JointKind.PRISMATIC: "d"}
+    paths: list[Path] = [(key, place, cell[row.kind]) for place, row in enumerate(rows)]
+    for path, row in zip(paths, rows, strict=True):
+        for coupling in row.couplings:
+            _check_ratio(cells, path, row, rows[coupling.joint - 1], coupling)
+    circle = _circle({number: row.couplings for number, row in enumerate(rows, start=1)})
+    if circle:
+        links = ", ".join(
+            f"joint {a} by q{b}" for a, b in zip(circle, [*circle[1:], circle[0]], strict=True)
+        )
+        message = f"these joints are moved by each other's drives: {links}"
+        end = "one of them has to be moved by its own drive alone"
+        cells.report.error(paths[circle[0] - 1], f"{message}; {end}")
+
+
+def _check_ratio(cells: Cells, path: Path, row: DhRow, other: DhRow, coupling: Coupling) -> None:
+    """Turns by turns are in a ratio of whole numbers, or else whole turns would never meet."""
+    if not row.kind is other.kind is JointKind.REVOLUTE:
+        return
+    if not is_ratio(cells, coupling.factor):
+        message = (
+            f"q{coupling.joint} is taken {coupling.value:.6g} times, but an angle follows another "
+            "one in a ratio of whole numbers: write the teeth of the gears, e.g. 3/2*q2"
+        )
+        cells.report.error(path, message)
+
+
+def is_ratio(cells: Cells, factor: Expression) -> bool:
+    """Whether a factor is one of whole numbers that a gear may have."""
+    ratio = rational(factor, cells.ratios)
+    return ratio is not None and max(abs(ratio.numerator), ratio.denominator) <= LARGEST_WHOLE
+
+
+def _circle(couplings: Mapping[int, Sequence[Coupling]]) -> list[int]:
+    """Joints each of which is moved by the drive of the next, and the last by that of the first."""
+    done: set[int] = set()
+    for first in couplings:
+        way, pending = [first], [iter(couplings[first])]
+        while pending:
+            step = next(pending[-1], None)
+            if step is None:
+                done.add(way.pop())
+                pending.pop()
+            elif step.joint in way:
+                return way[way.index(step.joint) :]
+            elif step.joint not in done:
+                way.append(step.joint)
+                pending.append(iter(couplings[step.joint]))
+    return []

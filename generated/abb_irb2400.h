@@ -1,0 +1,87 @@
+/* abb_irb2400: ABB IRB 2400
+ *
+ * Inverse kinematics, generated from robots/abb_irb2400.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/abb_irb2400.yaml. The formulas and where they come from:
+ * abb_irb2400.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 828b87b30656120d
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ABB_IRB2400_H
+#define ABB_IRB2400_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define ABB_IRB2400_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define ABB_IRB2400_JOINT_TYPES "RRRRRR"
+#define ABB_IRB2400_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define ABB_IRB2400_JOINT_LIMITS \
+    { -3.141592653589793, 3.141592653589793 }, { -1.7453292519943295, 1.9198621771937625 }, \
+    { -1.0471975511965976, 1.1344640137963142 }, { -3.490658503988659, 3.490658503988659 }, \
+    { -2.0943951023931953, 2.0943951023931953 }, { -6.981317007977318, 6.981317007977318 }
+
+enum {
+    ABB_IRB2400_DOF = 6, /* joints */
+    ABB_IRB2400_ROWS = 8 /* branches */
+};
+
+/* What a row of abb_irb2400_ik holds. */
+enum {
+    /* joint values */
+    ABB_IRB2400_OK = 0,
+    /* NaN: no solution in this branch, or one that an earlier row holds */
+    ABB_IRB2400_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
+    ABB_IRB2400_FREE_JOINT = 2,
+    /* joint values, at least one beyond its limits */
+    ABB_IRB2400_OUT_OF_LIMITS = 3,
+    /* NaN: T is not a valid pose */
+    ABB_IRB2400_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const abb_irb2400_branches[8];
+
+/* The pose T of the joint values q. */
+void abb_irb2400_fk(const double q[6], double T[16]);
+
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void abb_irb2400_frames(const double q[6], double frames[8][16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void abb_irb2400_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -ABB_IRB2400_INVALID_POSE, also for a seed that is
+ * not finite where it may be needed. */
+int abb_irb2400_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
+ * q_seed.
+ * Returns ABB_IRB2400_OK or ABB_IRB2400_FREE_JOINT, or, with NaN in q,
+ * minus ABB_IRB2400_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
+int abb_irb2400_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* abb_irb2400_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void abb_irb2400_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,713 @@
+"""abb_irb2400: ABB IRB 2400.
+
+Inverse kinematics, generated from robots/abb_irb2400.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/abb_irb2400.yaml. The formulas and where they come from:
+abb_irb2400.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+import sys
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+
+# The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
+# in a package named after the folder. A dot in a name would be one between packages.
+_BESIDE = str(Path(__file__).resolve().parent)
+_FOLDER = _BESIDE.replace("%", "%25").replace(".", "%2E")
+sys.modules.setdefault(_FOLDER, ModuleType(_FOLDER)).__path__ = [_BESIDE]
+
+
+def _runtime(name):
+    return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
+
+
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
+_atan2 = _runtime("angles").atan2
+_wrap = _runtime("angles").wrap
+_of_joints = _runtime("entry").of_joints(_HOW, 6)
+
+NAME = "abb_irb2400"
+METHOD = "closed form"
+DOF = 6
+JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
+JOINT_LIMITS = (
+    (-3.141592653589793, 3.141592653589793),
+    (-1.7453292519943295, 1.9198621771937625),
+    (-1.0471975511965976, 1.1344640137963142),
+    (-3.490658503988659, 3.490658503988659),
+    (-2.0943951023931953, 2.0943951023931953),
+    (-6.981317007977318, 6.981317007977318),
+)
+BRANCHES = (
+    "back-down-noflip",
+    "back-down-flip",
+    "back-up-noflip",
+    "back-up-flip",
+    "front-up-noflip",
+    "front-up-flip",
+    "front-down-noflip",
+    "front-down-flip",
+)
+MAX_SOLUTIONS = 8
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
+OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
+INVALID_POSE = 4  # NaN: T is not a valid pose
+
+d1 = 0.615  # joint offset 1 [m]
+a1 = 0.1  # link length 1 [m]
+a2 = 0.705  # link length 2 [m]
+a3 = 0.135  # link length 3 [m]
+d4 = 0.755  # joint offset 4 [m]
+d6 = 0.085  # joint offset 6 [m]
+free_limit1 = 2.3949999999999998e-12  # a length that fixes no angle [m]
+longest3 = 2.1667091519482358  # square of the longest reach [m^2]
+shortest3 = 0.003840848051764187  # square of the shortest reach [m^2]
+longest3_reach = 2.166709151948941  # the longest, with what rounding adds [m^2]
+shortest3_reach = 0.003840848051734501  # the shortest, with what rounding adds [m^2]
+longest3_apart = 2.166709151948165  # the longest, where branches merge [m^2]
+shortest3_apart = 0.003840848051767156  # the shortest, where branches merge [m^2]
+free_limit_squared2 = 5.736024999999999e-24  # square of a length that fixes no angle [m^2]
+offset2 = -1.5707963267948966  # offset of joint 2 [rad]
+free_limit = 1e-12  # a length that fixes no angle
+offset5 = 3.141592653589793  # offset of joint 5 [rad]
+k1 = 1.0645499999999999  # 2 * d4 * a2 [m^2]
+k2 = 0.19035  # 2 * a3 * a2 [m^2]
+k3 = 1.085275  # a2^2 + (a3^2 + d4^2) [m^2]
+k4 = 0.8550663955849673  # 1 / (k1^2 + k2^2) [m^-4]
+turn1 = 1.3938582706371934  # a constant angle [rad]
+low2 = -1.7453292529943296
+high2 = 1.9198621781937626
+low3 = -1.0471975521965977
+high3 = 1.1344640147963143
+high5 = 2.0943951033931953
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
+m1 = 5.7360249999999986e-08  # doubt_limit1^2 [m^2]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m3 = 1.5272052969784855e-10
+m4 = 0.7092198581560284  # a coefficient of Y1_2
+m5 = 0.0646985815602837  # a coefficient of Y1_2
+m6 = 0.11474713132171695  # a coefficient of c23
+m7 = 0.6417339566510837  # a coefficient of c23
+m8 = 0.058542180195495105  # a coefficient of c23
+m9 = 0.010467807054823629  # a coefficient of c23
+m10 = 9.999999999999999e-09  # doubt_limit^2
+turn = 2.0 * math.pi  # [rad]
+half_turn = 0.5 * turn
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(
+            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
+            0.09817477042468103, 0.09817477042468103,
+        ),
+        rows=8,
+        directions='rotation',
+        miss_weights=(0.4175, 0.4175, 0.4175, 1.0, 1.0, 1.0),
+        size=2.395,
+        clamped=1e-14,
+        steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
+        choosable=(3, 1, 0),
+        cuts=52,
+    ),
+)
+
+
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.615, 0.1, -1.5707963267948966),
+    (-1.5707963267948966, 0.0, 0.705, 0.0),
+    (0.0, 0.0, 0.135, -1.5707963267948966),
+    (0.0, 0.755, 0.0, 1.5707963267948966),
+    (3.141592653589793, 0.0, 0.0, 1.5707963267948966),
+    (0.0, 0.085, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+    drives=(
+        (1.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+        (0.0, 1.0, 0.0, 0.0, 0.0, 0.0),
+        (0.0, -1.0, 1.0, 0.0, 0.0, 0.0),
+        (0.0, 0.0, 0.0, 1.0, 0.0, 0.0),
+        (0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+        (0.0, 0.0, 0.0, 0.0, 0.0, 1.0),
+    ),
+)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the message says which."""
+
+
+@_of_joints
+def fk(q):
+    """The pose (4, 4) of the joint values q (6,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 6 joint values")
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    v1 = q[1] + offset2
+    c2 = math.cos(v1)
+    s2 = math.sin(v1)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v2 = c1 * s2
+    v3 = s1 * s2
+    v4 = q[2] - q[1]
+    c3 = math.cos(v4)
+    s3 = math.sin(v4)
+    x3_x = x2_x * c3 - v2 * s3
+    x3_y = x2_y * c3 - v3 * s3
+    v5 = s2 * c3 + c2 * s3
+    v6 = v2 * c3 + x2_x * s3
+    v7 = v3 * c3 + x2_y * s3
+    z3_z = s2 * s3 - c2 * c3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4 + s1 * s4
+    x4_y = x3_y * c4 - c1 * s4
+    v8 = v5 * c4
+    z4_y = c1 * c4 + x3_y * s4
+    v9 = v5 * s4
+    z4_x = x3_x * s4 - s1 * c4
+    v10 = q[4] + offset5
+    c5 = math.cos(v10)
+    s5 = math.sin(v10)
+    x5_x = x4_x * c5 - v6 * s5
+    x5_y = x4_y * c5 - v7 * s5
+    x5_z = z3_z * s5 - v8 * c5
+    z5_x = v6 * c5 + x4_x * s5
+    z5_y = v7 * c5 + x4_y * s5
+    v11 = z3_z * c5 + v8 * s5
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    T[0, 0] = x5_x * c6 + z4_x * s6
+    T[0, 1] = z4_x * c6 - x5_x * s6
+    T[0, 2] = z5_x
+    T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 - v6 * d4 + z5_x * d6
+    T[1, 0] = x5_y * c6 + z4_y * s6
+    T[1, 1] = z4_y * c6 - x5_y * s6
+    T[1, 2] = z5_y
+    T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 - v7 * d4 + z5_y * d6
+    T[2, 0] = x5_z * c6 - v9 * s6
+    T[2, 1] = -(v9 * c6 + x5_z * s6)
+    T[2, 2] = -v11
+    T[2, 3] = d1 - s2 * a2 - v5 * a3 + z3_z * d4 - v11 * d6
+    T[3, 3] = 1.0
+    return T
+
+
+@_of_joints
+def jacobian(q):
+    """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 6 joint values")
+    J = np.zeros((6, 6))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    p1_x = c1 * a1
+    p1_y = s1 * a1
+    v1 = q[1] + offset2
+    c2 = math.cos(v1)
+    s2 = math.sin(v1)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v2 = c1 * s2
+    v3 = s1 * s2
+    p2_x = p1_x + x2_x * a2
+    p2_y = p1_y + x2_y * a2
+    p2_z = d1 - s2 * a2
+    v4 = q[2] - q[1]
+    c3 = math.cos(v4)
+    s3 = math.sin(v4)
+    x3_x = x2_x * c3 - v2 * s3
+    x3_y = x2_y * c3 - v3 * s3
+    v5 = s2 * c3 + c2 * s3
+    v6 = v2 * c3 + x2_x * s3
+    v7 = v3 * c3 + x2_y * s3
+    z3_z = s2 * s3 - c2 * c3
+    p3_x = p2_x + x3_x * a3
+    p3_y = p2_y + x3_y * a3
+    p3_z = p2_z - v5 * a3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    z4_y = c1 * c4 + x3_y * s4
+    v8 = v5 * s4
+    p4_x = p3_x - v6 * d4
+    p4_y = p3_y - v7 * d4
+    p4_z = p3_z + z3_z * d4
+    z4_x = x3_x * s4 - s1 * c4
+    v9 = q[4] + offset5
+    c5 = math.cos(v9)
+    s5 = math.sin(v9)
+    z5_x = v6 * c5 + (x3_x * c4 + s1 * s4) * s5
+    z5_y = v7 * c5 + (x3_y * c4 - c1 * s4) * s5
+    v10 = z3_z * c5 + v5 * c4 * s5
+    p6_x = p4_x + z5_x * d6
+    p6_y = p4_y + z5_y * d6
+    p6_z = p4_z - v10 * d6
+    v11 = p6_z - d1
+    v12 = p6_z - p2_z
+    J13 = c1 * v12
+    J23 = s1 * v12
+    v13 = s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)
+    v14 = p6_x - p3_x
+    v15 = p6_y - p3_y
+    v16 = p6_z - p3_z
+    v17 = p6_x - p4_x
+    v18 = p6_y - p4_y
+    v19 = p6_z - p4_z
+    J[0, 0] = -p6_y
+    J[0, 1] = c1 * v11 - J13
+    J[0, 2] = J13
+    J[0, 3] = -(v7 * v16 + z3_z * v15)
+    J[0, 4] = z4_y * v19 + v8 * v18
+    J[0, 5] = z5_y * v19 + v10 * v18
+    J[1, 0] = p6_x
+    J[1, 1] = s1 * v11 - J23
+    J[1, 2] = J23
+    J[1, 3] = z3_z * v14 + v6 * v16
+    J[1, 4] = -(v8 * v17 + z4_x * v19)
+    J[1, 5] = -(v10 * v17 + z5_x * v19)
+    J[2, 1] = v13 - (s1 * (p6_y - p1_y) + c1 * (p6_x - p1_x))
+    J[2, 2] = -v13
+    J[2, 3] = v7 * v14 - v6 * v15
+    J[2, 4] = z4_x * v18 - z4_y * v17
+    J[2, 5] = z5_x * v18 - z5_y * v17
+    J[3, 2] = -s1
+    J[3, 3] = -v6
+    J[3, 4] = z4_x
+    J[3, 5] = z5_x
+    J[4, 2] = c1
+    J[4, 3] = -v7
+    J[4, 4] = z4_y
+    J[4, 5] = z5_y
+    J[5, 0] = 1.0
+    J[5, 3] = z3_z
+    J[5, 4] = -v8
+    J[5, 5] = -v10
+    return J
+
+
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    wx = T14 - T13 * d6
+    Y1 = d6 * T23 - T24
+    w1 = math.sqrt(wx * wx + Y1 * Y1)
+    free1 = w1 <= free_limit1
+    divisor1 = 1.0 if free1 else w1
+
+    # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    wz = T34 - d6 * T33
+    Z1_3 = wz - d1
+    v2 = Z1_3 * Z1_3
+
+    # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
+    v7 = seed[1] + offset2
+
+    for i1 in range(2):  # back, front
+        e1 = 1.0 - 2.0 * i1
+        # theta1
+        if e1 < 0.0 and free1:
+            continue  # both signs give the same
+        factor1 = e1 / divisor1
+        c1 = math.cos(seed[0]) if free1 else -(wx * factor1)
+        s1 = math.sin(seed[0]) if free1 else Y1 * factor1
+        q1 = _atan2(s1, c1)
+
+        # theta3
+        v1 = w1 * e1 + a1
+        N3 = v2 + v1 * v1
+        K3 = N3 - k3
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        apart3 = shortest3_apart < N3 and N3 < longest3_apart
+        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            continue  # out of reach
+        w3 = math.sqrt(D3 if apart3 else 0.0)
+        v3 = k1 * K3
+        v4 = k2 * K3
+
+        # theta4, type 2: U4[3, 3]
+        v8 = T13 * c1 + T23 * s1
+        Y4 = T13 * s1 - T23 * c1
+        v9 = Y4 * Y4
+
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        v10 = T22 * c1 - T12 * s1
+        v11 = T12 * c1 + T22 * s1
+        v13 = T21 * c1 - T11 * s1
+        v14 = T11 * c1 + T21 * s1
+
+        for i2 in range(2):  # +, -
+            e2 = 1.0 - 2.0 * i2
+            # theta3
+            if e2 < 0.0 and not apart3:
+                continue  # both signs give the same
+            root3 = w3 * e2
+            s3 = (k2 * root3 - v3) * k4
+            c3 = k4 * (v4 + k1 * root3)
+
+            # theta2
+            v5 = d4 * c3 + a3 * s3
+            Y1_2 = a2 + (a3 * c3 - d4 * s3)
+            S2 = v1 * v5 - Z1_3 * Y1_2
+            v6 = Z1_3 * v5 + v1 * Y1_2
+            w2 = math.sqrt(S2 * S2 + v6 * v6)
+            free2 = w2 <= free_limit_squared2
+            factor2 = 1.0 / (1.0 if free2 else w2)
+            c2 = math.cos(v7) if free2 else -(v6 * factor2)
+            s2 = math.sin(v7) if free2 else S2 * factor2
+
+            # theta4
+            c23 = c3 * c2 - s3 * s2
+            s23 = c3 * s2 + s3 * c2
+            X4 = T33 * s23 - c23 * v8
+            w4 = math.sqrt(X4 * X4 + v9)
+            free4 = w4 <= free_limit
+            divisor4 = 1.0 if free4 else w4
+
+            # theta5, type 3: U4[2, 3] and U4[1, 3]
+            c5 = T33 * c23 + s23 * v8
+
+            # theta6
+            v12 = c23 * v11 - T32 * s23
+            v15 = c23 * v14 - T31 * s23
+
+            # joint values
+            q2 = _wrap(_atan2(s2, c2) - offset2)
+            q3 = _wrap(_atan2(s3, c3) + q2)
+
+            for i3 in range(2):  # noflip, flip
+                e3 = 1.0 - 2.0 * i3
+                # theta4
+                if e3 < 0.0 and free4:
+                    continue  # both signs give the same
+                factor4 = e3 / divisor4
+                c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
+                s4 = math.sin(seed[3]) if free4 else Y4 * factor4
+                q4 = _atan2(s4, c4)
+                s5 = w4 * e3
+
+                # theta6
+                c6 = c4 * v10 + s4 * v12
+                s6 = c4 * v13 + s4 * v15
+                q6 = _atan2(s6, c6)
+
+                # joint values
+                q5 = _wrap(_atan2(s5, c5) - offset5)
+                row = 4 * i1 + 2 * i2 + i3
+                q[row, 0] = q1
+                q[row, 1] = q2
+                q[row, 2] = q3
+                q[row, 3] = q4
+                q[row, 4] = q5
+                q[row, 5] = q6
+                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+
+
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
+
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
+    """
+    for k in range(w):
+        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+
+        # theta1, type 2: U1 A6^-1 [3, 4]
+        wx = T14 - d6 * T13
+        Y1 = d6 * T23 - T24
+        v1 = wx * wx + Y1 * Y1
+        w1 = math.sqrt(v1)
+        v2 = 1.0 / v1
+
+        # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+        Z1_3 = T34 - d6 * T33 - d1
+        v3 = a1 + w1
+        v4 = a1 - w1
+        v5 = Z1_3 * Z1_3
+        N3_p = v5 + v3 * v3
+        N3_m = v5 + v4 * v4
+        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p = math.sqrt(D3_p)
+        w3_m = math.sqrt(D3_m)
+
+        # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
+        Y1_2_p = m4 * N3_p - m5
+        Y1_2_m = m4 * N3_m - m5
+        v6 = Z1_3 * -Y1_2_p
+        v7 = Z1_3 * -Y1_2_m
+        v8 = v3 * Y1_2_p
+        v9 = v4 * Y1_2_m
+        v10 = m4 * Z1_3
+        v11 = m4 * -Z1_3
+        factor2_p = 1.0 / N3_p
+        factor2_m = 1.0 / N3_m
+
+        # theta4, type 2: U4[3, 3]
+        v12 = m6 * Z1_3
+        v13 = v12 - m7 * v3
+        v14 = v12 - m7 * v4
+        v15 = m7 + m8 * factor2_p
+        v16 = m7 + m8 * factor2_m
+        v17 = m6 + m9 * factor2_p
+        v18 = m6 + m9 * factor2_m
+        v19 = Z1_3 * v15 + v3 * v17
+        v20 = Z1_3 * v16 + v4 * v18
+        c23_pp = w3_p * (factor2_p * v13) - v19
+        c23_pm = w3_p * (factor2_p * -v13) - v19
+        c23_mp = w3_m * (factor2_m * v14) - v20
+        c23_mm = w3_m * (factor2_m * -v14) - v20
+        v21 = m7 * Z1_3
+        v22 = v3 * v15 - Z1_3 * v17
+        v23 = v4 * v16 - Z1_3 * v18
+        v24 = w3_p * (factor2_p * (v21 + m6 * v3))
+        s23_pp = v22 - v24
+        s23_pm = v22 + v24
+        v25 = w3_m * (factor2_m * (v21 + m6 * v4))
+        s23_mp = v23 - v25
+        s23_mm = v23 + v25
+        v26 = w1 * (v2 * (T23 * Y1 - T13 * wx))
+        X4_pp = T33 * s23_pp - c23_pp * v26
+        X4_pm = T33 * s23_pm - c23_pm * v26
+        X4_mp = T33 * s23_mp + c23_mp * v26
+        X4_mm = T33 * s23_mm + c23_mm * v26
+        Y4 = w1 * (v2 * (T13 * Y1 + wx * T23))
+        v27 = Y4 * Y4
+        v28 = v27 + X4_pp * X4_pp
+        v29 = v27 + X4_pm * X4_pm
+        v30 = v27 + X4_mp * X4_mp
+        v31 = v27 + X4_mm * X4_mm
+        v32 = math.copysign(half_turn, Y4)
+        v33 = math.copysign(half_turn, -Y4)
+
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        v34 = w1 * (v2 * (wx * T22 + Y1 * T12))
+        v35 = w1 * (v2 * (Y1 * T22 - wx * T12))
+        v36 = w1 * (v2 * (wx * T21 + Y1 * T11))
+        v37 = w1 * (v2 * (Y1 * T21 - wx * T11))
+        v38 = Y4 * (c23_pp * v37 - s23_pp * T31) - -X4_pp * v36
+        v39 = Y4 * (c23_pm * v37 - s23_pm * T31) - -X4_pm * v36
+        v40 = Y4 * (c23_mp * v37 + s23_mp * T31) - X4_mp * v36
+        v41 = Y4 * (c23_mm * v37 + s23_mm * T31) - X4_mm * v36
+
+        # joint values
+        v42 = w3_p * (m4 * v3)
+
+        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        kept[16 * w + k] = (
+            1.0 if v31 <= m10 or v30 <= m10 or v29 <= m10 or v28 <= m10 or abs(D3_m) <= m3 or v1 <=
+            m1 or abs(D3_p) <= m3 else kept[16 * w + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Y1, w3_p, w3_m, v32
+        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v33, v38, v39, v40
+        kept[25 * w + k], turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = v41, Y1, Y4, Y4
+        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = -Y4, -Y4, v38, v39
+        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = v40, v41, v6 + v42
+        turns[10 * w + k], turns[11 * w + k] = v6 - v42, v7 + w3_m * (m4 * v4)
+        turns[12 * w + k], turns[13 * w + k], turns[14 * w + k] = v7 + w3_m * (m4 * -v4), w3_p, w3_m
+        turns[15 * w + k], turns[16 * w + k] = math.sqrt(v28), math.sqrt(v29)
+        turns[17 * w + k], turns[18 * w + k] = math.sqrt(v30), math.sqrt(v31)
+        turns[24 * w + k], turns[25 * w + k], turns[26 * w + k] = -wx, -X4_pp, -X4_pm
+        turns[27 * w + k], turns[28 * w + k] = -X4_mp, -X4_mm
+        turns[29 * w + k] = Y4 * (c23_pp * v35 - s23_pp * T32) - -X4_pp * v34
+        turns[30 * w + k] = Y4 * (c23_pm * v35 - s23_pm * T32) - -X4_pm * v34
+        turns[31 * w + k] = Y4 * (c23_mp * v35 + s23_mp * T32) - X4_mp * v34
+        turns[32 * w + k] = Y4 * (c23_mm * v35 + s23_mm * T32) - X4_mm * v34
+        turns[33 * w + k], turns[34 * w + k] = -(v8 + w3_p * v10), -(v8 + w3_p * v11)
+        turns[35 * w + k], turns[36 * w + k] = -(v9 + w3_m * v10), -(v9 + w3_m * v11)
+        turns[37 * w + k], turns[38 * w + k] = N3_p - k3, N3_m - k3
+        turns[39 * w + k] = T33 * c23_pp + s23_pp * v26
+        turns[40 * w + k] = T33 * c23_pm + s23_pm * v26
+        turns[41 * w + k] = T33 * c23_mp - s23_mp * v26
+        turns[42 * w + k] = T33 * c23_mm - s23_mm * v26
+    if w == 1 and kept[16] != 0.0:
+        return
+    end = 24 if w == 1 else 19 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(19 * w, end):
+        turns[k] = turns[k + 24 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 24 * w])
+    for k in range(w):
+        Y1, w3_p, w3_m, v32 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
+        v33, v38, v39, v40 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
+        v41, angle1, angle2 = kept[25 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
+        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
+        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
+        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
+        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
+        angle18, angle19 = turns[17 * w + k], turns[18 * w + k]
+
+        # theta4, type 2: U4[3, 3]
+        q4_ppm = angle2 - v32
+        q4_pmm = angle3 - v32
+        q4_mpm = angle4 - v33
+        q4_mmm = angle5 - v33
+
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        q6_ppm = angle6 - math.copysign(half_turn, v38)
+        q6_pmm = angle7 - math.copysign(half_turn, v39)
+        q6_mpm = angle8 - math.copysign(half_turn, v40)
+        q6_mmm = angle9 - math.copysign(half_turn, v41)
+
+        # joint values
+        v43 = angle10 - offset2
+        v44 = angle11 - offset2
+        v45 = angle12 - offset2
+        v46 = angle13 - offset2
+        q2_ppp = v43 + (-turn if half_turn < v43 else 0.0)
+        q2_pmp = v44 + (-turn if half_turn < v44 else 0.0)
+        q2_mpp = v45 + (-turn if half_turn < v45 else 0.0)
+        q2_mmp = v46 + (-turn if half_turn < v46 else 0.0)
+        q3_ppp = _wrap(q2_ppp + (angle14 - turn1))
+        q3_pmp = _wrap(q2_pmp - (turn1 + angle14))
+        q3_mpp = _wrap(q2_mpp + (angle15 - turn1))
+        q3_mmp = _wrap(q2_mmp - (turn1 + angle15))
+        v47 = angle16 - offset5
+        v48 = offset5 + angle16
+        v49 = angle17 - offset5
+        v50 = offset5 + angle17
+        v51 = angle18 - offset5
+        v52 = offset5 + angle18
+        v53 = angle19 - offset5
+        v54 = offset5 + angle19
+        q5_ppp = v47 + (turn if v47 <= -half_turn else 0.0)
+        q5_ppm = (turn if -v48 <= -half_turn else 0.0) - v48
+        q5_pmp = v49 + (turn if v49 <= -half_turn else 0.0)
+        q5_pmm = (turn if -v50 <= -half_turn else 0.0) - v50
+        q5_mpp = v51 + (turn if v51 <= -half_turn else 0.0)
+        q5_mpm = (turn if -v52 <= -half_turn else 0.0) - v52
+        q5_mmp = v53 + (turn if v53 <= -half_turn else 0.0)
+        q5_mmm = (turn if -v54 <= -half_turn else 0.0) - v54
+        q1_ppp = angle1 + (w3_p - w3_p)
+        q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
+        v55 = max(max(low2 - q2_ppp, q2_ppp - high2), max(low3 - q3_ppp, q3_ppp - high3))
+        v56 = max(max(low2 - q2_pmp, q2_pmp - high2), max(low3 - q3_pmp, q3_pmp - high3))
+        v57 = max(max(low2 - q2_mpp, q2_mpp - high2), max(low3 - q3_mpp, q3_mpp - high3))
+        v58 = max(max(low2 - q2_mmp, q2_mmp - high2), max(low3 - q3_mmp, q3_mmp - high3))
+        excess_ppp = max(v55, abs(q5_ppp) - high5)
+        excess_ppm = max(v55, abs(q5_ppm) - high5)
+        excess_pmp = max(v56, abs(q5_pmp) - high5)
+        excess_pmm = max(v56, abs(q5_pmm) - high5)
+        excess_mpp = max(v57, abs(q5_mpp) - high5)
+        excess_mpm = max(v57, abs(q5_mpm) - high5)
+        excess_mmp = max(v58, abs(q5_mmp) - high5)
+        excess_mmm = max(v58, abs(q5_mmm) - high5)
+        outside_ppp = 0.0 < excess_ppp
+        outside_ppm = 0.0 < excess_ppm
+        outside_pmp = 0.0 < excess_pmp
+        outside_pmm = 0.0 < excess_pmm
+        outside_mpp = 0.0 < excess_mpp
+        outside_mpm = 0.0 < excess_mpm
+        outside_mmp = 0.0 < excess_mmp
+        outside_mmm = 0.0 < excess_mmm
+
+        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        kept[16 * w + k] = (
+            1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
+            abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -
+            graze) <= graze or abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze
+            or abs(excess_ppm - graze) <= graze else kept[16 * w + k]
+        )
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, q2_ppp, q3_ppp
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle2, q5_ppp, angle6
+        rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q4_ppm, q5_ppm, q6_ppm
+        rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = q2_pmp, q3_pmp, angle3
+        rows[12 * w + k], rows[13 * w + k], rows[14 * w + k] = q5_pmp, angle7, q4_pmm
+        rows[15 * w + k], rows[16 * w + k], rows[17 * w + k] = q5_pmm, q6_pmm, q1_mpp
+        rows[18 * w + k], rows[19 * w + k], rows[20 * w + k] = q2_mpp, q3_mpp, angle4
+        rows[21 * w + k], rows[22 * w + k], rows[23 * w + k] = q5_mpp, angle8, q4_mpm
+        rows[24 * w + k], rows[25 * w + k], rows[26 * w + k] = q5_mpm, q6_mpm, q2_mmp
+        rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = q3_mmp, angle5, q5_mmp
+        rows[30 * w + k], rows[31 * w + k], rows[32 * w + k] = angle9, q4_mmm, q5_mmm
+        rows[33 * w + k] = q6_mmm
+        rows[34 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_ppp else OK)
+        )
+        rows[35 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_ppm else OK)
+        )
+        rows[36 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_pmp else OK)
+        )
+        rows[37 * w + k] = (
+            UNREACHABLE if q1_ppp != q1_ppp else (OUT_OF_LIMITS if outside_pmm else OK)
+        )
+        rows[38 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mpp else OK)
+        )
+        rows[39 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mpm else OK)
+        )
+        rows[40 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mmp else OK)
+        )
+        rows[41 * w + k] = (
+            UNREACHABLE if q1_mpp != q1_mpp else (OUT_OF_LIMITS if outside_mmm else OK)
+        )
+
+
+# Where in rows the joint values of each row are.
+_PLACES = np.array([
+    [0, 1, 2, 3, 4, 5],
+    [0, 1, 2, 6, 7, 8],
+    [0, 9, 10, 11, 12, 13],
+    [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22],
+    [17, 18, 19, 23, 24, 25],
+    [17, 26, 27, 28, 29, 30],
+    [17, 26, 27, 31, 32, 33],
+])
+
+
+_CALLS = _functions.of_robot(
+    globals(),
+    _HOW,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 26, 48, _PLACES),
+        kinematics=(fk, jacobian),
+        given=0,
+        apart=(),
+        words={
+            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
+            "no_row": "the pose is out of reach",
+            "allocates": "only where a pose is singular or rounded",
+        },
+    ),
+)
+ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
+ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

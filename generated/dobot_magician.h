@@ -1,0 +1,85 @@
+/* dobot_magician: Dobot Magician, its hand's joint
+ *
+ * Inverse kinematics, generated from robots/dobot_magician.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/dobot_magician.yaml. The formulas and where they come from:
+ * dobot_magician.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, the position T[0:3, 3] counts; other entries are ignored.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: bac4c12294f4ae34
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef DOBOT_MAGICIAN_H
+#define DOBOT_MAGICIAN_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define DOBOT_MAGICIAN_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define DOBOT_MAGICIAN_JOINT_TYPES "RRR"
+#define DOBOT_MAGICIAN_JOINT_NAMES "joint1", "joint2", "joint3"
+#define DOBOT_MAGICIAN_JOINT_LIMITS \
+    { -1.5707963267948966, 1.5707963267948966 }, { 0.0, 1.4835298641951802 }, \
+    { -0.17453292519943295, 1.6580627893946132 }
+
+enum {
+    DOBOT_MAGICIAN_DOF = 3, /* joints */
+    DOBOT_MAGICIAN_ROWS = 4 /* branches */
+};
+
+/* What a row of dobot_magician_ik holds. */
+enum {
+    /* joint values */
+    DOBOT_MAGICIAN_OK = 0,
+    /* NaN: no solution in this branch, or one that an earlier row holds */
+    DOBOT_MAGICIAN_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
+    DOBOT_MAGICIAN_FREE_JOINT = 2,
+    /* joint values, at least one beyond its limits */
+    DOBOT_MAGICIAN_OUT_OF_LIMITS = 3,
+    /* NaN: T is not a valid pose */
+    DOBOT_MAGICIAN_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const dobot_magician_branches[4];
+
+/* The pose T of the joint values q. */
+void dobot_magician_fk(const double q[3], double T[16]);
+
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void dobot_magician_frames(const double q[3], double frames[5][16]);
+
+/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void dobot_magician_jacobian(const double q[3], double J[18]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -DOBOT_MAGICIAN_INVALID_POSE, also for a seed that is not finite where it may be needed. */
+int dobot_magician_ik(
+    const double T[16], const double *q_seed, double q[4][3], unsigned char status[4]);
+
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
+ * q_seed.
+ * Returns DOBOT_MAGICIAN_OK or DOBOT_MAGICIAN_FREE_JOINT, or, with NaN in q,
+ * minus DOBOT_MAGICIAN_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
+int dobot_magician_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
+
+/* dobot_magician_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 4 x 3, status n x 4. */
+void dobot_magician_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

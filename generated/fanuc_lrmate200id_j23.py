@@ -1,0 +1,455 @@
+"""fanuc_lrmate200id_j23: Fanuc LR Mate 200iD, as its pendant counts.
+
+Inverse kinematics, generated from robots/fanuc_lrmate200id_j23.yaml and
+templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/fanuc_lrmate200id_j23.yaml. The formulas and where they come from:
+fanuc_lrmate200id_j23.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+import sys
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+
+# The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
+# in a package named after the folder. A dot in a name would be one between packages.
+_BESIDE = str(Path(__file__).resolve().parent)
+_FOLDER = _BESIDE.replace("%", "%25").replace(".", "%2E")
+sys.modules.setdefault(_FOLDER, ModuleType(_FOLDER)).__path__ = [_BESIDE]
+
+
+def _runtime(name):
+    return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
+
+
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
+_atan2 = _runtime("angles").atan2
+_wrap = _runtime("angles").wrap
+_of_joints = _runtime("entry").of_joints(_HOW, 6)
+
+NAME = "fanuc_lrmate200id_j23"
+METHOD = "closed form"
+DOF = 6
+JOINT_TYPES = "RRRRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
+JOINT_LIMITS = (
+    (-2.9670597283903604, 2.9670597283903604),
+    (-1.7453292519943295, 2.530727415391778),
+    (-math.inf, math.inf),
+    (-3.3161255787892263, 3.3161255787892263),
+    (-2.181661564992912, 2.181661564992912),
+    (-6.283185307179586, 6.283185307179586),
+)
+BRANCHES = (
+    "back-up-noflip",
+    "back-up-flip",
+    "back-down-noflip",
+    "back-down-flip",
+    "front-down-noflip",
+    "front-down-flip",
+    "front-up-noflip",
+    "front-up-flip",
+)
+MAX_SOLUTIONS = 8
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
+OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
+INVALID_POSE = 4  # NaN: T is not a valid pose
+
+d1 = 0.33  # joint offset 1 [m]
+a1 = 0.05  # link length 1 [m]
+a2 = 0.33  # link length 2 [m]
+a3 = 0.035  # link length 3 [m]
+d4 = 0.335  # joint offset 4 [m]
+d6 = 0.08  # z of the tool frame [m]
+free_limit1 = 1.1600000000000001e-12  # a length that fixes no angle [m]
+longest3 = 0.4446534412689106  # square of the longest reach [m^2]
+shortest3 = 4.655873108936529e-05  # square of the shortest reach [m^2]
+longest3_reach = 0.44465344126906536  # the longest, with what rounding adds [m^2]
+shortest3_reach = 4.655873108778226e-05  # the shortest, with what rounding adds [m^2]
+longest3_apart = 0.4446534412688952  # the longest, where branches merge [m^2]
+shortest3_apart = 4.655873108952359e-05  # the shortest, where branches merge [m^2]
+free_limit_squared2 = 1.3456000000000002e-24  # square of a length that fixes no angle [m^2]
+offset2 = -1.5707963267948966  # offset of joint 2 [rad]
+free_limit = 1e-12  # a length that fixes no angle
+offset5 = 3.141592653589793  # offset of joint 5 [rad]
+k1 = 0.22110000000000002  # 2 * d4 * a2 [m^2]
+k2 = 0.023100000000000002  # 2 * a3 * a2 [m^2]
+k3 = 0.22235000000000002  # a2^2 + (a3^2 + d4^2) [m^2]
+k4 = 20.235205939761407  # 1 / (k1^2 + k2^2) [m^-4]
+turn = 2.0 * math.pi  # [rad]
+half_turn = 0.5 * turn
+
+# The drives whose whole turns hang together, and sums of drives that have limits.
+_coupled = _runtime("coupled")
+_COUPLING = _coupled.coupling_numbers(
+    _coupled.Coupling(
+        drives=(1, 2),
+        moves=((0.0, 6.283185307179586, 0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 6.283185307179586, 0.0, 0.0, 0.0)),
+        limits=(
+            (-2.9670597293903604, 2.9670597293903604),
+            (-1.7453292529943296, 2.530727416391778),
+            (-math.inf, math.inf),
+            (-3.3161255797892264, 3.3161255797892264),
+            (-2.181661565992912, 2.181661565992912),
+            (-6.283185308179586, 6.283185308179586),
+        ),
+        factors=((0.0, 1.0, 1.0, 0.0, 0.0, 0.0),),
+        sums=((-1.2217304773960307, 3.5779249675883755),),
+    )
+)
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        fan_steps=(
+            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
+            0.09817477042468103, 0.09817477042468103,
+        ),
+        rows=8,
+        directions='rotation',
+        miss_weights=(0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0),
+        size=1.1600000000000001,
+        clamped=1e-14,
+        steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
+        choosable=(3, 1, 0),
+        cuts=52,
+    ),
+)
+
+
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.33, 0.05, -1.5707963267948966),
+    (-1.5707963267948966, 0.0, 0.33, 3.141592653589793),
+    (0.0, 0.0, 0.035, -1.5707963267948966),
+    (0.0, -0.335, 0.0, 1.5707963267948966),
+    (3.141592653589793, 0.0, 0.0, 1.5707963267948966),
+    (0.0, 0.0, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+    drives=(
+        (1.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+        (0.0, 1.0, 0.0, 0.0, 0.0, 0.0),
+        (0.0, 1.0, 1.0, 0.0, 0.0, 0.0),
+        (0.0, 0.0, 0.0, 1.0, 0.0, 0.0),
+        (0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+        (0.0, 0.0, 0.0, 0.0, 0.0, 1.0),
+    ),
+    tool=(0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -0.08),
+)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the message says which."""
+
+
+@_of_joints
+def fk(q):
+    """The pose (4, 4) of the joint values q (6,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 6 joint values")
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    v1 = q[1] + offset2
+    c2 = math.cos(v1)
+    s2 = math.sin(v1)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    y2_x = c1 * s2
+    y2_y = s1 * s2
+    v2 = q[1] + q[2]
+    c3 = math.cos(v2)
+    s3 = math.sin(v2)
+    x3_x = x2_x * c3 + y2_x * s3
+    x3_y = x2_y * c3 + y2_y * s3
+    x3_z = c2 * s3 - s2 * c3
+    z3_x = y2_x * c3 - x2_x * s3
+    z3_y = y2_y * c3 - x2_y * s3
+    z3_z = c2 * c3 + s2 * s3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4 - s1 * s4
+    x4_y = x3_y * c4 + c1 * s4
+    x4_z = x3_z * c4
+    z4_x = s1 * c4 + x3_x * s4
+    z4_z = x3_z * s4
+    z4_y = x3_y * s4 - c1 * c4
+    v3 = q[4] + offset5
+    c5 = math.cos(v3)
+    s5 = math.sin(v3)
+    x5_x = x4_x * c5 + z3_x * s5
+    x5_y = x4_y * c5 + z3_y * s5
+    x5_z = x4_z * c5 + z3_z * s5
+    T11_ = z3_x * c5 - x4_x * s5
+    T21_ = z3_y * c5 - x4_y * s5
+    T31_ = z3_z * c5 - x4_z * s5
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    T[0, 0] = T11_
+    T[0, 1] = x5_x * s6 - z4_x * c6
+    T[0, 2] = -(x5_x * c6 + z4_x * s6)
+    T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 - z3_x * d4 - -T11_ * d6
+    T[1, 0] = T21_
+    T[1, 1] = x5_y * s6 - z4_y * c6
+    T[1, 2] = -(x5_y * c6 + z4_y * s6)
+    T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 - z3_y * d4 - -T21_ * d6
+    T[2, 0] = T31_
+    T[2, 1] = x5_z * s6 - z4_z * c6
+    T[2, 2] = -(x5_z * c6 + z4_z * s6)
+    T[2, 3] = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -T31_ * d6
+    T[3, 3] = 1.0
+    return T
+
+
+@_of_joints
+def jacobian(q):
+    """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 6 joint values")
+    J = np.zeros((6, 6))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    p1_x = c1 * a1
+    p1_y = s1 * a1
+    v1 = q[1] + offset2
+    c2 = math.cos(v1)
+    s2 = math.sin(v1)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    y2_x = c1 * s2
+    y2_y = s1 * s2
+    p2_x = p1_x + x2_x * a2
+    p2_y = p1_y + x2_y * a2
+    p2_z = d1 - s2 * a2
+    v2 = q[1] + q[2]
+    c3 = math.cos(v2)
+    s3 = math.sin(v2)
+    x3_x = x2_x * c3 + y2_x * s3
+    x3_y = x2_y * c3 + y2_y * s3
+    x3_z = c2 * s3 - s2 * c3
+    z3_x = y2_x * c3 - x2_x * s3
+    z3_y = y2_y * c3 - x2_y * s3
+    z3_z = c2 * c3 + s2 * s3
+    p3_x = p2_x + x3_x * a3
+    p3_y = p2_y + x3_y * a3
+    p3_z = p2_z + x3_z * a3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    z4_x = s1 * c4 + x3_x * s4
+    z4_z = x3_z * s4
+    p4_x = p3_x - z3_x * d4
+    p4_y = p3_y - z3_y * d4
+    p4_z = p3_z - z3_z * d4
+    z4_y = x3_y * s4 - c1 * c4
+    v3 = q[4] + offset5
+    c5 = math.cos(v3)
+    s5 = math.sin(v3)
+    z5_x = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5
+    z5_y = (x3_y * c4 + c1 * s4) * s5 - z3_y * c5
+    z5_z = x3_z * c4 * s5 - z3_z * c5
+    J21 = p4_x - z5_x * d6
+    v4 = p4_y - z5_y * d6
+    v5 = p4_z - z5_z * d6
+    v6 = v5 - d1
+    v7 = v5 - p2_z
+    v8 = c1 * v7
+    v9 = s1 * v7
+    J33 = s1 * (v4 - p2_y) + c1 * (J21 - p2_x)
+    v10 = J21 - p3_x
+    v11 = v4 - p3_y
+    v12 = v5 - p3_z
+    v13 = J21 - p4_x
+    v14 = v4 - p4_y
+    v15 = v5 - p4_z
+    J[0, 0] = -v4
+    J[0, 1] = c1 * v6 - v8
+    J[0, 2] = -v8
+    J[0, 3] = z3_y * v12 - z3_z * v11
+    J[0, 4] = z4_y * v15 - z4_z * v14
+    J[0, 5] = z5_y * v15 - z5_z * v14
+    J[1, 0] = J21
+    J[1, 1] = s1 * v6 - v9
+    J[1, 2] = -v9
+    J[1, 3] = z3_z * v10 - z3_x * v12
+    J[1, 4] = z4_z * v13 - z4_x * v15
+    J[1, 5] = z5_z * v13 - z5_x * v15
+    J[2, 1] = J33 - (s1 * (v4 - p1_y) + c1 * (J21 - p1_x))
+    J[2, 2] = J33
+    J[2, 3] = z3_x * v11 - z3_y * v10
+    J[2, 4] = z4_x * v14 - z4_y * v13
+    J[2, 5] = z5_x * v14 - z5_y * v13
+    J[3, 2] = s1
+    J[3, 3] = z3_x
+    J[3, 4] = z4_x
+    J[3, 5] = z5_x
+    J[4, 2] = -c1
+    J[4, 3] = z3_y
+    J[4, 4] = z4_y
+    J[4, 5] = z5_y
+    J[5, 0] = 1.0
+    J[5, 3] = z3_z
+    J[5, 4] = z4_z
+    J[5, 5] = z5_z
+    return J
+
+
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    t14 = T14 - d6 * T11
+    Y1 = d6 * T21 - T24
+    w1 = math.sqrt(t14 * t14 + Y1 * Y1)
+    free1 = w1 <= free_limit1
+    divisor1 = 1.0 if free1 else w1
+
+    # theta3, type 6: U1[2, 4] and U1[1, 4]
+    t34 = T34 - d6 * T31
+    Z1_3 = t34 - d1
+    v2 = Z1_3 * Z1_3
+
+    # theta2, type 3: U1[1, 4] and U1[2, 4]
+    v6 = seed[1] + offset2
+
+    for i1 in range(2):  # back, front
+        e1 = 1.0 - 2.0 * i1
+        # theta1
+        if e1 < 0.0 and free1:
+            continue  # both signs give the same
+        factor1 = e1 / divisor1
+        c1 = math.cos(seed[0]) if free1 else -(t14 * factor1)
+        s1 = math.sin(seed[0]) if free1 else Y1 * factor1
+        q1 = _atan2(s1, c1)
+
+        # theta3
+        v1 = w1 * e1 + a1
+        N3 = v2 + v1 * v1
+        K3 = N3 - k3
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        apart3 = shortest3_apart < N3 and N3 < longest3_apart
+        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            continue  # out of reach
+        w3 = math.sqrt(D3 if apart3 else 0.0)
+        v3 = k1 * K3
+        v4 = k2 * K3
+
+        # theta4, type 2: U4[3, 3]
+        v7 = T11 * c1 + T21 * s1
+        Y4 = T11 * s1 - T21 * c1
+        v8 = Y4 * Y4
+
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        v9 = T22 * c1 - T12 * s1
+        v10 = T12 * c1 + T22 * s1
+        v12 = T23 * c1 - T13 * s1
+        v13 = T13 * c1 + T23 * s1
+
+        for i2 in range(2):  # +, -
+            e2 = 1.0 - 2.0 * i2
+            # theta3
+            if e2 < 0.0 and not apart3:
+                continue  # both signs give the same
+            root3 = w3 * e2
+            s3 = (v3 + k2 * root3) * k4
+            c3 = k4 * (v4 - k1 * root3)
+
+            # theta2
+            X1_2 = a3 * s3 - d4 * c3
+            Y1_2 = a2 + (a3 * c3 + d4 * s3)
+            v5 = v1 * X1_2 + Z1_3 * Y1_2
+            C2 = Z1_3 * X1_2 - v1 * Y1_2
+            w2 = math.sqrt(v5 * v5 + C2 * C2)
+            free2 = w2 <= free_limit_squared2
+            factor2 = 1.0 / (1.0 if free2 else w2)
+            c2 = math.cos(v6) if free2 else C2 * factor2
+            s2 = math.sin(v6) if free2 else -(v5 * factor2)
+
+            # theta4
+            c2m3 = c3 * c2 + s3 * s2
+            s2m3 = c3 * s2 - s3 * c2
+            X4 = c2m3 * v7 - T31 * s2m3
+            w4 = math.sqrt(X4 * X4 + v8)
+            free4 = w4 <= free_limit
+            divisor4 = 1.0 if free4 else w4
+
+            # theta5, type 3: U4[2, 3] and U4[1, 3]
+            c5 = T31 * c2m3 + s2m3 * v7
+
+            # theta6
+            v11 = T32 * s2m3 - c2m3 * v10
+            v14 = T33 * s2m3 - c2m3 * v13
+
+            # joint values
+            q2 = _wrap(_atan2(s2, c2) - offset2)
+            q3 = _wrap(_atan2(s3, c3) - q2)
+
+            for i3 in range(2):  # noflip, flip
+                e3 = 1.0 - 2.0 * i3
+                # theta4
+                if e3 < 0.0 and free4:
+                    continue  # both signs give the same
+                factor4 = e3 / divisor4
+                c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
+                s4 = math.sin(seed[3]) if free4 else Y4 * factor4
+                q4 = _atan2(s4, c4)
+                s5 = w4 * e3
+
+                # theta6
+                c6 = c4 * v9 + s4 * v11
+                s6 = c4 * v12 + s4 * v14
+                q6 = _atan2(s6, c6)
+
+                # joint values
+                q5 = _wrap(_atan2(s5, c5) - offset5)
+                row = 4 * i1 + 2 * i2 + i3
+                q[row, 0] = q1
+                q[row, 1] = q2
+                q[row, 2] = q3
+                q[row, 3] = q4
+                q[row, 4] = q5
+                q[row, 5] = q6
+                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+
+
+_CALLS = _functions.of_robot(
+    globals(),
+    _HOW,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
+        task="pose",
+        counted=(True, True, True),
+        formulas=None,
+        kinematics=(fk, jacobian),
+        given=0,
+        apart=(),
+        words={
+            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
+            "no_row": "the pose is out of reach",
+            "allocates": "at every pose",
+        },
+        coupling=_COUPLING,
+    ),
+)
+ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
+ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]

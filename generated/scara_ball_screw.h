@@ -1,0 +1,85 @@
+/* scara_ball_screw: SCARA with a ball screw spline
+ *
+ * Inverse kinematics, generated from robots/scara_ball_screw.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/scara_ball_screw.yaml. The formulas and where they come from:
+ * scara_ball_screw.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 79a55019063a520d
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SCARA_BALL_SCREW_H
+#define SCARA_BALL_SCREW_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SCARA_BALL_SCREW_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define SCARA_BALL_SCREW_JOINT_TYPES "RRPR"
+#define SCARA_BALL_SCREW_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
+#define SCARA_BALL_SCREW_JOINT_LIMITS \
+    { -2.2689280275926285, 2.2689280275926285 }, { -2.530727415391778, 2.530727415391778 }, \
+    { -0.2, 0.0 }, { -6.283185307179586, 6.283185307179586 }
+
+enum {
+    SCARA_BALL_SCREW_DOF = 4, /* joints */
+    SCARA_BALL_SCREW_ROWS = 2 /* branches */
+};
+
+/* What a row of scara_ball_screw_ik holds. */
+enum {
+    /* joint values */
+    SCARA_BALL_SCREW_OK = 0,
+    /* NaN: no solution in this branch, or one that an earlier row holds */
+    SCARA_BALL_SCREW_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
+    SCARA_BALL_SCREW_FREE_JOINT = 2,
+    /* joint values, at least one beyond its limits */
+    SCARA_BALL_SCREW_OUT_OF_LIMITS = 3,
+    /* NaN: T is not a valid pose */
+    SCARA_BALL_SCREW_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const scara_ball_screw_branches[2];
+
+/* The pose T of the joint values q. */
+void scara_ball_screw_fk(const double q[4], double T[16]);
+
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void scara_ball_screw_frames(const double q[4], double frames[6][16]);
+
+/* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void scara_ball_screw_jacobian(const double q[4], double J[24]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -SCARA_BALL_SCREW_INVALID_POSE, also for a seed that is not finite where it may be needed. */
+int scara_ball_screw_ik(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
+
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
+ * q_seed.
+ * Returns SCARA_BALL_SCREW_OK or SCARA_BALL_SCREW_FREE_JOINT, or, with NaN in q,
+ * minus SCARA_BALL_SCREW_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
+int scara_ball_screw_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
+
+/* scara_ball_screw_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 4, status n x 2. */
+void scara_ball_screw_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

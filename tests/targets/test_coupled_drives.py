@@ -1,0 +1,192 @@
+"""Arms whose drives are coupled, against all whole turns of all rows, one by one."""
+
+from __future__ import annotations
+
+import ctypes
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.robot.robot import DhTable
+from dhgen.survey.oracle.forward import forward
+from tests.targets.calling import HELD, LANGUAGES, OK, Solver
+from tests.targets.made import in_c, in_python, made, poses_of, robot, turning
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.arrays import FloatArray
+
+NAMES = (
+    "abb_irb2400",
+    "dobot_magician",
+    "fanuc_lrmate200id_j23",
+    "geared_3r",
+    "kuka_kr40pa_drives",
+    "scara_ball_screw",
+    "summed_prrr",
+)
+POSES, AT_ONCE = 10_000, 1_000
+TURNS = (-2, -1, 0, 1, 2)
+CLEAR = 1e-6  # [rad, length] what is as far inside limits is so whatever rounding does
+SLACK = 1e-8  # what rounding may take a value beyond
+
+
+def shares(name: str) -> FloatArray:
+    """M, with M q the joints' angles and lengths but for constants."""
+    geometry = robot(name).geometry
+    assert isinstance(geometry, DhTable)
+    M = np.diag([float(row.sign) for row in geometry.rows])
+    for place, row in enumerate(geometry.rows):
+        for coupling in row.couplings:
+            M[place, coupling.joint - 1] = coupling.value
+    return M
+
+
+def bounds(name: str) -> FloatArray:
+    """Lowest and highest value of each drive, (2, n)."""
+    none = (-np.inf, np.inf)
+    return np.array([joint.limits or none for joint in robot(name).joints]).T
+
+
+def is_inside(name: str, q: FloatArray, margin: float) -> NDArray[np.bool_]:
+    """Whether drives' values (..., n) keep all limits, those of sums too, by a margin."""
+    low, high = bounds(name)
+    inside: NDArray[np.bool_] = np.all((low + margin <= q) & (q <= high - margin), axis=-1)
+    for each in robot(name).sums:
+        total = np.sum([term.value * q[..., term.joint - 1] for term in each.of], axis=0)
+        inside &= (each.limits[0] + margin <= total) & (total <= each.limits[1] - margin)
+    return inside
+
+
+def copies(name: str) -> FloatArray:
+    """What whole turns of the joints that hang together add to the drives' values, (k, n)."""
+    M, turns = shares(name), turning(name)
+    others = M - np.diag(np.diag(M))
+    together = np.any(others != 0.0, axis=0) | np.any(others != 0.0, axis=1)
+    for each in robot(name).sums:
+        together[[term.joint - 1 for term in each.of]] = True
+    ways = [TURNS if both else (0,) for both in together & turns]
+    return np.asarray(np.array(list(product(*ways))) @ (2 * np.pi * np.linalg.inv(M)).T)
+
+
+def all_copies(name: str, rows: FloatArray) -> FloatArray:
+    """Rows (..., n) with all whole turns that may matter (..., k, n).
+
+    The turns of the other joints are their own: each has the turn of its value that is inside.
+    """
+    alone = np.ptp(copies(name), axis=0) == 0.0
+    low, high = bounds(name)
+    middle = np.nan_to_num(low, neginf=0.0) / 2 + np.nan_to_num(high, posinf=0.0) / 2
+    turned = rows + 2 * np.pi * np.round((middle - rows) / (2 * np.pi))
+    own = np.where(alone & turning(name), turned, rows)
+    return np.asarray(own[..., None, :] + copies(name))
+
+
+def drawn(name: str, count: int, seed: int = 3) -> FloatArray:
+    """Drives' values inside all limits, (count, n)."""
+    low, high = bounds(name)
+    low, high = np.maximum(low, -np.pi * 2), np.minimum(high, np.pi * 2)
+    q = np.random.default_rng(seed).uniform(low, high, (8 * count, len(low)))
+    found = q[is_inside(name, q, CLEAR)][:count]
+    assert len(found) == count
+    return found
+
+
+def gaps(name: str, rows: FloatArray, q: FloatArray) -> FloatArray:
+    """The largest difference of the joints' angles and lengths, whole turns aside, (...)."""
+    off = (rows - q) @ shares(name).T
+    turned = off - 2 * np.pi * np.round(off / (2 * np.pi))
+    return np.asarray(np.abs(np.where(turning(name), turned, off)).max(axis=-1))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_own_values_are_found_and_rows_keep_limits_where_a_copy_does(name: str) -> None:
+    q = drawn(name, POSES)
+    solver = in_c(name)
+    for start in range(0, POSES, AT_ONCE):
+        some = q[start : start + AT_ONCE]
+        T = poses_of(name, some)
+        rows, status = solver.batch(T)
+        held = np.isin(status, HELD)
+        solved = held & (status != np.uint8(3))
+        # what made the pose is among the rows that keep limits, to rounding over what fixes it
+        own = np.where(solved, gaps(name, rows, some[:, None]), np.inf).min(axis=1)
+        assert own.max() < 1e-5
+        reached = forward(robot(name), rows[held])
+        wanted = np.repeat(T[:, None], rows.shape[1], axis=1)[held]
+        assert np.abs(reached - wanted)[:, :3, 3].max() < 1e-9
+        assert is_inside(name, rows[solved], -SLACK).all()
+        some_copy = is_inside(name, all_copies(name, rows), CLEAR).any(axis=-1)
+        assert not (held & ~solved & some_copy).any()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_some_rows_are_beyond_limits_and_some_need_turns(name: str) -> None:
+    """The test above would say nothing otherwise."""
+    rows, status = in_c(name).batch(poses_of(name, drawn(name, 500)))
+    assert (status == OK).any()
+    assert (status == np.uint8(3)).any()
+    assert np.isfinite(rows).any()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", NAMES)
+def test_the_nearest_row_is_the_nearest_of_all_copies(name: str, language: str) -> None:
+    count = 150 if language == "C" else 12
+    size = made(name).module.chain.size
+    weights = np.where(turning(name), 1.0, 1.0 / size**2)
+    solver = Solver(name, language)
+    seeds = drawn(name, count, seed=5)
+    for q, seed in zip(drawn(name, count), seeds, strict=True):
+        T = poses_of(name, q)
+        result, found = solver.nearest(T, seed)
+        assert result == OK
+        assert is_inside(name, found, -SLACK)
+        rows, status = solver.all(T)
+        every = all_copies(name, rows[status == OK])
+        inside = every[is_inside(name, every, CLEAR)]
+        least = ((inside - seed) ** 2 @ weights).min()
+        assert (found - seed) ** 2 @ weights <= least + 1e-9
+        assert np.abs(solver.nearest(T, q)[1] - q).max() < 1e-6
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_jacobian_is_the_derivative_by_the_drives(name: str) -> None:
+    step = 1e-6
+    for q in drawn(name, 20):
+        T = poses_of(name, q)
+        J = in_c(name).jacobian(q)
+        np.testing.assert_allclose(in_python(name).jacobian(q), J, atol=1e-12)
+        for drive in range(len(q)):
+            moved = step * np.eye(len(q))[drive]
+            rate = (poses_of(name, q + moved) - poses_of(name, q - moved)) / (2 * step)
+            spin = rate[:3, :3] @ T[:3, :3].T
+            turns = [spin[2, 1], spin[0, 2], spin[1, 0]]
+            np.testing.assert_allclose(J[:, drive], [*rate[:3, 3], *turns], atol=1e-8)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_frames_are_of_the_drives_values(name: str) -> None:
+    for q in drawn(name, 5):
+        frames = np.empty((len(q) + 2, 16))
+        pointers = (a.ctypes.data_as(ctypes.c_void_p) for a in (q, frames))
+        in_c(name).library[f"{name}_frames"](*pointers)
+        T = poses_of(name, q)
+        np.testing.assert_allclose(frames[-1].reshape(4, 4), T, atol=1e-12)
+        np.testing.assert_allclose(in_python(name).frames(q)[-1], T, atol=1e-12)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_c_and_python_are_alike(name: str) -> None:
+    q = drawn(name, 40)
+    T = poses_of(name, q)
+    rows, status = in_c(name).batch(T)
+    others, other_status = in_python(name).ik_batch(T)
+    np.testing.assert_array_equal(status, other_status)
+    np.testing.assert_allclose(rows, others, atol=1e-9)
+    one, kinds = in_python(name).ik_all(T[0])
+    np.testing.assert_array_equal(kinds, status[0])
+    np.testing.assert_allclose(one, rows[0], atol=1e-9)
