@@ -10,6 +10,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from dhgen.compiler import compile_loaded, source_name
+from dhgen.derivation.figures.figure import FOLDER
 from dhgen.errors import DhgenError, about
 from dhgen.generated_header import SUFFIXES, is_generated, source_folder
 from dhgen.printing.comments import plain_path
@@ -141,14 +142,27 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
     if not makers or not out.is_dir():
         return []
     own = sorted(
-        path.name
-        for path in out.iterdir()
-        if path.suffix in SUFFIXES
-        and path.name not in expected
-        and (path.stem in known or path.stem not in neighbours)
-        and source_folder(path) in {None, *told}
+        name
+        for name, stem in [*_in_the_folder(out), *_figures(out)]
+        if name not in expected
+        and (stem in known or stem not in neighbours)
+        and source_folder(out / name) in {None, *told}
     )
     return own + _extra_of_the_runtime(out, expected)
+
+
+def _in_the_folder(out: Path) -> Iterable[tuple[str, str]]:
+    """Files that can be solvers and documents: their names, and the stems that these begin with."""
+    for path in out.iterdir():
+        if path.suffix in SUFFIXES:
+            yield path.name, path.stem
+
+
+def _figures(out: Path) -> Iterable[tuple[str, str]]:
+    """The same of generated figures; drawings of others may lie beside them."""
+    for path in (out / FOLDER).glob("*.svg"):
+        if is_generated(path):
+            yield f"{FOLDER}/{path.name}", path.stem.rpartition("_")[0]
 
 
 def _extra_of_the_runtime(out: Path, expected: set[str]) -> list[str]:

@@ -129,7 +129,8 @@ def _compared(module: SolverModule) -> str:
 
 def _own(compilation: Compilation) -> list[str]:
     stems = [compilation.robot.name, *([compilation.single.name] if compilation.single else [])]
-    return [name for name in compilation.files if name.partition(".")[0] in stems]
+    files = [name for name in compilation.files if name.partition(".")[0] in stems]
+    return files + [name for name in compilation.files if name.endswith(".svg")]
 
 
 def check(options: argparse.Namespace) -> int:
@@ -158,20 +159,23 @@ def _repeated(options: argparse.Namespace) -> list[str]:
 
 def explain(options: argparse.Namespace) -> int:
     """Prints a derivation; the exit code."""
+    from dhgen.compiler import worked_out  # noqa: PLC0415
     from dhgen.derivation import alternatives_text, derivation_terminal  # noqa: PLC0415
     from dhgen.program.text import program_text  # noqa: PLC0415
     from dhgen.robot_files import RobotFile  # noqa: PLC0415
 
     file = RobotFile.read(options.file)
     _refuse_mute()
-    compilation = _compile(file.with_numerical() if options.numerical else file)
-    derivation, program = compilation.derivation, compilation.module.solver
+    file = file.with_numerical() if options.numerical else file
+    _tell_notes(file.robot.notices)
+    with about(file.path):
+        derivation, module, _ = worked_out(file, _tell)
     if options.alternatives:
         print(alternatives_text(derivation))
     elif options.program:
-        print(program_text(program), end="")
+        print(program_text(module.solver), end="")
     else:
-        print(derivation_terminal(compilation.robot, derivation, program))
+        print(derivation_terminal(file.robot, derivation, module.solver))
     return 0
 
 

@@ -23,7 +23,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from dhgen.atomic_write import write_files
-from dhgen.derivation import derivation_document
+from dhgen.derivation import derivation_files
 from dhgen.errors import PrecisionError, UnsolvedError, VerificationError
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.link_table import link_table
@@ -86,6 +86,27 @@ def compile_loaded(
         UnsolvedError: No derivation solves the arm.
         PrecisionError: The arm can't be solved in single precision, which the file asks for.
     """
+    derivation, module, single = worked_out(file, tell, out=out)
+    source = source_name(file.path, out)
+    document = derivation_files(file.robot, derivation, module.solver, source)
+    files = {**emit(module, single, single_file=single_file), **document}
+    return Compilation(file.robot, derivation, module, single, MappingProxyType(files))
+
+
+def worked_out(
+    file: RobotFile, tell: Callable[[str], None] = lambda _: None, *, out: Path | None = None
+) -> tuple[Derivation, SolverModule, SolverModule | None]:
+    """The derivation, the programs, and those for single precision where the file asks for them.
+
+    Args:
+        file: The robot file, read.
+        tell: Is told what is being done, for progress.
+        out: The folder that files are for, where it is known.
+
+    Raises:
+        UnsolvedError: No derivation solves the arm.
+        PrecisionError: The arm can't be solved in single precision, which the file asks for.
+    """
     robot, source, digest = file.robot, source_name(file.path, out), file.digest
     tell("deriving")
     chain = build_chain(robot)
@@ -99,9 +120,7 @@ def compile_loaded(
     if robot.float32:
         _demand_closed_form(derivation)
         single = _module(robot, derivation, source, digest, SINGLE)
-    document = derivation_document(robot, derivation, module.solver, source)
-    files = {**emit(module, single, single_file=single_file), f"{module.name}.md": document}
-    return Compilation(robot, derivation, module, single, MappingProxyType(files))
+    return derivation, module, single
 
 
 def _module(

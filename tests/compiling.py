@@ -41,7 +41,7 @@ def compile_file(path: Path) -> Compilation:
 
 def written(path: Path, folder: Path) -> Compilation:
     """Its solvers in a folder, without the derivation, which takes a third of the time."""
-    with patch.object(dhgen.compiler, "derivation_document", lambda *_: ""):
+    with patch.object(dhgen.compiler, "derivation_files", lambda *_: {}):
         compilation = compile_file(path)
     write_new(folder, compilation.files)
     return compilation

@@ -1,7 +1,7 @@
 """The derivation as a document: why the solver is what it is, for people to follow by hand.
 
-`derivation_document` writes Markdown for GitHub, `derivation_terminal` the same as plain text,
-`derivation_summary` a dozen lines, `alternatives_text` the routes that were not taken.
+`derivation_files` writes Markdown for GitHub and its figures, `derivation_terminal` the same text
+for a terminal, `derivation_summary` a dozen lines, `alternatives_text` the routes not taken.
 
 | read            | what is in it                                                               |
 |-----------------|-----------------------------------------------------------------------------|
@@ -17,6 +17,7 @@
 | effects         | what that means for the arm, and what the program does there                |
 | example         | a pose to work through, and its rows                                        |
 | values          | what a printed formula is worth in numbers                                  |
+| figures         | the arm, its postures and its workspace as SVG                              |
 | geometry        | how axes lie, and the arm's size                                            |
 | notation        | letters, cells, polynomials and matrices as formulas                        |
 | text            | formulas and documents as values, templates, Markdown, plain text           |
@@ -30,6 +31,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.document import document_blocks, singular_places
+from dhgen.derivation.figures.all import figures_of
 from dhgen.derivation.story import Story
 from dhgen.derivation.summary import alternatives_text, summary_text, tool_at_zero
 from dhgen.derivation.text.markdown import markdown
@@ -43,19 +45,37 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
 
 
-def derivation_document(robot: Robot, derivation: Derivation, program: Program, source: str) -> str:
-    """The derivation as GitHub Markdown with formulas; `source` is how the robot file is called."""
-    blocks = document_blocks(Story(robot, derivation, program))
-    return render(
+def derivation_files(
+    robot: Robot, derivation: Derivation, program: Program, source: str
+) -> dict[str, str]:
+    """The derivation as GitHub Markdown with formulas, and its figures, by their paths.
+
+    Args:
+        robot: As the user wrote it.
+        derivation: The steps.
+        program: What computes them.
+        source: How the robot file is called.
+    """
+    story = Story(robot, derivation, program)
+    figures = figures_of(story)
+    document = render(
         "derivation/document.md.jinja",
         name=robot.name,
         source=plain_path(source),
-        blocks=tuple(map(markdown, blocks)),
+        blocks=tuple(map(markdown, document_blocks(story, figures))),
     )
+    return {f"{robot.name}.md": document} | {
+        figure.path: figure.svg(robot.name, source) for figure in figures
+    }
+
+
+def derivation_document(robot: Robot, derivation: Derivation, program: Program, source: str) -> str:
+    """The Markdown alone."""
+    return derivation_files(robot, derivation, program, source)[f"{robot.name}.md"]
 
 
 def derivation_terminal(robot: Robot, derivation: Derivation, program: Program) -> str:
-    """The same as plain text."""
+    """The same as plain text, without figures."""
     blocks = document_blocks(Story(robot, derivation, program))
     first, *others = map(plain, blocks)
     return render("derivation/terminal.txt.jinja", first=first, others=others)
@@ -70,6 +90,7 @@ def derivation_summary(robot: Robot, derivation: Derivation, program: Program) -
 __all__ = [
     "alternatives_text",
     "derivation_document",
+    "derivation_files",
     "derivation_summary",
     "derivation_terminal",
     "tool_at_zero",

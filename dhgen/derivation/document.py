@@ -27,19 +27,31 @@ from dhgen.general.kernel import GeneralKernel
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from dhgen.derivation.figures.all import Figures
     from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block
 
 
-def document_blocks(story: Story) -> list[Block]:
-    """The whole derivation."""
-    beginning, model = opening(story), _sections(story)
-    rest = [*robot_section(story, symbols_of(model)), *drives_section(story), *model]
+def document_blocks(story: Story, figures: Figures | None = None) -> list[Block]:
+    """The whole derivation, with figures where there are any to show."""
+    shown = _Pictures(figures)
+    beginning, model = opening(story), _sections(story, shown)
+    robot = [*robot_section(story, symbols_of(model)), *shown.arm, *shown.workspace]
+    rest = [*robot, *drives_section(story), *model]
     return [*beginning, *cited_documents([*beginning, *rest]), *rest]
 
 
-def _sections(story: Story) -> list[Block]:
+class _Pictures:
+    """The places of figures, empty where there are none."""
+
+    def __init__(self, figures: Figures | None) -> None:
+        self.arm = [figures.arm.picture] if figures else []
+        self.workspace = [figures.workspace.picture] if figures and figures.workspace else []
+        self.postures = [figures.postures.picture] if figures and figures.postures else []
+
+
+def _sections(story: Story, shown: _Pictures) -> list[Block]:
     """What follows the robot."""
     whole = story.derivation.whole
     if whole is not None:
@@ -55,6 +67,7 @@ def _sections(story: Story) -> list[Block]:
         *joint_values(story),
         *solutions_section(story),
         *example_section(story),
+        *shown.postures,
         *singular_section(
             [*arm_angle_places(story), *(each for _, found in steps for each in found)]
         ),

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from dhgen.derivation.example import find_example
 from dhgen.derivation.geometry import wrist_joints
 from dhgen.derivation.notation.matrices import form_of
 from dhgen.derivation.notation.names import branch_sign, joint_index, letter, symbols
@@ -20,6 +21,7 @@ from dhgen.paul.mixed_forms import right_inverse
 from dhgen.paul.step import learn
 
 if TYPE_CHECKING:
+    from dhgen.derivation.example import Example
     from dhgen.derivation.notation.matrices import Form
     from dhgen.derivation.quotes import Quote
     from dhgen.derivation.text.formula import Formula, Symbol
@@ -79,6 +81,11 @@ class Story:
     def steps(self) -> tuple[Step, ...]:
         """The steps, in order."""
         return self.derivation.steps
+
+    @cached_property
+    def example(self) -> Example | None:
+        """A pose to work through; None for arms without steps, or where none is regular."""
+        return find_example(self) if self.steps else None
 
     @cached_property
     def letters(self) -> dict[str, Symbol]:

@@ -100,7 +100,7 @@ class Arm:
         return self._model.jacobian(self._joint_values(q))
 
     def derivation(self) -> Document:
-        """The derivation of the inverse kinematics, in Markdown.
+        """The derivation of the inverse kinematics, in Markdown, with its figures.
 
         Raises:
             UnsolvedError: No derivation solves the arm; the message says why.
@@ -110,8 +110,11 @@ class Arm:
 
         folder, name = folder_of(self.file), f"{self.name}.md"
         if is_whole(folder):
-            return Document((folder / name).read_text("utf-8"))
-        return Document(self._compilation.files[name])
+            paths = (path.relative_to(folder).as_posix() for path in folder.rglob("*.svg"))
+            figures = {path: (folder / path).read_text("utf-8") for path in sorted(paths)}
+            return Document((folder / name).read_text("utf-8"), figures)
+        files = self._compilation.files
+        return Document(files[name], {p: files[p] for p in sorted(files) if p.endswith(".svg")})
 
     def build(
         self, *, progress: Callable[[str], None] | None = tell_who_waits, native: bool = True

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from base64 import b64encode
 from typing import TYPE_CHECKING
 
 from dhgen.robot.exact import add, multiply
@@ -12,7 +13,8 @@ from dhgen.robot.robot import AxisJoint, Convention, DhRow, DhTable, JointKind
 from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
+    from typing import Self
 
     from dhgen.robot.expression import Expression
     from dhgen.robot.robot import Robot
@@ -24,9 +26,21 @@ _SPECIAL = re.compile(r"([\\`*_\[\]<>#|~$&])")
 
 
 class Document(str):
-    """A derivation in GitHub's Markdown; a notebook shows it with its formulas."""
+    """A derivation in GitHub's Markdown; a notebook shows it with its formulas and figures.
 
-    __slots__ = ()
+    Attributes:
+        figures: The figures that it links, SVG by their paths.
+    """
+
+    __slots__ = ("figures",)
+
+    figures: Mapping[str, str]
+
+    def __new__(cls, text: str, figures: Mapping[str, str] | None = None) -> Self:
+        """A text with its figures."""
+        made = super().__new__(cls, text)
+        made.figures = figures or {}
+        return made
 
     def __repr__(self) -> str:
         title = next((line[2:] for line in self.splitlines() if line.startswith("# ")), "Markdown")
@@ -34,8 +48,12 @@ class Document(str):
         return f"<{title}; {len(self.splitlines())} lines of Markdown, to print or to save>"
 
     def _repr_markdown_(self) -> str:
-        """The same as notebooks read it, which know formulas between dollar signs only."""
-        return _INLINE.sub(r"$\1$", _DISPLAY.sub(r"$$\n\1\n$$", str(self)))
+        """The same as notebooks read it: formulas between dollar signs, figures in the text."""
+        shown = _INLINE.sub(r"$\1$", _DISPLAY.sub(r"$$\n\1\n$$", str(self)))
+        for path, figure in self.figures.items():
+            data = b64encode(figure.encode()).decode()
+            shown = shown.replace(f"]({path})", f"](data:image/svg+xml;base64,{data})")
+        return shown
 
 
 def table_rows(robot: Robot) -> list[tuple[str, ...]]:

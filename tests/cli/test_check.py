@@ -88,6 +88,26 @@ def test_check_sees_what_is_missing_and_what_is_extra(
     )
 
 
+def test_check_looks_at_figures_of_its_own(run: Run, written: Path, tmp_path: Path) -> None:
+    folder = copy(written, tmp_path)
+    figures = folder / "generated" / "figures"
+    arm = (figures / "planar_rr_arm.svg").read_text()
+    (figures / "planar_rr_arm.svg").write_text(arm.replace("<title>", "<title>old: "))
+    (figures / "planar_rr_postures.svg").unlink()
+    (figures / "planar_rr_shadow.svg").write_text(arm)
+    (figures / "old_robot_arm.svg").write_text(arm)
+    (figures / "theirs_arm.svg").write_text(arm.replace("robots/", "arms/"))
+    (figures / "logo.svg").write_text("<svg/>")
+    done = run("--check", "robots/planar_rr.yaml", folder=folder)
+    assert done.returncode == 1
+    assert [line for line in done.stderr.splitlines() if line.startswith("generated/")] == [
+        "generated/figures/planar_rr_arm.svg: changed",
+        "generated/figures/planar_rr_postures.svg: missing",
+        "generated/figures/old_robot_arm.svg: extra file: no robot file in robots/ generates it",
+        "generated/figures/planar_rr_shadow.svg: extra file: no robot file in robots/ generates it",
+    ]
+
+
 def test_check_sees_a_change_in_the_runtime(run: Run, written: Path, tmp_path: Path) -> None:
     folder = copy(written, tmp_path)
     path = folder / "generated" / "dhgen_runtime" / "jit.py"

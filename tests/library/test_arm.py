@@ -103,6 +103,13 @@ def test_a_derivation_is_markdown_that_notebooks_show_with_formulas(
     assert "```math" not in shown
     assert "$`" not in shown
     assert "```text" in shown  # drawings stay what they are
+    kinds = ("arm", "postures", "workspace")
+    assert set(derivation.figures) == {f"figures/two_links_{kind}.svg" for kind in kinds}
+    assert all(f"]({path})" in derivation for path in derivation.figures)
+    assert shown.count("](data:image/svg+xml;base64,") == 3
+    assert "](figures/" not in shown
+    again = pickle.loads(pickle.dumps(derivation))  # noqa: S301
+    assert (again, again.figures) == (derivation, derivation.figures)
     assert not empty_cache.exists()
 
 

@@ -103,3 +103,5 @@ def test_its_files_are_those_that_the_command_writes(
     for name, text in files.items():
         assert (solver.folder / name).read_text("utf-8") == text, name
     assert arm.derivation() == files["two_links.md"]
+    assert arm.derivation().figures.items() <= files.items()
+    assert len(arm.derivation().figures) == 3

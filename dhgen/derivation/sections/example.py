@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.derivation.example import find_example
 from dhgen.derivation.notation.names import branch_sign, joint_symbol, target, unknown_symbol
 from dhgen.derivation.sections.forward import POSE, moved_left
 from dhgen.derivation.sections.shoulder import PSI
@@ -40,7 +39,7 @@ NEXT = 4  # columns between two equations in a line
 
 def example_section(story: Story) -> list[Block]:
     """The example; nothing for arms without steps, or where no pose that was drawn is regular."""
-    example = find_example(story) if story.steps else None
+    example = story.example
     if example is None:
         return []
     letters = letters_at(story, list(example.q), example.T)

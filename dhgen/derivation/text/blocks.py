@@ -71,7 +71,16 @@ class Drawing:
     text: str
 
 
-Block = Heading | Paragraph | Display | Table | Drawing
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A figure in a file of its own, with what is said below it."""
+
+    path: str
+    title: str
+    caption: Prose
+
+
+Block = Heading | Paragraph | Display | Table | Drawing | Picture
 
 
 def say(text: str, *parts: Formula | Given | Prose) -> Prose:

@@ -15,6 +15,7 @@ from dhgen.derivation.text.blocks import (
     Given,
     Heading,
     Paragraph,
+    Picture,
     Prose,
     Table,
 )
@@ -45,6 +46,8 @@ def markdown(block: Block) -> str:
             return _table(header, rows)
         case Drawing(text):
             return f"```text\n{text}\n```"
+        case Picture(path, title, caption):
+            return f"![{escaped(title)}]({path})\n\n{inline(caption)}"
 
 
 def inline(prose: Prose) -> str:

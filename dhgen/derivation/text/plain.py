@@ -11,6 +11,7 @@ from dhgen.derivation.text.blocks import (
     Given,
     Heading,
     Paragraph,
+    Picture,
     Prose,
     Table,
 )
@@ -42,6 +43,8 @@ def plain(block: Block) -> str:
             return _table([[words(cell) for cell in row] for row in (header, *rows)])
         case Drawing(text):
             return textwrap.indent(text, INDENT)
+        case Picture(path, _, caption):
+            return textwrap.fill(f"{path}: {words(caption)}", COLUMNS, break_on_hyphens=False)
 
 
 def words(prose: Prose) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.text.blocks import Display, Given, Paragraph, Prose, Table
+from dhgen.derivation.text.blocks import Display, Given, Paragraph, Picture, Prose, Table
 from dhgen.derivation.text.formula import Minus, Number, Sum, Symbol
 
 if TYPE_CHECKING:
@@ -79,6 +79,8 @@ def _formulas_of(block: Block) -> Iterator[Formula]:
             for row in (header, *rows):
                 for cell in row:
                     yield from _in_prose(cell)
+        case Picture(caption=caption):
+            yield from _in_prose(caption)
         case _:
             pass
 
