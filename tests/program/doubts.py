@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.arrays import FloatArray
+    from dhgen.program.regular.flatten import Flat
+    from dhgen.program.regular.unguarded import Regular
 
 
 def doubtful(name: str, q: FloatArray) -> NDArray[np.bool_]:
@@ -27,10 +29,18 @@ def doubtful(name: str, q: FloatArray) -> NDArray[np.bool_]:
     assert solver is not None
     arm = numeric_arm(of.derivation.problem.algebra.chain)
     found = outputs(solver.program, arm.pose(q), None, given_values(arm, q))
-    return any_told(found, len(solver.doubts))
+    return any_told(found, solver)
 
 
-def any_told(found: Sequence[FloatArray], count: int) -> NDArray[np.bool_]:
-    """Whether any of the last outputs (N, B), so many of them, holds for any branch (N,)."""
-    told = found[len(found) - count :]
-    return np.asarray(np.any([np.zeros_like(found[0]), *told], axis=(0, -1)), dtype=np.bool_)
+def any_told(found: Sequence[FloatArray], of: Regular | Flat) -> NDArray[np.bool_]:
+    """Whether poses are left to the whole program, by the outputs (N, B) of a program.
+
+    They are where a doubt holds for any branch, and where no row is exact and one is near it.
+    """
+    end = len(found) - len(of.fits)
+    told = found[end - len(of.doubts) : end]
+    doubt = np.any([np.zeros_like(found[0]), *told], axis=(0, -1))
+    if of.fits:
+        exact, near = (np.any(each, axis=-1) for each in found[end:])
+        doubt |= near & ~exact
+    return np.asarray(doubt, dtype=np.bool_)

@@ -103,7 +103,7 @@ def test_regular_and_flat_programs_are_the_program(name: str) -> None:
     assert solver is not None
     T, free, rows = cases(name)
     found = outputs(solver.program, T, None, free)
-    doubt = any_told(found, len(solver.doubts))
+    doubt = any_told(found, solver)
     assert_same(name, np.stack(found[: len(solver.joints)], axis=-1), doubt)
 
     flat = flatten(solver)
@@ -111,7 +111,7 @@ def test_regular_and_flat_programs_are_the_program(name: str) -> None:
     found = outputs(flat.program, T, None, free)
     values = found[: flat.joints * len(flat.choices)]
     q = np.stack([column[:, 0] for column in values], axis=-1).reshape(rows.q.shape)
-    assert_same(name, q, any_told(found, len(flat.doubts)))
+    assert_same(name, q, any_told(found, flat))
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -138,9 +138,8 @@ def nearly_fitting(name: str, factors: list[float]) -> tuple[NDArray[np.bool_], 
     assert solver is not None
     found = outputs(solver.program, T, None, free)
     solved = ~np.isnan(found[0])
-    doubt = np.any(found[len(found) - len(solver.doubts) :], axis=0)
     known = interpret(of.program, T, np.zeros_like(q), free)
-    sure = ~doubt.any(axis=-1)
+    sure = ~any_told(found, solver)
     assert (solved == known.solved)[sure].all()
     return sure, slack
 
@@ -178,13 +177,12 @@ def test_some_branches_stay_as_lanes(name: str, lanes: tuple[int, ...]) -> None:
     flat = flatten(solver, lanes)
     assert [axis.name for axis in flat.program.axes] == [f"e{place + 1}" for place in lanes]
     found = outputs(flat.program, T)
-    values = np.stack(found[: len(found) - len(flat.doubts)], axis=-1)
+    values = np.stack(found[: len(found) - len(flat.doubts) - len(flat.fits)], axis=-1)
     groups = values.reshape(len(T), 1 << len(lanes), -1, flat.joints)
     order = [*flat.lanes, *flat.unrolled]  # the axes as they stand in the groups
     split = groups.reshape(len(T), *(2 for _ in order), flat.joints)
     q = split.transpose(0, *(1 + order.index(axis) for axis in range(len(order))), -1)
-    doubt = np.any(found[len(found) - len(flat.doubts) :], axis=(0, -1))
-    assert_same(name, q.reshape(rows.q.shape), doubt)
+    assert_same(name, q.reshape(rows.q.shape), any_told(found, flat))
 
 
 MOST = {  # additions, multiplications, divisions, square roots, arctangents of a regular pose
@@ -251,7 +249,7 @@ def test_rows_that_would_be_tightened_are_exact_or_a_doubt() -> None:
     T = arm.pose(np.random.default_rng(4).uniform(-3.0, 3.0, (COUNT, chain.dof)))
     found = outputs(solver.program, T, None, None)
     q = np.stack(found[: len(solver.joints)], axis=-1)
-    doubt = np.stack(found[len(found) - len(solver.doubts) :]).astype(bool).any(axis=(0, 2))
+    doubt = any_told(found, solver)
     assert not doubt.all()
     miss = np.abs(arm.pose(q) - T[:, None]).max(axis=(2, 3))[~doubt]
     assert np.isfinite(miss).any(axis=1).all()
