@@ -61,8 +61,7 @@ class Tolerances:
             more may stand on it: the pose is left.
         clamped: A joint that comes out a little beyond a limit is clamped to it if the pose is
             missed by so much more at most. Not above `merge`: where two branches are told apart,
-            the one beyond the limit must not be taken for the other. Where solutions are found
-            without branches it is `polished`, as nearer ones are one solution anyway.
+            the one beyond the limit must not be taken for the other.
         told: From where two branches meet to where both are told, their joint values are farther
             apart: they grow with the root of `merge` [rad or length].
         far: An angle of the seed that is not below this has no copy of another near to it that

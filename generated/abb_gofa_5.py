@@ -134,7 +134,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.6803, 0.6803, 0.6803, 1.0, 1.0, 1.0),
         size=1.4700000000000002,
-        clamped=1e-10,
+        clamped=1e-14,
         steps=('clamps', 'winds'),
     ),
 )

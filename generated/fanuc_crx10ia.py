@@ -161,7 +161,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.6116, 0.6116, 0.6116, 1.0, 1.0, 1.0),
         size=1.635,
-        clamped=1e-10,
+        clamped=1e-14,
         steps=('clamps', 'winds'),
     ),
 )

@@ -136,7 +136,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.5546, 0.5546, 0.5546, 1.0, 1.0, 1.0),
         size=1.803,
-        clamped=1e-10,
+        clamped=1e-14,
         steps=('clamps',),
     ),
 )

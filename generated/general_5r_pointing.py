@@ -152,7 +152,7 @@ _ARM = _arms.arm_numbers(
         directions='pointing',
         miss_weights=(0.565, 0.565, 0.565, 1.0, 1.0, 1.0),
         size=1.77,
-        clamped=1e-10,
+        clamped=1e-14,
         steps=('clamps', 'winds'),
     ),
 )

@@ -181,7 +181,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.5714, 0.5714, 0.5714, 1.0, 1.0, 1.0),
         size=1.75,
-        clamped=1e-10,
+        clamped=1e-14,
         steps=('clamps',),
     ),
 )

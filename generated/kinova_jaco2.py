@@ -143,7 +143,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.8046, 0.8046, 0.8046, 1.0, 1.0, 1.0),
         size=1.2428885000031569,
-        clamped=1e-10,
+        clamped=1e-14,
     ),
 )
 

@@ -126,7 +126,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.3333, 0.3333, 0.3333, 1.0, 1.0, 1.0),
         size=3.0,
-        clamped=1e-10,
+        clamped=1e-14,
     ),
 )
 

@@ -92,7 +92,7 @@ _ARM = _arms.arm_numbers(
         directions='none',
         miss_weights=(1.0, 1.0, 0.0, 0.0, 0.0, 0.0),
         size=1.0,
-        clamped=1e-10,
+        clamped=1e-14,
         steps=('clamps',),
     ),
 )

@@ -129,7 +129,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.8295, 0.8295, 0.8295, 1.0, 1.0, 1.0),
         size=1.2055000000000002,
-        clamped=1e-10,
+        clamped=1e-14,
         given=(2,),
     ),
 )

@@ -170,7 +170,7 @@ _ARM = _arms.arm_numbers(
         directions='rotation',
         miss_weights=(0.5659, 0.5659, 0.5659, 1.0, 1.0, 1.0),
         size=1.767,
-        clamped=1e-10,
+        clamped=1e-14,
         steps=('clamps', 'winds'),
     ),
 )

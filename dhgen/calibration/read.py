@@ -30,6 +30,8 @@ ORIGINS, DELTAS = "kinematics", "deltas"
 PLACES = ("x", "y", "z", "roll", "pitch", "yaw")
 CELLS = ("theta", "d", "a", "alpha", "beta")
 OTHERS = ("hash",)  # beside the origins
+# Universal Robots' names of the links whose origins these are, from base to tool.
+LINKS = ("shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3")
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +83,9 @@ class _Reader:
     def run(self) -> Calibration:
         document = self._document
         if document.has(ORIGINS) == document.has(DELTAS):
+            if document.has(DELTAS):
+                told = f"a calibration holds {ORIGINS} or {DELTAS}, not both"
+                raise RobotFileError((document.source.point(span_of(document.root), told),))
             wanted = f"a calibration holds {ORIGINS}: (of each joint x, y, z, roll, pitch, yaw) or "
             told = f"{wanted}{DELTAS}: (a list, of each row {', '.join(CELLS)})"
             raise RobotFileError((document.source.point(span_of(document.root), told),))
@@ -102,8 +107,17 @@ class _Reader:
         if not isinstance(node, MappingNode):
             self._complain(node, f"{ORIGINS} holds a line for each joint, from base to tool")
             return []
-        pairs = self._document.pairs[id(node)].items()
-        return [self._row(value, PLACES, PLACES) for key, (_, value) in pairs if key not in OTHERS]
+        pairs = self._document.pairs[id(node)]
+        names = [name for name in pairs if name not in OTHERS]
+        if any(name in LINKS for name in names):
+            for name in names:
+                if name not in LINKS:
+                    told = f"no link is called {quoted(name)}{nearest(name, LINKS)}"
+                    self._complain(pairs[name][0], told)
+            if missing := [name for name in LINKS if name not in names]:
+                self._complain(node, f"{', '.join(missing)} missing")
+            names = [name for name in LINKS if name in names]
+        return [self._row(pairs[name][1], PLACES, PLACES) for name in names]
 
     def _deltas(self, node: Node) -> list[tuple[float, ...]]:
         if not isinstance(node, SequenceNode):

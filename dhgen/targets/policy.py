@@ -102,7 +102,7 @@ def policy_of(module: SolverModule) -> Policy:
         merges=follows_seed and roots_in_a_row(solver) > 1,
         refines=solver.led is not None,
         clamps=stands_on_limits(module),
-        clamped=_clamped(module),
+        clamped=module.precision.tolerances.clamped,
         clamps_far=stands_on_limits(module) and tells_regular(solver),
         winds=stands_on_limits(module) and _widest_turn(module) > NEARLY_A_TURN,
         follows_seed=follows_seed,
@@ -126,12 +126,6 @@ def fan_steps(module: SolverModule) -> tuple[float, ...]:
         2.0 * (math.pi if turns else length) / FAN
         for turns, length in zip(module.chain.turning, lengths, strict=True)
     )
-
-
-def _clamped(module: SolverModule) -> float:
-    """By how much more a pose may be missed by a row that is clamped."""
-    tolerances = module.precision.tolerances
-    return tolerances.clamped if whole_arm(module.solver) is None else tolerances.polished
 
 
 def _follows_seed(module: SolverModule) -> bool:

@@ -34,11 +34,11 @@ DHGEN_API void dhgen_complete_rows(const struct dhgen_arm *arm, const double *T,
         dhgen_split_close_roots(arm, T, free_joints, seed, q, status);
     if (arm->completion->adds_others)
         dhgen_add_others(arm, T, free_joints, q, status);
-    dhgen_refine_rows(arm, T, free_joints, seed, q, status);
+    const int fitted = dhgen_refine_rows(arm, T, free_joints, seed, q, status);
     if (begun < 0 && arm->completion->equations_end_all)
         begun = 0;
     if (begun >= 0)
-        dhgen_search_lost_rows(arm, T, free_joints, seed, begun, q, status);
+        dhgen_search_lost_rows(arm, T, free_joints, seed, begun, fitted, q, status);
 }
 
 #endif

@@ -80,6 +80,16 @@ def test_an_arm_without_errors_stays_a_table() -> None:
         np.testing.assert_allclose(forward(robot, q), forward(nominal, q), rtol=0.0, atol=1e-9)
 
 
+def test_links_may_stand_in_any_order() -> None:
+    """As programs write them: by the alphabet."""
+    rows = YAML(typ="safe").load(NOMINAL)["kinematics"]
+    text = "".join(f"  {name}: {rows[name]}\n" for name in sorted(rows))
+    assert calibrated("ur5e", f"kinematics:\n{text}".replace("'", "")) == 0
+    robot, nominal = load("ur5e_calibrated.yaml"), load(ROBOTS / "ur5e.yaml")
+    for q in joint_values(5):
+        np.testing.assert_allclose(forward(robot, q), forward(nominal, q), rtol=0.0, atol=1e-9)
+
+
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_deltas_of_a_table(convention: str) -> None:
     """Of a modified row beta stands before the joint's own motion."""
@@ -117,6 +127,13 @@ def test_axes_where_they_are_asked_for() -> None:
         ("puma560", "deltas: [{theta: nan}]", "measured.yaml:1:18: expected a number"),
         ("ur5e", "kinematics: {shoulder: {x: 0}}", "y, z, roll, pitch, yaw missing"),
         ("ur5e", "name: ur5e", "measured.yaml:1:1: a calibration holds kinematics: "),
+        (
+            "ur5e",
+            NOMINAL.replace("wrist_1", "wrist1"),
+            "no link is called 'wrist1'; did you mean 'wrist_1'",
+        ),
+        ("ur5e", NOMINAL.replace("wrist_2", "hash"), "wrist_2 missing"),
+        ("ur5e", f"{NOMINAL}{DELTAS}", "a calibration holds kinematics or deltas, not both"),
         ("ur5e", "", "measured.yaml: the file is empty"),
         ("ur5e", Path("none.yaml"), "none.yaml: the file can't be read: No such file"),
     ],

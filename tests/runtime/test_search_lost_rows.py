@@ -21,6 +21,8 @@ Q = np.array([0.4, 0.9])
 LOST = [math.nan] * 2
 INSIDE = (ENDLESS, (0.0, 2.0))  # one of two solutions keeps these limits
 
+FITTED = False  # whether rows were taken to the least miss of a pose that may be rounded
+
 
 def arm_with(*steps: str, limits: Any = (ENDLESS, ENDLESS), **others: Any) -> Any:
     arm = arm_of("RR", limits, steps=("completes", *steps))
@@ -34,7 +36,9 @@ def searched(
 ) -> tuple[Any, list[int]]:
     q, held = np.array(rows), np.array(status, np.uint8)
     task = arm, planar(kind), pose_at(Q) if pose is None else pose, NONE
-    called(kind, "numerical.search_lost_rows", "search_lost_rows")(task, np.zeros(2), 1, q, held)
+    called(kind, "numerical.search_lost_rows", "search_lost_rows")(
+        task, np.zeros(2), 1, FITTED, q, held
+    )
     return q, list(held)
 
 
@@ -92,7 +96,7 @@ def test_an_elbow_on_the_other_side_is_none(kind: str) -> None:
     search = called(kind, "numerical.search_lost_rows", "search_lost_rows")
     for angle, found in ((Q[0], True), (Q[0] + 0.4, False)):
         q, status = np.array([LOST, LOST]), np.array([UNREACHABLE] * 2, np.uint8)
-        search((arm, robot, pose_at(Q), np.array([angle])), np.zeros(2), 0, q, status)
+        search((arm, robot, pose_at(Q), np.array([angle])), np.zeros(2), 0, FITTED, q, status)
         assert list(status) == [FREE_JOINT if found else UNREACHABLE, UNREACHABLE]
         if found:
             np.testing.assert_allclose(q[0], Q, atol=1e-9)

@@ -95,8 +95,11 @@ def test_check_knows_the_folder_again(folder: str, tmp_path: Path) -> None:
     path.write_text("name: planar_rr\n")
     out.mkdir()
     file = RobotFile(path, ROBOT.robot)
-    for name, text in compile_loaded(file, out=out).files.items():
+    files = compile_loaded(file, out=out).files
+    for name, text in files.items():
         write_files(out, {name: text, name.replace("planar_rr", "left_over"): text})
     problems = compare(RobotFiles((path,), (file,), ()), out).problems
-    assert len(problems) == 4
-    assert all("left_over" in problem for problem in problems)
+    own = sorted(name for name in files if "planar_rr" in name)
+    assert {f".{name.rpartition('.')[2]}" for name in own} == {".py", ".c", ".h", ".md", ".svg"}
+    for name, problem in zip(own, sorted(problems), strict=True):
+        assert problem.startswith(f"{out / name.replace('planar_rr', 'left_over')}: extra file")

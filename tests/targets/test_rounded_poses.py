@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from dhgen.survey.oracle.forward import forward, jacobian
-from tests.targets.calling import HELD, LANGUAGES, OK, UNREACHABLE, Solver, gap
+from tests.targets.calling import HELD, LANGUAGES, UNREACHABLE, Solver, gap
 from tests.targets.made import made, robot
 
 if TYPE_CHECKING:
@@ -80,18 +80,17 @@ def test_a_reported_pose(language: str) -> None:
 
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("name", ARMS)
-def test_rows_miss_a_rounded_pose_least(name: str, language: str) -> None:
-    """No joint can take less of the miss: what is left is at right angles to all that joints do."""
+def test_rows_miss_a_rounded_pose_by_no_more_than_it_may_be_rounded_by(
+    name: str, language: str
+) -> None:
     solver = Solver(name, language)
     for q in regular(name, 20, 0.1):
         T = np.round(np.array(forward(robot(name), q)), 6)
         rows, status = solver.all(T)
-        row = rows[np.argmin(np.where(status == OK, gap(rows, q), np.inf))]
-        reached = np.array(forward(robot(name), row))
-        R = T[:3, :3] @ reached[:3, :3].T
-        turn = 0.5 * np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
-        miss = np.concatenate([(T[:3, 3] - reached[:3, 3]) / size(name), turn])
-        assert np.linalg.norm(weighted_jacobian(name, row).T @ miss) < 1e-9
+        reached = np.array([forward(robot(name), row) for row in rows[np.isin(status, HELD)]])
+        off = np.abs(reached - T)
+        off[:, :3, 3] /= size(name)
+        assert off.max() < 1e-5 + 1e-6  # the pose's own rotation is not quite one
 
 
 @pytest.mark.parametrize("name", ARMS)

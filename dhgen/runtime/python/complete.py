@@ -44,11 +44,11 @@ def complete_rows(
         _split(task, seed, q, status)
     if arm[ADDS_OTHERS] > 0.0:
         _add_others(task, q, status)
-    _refine(task, q, status)
+    fitted = _refine(task, q, status)
     if begun < 0 and arm[EQUATIONS_END_ALL] > 0.0:
         begun = 0
     if begun >= 0:
-        _search(task, seed, begun, q, status)
+        _search(task, seed, begun, fitted, q, status)
 
 
 def compile_apart() -> None:

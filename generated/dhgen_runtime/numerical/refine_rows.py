@@ -173,10 +173,11 @@ def refine_row(
 ) -> tuple[float, bool]:
     """Takes a row to where least squares lead, unless it is exact.
 
-    Where the task names more than the joints can choose, a row that can't be exact is taken to the
-    least miss: equations that hold few digits of a joint make far more of what a pose is rounded
-    by. Returns by how much the row misses the pose then, `first` being what it misses before, and
-    whether it was moved.
+    Where the task names more than the joints can choose, a row that can't be exact stays, if it
+    misses the pose by what that may be rounded by; if it misses it by more it is taken to the least
+    miss: equations that hold few digits of a joint make far more of the rounding. Returns by how
+    much the row misses the pose then, `first` being what it misses before, and whether it was
+    moved.
     """
     if first <= exact:
         return first, False
@@ -188,11 +189,11 @@ def refine_row(
     end, moved = q.copy(), False
     if descents[CHECKED] > 0.0:
         least = approach(descents, goal, ROW_STEPS, exact, end)[0]
-        if least > LOOSE * descents[RESIDUAL]:
-            return first, False  # no solution, however the pose is rounded
-        if least > exact:
+        residual = descents[RESIDUAL]
+        may_fit = first > residual and least <= LOOSE * residual
+        if least > exact and may_fit:  # the pose may be rounded
             least = least_miss(descents, goal, end)
-        if not least < first:
+        if least > exact and not (may_fit and least <= residual):
             return first, False
     else:
         least = escape(descents, goal, exact, end)
@@ -250,11 +251,13 @@ def empty_row(row: int, q: Floats, status: Bytes) -> None:
         q[row, i] = math.nan
 
 
-@apart(f"void({TASK}, float64[:, ::1], uint8[::1])")
-def refine_rows(task: Task, q: Floats, status: Bytes) -> None:
+@apart(f"boolean({TASK}, float64[:, ::1], uint8[::1])")
+def refine_rows(task: Task, q: Floats, status: Bytes) -> bool:
     """Refines the rows of a pose.
 
     Empties those that miss the pose then, and all but one of those that have become one solution.
+    Returns whether there are rows that missed the pose by more than it may be rounded by, and miss
+    it by less now.
     """
     arm, robot, pose, q_free = task
     descents, goal = descents_of(arm), goal_of(pose, q_free, robot[ARM_ANGLE_MISS])
@@ -269,6 +272,10 @@ def refine_rows(task: Task, q: Floats, status: Bytes) -> None:
     for row in range(rows):
         if miss[row] > enough:
             q[row, 0] = math.nan
+    fitted, checked = False, descents[CHECKED] > 0.0
     for row in range(rows):
         if math.isnan(q[row, 0]) or (moved[row] and repeats(descents, q, first, row)):
             empty_row(row, q, status)
+        elif checked and miss[row] > exact and first[row] > descents[RESIDUAL]:
+            fitted = True
+    return fitted

@@ -96,17 +96,20 @@ def search_from(task: Task, goal: Goal, near: Floats, k: int, exact: float, end:
     return float(miss)
 
 
-@apart(f"void({TASK}, float64[::1], int64, float64[:, ::1], uint8[::1])")
-def search_lost_rows(task: Task, seed: Floats, begun: int, q: Floats, status: Bytes) -> None:
+@apart(f"void({TASK}, float64[::1], int64, boolean, float64[:, ::1], uint8[::1])")
+def search_lost_rows(
+    task: Task, seed: Floats, begun: int, fitted: bool, q: Floats, status: Bytes
+) -> None:
     """Searches joint values with less wrong with them than with those of the rows.
 
-    They are for row `begun`, or for one that has a free joint where only limits are at fault.
+    They are for row `begun`, or for one that has a free joint where only limits are at fault. Of
+    rows that were `fitted` to a pose that may be rounded only exact values take the place.
     """
     arm, robot, pose, q_free = task
     descents, goal = descents_of(arm), goal_of(pose, q_free, robot[ARM_ANGLE_MISS])
     exact, near = exactness(descents, goal[0]), in_units(descents, seed)
     before, chosen = least_fault(arm, goal, exact, q, status)
-    if before == 0 or (before < IS_MISSING and chosen < 0):
+    if before == 0 or (before < IS_MISSING and chosen < 0 and not fitted):
         return
     least, found, end = before, np.zeros(q.shape[1]), np.empty(q.shape[1])
     for k in range(SEARCH_STARTS):
@@ -117,10 +120,10 @@ def search_lost_rows(task: Task, seed: Floats, begun: int, q: Floats, status: By
         if wrong < least:
             least = wrong
             copy_row(end, found)
-    if least == before:
+    if least == before or (fitted and least & IS_INEXACT):
         return
     as_exact = before & IS_INEXACT == least & IS_INEXACT
-    if arm[KEEPS_LIMITS] > 0.0 and before < IS_MISSING and as_exact:
+    if arm[KEEPS_LIMITS] > 0.0 and before < IS_MISSING and chosen >= 0 and as_exact:
         copy_row(found, q[chosen])  # other rows are no less exact
         return
     for row in range(len(q)):

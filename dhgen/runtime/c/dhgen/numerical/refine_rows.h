@@ -132,9 +132,10 @@ DHGEN_FN double dhgen_escape(struct dhgen_descent *d, double exact, double *q)
 }
 
 /* Takes a row to where least squares lead, unless it is exact. Where the task names more than the
- * joints can choose, a row that can't be exact is taken to the least miss: equations that hold few
- * digits of a joint make far more of what a pose is rounded by. Returns by how much the row misses
- * the pose then, `first` being what it misses before. */
+ * joints can choose, a row that can't be exact stays, if it misses the pose by what that may be
+ * rounded by; if it misses it by more it is taken to the least miss: equations that hold few digits
+ * of a joint make far more of the rounding. Returns by how much the row misses the pose then,
+ * `first` being what it misses before. */
 DHGEN_FN double dhgen_refine_row(
     struct dhgen_descent *d, double exact, double first, double *q, int *moved)
 {
@@ -151,11 +152,10 @@ DHGEN_FN double dhgen_refine_row(
         end[i] = q[i];
     if (arm->checked) {
         least = dhgen_approach(d, DHGEN_ROW_STEPS, exact, end, &ahead);
-        if (least > DHGEN_LOOSE * arm->residual) /* no solution, however the pose is rounded */
-            return first;
-        if (least > exact)
+        const int may_fit = first > arm->residual && least <= DHGEN_LOOSE * arm->residual;
+        if (least > exact && may_fit) /* the pose may be rounded */
             least = dhgen_least_miss(d, end);
-        if (!(least < first))
+        if (least > exact && !(may_fit && least <= arm->residual))
             return first;
     } else {
         least = dhgen_escape(d, exact, end);
@@ -206,8 +206,9 @@ DHGEN_FN double dhgen_enough_in_rows(
 }
 
 /* Refines the rows; empties those that miss the pose then, and all but one of those that have
- * become one solution. */
-DHGEN_FN void dhgen_refine_rows(const struct dhgen_arm *arm, const double *T,
+ * become one solution. Returns whether there are rows that missed the pose by more than it may be
+ * rounded by, and miss it by less now. */
+DHGEN_FN int dhgen_refine_rows(const struct dhgen_arm *arm, const double *T,
     const double *free_joints, const double *seed, double *q, unsigned char *status)
 {
     const struct dhgen_numerical_arm *const descents = arm->completion->descents;
@@ -229,9 +230,14 @@ DHGEN_FN void dhgen_refine_rows(const struct dhgen_arm *arm, const double *T,
     for (int row = 0; row < dhgen_rows(arm); row++)
         if (miss[row] > enough)
             q[dof * row] = DHGEN_NAN;
-    for (int row = 0; row < dhgen_rows(arm); row++)
+    int fitted = 0;
+    for (int row = 0; row < dhgen_rows(arm); row++) {
         if (isnan(q[dof * row]) || (moved[row] && dhgen_repeats(descents, q, first, row)))
             dhgen_empty_row(arm, q + dof * row, status + row);
+        else
+            fitted |= descents->checked && miss[row] > exact && first[row] > descents->residual;
+    }
+    return fitted;
 }
 
 #endif

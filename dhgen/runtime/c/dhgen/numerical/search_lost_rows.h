@@ -73,9 +73,11 @@ DHGEN_FN double dhgen_search_from(
 }
 
 /* Searches joint values with less wrong with them than with those of the rows, for row `begun`, or
- * for one that has a free joint where only limits are at fault. */
+ * for one that has a free joint where only limits are at fault. Of rows that were `fitted` to a
+ * pose that may be rounded only exact values take the place. */
 DHGEN_FN void dhgen_search_lost_rows(const struct dhgen_arm *arm, const double *T,
-    const double *free_joints, const double *seed, int begun, double *q, unsigned char *status)
+    const double *free_joints, const double *seed, int begun, int fitted, double *q,
+    unsigned char *status)
 {
     const double exact = dhgen_exactness(arm->completion->descents, T);
     const int dof = dhgen_dof(arm);
@@ -84,7 +86,7 @@ DHGEN_FN void dhgen_search_lost_rows(const struct dhgen_arm *arm, const double *
     int chosen;
     dhgen_begin_descent(arm->completion->descents, T, free_joints, seed, &d);
     const int before = dhgen_least_fault(arm, &d, exact, q, status, &chosen);
-    if (before == 0 || (before < DHGEN_IS_MISSING && chosen < 0))
+    if (before == 0 || (before < DHGEN_IS_MISSING && chosen < 0 && !fitted))
         return;
     int least = before;
     for (int k = 0; k < DHGEN_SEARCH_STARTS && least; k++) {
@@ -95,9 +97,9 @@ DHGEN_FN void dhgen_search_lost_rows(const struct dhgen_arm *arm, const double *
             dhgen_copy_row(arm, end, found);
         }
     }
-    if (least == before)
+    if (least == before || (fitted && (least & DHGEN_IS_INEXACT)))
         return;
-    if (arm->keeps_limits && before < DHGEN_IS_MISSING
+    if (arm->keeps_limits && before < DHGEN_IS_MISSING && chosen >= 0
         && (before & DHGEN_IS_INEXACT) == (least & DHGEN_IS_INEXACT)) {
         dhgen_copy_row(arm, found, q + dof * chosen); /* other rows are no less exact */
         return;
