@@ -75,6 +75,12 @@ def _add_numerical(made: argparse.ArgumentParser) -> None:
     )
 
 
+def _add_axes(made: argparse.ArgumentParser) -> None:
+    made.add_argument(
+        "--axes", action="store_true", help="write axes in the reference position, not a table"
+    )
+
+
 def explain_parser() -> argparse.ArgumentParser:
     """Of `dhgen explain`."""
     made = argparse.ArgumentParser(
@@ -151,9 +157,7 @@ def import_parser() -> argparse.ArgumentParser:
         help="take as exact what is nearer than this to a multiple of 15 degrees [rad], or to zero "
         f"[arm sizes] (default: {DEFAULT:g} and {LITTLE:g}; 1.57 needs 1e-3)",
     )
-    made.add_argument(
-        "--axes", action="store_true", help="write axes in the reference position, not a table"
-    )
+    _add_axes(made)
     made.add_argument(
         "--free",
         type=_joints,
@@ -205,9 +209,7 @@ def calibrate_parser() -> argparse.ArgumentParser:
         metavar="CALIBRATION",
         help="the calibration (YAML)",
     )
-    made.add_argument(
-        "--axes", action="store_true", help="write axes in the reference position, not a table"
-    )
+    _add_axes(made)
     made.add_argument(
         "--out",
         type=_path,

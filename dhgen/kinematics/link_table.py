@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import AxisJoint, DhRow, Frame, Robot
 
 AXES = "axes"
-IDENTITY = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)
 
 Placement = tuple[float, ...]  # the upper three rows of a 4x4 matrix
 

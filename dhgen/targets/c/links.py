@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.link_table import IDENTITY
+from dhgen.runtime.python.frames import IDENTITY
 from dhgen.targets.layout import INDENT, c_array, wrapped
 from dhgen.targets.solver.links import about_table
 

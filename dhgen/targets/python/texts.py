@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.link_table import AXES, IDENTITY
+from dhgen.kinematics.link_table import AXES
 from dhgen.printing.comments import plain
 from dhgen.robot.task import Directions, TaskKind
+from dhgen.runtime.python.frames import IDENTITY
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.coupled import coupling_fields
 from dhgen.targets.layout import INDENT, WIDTH, listed, paragraph
