@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.program.all_joints import whole_numbers, whole_solver
-from dhgen.program.circle import circle_roots, is_close
 from dhgen.program.completion import Completion
 from dhgen.program.ir import (
     AllJoints,
@@ -177,23 +176,21 @@ class _Run:
 
     def _roots(self, statement: Roots) -> tuple[Array, Array]:
         """The roots along their axis, for all poses and all values of earlier axes; which meet."""
+        from dhgen.program.circle import roots_of  # noqa: PLC0415  takes time
+
         values = np.broadcast_arrays(*(self._value(each) for each in statement.coefficients))
         shape = [*values[0].shape]
         if len(shape) < len(self._shape):  # constant coefficients
             shape = [1] * len(self._shape)
         flat = np.stack([value.reshape(-1) for value in values], axis=-1)
         each, places = np.unique(flat, axis=0, return_inverse=True)
-        found = [circle_roots(*row) for row in each.tolist()]
-        close = [
-            [is_close((a0, a1, b1, a2, b2), x) for x in roots]
-            for (a0, a1, b1, a2, b2, _), roots in zip(each.tolist(), found, strict=True)
-        ]
+        found, close = roots_of(each)
 
         def along_axis(numbers: Array) -> Array:
             whole = numbers[places.reshape(-1)].reshape(*shape, -1)
             return np.moveaxis(whole, -1, statement.axis + 1).squeeze(statement.axis + 2)
 
-        return along_axis(np.array(found)) + self._column(self._by), along_axis(np.array(close))
+        return along_axis(found) + self._column(self._by), along_axis(close)
 
     def _all_joints(self, statement: AllJoints) -> dict[str, Array]:
         """All joints of all solutions along the only axis, by the runtime."""
