@@ -13,6 +13,7 @@ from dhgen.robot.source import quoted
 from dhgen.robot.task import ARM_ANGLE
 
 OUT = Path("generated")
+FORMATS = ("text", "markdown", "latex", "html")  # of derivations
 MOST_POSES = 100_000  # of one arm: the search takes up to an hour, and all are in memory at once
 MOST_RECALLED = 10_000_000  # of one arm: minutes where a pose takes microseconds
 
@@ -25,7 +26,8 @@ verbs:
   dhgen --check FILE ...   compare generated/ with what the compiler makes; exit 1 when it is stale
   dhgen --numerical FILE   fall back to the numerical solver where nothing else works
   dhgen --single-file FILE write C and Python that hold what they need of the runtime
-  dhgen explain FILE       print the whole derivation (--alternatives: all valid steps, by number)
+  dhgen explain FILE       print the whole derivation (--alternatives: all valid steps, by number;
+                           --format latex, html, markdown: as a handout, --out FILE)
   dhgen survey PATH ...    test many arms: are all solutions found? (--poses, --recall)
   dhgen --version          print the version
 
@@ -84,9 +86,24 @@ def _add_axes(made: argparse.ArgumentParser) -> None:
 def explain_parser() -> argparse.ArgumentParser:
     """Of `dhgen explain`."""
     made = argparse.ArgumentParser(
-        prog="dhgen explain", description="Prints the derivation of a robot in the terminal."
+        prog="dhgen explain",
+        description="Prints the derivation of a robot, in the terminal or as a handout.",
     )
     made.add_argument("file", type=_path, metavar="FILE", help="a robot file (YAML), or URDF")
+    made.add_argument(
+        "--format",
+        choices=FORMATS,
+        default=FORMATS[0],
+        help="how: as text for a terminal (default), as Markdown for GitHub, as a LaTeX document "
+        "with drawings of its own, or as one HTML file that needs no network (the last wants "
+        "pip install 'dhgen[html]')",
+    )
+    made.add_argument(
+        "--out",
+        type=_path,
+        metavar="FILE",
+        help="write it to a file; figures of Markdown are written beside it, in figures/",
+    )
     made.add_argument(
         "--alternatives",
         action="store_true",

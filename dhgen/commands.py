@@ -12,14 +12,14 @@ from pathlib import Path
 from shlex import quote
 from typing import TYPE_CHECKING
 
-from dhgen.arguments import OUT
+from dhgen.arguments import FORMATS, OUT
 from dhgen.errors import CommandError, DhgenError, VerificationError, about
 from dhgen.generated_header import SUFFIXES, robot_of
 from dhgen.method import Method
 
 if TYPE_CHECKING:
     import argparse
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from dhgen.compiler import Compilation
     from dhgen.errors import Diagnostic
@@ -158,25 +158,45 @@ def _repeated(options: argparse.Namespace) -> list[str]:
 
 
 def explain(options: argparse.Namespace) -> int:
-    """Prints a derivation; the exit code."""
+    """Prints a derivation, or writes it; the exit code."""
     from dhgen.compiler import worked_out  # noqa: PLC0415
-    from dhgen.derivation import alternatives_text, derivation_terminal  # noqa: PLC0415
+    from dhgen.derivation import alternatives_text  # noqa: PLC0415
+    from dhgen.derivation.formats import derivation_as  # noqa: PLC0415
     from dhgen.program.text import program_text  # noqa: PLC0415
     from dhgen.robot_files import RobotFile  # noqa: PLC0415
 
+    if options.format != FORMATS[0] and (options.alternatives or options.program):
+        what = "--alternatives" if options.alternatives else "--program"
+        raise CommandError(f"dhgen: {what} is printed as text alone, not with --format")
     file = RobotFile.read(options.file)
-    _refuse_mute()
+    if options.out is None:
+        _refuse_mute()
+    else:
+        _refuse_occupied([options.out])
     file = file.with_numerical() if options.numerical else file
     _tell_notes(file.robot.notices)
     with about(file.path):
         derivation, module, _ = worked_out(file, _tell)
+    beside: Mapping[str, str] = {}
     if options.alternatives:
-        print(alternatives_text(derivation))
+        text = alternatives_text(derivation) + "\n"
     elif options.program:
-        print(program_text(module.solver), end="")
+        text = program_text(module.solver)
     else:
-        print(derivation_terminal(file.robot, derivation, module.solver))
+        source = str(options.file)
+        text, beside = derivation_as(options.format, file.robot, derivation, module.solver, source)
+    if options.out is None:
+        print(text, end="")
+    else:
+        _write_texts(options.out.parent, {options.out.name: text, **beside})
+        print(f"wrote {options.out}")
     return 0
+
+
+def _write_texts(folder: Path, texts: Mapping[str, str]) -> None:
+    from dhgen.atomic_write import write_files  # noqa: PLC0415
+
+    write_files(folder, texts)
 
 
 def survey(options: argparse.Namespace) -> int:

@@ -20,7 +20,9 @@ for a terminal, `derivation_summary` a dozen lines, `alternatives_text` the rout
 | figures         | the arm, its postures and its workspace as SVG                              |
 | geometry        | how axes lie, and the arm's size                                            |
 | notation        | letters, cells, polynomials and matrices as formulas                        |
-| text            | formulas and documents as values, templates, Markdown, plain text           |
+| text            | formulas and documents as values, templates, and a printer for each format  |
+| handouts        | the document in one file, as LaTeX and as HTML                              |
+| formats         | the document as the command is asked for it                                 |
 | summary         | what the terminal shows after a run                                         |
 
 Prose that does not vary is Markdown in `templates/derivation`; here is what varies.
@@ -65,7 +67,7 @@ def derivation_files(
         blocks=tuple(map(markdown, document_blocks(story, figures))),
     )
     return {f"{robot.name}.md": document} | {
-        figure.path: figure.svg(robot.name, source) for figure in figures
+        figure.path: figure.file(robot.name, source) for figure in figures
     }
 
 

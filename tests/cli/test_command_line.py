@@ -154,6 +154,42 @@ def test_explain(run: Run, option: list[str], tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("wished", "begins"),
+    [("latex", "% planar"), ("html", "<!DOCTYPE html>"), ("markdown", "<!-- planar"), ("text", "")],
+)
+def test_explain_writes_a_handout(wished: str, begins: str, run: Run, tmp_path: Path) -> None:
+    printed = run("explain", PLANAR, "--format", wished, folder=tmp_path)
+    assert (printed.returncode, printed.stderr) == (0, "")
+    assert printed.stdout.startswith(begins)
+    assert names(tmp_path) == []
+    done = run("explain", PLANAR, "--format", wished, "--out", "new/my.file", folder=tmp_path)
+    assert (done.returncode, done.stdout) == (0, "wrote new/my.file\n")
+    assert (tmp_path / "new/my.file").read_text(encoding="utf-8") == printed.stdout
+    linked = set(re.findall(r"\]\((figures/\w+\.svg)\)", printed.stdout))
+    beside = {str(path.relative_to(tmp_path / "new")) for path in tmp_path.rglob("*.svg")}
+    assert beside == linked
+    assert bool(linked) == (wished == "markdown")
+
+
+def test_explain_says_what_does_not_go_together(run: Run, tmp_path: Path) -> None:
+    done = run("explain", PLANAR, "--format", "html", "--program", folder=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "dhgen: --program is printed as text alone, not with --format\n"
+    done = run("explain", PLANAR, "--out", ".", folder=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "dhgen: can't write .: it is a folder\n"
+
+
+def test_html_without_its_package(tmp_path: Path) -> None:
+    """A folder of that name that is no package stands for none."""
+    (tmp_path / "latex2mathml.py").write_text("raise ModuleNotFoundError", encoding="utf-8")
+    path = os.pathsep.join((str(tmp_path), str(ROOT)))
+    done = dhgen("explain", str(PLANAR), "--format", "html", folder=tmp_path, PYTHONPATH=path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "dhgen: HTML needs latex2mathml: pip install 'dhgen[html]'\n"
+
+
+@pytest.mark.parametrize(
     ("words", "passes"),
     [(f"explain {PLANAR}", True), (f"--check --out . {PLANAR}", False), ("broken.yaml", False)],
 )

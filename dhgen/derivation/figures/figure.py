@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
+from dhgen.derivation.figures.svg import svg
 from dhgen.derivation.text.blocks import Picture
 from dhgen.derivation.text.plain import words
 from dhgen.printing.comments import plain_path
@@ -39,7 +40,7 @@ class Figure:
         """The place in a document that shows it."""
         return Picture(self.path, self.title, self.caption)
 
-    def svg(self, name: str, source: str) -> str:
+    def file(self, name: str, source: str) -> str:
         """The file; `source` is how the robot file is called."""
         left, top, width, height = self.sheet.extent()
         return render(
@@ -52,7 +53,7 @@ class Figure:
             top=top,
             width=width,
             height=height,
-            shapes=self.sheet.shapes,
+            shapes=tuple(map(svg, self.sheet.shapes)),
         )
 
 

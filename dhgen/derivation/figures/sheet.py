@@ -1,4 +1,4 @@
-"""Shapes on paper, their extent, and SVG out of them.
+"""Shapes on paper and their extent; `svg.py` and `tikz.py` print them.
 
 Points are pairs of numbers in pixels, x to the right and y down.
 """
@@ -9,7 +9,6 @@ import re
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import TYPE_CHECKING, SupportsFloat, TypeAlias
-from xml.sax.saxutils import escape
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -36,18 +35,62 @@ def number(value: float) -> str:
     return text.removesuffix(".0")
 
 
+@dataclass(frozen=True, slots=True)
+class Path:
+    """Lines and arcs.
+
+    Attributes:
+        kind: What they stand for, which says how they look.
+        data: Their path in the words of SVG.
+        is_faint: Whether they stand back.
+    """
+
+    kind: str
+    data: str
+    is_faint: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Disc:
+    """A circle."""
+
+    kind: str
+    centre: Point
+    radius: float
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """Letters, from a point on their base line.
+
+    Attributes:
+        kind: What they name, which says how they look; may be empty.
+        at: The point.
+        runs: Letters and indices by turns, and which are which.
+        anchor: `middle` or `end` where the point is not at their beginning.
+    """
+
+    kind: str
+    at: Point
+    runs: tuple[tuple[str, bool], ...]
+    anchor: str = ""
+
+
+Shape: TypeAlias = Path | Disc | Words
+
+
 @dataclass(slots=True)
 class Sheet:
     """What is drawn, in order.
 
     Attributes:
-        shapes: Elements of SVG.
+        shapes: What is drawn.
         lines: Ends of the lines that letters keep off, and half their width.
         boxes: Places that bodies take.
         letters: Places that letters take.
     """
 
-    shapes: list[str] = field(default_factory=list)
+    shapes: list[Shape] = field(default_factory=list)
     lines: list[tuple[Point, Point, float]] = field(default_factory=list)
     boxes: list[Box] = field(default_factory=list)
     letters: list[Box] = field(default_factory=list)
@@ -65,26 +108,26 @@ class Sheet:
             int((max(ys) + MARGIN) // 1) + 1 - top,
         )
 
-    def line(self, points: Sequence[Point], kind: str, more: str = "") -> None:
+    def line(self, points: Sequence[Point], kind: str) -> None:
         """A line through points, which letters keep off."""
         self.bar(points, WIDTHS.get(kind, 0.5))
-        self._element(points, f'<path class="{kind}" d="{path(points)}"{_said(more)}/>')
+        self._add(Path(kind, path(points)), points)
 
     def bar(self, points: Sequence[Point], half: float = 0.5) -> None:
         """Keeps letters off a line of some width."""
         self.lines += [(start, end, half) for start, end in pairwise(points)]
 
-    def area(self, data: str, points: Sequence[Point], kind: str, more: str = "") -> None:
+    def area(
+        self, data: str, points: Sequence[Point], kind: str, *, is_faint: bool = False
+    ) -> None:
         """Anything with a path of its own; `points` are as far as it goes."""
-        self._element(points, f'<path class="{kind}" d="{data}"{_said(more)}/>')
+        self._add(Path(kind, data, is_faint), points)
 
     def disc(self, centre: Point, radius: float, kind: str) -> None:
         """A circle."""
         x, y = centre
-        self._element(
-            [(x - radius, y - radius), (x + radius, y + radius)],
-            f'<circle class="{kind}" cx="{number(x)}" cy="{number(y)}" r="{number(radius)}"/>',
-        )
+        corners = (x - radius, y - radius), (x + radius, y + radius)
+        self._add(Disc(kind, centre, radius), corners)
 
     def take(self, box: Box) -> None:
         """Keeps letters off a body's place."""
@@ -95,16 +138,12 @@ class Sheet:
         x, y = at
         width = width_of(text)
         start = x - (width / 2 if anchor == "middle" else width if anchor == "end" else 0.0)
-        place = f' text-anchor="{anchor}"' if anchor else ""
-        kinds = f' class="{kind}"' if kind else ""
-        self._element(
-            [(start, y - HEIGHT), (start + width, y + BELOW)],
-            f'<text{kinds} x="{number(x)}" y="{number(y)}"{place}>{_with_indices(text)}</text>',
-        )
+        box = (start, y - HEIGHT), (start + width, y + BELOW)
+        self._add(Words(kind, at, tuple(_runs(text)), anchor), box)
 
-    def _element(self, points: Iterable[Point], text: str) -> None:
+    def _add(self, shape: Shape, points: Iterable[Point]) -> None:
         self._bounds += points
-        self.shapes.append(text)
+        self.shapes.append(shape)
 
 
 HEIGHT = 11.0  # of letters above their base line
@@ -119,22 +158,6 @@ def width_of(text: str) -> float:
 def path(points: Sequence[Point]) -> str:
     """A line through points as SVG has it."""
     return "M" + "L".join(f"{number(x)} {number(y)}" for x, y in points)
-
-
-def _said(more: str) -> str:
-    return f" {more}" if more else ""
-
-
-def _with_indices(text: str) -> str:
-    parts: list[str] = []
-    was_below = False
-    for run, below in _runs(text):
-        shift = "" if below == was_below else f' dy="{BELOW if below else -BELOW}"'
-        size = ' font-size="10"' if below else ""
-        shown = escape(run)
-        parts.append(f"<tspan{shift}{size}>{shown}</tspan>" if shift or size else shown)
-        was_below = below
-    return "".join(parts)
 
 
 def _runs(text: str) -> list[tuple[str, bool]]:

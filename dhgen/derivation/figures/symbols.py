@@ -59,9 +59,9 @@ def box(sheet: Sheet, view: View, at: FloatArray, z: FloatArray, x: FloatArray) 
     _take(sheet, view, at, z)
 
 
-def arrow(sheet: Sheet, start: Point, end: Point, kind: str, more: str = "") -> None:
+def arrow(sheet: Sheet, start: Point, end: Point, kind: str) -> None:
     """A line with a head."""
-    sheet.line([start, end], kind, more)
+    sheet.line([start, end], kind)
     angle = math.atan2(end[1] - start[1], end[0] - start[0])
     wings = [
         (end[0] - HEAD * math.cos(angle + turn), end[1] - HEAD * math.sin(angle + turn))
@@ -94,7 +94,7 @@ def ground(sheet: Sheet, view: View, frame: FloatArray) -> None:
     for c in (-1.2, -0.6, 0.0, 0.6, 1.2):
         low, high = max(-1.0, -1.0 - c), min(1.0, 1.0 - c)
         data += path([view.point(at + i * x + (i + c) * y) for i in (low, high)])
-    sheet.area(data, corners, "ink", 'stroke-opacity="0.45"')
+    sheet.area(data, corners, "ink", is_faint=True)
     sheet.bar([*corners, corners[0]])
 
 

@@ -63,7 +63,7 @@ def _sheet(story: Story, reach: Reach, raster: Raster) -> Sheet:
     sheet = Sheet()
     lines = [[_on_paper(x, y) for x, y in line] for line in outlines(raster.held)]
     data = "".join(path(line) + "Z" for line in lines)
-    sheet.area(data, [p for line in lines for p in line], "area", 'fill-rule="evenodd"')
+    sheet.area(data, [p for line in lines for p in line], "area")
     names = ("x", "y") if reach.section is Section.ABOVE else ("r", "z")
     _axes(sheet, raster, names, story.robot.length_unit)
     if story.example is not None:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.text.formula import (
     ONE,
     Listing,
+    Matrix,
     Minus,
     Number,
     Power,
@@ -39,6 +40,23 @@ if TYPE_CHECKING:
 WIDTH = 100  # visible characters of a line
 INDENT = 4
 SHORT = 10  # visible characters that may follow a long side on its line
+
+
+def lines_of(formulas: tuple[Formula, ...], style: Style) -> list[tuple[str, str]]:
+    """The lines of a display; a formula alone stays in one where it fits or holds a matrix."""
+    if len(formulas) == 1 and (_has_matrix(formulas[0]) or len(broken(formulas[0], style)) == 1):
+        return [(show(formulas[0], style), "")]
+    return laid_out(formulas, style)
+
+
+def _has_matrix(formula: Formula) -> bool:
+    match formula:
+        case Matrix():
+            return True
+        case Relation(parts) | Product(parts) | Listing(parts):
+            return any(_has_matrix(part) for part in parts)
+        case _:
+            return False
 
 
 def laid_out(formulas: tuple[Formula, ...], style: Style) -> list[tuple[str, str]]:

@@ -19,8 +19,8 @@ from dhgen.derivation.text.blocks import (
     Prose,
     Table,
 )
-from dhgen.derivation.text.formula import Listing, Matrix, Product, Relation
-from dhgen.derivation.text.lines import broken, laid_out
+from dhgen.derivation.text.formula import Listing
+from dhgen.derivation.text.lines import lines_of
 from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import LATEX
 
@@ -79,28 +79,12 @@ def escaped(text: str) -> str:
 
 
 def _display(formulas: tuple[Formula, ...]) -> str:
-    if len(formulas) == 1 and _is_one_line(formulas[0]):
-        return show(formulas[0], LATEX)
-    pairs = laid_out(formulas, LATEX)
+    pairs = lines_of(formulas, LATEX)
     lines = [f"{left} & {right}".strip() if right else left for left, right in pairs]
     if len(lines) == 1:
-        return lines[0].replace(" & ", " ", 1)
+        return lines[0].replace(" & ", " ", 1) if pairs[0][1] else lines[0]
     body = " \\\\\n".join(lines)
     return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
-
-
-def _is_one_line(formula: Formula) -> bool:
-    return _has_matrix(formula) or len(broken(formula, LATEX)) == 1
-
-
-def _has_matrix(formula: Formula) -> bool:
-    match formula:
-        case Matrix():
-            return True
-        case Relation(parts) | Product(parts) | Listing(parts):
-            return any(_has_matrix(part) for part in parts)
-        case _:
-            return False
 
 
 def _table(header: tuple[Prose, ...], rows: tuple[tuple[Prose, ...], ...]) -> str:

@@ -1,0 +1,76 @@
+"""The derivation as a handout in one file: LaTeX with drawings of its own, or HTML with MathML."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from html import escape
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.document import document_blocks
+from dhgen.derivation.figures.all import figures_of
+from dhgen.derivation.figures.tikz import tikz
+from dhgen.derivation.story import Story
+from dhgen.derivation.text.latex import latex
+from dhgen.errors import CommandError
+from dhgen.printing.comments import plain_path
+from dhgen.printing.templates import render
+
+if TYPE_CHECKING:
+    from dhgen.paul.derivation import Derivation
+    from dhgen.program.ir import Program
+    from dhgen.robot.robot import Robot
+
+
+def derivation_latex(robot: Robot, derivation: Derivation, program: Program, source: str) -> str:
+    """The derivation as a LaTeX document.
+
+    Args:
+        robot: As the user wrote it.
+        derivation: The steps.
+        program: What computes them.
+        source: How the robot file is called.
+    """
+    story = Story(robot, derivation, program)
+    figures = figures_of(story)
+    drawings = {each.path: "\n".join(map(tikz, each.sheet.shapes)) for each in figures}
+    first, *others = (latex(block, drawings) for block in document_blocks(story, figures))
+    return render(
+        "derivation/handout.tex.jinja",
+        name=robot.name,
+        source=plain_path(source),
+        blocks=(first + "\n\\maketitle", *others),
+    )
+
+
+def derivation_html(robot: Robot, derivation: Derivation, program: Program, source: str) -> str:
+    """The derivation as an HTML document that needs no other file.
+
+    Args:
+        robot: As the user wrote it.
+        derivation: The steps.
+        program: What computes them.
+        source: How the robot file is called.
+
+    Raises:
+        CommandError: latex2mathml is not installed.
+    """
+    try:
+        from dhgen.derivation.text.html import html  # noqa: PLC0415  an extra's
+    except ModuleNotFoundError:
+        message = "dhgen: HTML needs latex2mathml: pip install 'dhgen[html]'"
+        raise CommandError(message) from None
+    story = Story(robot, derivation, program)
+    figures = figures_of(story)
+    drawings = {each.path: _inside(each.file(robot.name, source)) for each in figures}
+    return render(
+        "derivation/handout.html.jinja",
+        name=robot.name,
+        source=plain_path(source).replace("--", "__"),  # it would end the comment
+        title=escape(robot.title),
+        blocks=tuple(html(block, drawings) for block in document_blocks(story, figures)),
+    )
+
+
+def _inside(svg: str) -> str:
+    """A figure as an address that is the figure itself."""
+    return "data:image/svg+xml;base64," + b64encode(svg.encode()).decode()

@@ -1,0 +1,119 @@
+"""Blocks as HTML, formulas as MathML, for the document of `handout.html.jinja`."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from html import escape
+from string import Formatter
+from typing import TYPE_CHECKING
+
+from latex2mathml.converter import convert
+
+from dhgen.derivation.text.blocks import (
+    Display,
+    Drawing,
+    Given,
+    Heading,
+    Paragraph,
+    Picture,
+    Prose,
+    Table,
+)
+from dhgen.derivation.text.formula import Listing
+from dhgen.derivation.text.lines import lines_of
+from dhgen.derivation.text.show import show
+from dhgen.derivation.text.style import Latex
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.formula import Formula
+
+
+@dataclass(frozen=True, slots=True)
+class _Latex(Latex):
+    """LaTeX as it becomes MathML: a name of several letters is one there."""
+
+    def function(self, name: str) -> str:
+        """The name of a function."""
+        return rf"\operatorname{{{name}}}"
+
+
+STYLE = _Latex()
+_MATH = re.compile(r"<math [^>]*>(.*)</math>", re.DOTALL)
+# A minus behind another operator is a sign, not a difference.
+_SIGN = re.compile(r"(<mo[^>]*>&#x000(?:3D|3C|3E|2C|28|5B);</mo>)<mo>(?=&#x02212;)")
+
+
+def html(block: Block, drawings: Mapping[str, str]) -> str:
+    """A block without its blank lines.
+
+    Args:
+        block: The block.
+        drawings: Where pictures are, or what they are, by their paths.
+    """
+    match block:
+        case Heading(level, prose):
+            return f"<h{level}>{inline(prose)}</h{level}>"
+        case Paragraph(prose, lead):
+            first = "" if lead is None else f"<strong>{inline(lead)}</strong> "
+            return f"<p>{first}{inline(prose)}</p>"
+        case Display(formulas):
+            return _display(lines_of(formulas, STYLE))
+        case Table(header, rows):
+            lines = [_row("th", header), *(_row("td", row) for row in rows)]
+            return '<div class="wide"><table>\n' + "\n".join(lines) + "\n</table></div>"
+        case Drawing(text):
+            return f'<pre class="wide">{escape(text)}</pre>'
+        case Picture(path, title, caption):
+            image = f'<img src="{escape(drawings[path])}" alt="{escape(title)}">'
+            return f"<figure>{image}\n<figcaption>{inline(caption)}</figcaption></figure>"
+
+
+def inline(prose: Prose) -> str:
+    """Prose in one line."""
+    parts = iter(prose.parts)
+    shown: list[str] = []
+    for text, place, _, _ in Formatter().parse(prose.text):
+        shown.append(escape(text))
+        if place is not None:
+            shown.append(_part(next(parts)))
+    return "".join(shown)
+
+
+def _part(part: Formula | Given | Prose) -> str:
+    match part:
+        case Given(text):
+            return escape(" ".join(text.split()))
+        case Prose():
+            return inline(part)
+        case Listing(items):
+            return ", ".join(f"<math>{_mathml(show(item, STYLE))}</math>" for item in items)
+        case _:
+            return f"<math>{_mathml(show(part, STYLE))}</math>"
+
+
+@cache
+def _mathml(latex: str) -> str:
+    if not latex:
+        return ""
+    found = _MATH.fullmatch(convert(latex))
+    assert found is not None, latex
+    return _SIGN.sub(r'\1<mo form="prefix">', found[1])
+
+
+def _display(pairs: list[tuple[str, str]]) -> str:
+    """Lines of formulas, aligned where they have two parts."""
+    cells = (
+        f"<mtr><mtd>{_mathml(left)}</mtd><mtd>{_mathml(right)}</mtd></mtr>" for left, right in pairs
+    )
+    table = '<mtable class="aligned" displaystyle="true">' + "\n".join(cells) + "</mtable>"
+    return f'<div class="wide"><math display="block">{table}</math></div>'
+
+
+def _row(kind: str, cells: tuple[Prose, ...]) -> str:
+    shown = (f"<{kind}>{inline(cell)}</{kind}>" for cell in cells)
+    return f"<tr>{''.join(shown)}</tr>"

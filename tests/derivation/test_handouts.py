@@ -1,0 +1,200 @@
+"""Handouts: LaTeX and HTML say what the Markdown says, and are what they should be as rendered."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+from collections import Counter
+from html import unescape
+from html.parser import HTMLParser
+from typing import TYPE_CHECKING
+from xml.etree import ElementTree as ET
+
+import pytest
+
+from dhgen.derivation.formats import derivation_as
+from dhgen.derivation.handouts import derivation_html, derivation_latex
+from dhgen.derivation.text.latex_text import latex_text
+from dhgen.robot.load import load_text
+from tests.derivation.stories import document, story, story_of
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from dhgen.derivation.story import Story
+
+# A slide, a wrist, an offset wrist, seven joints, coupled drives, a quartic, a task of directions.
+KINDS = [
+    "scara",
+    "kuka_kr6_r900",
+    "xarm6",
+    "franka_panda",
+    "kuka_kr40pa",
+    "concurrent_345",
+    "general_5r_pointing",
+]
+TITLE = r"""50% & <b>_x^2~ \alpha {#} "quoted" 'it' -- Łódź ± Ж 机"""
+HOSTILE = f"""
+name: hostile
+title: {json.dumps(TITLE)}
+convention: standard
+task: [x, y]
+parameters: {{a_b: 0.5, elbow: 0.3}}
+joints:
+  - {{theta: q, a: a_b}}
+  - {{theta: q, a: elbow}}
+"""
+ENGINES = [
+    pytest.param(name, marks=pytest.mark.skipif(not shutil.which(name), reason=f"no {name}"))
+    for name in ("pdflatex", "xelatex")
+]
+BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
+VOID = {"meta", "img", "br"}
+
+
+def handout(name: str, wished: str) -> str:
+    return handout_of(story(name), wished, name)
+
+
+def handout_of(that: Story, wished: str, name: str = "x") -> str:
+    text, beside = derivation_as(wished, that.robot, that.derivation, that.program, name)
+    assert not beside
+    return text
+
+
+def lines_of(displays: list[str]) -> list[str]:
+    bare = re.sub(r"\\(?:begin|end)\{aligned\}\n?", "", "\\\\\n".join(displays))
+    return [" ".join(line.replace("&", " ").split()) for line in bare.split("\\\\\n")]
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_latex_has_the_formulas_of_the_markdown(name: str) -> None:
+    markdown, latex = document(name), handout(name, "latex")
+    expected = re.findall(r"```math\n(.*?)\n```", markdown, re.DOTALL)
+    found = re.findall(r"^\\formulas\{%\n(.*?)\}$", latex, re.DOTALL | re.MULTILINE)
+    assert expected
+    assert lines_of(found) == lines_of(expected)
+    prose = re.sub(r"```.*?```", "", markdown, flags=re.DOTALL)
+    inline = Counter(re.findall(r"\$`(.+?)`\$", prose) + re.findall(r"\$([^`$\n]+)\$", prose))
+    assert inline
+    assert not inline - Counter(re.findall(r"\$([^$\n]+)\$", latex))
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_html_has_the_words_of_the_markdown(name: str) -> None:
+    markdown, html = document(name), handout(name, "html")
+    left_out = re.compile(
+        r"\A.*?(?=^# )|```math.*?```|```text|!\[.*?\]\(.*?\)", re.DOTALL | re.MULTILINE
+    )
+    said = left_out.sub("", markdown)
+    said = re.sub(r"\$`.+?`\$|\$[^`$\n]+\$", " FORMULA ", said)
+    body = re.sub(r"\A.*?<h1>", "", html, flags=re.DOTALL)
+    shown = re.sub(r'<math display="block">.*?</math>', " ", body, flags=re.DOTALL)
+    shown = unescape(re.sub(r"<[^>]+>", " ", re.sub(r"<math>.*?</math>", " FORMULA ", shown)))
+    words = re.compile(r"[^\W_]+")
+    assert words.findall(shown) == words.findall(said)
+
+
+class Tags(HTMLParser):
+    """Tags that are closed in order, and what is loaded."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.loaded: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag not in VOID:
+            self.open.append(tag)
+        self.loaded += [value or "" for key, value in attrs if key in {"src", "href", "srcset"}]
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """Of MathML: closed as it is opened."""
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_html_is_whole_and_needs_no_other_file(name: str) -> None:
+    html = handout(name, "html")
+    tags = Tags()
+    tags.feed(html)
+    assert tags.open == []
+    assert tags.loaded
+    assert all(each.startswith("data:image/svg+xml;base64,") for each in tags.loaded)
+    assert "@import" not in html
+    assert "url(" not in html
+    for formula in re.findall(r"<math.*?</math>", html, re.DOTALL):
+        assert len(ET.fromstring(formula))  # noqa: S314  our own
+
+
+def test_the_same_handout_every_time() -> None:
+    for wished in ("latex", "html"):
+        again = story_of(story("scara").robot)
+        assert handout_of(again, wished, "scara") == handout("scara", wished)
+
+
+def test_what_users_write_stays_what_it_is() -> None:
+    that = story_of(load_text(HOSTILE, "hostile.yaml"))
+    html = derivation_html(that.robot, that.derivation, that.program, "a -- b.yaml")
+    written = that.robot.title
+    assert unescape(re.findall(r"<h1>(.*?)</h1>", html)[0]) == f"{written}: inverse kinematics"
+    comment = re.findall(r"<!--(.*?)-->", html)[0]
+    assert "--" not in comment
+    latex = derivation_latex(that.robot, that.derivation, that.program, "a.yaml")
+    assert r"50\% \& \textless{}b\textgreater{}\_x\textasciicircum{}2" in latex
+    assert r"\other{Ж} \other{机}" in latex
+
+
+def test_letters_that_fonts_lack_are_told_to_latex() -> None:
+    assert latex_text("é ł −θ₁ --") == r"é ł $-$$\theta$$_1$ -{}-"
+
+
+def compiled(engine: str, text: str, folder: Path) -> str:
+    """What a LaTeX says of a document."""
+    (folder / "handout.tex").write_text(text, encoding="utf-8")
+    command = [engine, "-interaction=nonstopmode", "-halt-on-error", "handout.tex"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout[-2000:]
+    return (folder / "handout.log").read_text(encoding="utf-8", errors="replace")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("name", [*KINDS, "hostile"])
+def test_latex_compiles_without_a_warning(name: str, engine: str, tmp_path: Path) -> None:
+    that = story(name) if name != "hostile" else story_of(load_text(HOSTILE, "hostile.yaml"))
+    log = compiled(engine, handout_of(that, "latex"), tmp_path)
+    told = re.findall(r"^(?:Overfull|Underfull \\vbox|LaTeX Warning|Package).*", log, re.MULTILINE)
+    assert [each for each in told if "Warning" in each or "Overfull" in each] == []
+    missing = re.findall(r"Missing character.*", log)
+    if name == "hostile":  # Latin Modern has no Chinese letters
+        missing = [each for each in missing if "机" not in each and "Ж" not in each]
+    assert missing == []
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(BROWSER is None, reason="no chromium")
+@pytest.mark.parametrize("width", [946, 700])
+@pytest.mark.parametrize("name", KINDS)
+def test_html_fits_the_window(name: str, width: int, tmp_path: Path) -> None:
+    """Neither the page nor a formula, table or tree in it is wider than its room."""
+    measure = """<script>document.title = "wide: " + [document.documentElement]
+        .concat([...document.querySelectorAll(".wide")])
+        .filter(each => each.scrollWidth > each.clientWidth + 1).length + " of "
+        + document.querySelectorAll(".wide").length</script></body>"""
+    page = tmp_path / "handout.html"
+    page.write_text(handout(name, "html").replace("</body>", measure), encoding="utf-8")
+    assert BROWSER is not None
+    options = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"]
+    command = [BROWSER, *options, f"--window-size={width},2000", f"--user-data-dir={tmp_path}/own"]
+    done = subprocess.run(
+        [*command, "--dump-dom", page.as_uri()], capture_output=True, text=True, check=True
+    )
+    found = re.search(r"<title>wide: (\d+) of (\d+)</title>", done.stdout)
+    assert found is not None, done.stderr[-1000:]
+    assert int(found[2]) > 5
+    assert found[1] == "0"
