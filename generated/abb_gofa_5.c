@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES ABB_GOFA_5_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -271,6 +272,11 @@ static const struct dhgen_arm arm = {
     abb_gofa_5_fk, abb_gofa_5_jacobian, solve,
     NULL,
 };
+
+void abb_gofa_5_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int abb_gofa_5_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])

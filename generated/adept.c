@@ -17,6 +17,7 @@
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 1
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #ifndef ADEPT_PLAIN
 #include "dhgen/tile.h"
@@ -257,6 +258,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void adept_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int adept_ik(const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
 {

@@ -17,6 +17,7 @@
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 4
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #ifndef ARM_3R_PLAIN
 #include "dhgen/tile.h"
@@ -291,6 +292,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void arm_3r_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int arm_3r_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {

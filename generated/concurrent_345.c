@@ -12,6 +12,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/circle_roots.h"
 #include "dhgen/frames.h"
 #include "dhgen/complete.h"
@@ -407,6 +408,11 @@ static const struct dhgen_arm arm = {
     concurrent_345_fk, concurrent_345_jacobian, solve,
     NULL,
 };
+
+void concurrent_345_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int concurrent_345_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])

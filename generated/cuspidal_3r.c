@@ -12,6 +12,7 @@
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 4
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/circle_roots.h"
 #include "dhgen/frames.h"
 #include "dhgen/complete.h"
@@ -197,6 +198,11 @@ static const struct dhgen_arm arm = {
     cuspidal_3r_fk, cuspidal_3r_jacobian, solve,
     NULL,
 };
+
+void cuspidal_3r_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int cuspidal_3r_ik(
     const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])

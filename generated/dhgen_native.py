@@ -202,6 +202,7 @@ class _Solver:
         names = {
             "fk": self.fk,
             "jacobian": self.jacobian,
+            "joint_velocities": self.joint_velocities,
             "_solver": self,
             "warm_up": self.warm_up,
         }
@@ -231,6 +232,14 @@ class _Solver:
         J = np.empty((6, self._dof))
         self._jacobian_into(q, J)
         return J
+
+    def joint_velocities(self, q: Any, twist: Any) -> NDArray[np.float64]:  # noqa: ANN401
+        """The joint velocities (n,) of a twist (6,) at joint values (n,)."""
+        given = np.asarray(self._called["array_of"](twist, (6,), "twist"))
+        found = np.empty(self._dof)
+        velocities = self._function("joint_velocities", 3)
+        velocities(self._joints(q).ctypes.data, given.ctypes.data, found.ctypes.data)
+        return found
 
     def arm_angle(self, q: Any) -> float:  # noqa: ANN401
         """The arm angle of joint values (n,), in (-pi, pi]."""

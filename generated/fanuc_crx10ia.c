@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES FANUC_CRX10IA_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -275,6 +276,11 @@ static const struct dhgen_arm arm = {
     fanuc_crx10ia_fk, fanuc_crx10ia_jacobian, solve,
     NULL,
 };
+
+void fanuc_crx10ia_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int fanuc_crx10ia_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])

@@ -13,6 +13,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/coupled.h"
 
@@ -289,6 +290,12 @@ static const struct dhgen_coupling coupling = {
     2, coupled, coupled_moves, coupled_lowest, coupled_highest, 1, sum_factors, sum_lowest,
         sum_highest,
 };
+
+void fanuc_lrmate200id_j23_joint_velocities(const double q[6], const double twist[6], double
+    velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int fanuc_lrmate200id_j23_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])

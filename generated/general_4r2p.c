@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES GENERAL_4R2P_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -312,6 +313,11 @@ static const struct dhgen_arm arm = {
     general_4r2p_fk, general_4r2p_jacobian, solve,
     NULL,
 };
+
+void general_4r2p_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int general_4r2p_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])

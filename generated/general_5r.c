@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES GENERAL_5R_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -311,6 +312,11 @@ static const struct dhgen_arm arm = {
     general_5r_fk, general_5r_jacobian, solve,
     NULL,
 };
+
+void general_5r_joint_velocities(const double q[5], const double twist[6], double velocities[5])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int general_5r_ik(
     const double T[16], const double *q_seed, double q[16][5], unsigned char status[16])

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES GENERAL_5R1P_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -474,6 +475,11 @@ static const struct dhgen_arm arm = {
     general_5r1p_fk, general_5r1p_jacobian, solve,
     NULL,
 };
+
+void general_5r1p_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int general_5r1p_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])

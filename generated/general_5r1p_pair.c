@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES GENERAL_5R1P_PAIR_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -455,6 +456,12 @@ static const struct dhgen_arm arm = {
     general_5r1p_pair_fk, general_5r1p_pair_jacobian, solve,
     NULL,
 };
+
+void general_5r1p_pair_joint_velocities(const double q[6], const double twist[6], double
+    velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int general_5r1p_pair_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])

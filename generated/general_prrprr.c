@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES GENERAL_PRRPRR_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -327,6 +328,11 @@ static const struct dhgen_arm arm = {
     general_prrprr_fk, general_prrprr_jacobian, solve,
     NULL,
 };
+
+void general_prrprr_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int general_prrprr_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES KINOVA_GEN3_7_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -291,6 +292,11 @@ static const struct dhgen_arm arm = {
     kinova_gen3_7_fk, kinova_gen3_7_jacobian, solve,
     NULL,
 };
+
+void kinova_gen3_7_joint_velocities(const double q[7], const double twist[6], double velocities[7])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int kinova_gen3_7_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES KINOVA_GEN3_LITE_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -434,6 +435,12 @@ static const struct dhgen_arm arm = {
     kinova_gen3_lite_fk, kinova_gen3_lite_jacobian, solve,
     NULL,
 };
+
+void kinova_gen3_lite_joint_velocities(const double q[6], const double twist[6], double
+    velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int kinova_gen3_lite_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES KINOVA_JACO2_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -459,6 +460,11 @@ static const struct dhgen_arm arm = {
     kinova_jaco2_fk, kinova_jaco2_jacobian, solve,
     NULL,
 };
+
+void kinova_jaco2_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int kinova_jaco2_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])

@@ -18,6 +18,7 @@
 #define DHGEN_DOF 7
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #ifndef KUKA_IIWA14_PLAIN
 #include "dhgen/tile.h"
@@ -531,6 +532,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void kuka_iiwa14_joint_velocities(const double q[7], const double twist[6], double velocities[7])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int kuka_iiwa14_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],

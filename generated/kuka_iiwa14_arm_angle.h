@@ -66,6 +66,13 @@ void kuka_iiwa14_arm_angle_frames(const double q[7], double frames[9][16]);
  * velocity. */
 void kuka_iiwa14_arm_angle_jacobian(const double q[7], double J[42]);
 
+/* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
+ * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
+ * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
+ * the twist, lengths in arm sizes. */
+void kuka_iiwa14_arm_angle_joint_velocities(const double q[7], const double twist[6], double
+    velocities[7]);
+
 /* The arm angle of the joint values q, in (-pi, pi]: it turns the elbow about the line from the
  * shoulder to the wrist; zero is where the elbow leans towards the direction of axis 1. */
 double kuka_iiwa14_arm_angle_arm_angle(const double q[7]);

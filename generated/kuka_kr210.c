@@ -18,6 +18,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #ifndef KUKA_KR210_PLAIN
 #include "dhgen/tile.h"
@@ -467,6 +468,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void kuka_kr210_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int kuka_kr210_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])

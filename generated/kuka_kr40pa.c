@@ -18,6 +18,7 @@
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/complete.h"
 #ifndef KUKA_KR40PA_PLAIN
@@ -409,6 +410,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void kuka_kr40pa_joint_velocities(const double q[4], const double twist[6], double velocities[4])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int kuka_kr40pa_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])

@@ -18,6 +18,7 @@
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 4
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #ifndef KUKA_KR40PA_DRIVES_PLAIN
 #include "dhgen/tile.h"
@@ -324,6 +325,12 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void kuka_kr40pa_drives_joint_velocities(const double q[3], const double twist[6], double
+    velocities[3])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int kuka_kr40pa_drives_ik(
     const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])

@@ -18,6 +18,7 @@
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 4
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #ifndef KUKA_YOUBOT_PLAIN
 #include "dhgen/tile.h"
@@ -494,6 +495,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void kuka_youbot_joint_velocities(const double q[5], const double twist[6], double velocities[5])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int kuka_youbot_ik(
     const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES MANSEUR_DOTY_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -351,6 +352,11 @@ static const struct dhgen_arm arm = {
     manseur_doty_fk, manseur_doty_jacobian, solve,
     NULL,
 };
+
+void manseur_doty_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int manseur_doty_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])

@@ -409,3 +409,4 @@ _CALLS = _functions.of_robot(
 )
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
 ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
+joint_velocities = _CALLS["joint_velocities"]

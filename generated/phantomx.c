@@ -17,6 +17,7 @@
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/complete.h"
 #ifndef PHANTOMX_PLAIN
@@ -413,6 +414,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void phantomx_joint_velocities(const double q[4], const double twist[6], double velocities[4])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int phantomx_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {

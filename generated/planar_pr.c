@@ -18,6 +18,7 @@
 #define DHGEN_DOF 2
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #ifndef PLANAR_PR_PLAIN
 #include "dhgen/tile.h"
@@ -209,6 +210,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void planar_pr_joint_velocities(const double q[2], const double twist[6], double velocities[2])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int planar_pr_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
 {

@@ -59,6 +59,12 @@ void planar_rp_frames(const double q[2], double frames[4][16]);
  * velocity. */
 void planar_rp_jacobian(const double q[2], double J[12]);
 
+/* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
+ * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
+ * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
+ * the twist, lengths in arm sizes. */
+void planar_rp_joint_velocities(const double q[2], const double twist[6], double velocities[2]);
+
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -PLANAR_RP_INVALID_POSE, also for a seed that is

@@ -18,6 +18,7 @@
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #ifndef PLANAR_RRR_PLAIN
 #include "dhgen/tile.h"
@@ -323,6 +324,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void planar_rrr_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int planar_rrr_ik(
     const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])

@@ -12,6 +12,7 @@
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 1
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/numerical.h"
 
@@ -161,6 +162,11 @@ static const struct dhgen_arm arm = {
     planar_rrrr_fk, planar_rrrr_jacobian, solve,
     NULL,
 };
+
+void planar_rrrr_joint_velocities(const double q[4], const double twist[6], double velocities[4])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int planar_rrrr_ik(
     const double T[16], const double *q_seed, double q[1][4], unsigned char status[1])

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES PUMA560_CALIBRATED_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -324,6 +325,12 @@ static const struct dhgen_arm arm = {
     puma560_calibrated_fk, puma560_calibrated_jacobian, solve,
     NULL,
 };
+
+void puma560_calibrated_joint_velocities(const double q[6], const double twist[6], double
+    velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int puma560_calibrated_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])

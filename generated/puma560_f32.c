@@ -487,22 +487,25 @@ DHGEN_FN float dhgen_miss(const struct dhgen_arm *arm, const float *T, const flo
     return sqrtf(square);
 }
 
-/* Takes out of the Jacobian J what changes no direction that counts. Of a pitch its rate comes
- * first; else turns that don't count about the base's axes have no weight. */
-DHGEN_FN void dhgen_count_what_counts(const struct dhgen_arm *arm, const float *x, float *J)
+/* Takes out of `width` columns J at joint values x, spins below, what changes no direction that
+ * counts. Of a pitch its rate comes first; else turns that don't count about the base's axes have
+ * no weight. */
+DHGEN_FN void dhgen_count_what_counts(
+    const struct dhgen_arm *arm, const float *x, int width, float *J)
 {
-    const int dof = dhgen_dof(arm);
     float P[16];
+    if (arm->task != DHGEN_POINTING && arm->task != DHGEN_PITCH)
+        return;
     arm->fk(x, P);
-    for (int j = 0; j < dof; j++) {
-        float *spin = J + 3 * dof + j;
+    for (int j = 0; j < width; j++) {
+        float *spin = J + 3 * width + j;
         if (arm->task == DHGEN_PITCH) {
-            spin[0] = spin[0] * P[4] - spin[dof] * P[0];
+            spin[0] = spin[0] * P[4] - spin[width] * P[0];
             continue;
         }
-        const float along = P[2] * spin[0] + P[6] * spin[dof] + P[10] * spin[2 * dof];
+        const float along = P[2] * spin[0] + P[6] * spin[width] + P[10] * spin[2 * width];
         for (int i = 0; i < 3; i++)
-            spin[dof * i] -= along * P[4 * i + 2];
+            spin[width * i] -= along * P[4 * i + 2];
     }
 }
 
@@ -515,8 +518,7 @@ DHGEN_FN void dhgen_add_step(
     const int dof = dhgen_dof(arm), width = 6 + dof;
     float A[6][6 + DHGEN_JOINTS] = { { 0.0f } }, square[6] = { 0.0f }, J[6 * DHGEN_JOINTS];
     arm->jacobian(x, J);
-    if (arm->task == DHGEN_POINTING || arm->task == DHGEN_PITCH)
-        dhgen_count_what_counts(arm, x, J);
+    dhgen_count_what_counts(arm, x, dof, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < dof; j++)
             A[i][j] = held[j] ? 0.0f : arm->joints[j].pace * arm->miss_weights[i] * J[dof * i + j];
@@ -1348,6 +1350,91 @@ DHGEN_API int dhgen_nearest_row(const struct dhgen_arm *arm, const float *T,
 }
 
 #endif
+/* Joint velocities of a twist: exact where the arm is regular, damped near singular poses. */
+
+
+/* The joint velocities of a twist of the tool at joint values q, by least squares. */
+DHGEN_API void dhgen_joint_velocities(
+    const struct dhgen_arm *arm, const float *q, const float *twist, float *velocities);
+
+#ifndef DHGEN_SHARED
+
+
+/* Damping begins at this singular value of the task's Jacobian, lengths in arm sizes: joints move
+ * at most a hundred times as fast as the tool. */
+#define DHGEN_DAMPED_BELOW 0.01f
+/* Through all pairs of rows; six to eight do. */
+#define DHGEN_SWEEPS 20
+/* Rows whose cosine is not above the second are orthogonal, which is rounding of sums of products;
+ * so are those whose product is not above the first, which is rounding of zero. */
+#define DHGEN_NOTHING 1e-30f
+#define DHGEN_ORTHOGONAL 2e-06f
+
+/* Turns two rows until their first `dof` entries are orthogonal. Returns whether it has to. */
+DHGEN_FN int dhgen_turn_rows(int dof, float *x, float *y)
+{
+    float a = 0.0f, b = 0.0f, c = 0.0f;
+    for (int j = 0; j < dof; j++) {
+        a += x[j] * x[j];
+        b += y[j] * y[j];
+        c += x[j] * y[j];
+    }
+    if (!(fabsf(c) > fmaxf(DHGEN_ORTHOGONAL * sqrtf(a * b), DHGEN_NOTHING)))
+        return 0;
+    const float ratio = 0.5f * (b - a) / c;
+    const float tangent = copysignf(1.0f, ratio) / (fabsf(ratio) + sqrtf(1.0f + ratio * ratio));
+    const float cosine = 1.0f / sqrtf(1.0f + tangent * tangent), sine = cosine * tangent;
+    for (int j = 0; j <= dof; j++) {
+        const float before = x[j];
+        x[j] = cosine * before - sine * y[j];
+        y[j] = sine * before + cosine * y[j];
+    }
+    return 1;
+}
+
+/* Turns pairs of six rows until all are orthogonal in their first `dof` entries, by one-sided
+ * Jacobi rotations (M. R. Hestenes, 1958): their lengths are then the singular values. The entry
+ * behind those is turned along. */
+DHGEN_FN void dhgen_make_orthogonal(int dof, float *rows)
+{
+    int turned = 1;
+    for (int sweep = 0; sweep < DHGEN_SWEEPS && turned; sweep++) {
+        turned = 0;
+        for (int i = 0; i < 5; i++)
+            for (int k = i + 1; k < 6; k++)
+                turned |= dhgen_turn_rows(dof, rows + (dof + 1) * i, rows + (dof + 1) * k);
+    }
+}
+
+DHGEN_API void dhgen_joint_velocities(
+    const struct dhgen_arm *arm, const float *q, const float *twist, float *velocities)
+{
+    const int dof = dhgen_dof(arm), width = dof + 1;
+    float J[6 * DHGEN_JOINTS], rows[6 * (DHGEN_JOINTS + 1)];
+    arm->jacobian(q, J);
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < dof; j++)
+            rows[width * i + j] = J[dof * i + j] / sqrtf(arm->joints[j].weight);
+        rows[width * i + dof] = twist[i];
+    }
+    dhgen_count_what_counts(arm, q, width, rows);
+    for (int k = 0; k < 6 * width; k++)
+        rows[k] *= arm->miss_weights[k / width];
+    dhgen_make_orthogonal(dof, rows);
+    for (int j = 0; j < dof; j++)
+        velocities[j] = 0.0f;
+    for (int i = 0; i < 6; i++) {
+        const float *const row = rows + width * i;
+        float square = 0.0f;
+        for (int j = 0; j < dof; j++)
+            square += row[j] * row[j];
+        const float share = row[dof] / fmaxf(square, DHGEN_DAMPED_BELOW * DHGEN_DAMPED_BELOW);
+        for (int j = 0; j < dof; j++)
+            velocities[j] += share * row[j] / sqrtf(arm->joints[j].weight);
+    }
+}
+
+#endif
 #ifndef PUMA560_F32_PLAIN
 /* A robot's function for DHGEN_LANES poses, at work: on one pose where lanes are single numbers,
  * and on the poses of a batch side by side. */
@@ -2076,6 +2163,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void puma560_f32_joint_velocities(const float q[6], const float twist[6], float velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int puma560_f32_ik(
     const float T[16], const float *q_seed, float q[8][6], unsigned char status[8])

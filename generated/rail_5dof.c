@@ -18,6 +18,7 @@
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/complete.h"
 #ifndef RAIL_5DOF_PLAIN
@@ -372,6 +373,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void rail_5dof_joint_velocities(const double q[5], const double twist[6], double velocities[5])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
 {

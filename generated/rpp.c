@@ -17,6 +17,7 @@
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #ifndef RPP_PLAIN
 #include "dhgen/tile.h"
@@ -209,6 +210,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void rpp_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int rpp_ik(const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {

@@ -58,6 +58,12 @@ void rpp_frames(const double q[3], double frames[5][16]);
  * velocity. */
 void rpp_jacobian(const double q[3], double J[18]);
 
+/* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
+ * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
+ * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
+ * the twist, lengths in arm sizes. */
+void rpp_joint_velocities(const double q[3], const double twist[6], double velocities[3]);
+
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -RPP_INVALID_POSE, also for a seed that is

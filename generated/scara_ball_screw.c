@@ -12,6 +12,7 @@
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/coupled.h"
 
@@ -189,6 +190,12 @@ static const double coupled_highest[4] = {
 static const struct dhgen_coupling coupling = {
     1, coupled, coupled_moves, coupled_lowest, coupled_highest, 0, NULL, NULL, NULL,
 };
+
+void scara_ball_screw_joint_velocities(const double q[4], const double twist[6], double
+    velocities[4])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int scara_ball_screw_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])

@@ -57,6 +57,12 @@ void scara_f32_fk(const float q[4], float T[16]);
  * velocity. */
 void scara_f32_jacobian(const float q[4], float J[24]);
 
+/* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
+ * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
+ * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
+ * the twist, lengths in arm sizes. */
+void scara_f32_joint_velocities(const float q[4], const float twist[6], float velocities[4]);
+
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -SCARA_F32_INVALID_POSE, also for a seed that is

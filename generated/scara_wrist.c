@@ -18,6 +18,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 4
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #ifndef SCARA_WRIST_PLAIN
 #include "dhgen/tile.h"
@@ -345,6 +346,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void scara_wrist_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int scara_wrist_ik(
     const double T[16], const double *q_seed, double q[4][6], unsigned char status[4])

@@ -18,6 +18,7 @@
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 4
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/complete.h"
 #ifndef SCORBOT_POINTING_PLAIN
@@ -500,6 +501,12 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void scorbot_pointing_joint_velocities(const double q[5], const double twist[6], double
+    velocities[5])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int scorbot_pointing_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[4][5],

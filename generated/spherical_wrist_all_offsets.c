@@ -19,6 +19,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #ifndef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
 #include "dhgen/tile.h"
@@ -488,6 +489,12 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void spherical_wrist_all_offsets_joint_velocities(const double q[6], const double twist[6], double
+    velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int spherical_wrist_all_offsets_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])

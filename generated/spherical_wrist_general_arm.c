@@ -13,6 +13,7 @@
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/circle_roots.h"
 #include "dhgen/frames.h"
 #include "dhgen/complete.h"
@@ -368,6 +369,12 @@ static const struct dhgen_arm arm = {
     spherical_wrist_general_arm_fk, spherical_wrist_general_arm_jacobian, solve,
     NULL,
 };
+
+void spherical_wrist_general_arm_joint_velocities(const double q[6], const double twist[6], double
+    velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int spherical_wrist_general_arm_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])

@@ -61,6 +61,12 @@ void ur10e_frames(const double q[6], double frames[8][16]);
  * velocity. */
 void ur10e_jacobian(const double q[6], double J[36]);
 
+/* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
+ * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
+ * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
+ * the twist, lengths in arm sizes. */
+void ur10e_joint_velocities(const double q[6], const double twist[6], double velocities[6]);
+
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -UR10E_INVALID_POSE, also for a seed that is

@@ -12,6 +12,7 @@
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/circle_roots.h"
 #include "dhgen/frames.h"
 #include "dhgen/complete.h"
@@ -316,6 +317,11 @@ static const struct dhgen_arm arm = {
     welding_5r_fk, welding_5r_jacobian, solve,
     NULL,
 };
+
+void welding_5r_joint_velocities(const double q[5], const double twist[6], double velocities[5])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int welding_5r_ik(
     const double T[16], const double *q_seed, double q[8][5], unsigned char status[8])

@@ -18,6 +18,7 @@
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #ifndef WRIST_ZYZ_PLAIN
 #include "dhgen/tile.h"
@@ -217,6 +218,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void wrist_zyz_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int wrist_zyz_ik(const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {

@@ -17,6 +17,7 @@
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 4
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #ifndef XARM5_PLAIN
 #include "dhgen/tile.h"
@@ -488,6 +489,11 @@ static const struct dhgen_arm arm = {
     solve_regular,
 #endif
 };
+
+void xarm5_joint_velocities(const double q[5], const double twist[6], double velocities[5])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
 {

@@ -15,6 +15,7 @@
 #define DHGEN_GENERAL_LANES XARM6_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -266,6 +267,11 @@ static const struct dhgen_arm arm = {
     xarm6_fk, xarm6_jacobian, solve,
     NULL,
 };
+
+void xarm6_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
 {

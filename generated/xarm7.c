@@ -15,6 +15,7 @@
 #define DHGEN_GENERAL_LANES XARM7_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -276,6 +277,11 @@ static const struct dhgen_arm arm = {
     xarm7_fk, xarm7_jacobian, solve,
     NULL,
 };
+
+void xarm7_joint_velocities(const double q[7], const double twist[6], double velocities[7])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int xarm7_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],

@@ -62,6 +62,12 @@ void xarm7_frames(const double q[7], double frames[9][16]);
  * velocity. */
 void xarm7_jacobian(const double q[7], double J[42]);
 
+/* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
+ * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
+ * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
+ * the twist, lengths in arm sizes. */
+void xarm7_joint_velocities(const double q[7], const double twist[6], double velocities[7]);
+
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -XARM7_INVALID_POSE, also for a seed that is

@@ -16,6 +16,7 @@
 #define DHGEN_GENERAL_LANES YASKAWA_HC10_LANES
 #endif
 #include "dhgen/ik.h"
+#include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
 
@@ -274,6 +275,11 @@ static const struct dhgen_arm arm = {
     yaskawa_hc10_fk, yaskawa_hc10_jacobian, solve,
     NULL,
 };
+
+void yaskawa_hc10_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
 
 int yaskawa_hc10_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])

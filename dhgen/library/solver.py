@@ -52,6 +52,7 @@ class Solver:
         Unreachable: What `ik` raises, a ValueError.
         fk: The pose (4, 4) of joint values (n,).
         jacobian: The geometric Jacobian (6, n) at joint values (n,).
+        joint_velocities: The joint velocities (n,) of a twist (6,) at joint values (n,).
         frames: The frames of the base, of every link and of the tool, (n + 2, 4, 4).
         ik: The solution nearest to a seed, (n,), with limits and whole turns respected.
         ik_all: All rows (MAX_SOLUTIONS, n) and their statuses (MAX_SOLUTIONS,).
@@ -81,6 +82,7 @@ class Solver:
     Unreachable: type[ValueError]
     fk: Callable[[Any], FloatArray]
     jacobian: Callable[[Any], FloatArray]
+    joint_velocities: Callable[[Any, Any], FloatArray]
     frames: Callable[[Any], FloatArray]
     ik: Callable[..., FloatArray]
     ik_all: Callable[..., Rows]

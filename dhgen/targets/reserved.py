@@ -6,8 +6,8 @@ from dhgen.program.reserved import Reserved
 
 _SOLVER = """
 fk free_joints half_turn highest i1 i2 i3 i4 i5 i6 ik ik_all ik_batch ik_into J jacobian joint
-lowest pose q q_free q_seed R revolute row seed slack solve status T T11 T12 T13 T14 T21 T22 T23 T24
-T31 T32 T33 T34 turn turned weight wrap
+joint_velocities lowest pose q q_free q_seed R revolute row seed slack solve status T T11 T12 T13
+T14 T21 T22 T23 T24 T31 T32 T33 T34 turn turned weight wrap
 """
 
 _C = """
@@ -21,8 +21,8 @@ lost low many measure middle miss most most_u motions moved moves n named neares
 NONE off other others outer over overshoot own P p pace part past place plane_miss pulled reached
 residual rest result right rows s search seen served serves settled slope solve_regular solved
 solves span_low span_width special spin square stands start step steps stride sum sum_factors
-sum_highest sum_lowest table there third to together tool top towards tried turning turns u unit
-valid value values w way weights why within worst wrist x xx xy y yy z zero zeros zz
+sum_highest sum_lowest table there third to together tool top towards tried turning turns twist u
+unit valid value values velocities w way weights why within worst wrist x xx xy y yy z zero zeros zz
 """
 
 _LANES = """

@@ -9,6 +9,7 @@ import numpy as np
 
 from dhgen.errors import VerificationError
 from dhgen.kinematics.given import given_values
+from dhgen.kinematics.task import task_jacobian, units
 from dhgen.targets.walk import whole_arm
 from dhgen.tolerances import TOLERANCES
 from dhgen.verify.measures import Measures
@@ -26,6 +27,7 @@ FOUND_SINGULAR = 1e-3  # the same where a pose hardly fixes them
 FIXED = 1e-12  # least singular value: with a smaller one rounding moves joint values that far
 MET = math.sqrt(TOLERANCES.merge)  # what lies between two branches that have met misses by less
 JACOBIAN = 1e-6  # against central differences
+UNDAMPED = 0.02  # twice the least singular value with which joint velocities are exact
 
 
 class Demands:
@@ -49,6 +51,16 @@ class Demands:
         self.at_most(miss, AGREEMENT, f"{where} fk is off")
         miss = self.measures.jacobian_miss(solver.jacobian(q), J)
         self.at_most(miss, JACOBIAN, f"{where} Jacobian is off")
+        self.at_most(self._velocities(solver, q), AGREEMENT, f"{where} joint velocities are off")
+
+    def _velocities(self, solver: Any, q: FloatArray) -> float:  # noqa: ANN401
+        """By how much joint velocities miss a twist that the arm can do, where it is regular."""
+        arm, scale = self.measures.arm, units(self._chain)
+        rates = task_jacobian(arm, q)
+        if not np.linalg.svd(rates, compute_uv=False)[-1] > UNDAMPED:
+            return 0.0
+        found = solver.joint_velocities(q, arm.jacobian(q) @ scale)
+        return float(np.abs(rates @ (found / scale - 1.0)).max())
 
     def agree(
         self, rows: FloatArray, others: FloatArray, T: FloatArray, what: str, where: str

@@ -141,6 +141,13 @@ class CompiledSolver:
         self.library[f"{self.name}_jacobian"](_pointer(q), _pointer(J))
         return J
 
+    def joint_velocities(self, q: FloatArray, twist: FloatArray) -> FloatArray:
+        """The joint velocities (n,) of a twist (6,)."""
+        found = np.empty(self.dof)
+        function = self.library[f"{self.name}_joint_velocities"]
+        function(_pointer(q), _pointer(twist), _pointer(found))
+        return found
+
     def arm_angle(self, q: FloatArray) -> float:
         """The arm angle of joint values (n,)."""
         function = self.library[f"{self.name}_arm_angle"]

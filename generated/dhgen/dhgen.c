@@ -10,3 +10,4 @@
 #endif
 #include "complete.h"
 #include "ik.h"
+#include "velocities.h"

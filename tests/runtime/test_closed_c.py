@@ -241,6 +241,33 @@ def test_a_step_is_that_of_damped_least_squares(damping: float, elbow: float) ->
     np.testing.assert_allclose(found - q, step, rtol=1e-4, atol=1e-12)
 
 
+@pytest.mark.parametrize("elbow", [0.9, 0.06, 1e-3, 0.0])
+def test_joint_velocities_are_damped_from_a_hundredth_on(elbow: float) -> None:
+    """1 / s of a singular value s below it is s / 0.01^2; the spin is not asked for."""
+    q, found = np.array([0.4, elbow]), np.zeros(2)
+    x, y = 0.5 * np.cos(q.sum()), 0.5 * np.sin(q.sum())
+    J = np.array([[-np.sin(q[0]) - y, -y], [np.cos(q[0]) + x, x]])
+    twist = np.array([0.3, -0.2, 0.0, 0.0, 0.0, 9.0])
+    call("joint_velocities", q, twist, found)
+    U, s, V = np.linalg.svd(J)
+    expected = V.T @ (s / np.maximum(s, 0.01) ** 2 * (U.T @ twist[:2]))
+    np.testing.assert_allclose(found, expected, rtol=1e-11, atol=1e-13)
+    assert (s[-1] < 0.01) == (elbow < 0.01)
+    assert np.linalg.norm(found) <= np.linalg.norm(twist[:2]) / 0.01
+
+
+@pytest.mark.parametrize(("dof", "rank"), [(2, 1), (6, 6), (7, 5), (9, 6)])
+def test_rows_become_orthogonal(dof: int, rank: int) -> None:
+    random = np.random.default_rng(dof)
+    A = random.normal(size=(6, rank)) @ random.normal(size=(rank, dof))
+    b = random.normal(size=6)
+    turned = np.column_stack([A, b])
+    call("make_orthogonal", dof, turned)
+    products = turned[:, :dof] @ turned[:, :dof].T
+    np.testing.assert_allclose(products, np.diag(np.diag(products)), atol=1e-13)
+    np.testing.assert_allclose(turned[:, :dof].T @ turned[:, dof], A.T @ b, atol=1e-12)
+
+
 def test_refining_ends_at_the_solution_unless_that_is_far() -> None:
     T, q, e = pose(Q), Q + np.array([0.01, -0.02]), np.zeros(6)
     assert call("refine", T, 1e-12, 0.15, q)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from dhgen.runtime import c_runtime_files
-from dhgen.runtime.python import pose, tolerances
+from dhgen.runtime.python import pose, tolerances, velocities
 from dhgen.runtime.python.numerical import (
     descent,
     other_values,
@@ -146,6 +146,13 @@ def test_descents_are_alike_in_python() -> None:
     assert {name: found[name] for name in IN_DESCENTS} == pytest.approx(IN_DESCENTS, abs=0.0)
     turns_in_c = [found[f"ANY_TURN_{axis}"] for axis in "XYZ"]
     assert turns_in_c == pytest.approx(list(descent.ANY_TURN), rel=1e-15)
+
+
+def test_joint_velocities_are_alike_in_python() -> None:
+    text = c_runtime_files()["dhgen/velocities.h"]
+    found = defined(text.partition("#else")[0])
+    assert found == {name: getattr(velocities, name) for name in found}
+    assert len(found) == 4
 
 
 def test_what_follows_from_others_does() -> None:

@@ -32,6 +32,7 @@ DOF: int
 ROWS: int
 choice: Choice
 kinematics: tuple[Callable[[Any], Any], ...]  # its functions of joint values, fk first
+velocities_at: Callable[[FloatArray, FloatArray], FloatArray]  # of a twist, compiled
 apart: tuple[Callable[[], None], ...]  # each compiles what stands apart in a file
 into: Callable[..., int]  # all solutions of a pose, merged into what calls it
 solve_many: Callable[..., None]  # all solutions of many poses, compiled
@@ -201,6 +202,7 @@ def warm_up() -> None:
     """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
     zero = np.zeros(DOF)
     T, *_ = [function(zero) for function in kinematics]
+    velocities_at(zero, np.zeros(6))
     q, status = ik_all(T)
     ik_into(T, q, status)
     ik_into(T, q, status, zero)

@@ -35,6 +35,7 @@ choice: Choice
 given_of_joints: Callable[[FloatArray], Any]  # what the caller would give, of joint values
 reach: float  # how far from the seed's value others of a single one are tried
 kinematics: tuple[Callable[[Any], Any], ...]  # its functions of joint values, fk first
+velocities_at: Callable[[FloatArray, FloatArray], FloatArray]  # of a twist, compiled
 apart: tuple[Callable[[], None], ...]  # each compiles what stands apart in a file
 into: Callable[..., int]  # all solutions of a pose, merged into what calls it
 solve_many: Callable[..., None]  # all solutions of many poses, compiled
@@ -251,6 +252,7 @@ def warm_up() -> None:
     """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
     zero = np.zeros(DOF)
     T, *_ = [function(zero) for function in kinematics]
+    velocities_at(zero, np.zeros(6))
     q_free = np.zeros(GIVEN)
     q, status = ik_all(T, q_free)
     ik_into(T, q_free, q, status)

@@ -21,6 +21,7 @@ from . import (
     refine,
     retry,
     tiles,
+    velocities,
 )
 from .entry import Choice
 from .jit import COMPILED, overload
@@ -40,7 +41,7 @@ APART = (
     (follow_seed, (FOLLOWS_SEED,)),
     (retry, (RETRIES, KEEPS_LIMITS)),
 )
-PUBLIC = ("ik", "ik_all", "ik_batch", "ik_into", "warm_up")
+PUBLIC = ("ik", "ik_all", "ik_batch", "ik_into", "joint_velocities", "warm_up")
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,7 +122,7 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
     """
     dof, rows, given = robot["DOF"], robot["MAX_SOLUTIONS"], solver.given
     public, words = vars(calls_given if given else calls), solver.words
-    texts = {**vars(tiles), **vars(one_pose), **public}
+    texts = {**vars(velocities), **vars(tiles), **vars(one_pose), **public}
     facts = {
         **words,
         "DOF": dof,
@@ -180,12 +181,15 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
     many = "in_tiles" if solver.formulas and COMPILED else "one_by_one"
     add(many, how.njit(nogil=True))
     names["solve_many"] = names[many]
+    add("velocities_at", how.jit)
+    add("compiled_velocities", how.owned)
     add("compiled_into", how.owned)
     for name in ("look_at", "many", *PUBLIC):
         add(name)
     for name in PUBLIC:
         names[name].__doc__ = texts[name].__doc__.format(**facts)
     overload(names["ik_into"], strict=False)(lambda *_, **__: names["compiled_into"])
+    overload(names["joint_velocities"], strict=False)(lambda *_: names["compiled_velocities"])
     return names
 
 
@@ -202,7 +206,7 @@ def _given_names(robot: Mapping[str, Any], solver: Solver) -> dict[str, Any]:
 
 def _needed(solver: Solver) -> list[Callable[[], None]]:
     """What compiles the files of the runtime that an arm needs."""
-    arm, found = solver.arm, [careful.OWN.compile_apart]
+    arm, found = solver.arm, [careful.OWN.compile_apart, velocities.OWN.compile_apart]
     if solver.coupling is not None:
         found.append(coupled.OWN.compile_apart)
     return found + [

@@ -137,14 +137,13 @@ def _miss_of_angles(directions: float, P: Floats, pose: Pose, e: Floats) -> floa
 
 
 @OWN.inner
-def _count_what_counts(directions: float, robot: Robot, q: Floats, J: Floats) -> None:
-    """Takes out of a Jacobian what changes no direction that counts.
+def count_what_counts(directions: float, P: Floats, J: Floats) -> None:
+    """Takes out of columns, spins below, what changes no direction of the pose P that counts.
 
     Of a pitch its rate comes first; else turns that don't count about the base's axes have no
     weight.
     """
-    P = fk_at(robot[FK], q)
-    for j in range(len(q)):
+    for j in range(J.shape[1]):
         if directions == PITCH:
             J[3, j] = J[3, j] * P[1, 0] - J[4, j] * P[0, 0]
             continue
@@ -164,7 +163,7 @@ def add_step(arm: Floats, robot: Robot, held: Bools, damping: float, e: Floats, 
     dof = len(q)
     J, rows, square = jacobian_at(robot[JACOBIAN], q), np.zeros((6, 6 + dof)), np.zeros(6)
     if arm[DIRECTIONS] in (POINTING, PITCH):
-        _count_what_counts(arm[DIRECTIONS], robot, q, J)
+        count_what_counts(arm[DIRECTIONS], fk_at(robot[FK], q), J)
     for i in range(6):
         for j in range(dof):
             if not held[j]:

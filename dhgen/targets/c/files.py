@@ -152,7 +152,7 @@ def _brought_along(module: SolverModule, *, regular: bool) -> list[str]:
     upper, solver = module.name.upper(), module.solver
     single = ["SINGLE_PRECISION", "SCALAR"] if module.precision is SINGLE else []
     switches = ["LIBM"] if single else ["SCALAR", "LIBM"]
-    headers = ["ik", *(["circle_roots"] if finds_roots(solver) else [])]
+    headers = ["ik", "velocities", *(["circle_roots"] if finds_roots(solver) else [])]
     headers += [] if single else ["frames"]
     headers += ["complete"] if solver.tightened is not None else []
     headers += ["coupled"] if coupled_turns(module.chain) is not None else []

@@ -95,22 +95,25 @@ DHGEN_FN double dhgen_miss(const struct dhgen_arm *arm, const double *T, const d
     return sqrt(square);
 }
 
-/* Takes out of the Jacobian J what changes no direction that counts. Of a pitch its rate comes
- * first; else turns that don't count about the base's axes have no weight. */
-DHGEN_FN void dhgen_count_what_counts(const struct dhgen_arm *arm, const double *x, double *J)
+/* Takes out of `width` columns J at joint values x, spins below, what changes no direction that
+ * counts. Of a pitch its rate comes first; else turns that don't count about the base's axes have
+ * no weight. */
+DHGEN_FN void dhgen_count_what_counts(
+    const struct dhgen_arm *arm, const double *x, int width, double *J)
 {
-    const int dof = dhgen_dof(arm);
     double P[16];
+    if (arm->task != DHGEN_POINTING && arm->task != DHGEN_PITCH)
+        return;
     arm->fk(x, P);
-    for (int j = 0; j < dof; j++) {
-        double *spin = J + 3 * dof + j;
+    for (int j = 0; j < width; j++) {
+        double *spin = J + 3 * width + j;
         if (arm->task == DHGEN_PITCH) {
-            spin[0] = spin[0] * P[4] - spin[dof] * P[0];
+            spin[0] = spin[0] * P[4] - spin[width] * P[0];
             continue;
         }
-        const double along = P[2] * spin[0] + P[6] * spin[dof] + P[10] * spin[2 * dof];
+        const double along = P[2] * spin[0] + P[6] * spin[width] + P[10] * spin[2 * width];
         for (int i = 0; i < 3; i++)
-            spin[dof * i] -= along * P[4 * i + 2];
+            spin[width * i] -= along * P[4 * i + 2];
     }
 }
 
@@ -123,8 +126,7 @@ DHGEN_FN void dhgen_add_step(
     const int dof = dhgen_dof(arm), width = 6 + dof;
     double A[6][6 + DHGEN_JOINTS] = { { 0.0 } }, square[6] = { 0.0 }, J[6 * DHGEN_JOINTS];
     arm->jacobian(x, J);
-    if (arm->task == DHGEN_POINTING || arm->task == DHGEN_PITCH)
-        dhgen_count_what_counts(arm, x, J);
+    dhgen_count_what_counts(arm, x, dof, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < dof; j++)
             A[i][j] = held[j] ? 0.0 : arm->joints[j].pace * arm->miss_weights[i] * J[dof * i + j];
