@@ -135,6 +135,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.6803, 0.6803, 0.6803, 1.0, 1.0, 1.0),
         size=1.4700000000000002,
         clamped=1e-14,
+        clamped_again=1e-10,
         steps=('clamps', 'winds'),
     ),
 )

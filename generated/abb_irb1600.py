@@ -110,6 +110,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.4996, 0.4996, 0.4996, 1.0, 1.0, 1.0),
         size=2.0015,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

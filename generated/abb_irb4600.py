@@ -120,6 +120,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.3125, 0.3125, 0.3125, 1.0, 1.0, 1.0),
         size=3.2000238089839357,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
         choosable=(3, 1, 0),
         cuts=52,

@@ -84,6 +84,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.0004167, 0.0004167, 0.0004167, 1.0, 1.0, 1.0),
         size=2400.0,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -94,6 +94,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.013, 1.013, 1.013, 1.0, 1.0, 1.0),
         size=0.987,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -92,6 +92,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.8696, 0.8696, 0.8696, 0.0, 0.0, 0.0),
         size=1.15,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -102,6 +102,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.8, 0.8, 0.8, 1.0, 1.0, 1.0),
         size=1.25,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

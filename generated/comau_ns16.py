@@ -131,6 +131,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.3642, 0.3642, 0.3642, 1.0, 1.0, 1.0),
         size=2.7459999999999996,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits', 'merges', 'refines', 'clamps', 'clamps far', 'winds', 'follows seed'),
         choosable=(3, 1, 0),
         cuts=52,

@@ -180,6 +180,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5405, 0.5405, 0.5405, 1.0, 1.0, 1.0),
         size=1.8499999999999999,
         clamped=1e-14,
+        clamped_again=1e-14,
         entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
         steps=('completes', 'follows seed'),
         root_turns=((5, 1.0),),

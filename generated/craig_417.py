@@ -97,6 +97,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.3333, 0.3333, 0.3333, 1.0, 1.0, 1.0),
         size=3.0,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

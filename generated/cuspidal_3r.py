@@ -106,6 +106,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.1818, 0.1818, 0.1818, 0.0, 0.0, 0.0),
         size=5.5,
         clamped=1e-14,
+        clamped_again=1e-14,
         entries=(3, 7, 11),
         steps=('completes', 'ascends', 'follows seed'),
         root_turns=((0, 1.0),),

@@ -209,7 +209,7 @@ static int solve_regular(
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const struct dhgen_arm arm = {
     3, 1, 0, DHGEN_POSE, joints, NULL, 0,
-    { 3.333, 3.333, 3.333, 1.0, 1.0, 1.0 }, 3.3333333333333335, 1e-14, entries, 9,
+    { 3.333, 3.333, 3.333, 1.0, 1.0, 1.0 }, 3.3333333333333335, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

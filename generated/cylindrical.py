@@ -76,6 +76,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(3.333, 3.333, 3.333, 1.0, 1.0, 1.0),
         size=0.3,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -295,7 +295,7 @@ static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[2] = { 3, 0 };
 static const struct dhgen_arm arm = {
     6, 4, 0, DHGEN_POSE, joints, NULL, 0,
-    { 2.5, 2.5, 2.5, 1.0, 1.0, 1.0 }, 2.5, 1e-14, entries, 9,
+    { 2.5, 2.5, 2.5, 1.0, 1.0, 1.0 }, 2.5, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

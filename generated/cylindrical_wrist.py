@@ -83,6 +83,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(2.5, 2.5, 2.5, 1.0, 1.0, 1.0),
         size=0.4,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

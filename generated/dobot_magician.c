@@ -314,7 +314,7 @@ static const int entries[3] = { 3, 7, 11 };
 static const int choosable[2] = { 1, 0 };
 static const struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
-    { 2.375, 2.375, 2.375, 0.0, 0.0, 0.0 }, 2.375296912114014, 1e-14, entries, 3,
+    { 2.375, 2.375, 2.375, 0.0, 0.0, 0.0 }, 2.375296912114014, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */

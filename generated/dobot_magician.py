@@ -101,6 +101,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(2.375, 2.375, 2.375, 0.0, 0.0, 0.0),
         size=0.42100000000000004,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits', 'clamps', 'clamps far', 'follows seed'),
         choosable=(1, 0),
         cuts=52,

@@ -112,6 +112,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.6725, 0.6725, 0.6725, 1.0, 1.0, 1.0),
         size=1.487,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('merges', 'refines', 'follows seed'),
     ),
 )

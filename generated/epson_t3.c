@@ -285,7 +285,7 @@ static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
-    { 2.5, 2.5, 2.5, 1.0, 1.0, 1.0 }, 2.5, 1e-14, entries, 9,
+    { 2.5, 2.5, 2.5, 1.0, 1.0, 1.0 }, 2.5, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */

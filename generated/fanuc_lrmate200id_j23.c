@@ -260,7 +260,7 @@ static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
 static const struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
-    { 0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0 }, 0.8620689655172413, 1e-14, entries, 9,
+    { 0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0 }, 0.8620689655172413, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */

@@ -123,6 +123,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.3394, 0.3394, 0.3394, 1.0, 1.0, 1.0),
         size=2.9459999999999997,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
         choosable=(3, 1, 0),
         cuts=52,

@@ -130,6 +130,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.7179, 0.7179, 0.7179, 1.0, 1.0, 1.0),
         size=1.393,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits', 'merges', 'refines', 'clamps', 'clamps far', 'follows seed'),
         given=(6,),
         choosable=(5, 4, 2),

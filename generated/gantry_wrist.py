@@ -78,6 +78,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(4.545, 4.545, 4.545, 1.0, 1.0, 1.0),
         size=0.22,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -159,6 +159,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.578, 0.578, 0.578, 1.0, 1.0, 1.0),
         size=1.7299999999999998,
         clamped=1e-14,
+        clamped_again=1e-10,
         steps=('clamps',),
     ),
 )

@@ -303,7 +303,7 @@ static void solve(
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const struct dhgen_arm arm = {
     5, 16, 0, DHGEN_POSE, joints, NULL, 0,
-    { 0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0 }, 0.5681818181818181, 1e-14, entries, 9,
+    { 0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0 }, 0.5681818181818181, { 1e-14, 1e-10 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */

@@ -152,6 +152,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0),
         size=1.7600000000000002,
         clamped=1e-14,
+        clamped_again=1e-10,
         steps=('clamps', 'winds'),
     ),
 )

@@ -162,6 +162,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.3772, 0.3772, 0.3772, 1.0, 1.0, 1.0),
         size=2.651,
         clamped=1e-14,
+        clamped_again=1e-10,
         steps=('clamps',),
     ),
 )

@@ -137,6 +137,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5546, 0.5546, 0.5546, 1.0, 1.0, 1.0),
         size=1.803,
         clamped=1e-14,
+        clamped_again=1e-10,
         steps=('clamps',),
     ),
 )

@@ -153,6 +153,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.565, 0.565, 0.565, 1.0, 1.0, 1.0),
         size=1.77,
         clamped=1e-14,
+        clamped_again=1e-10,
         steps=('clamps', 'winds'),
     ),
 )

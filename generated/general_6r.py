@@ -180,6 +180,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.3459, 0.3459, 0.3459, 1.0, 1.0, 1.0),
         size=2.8909999999999996,
         clamped=1e-14,
+        clamped_again=1e-10,
     ),
 )
 

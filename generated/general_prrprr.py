@@ -182,6 +182,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5714, 0.5714, 0.5714, 1.0, 1.0, 1.0),
         size=1.75,
         clamped=1e-14,
+        clamped_again=1e-10,
         steps=('clamps',),
     ),
 )

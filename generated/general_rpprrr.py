@@ -162,6 +162,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.6944, 0.6944, 0.6944, 1.0, 1.0, 1.0),
         size=1.44,
         clamped=1e-14,
+        clamped_again=1e-10,
         steps=('clamps',),
     ),
 )

@@ -113,6 +113,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.115, 1.115, 1.115, 1.0, 1.0, 1.0),
         size=0.8972000000000001,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -109,6 +109,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.475, 1.475, 1.475, 1.0, 1.0, 1.0),
         size=0.6778,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('retries', 'follows seed'),
         choosable=(1, 0),
         cuts=52,

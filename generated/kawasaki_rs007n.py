@@ -117,6 +117,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.8562, 0.8562, 0.8562, 1.0, 1.0, 1.0),
         size=1.168,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
         choosable=(3, 1, 0),
         cuts=52,

@@ -147,6 +147,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.869, 0.869, 0.869, 1.0, 1.0, 1.0),
         size=1.1507100000000001,
         clamped=1e-14,
+        clamped_again=1e-10,
         steps=('clamps',),
         given=(2,),
     ),

@@ -140,6 +140,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.02, 1.02, 1.02, 1.0, 1.0, 1.0),
         size=0.9802500000000001,
         clamped=1e-14,
+        clamped_again=1e-10,
         steps=('clamps',),
     ),
 )

@@ -124,6 +124,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.7854, 0.7854, 0.7854, 1.0, 1.0, 1.0),
         size=1.2732999999999999,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits', 'merges', 'refines', 'clamps', 'clamps far', 'winds', 'follows seed'),
         choosable=(3, 1, 0),
         cuts=52,

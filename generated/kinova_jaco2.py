@@ -144,6 +144,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.8046, 0.8046, 0.8046, 1.0, 1.0, 1.0),
         size=1.2428885000031569,
         clamped=1e-14,
+        clamped_again=1e-10,
     ),
 )
 

@@ -519,7 +519,7 @@ static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 4, 1, 0 };
 static const struct dhgen_arm arm = {
     7, 8, 1, DHGEN_POSE, joints, given_joints, 1,
-    { 0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0 }, 0.7656967840735068, 1e-14, entries, 9,
+    { 0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0 }, 0.7656967840735068, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */

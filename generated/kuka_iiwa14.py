@@ -123,6 +123,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0),
         size=1.306,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits', 'merges', 'refines', 'clamps', 'clamps far', 'follows seed'),
         given=(2,),
         choosable=(4, 1, 0),

@@ -633,7 +633,7 @@ static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[2] = { 4, 0 };
 static const struct dhgen_arm arm = {
     7, 8, 1, DHGEN_POSE, joints, NULL, 0,
-    { 0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0 }, 0.7656967840735068, 1e-14, entries, 9,
+    { 0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0 }, 0.7656967840735068, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

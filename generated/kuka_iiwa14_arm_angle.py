@@ -116,6 +116,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0),
         size=1.306,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits',),
         choosable=(4, 0),
         cuts=52,

@@ -397,7 +397,7 @@ static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[1] = { 1 };
 static const struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
-    { 0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0 }, 0.4545454545454546, 1e-14, entries, 9,
+    { 0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0 }, 0.4545454545454546, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

@@ -122,6 +122,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0),
         size=2.1999999999999997,
         clamped=1e-14,
+        clamped_again=1e-14,
         entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
         steps=('completes', 'equations end all', 'follows seed'),
     ),

@@ -100,6 +100,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.4878, 0.4878, 0.4878, 0.0, 0.0, 0.0),
         size=2.05,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits', 'clamps', 'clamps far', 'follows seed'),
         choosable=(1, 0),
         cuts=52,

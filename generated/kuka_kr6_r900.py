@@ -114,6 +114,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.7067, 0.7067, 0.7067, 1.0, 1.0, 1.0),
         size=1.4150000000000003,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

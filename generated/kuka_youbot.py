@@ -112,6 +112,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.455, 1.455, 1.455, 1.0, 1.0, 1.0),
         size=0.6875,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('retries', 'follows seed'),
         choosable=(1, 0),
         cuts=52,

@@ -365,7 +365,7 @@ static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[4] = { 5, 2, 1, 0 };
 static const struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
-    { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 }, 0.625, 1e-14, entries, 9,
+    { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 }, 0.625, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 4, NULL, 0, 52,
     1, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

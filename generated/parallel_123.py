@@ -167,6 +167,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.625, 0.625, 0.625, 1.0, 1.0, 1.0),
         size=1.5999999999999999,
         clamped=1e-14,
+        clamped_again=1e-14,
         entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
         steps=('retries', 'completes', 'merges', 'follows seed'),
         choosable=(5, 2, 1, 0),

@@ -123,6 +123,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.002817, 0.002817, 0.002817, 1.0, 1.0, 1.0),
         size=355.0,
         clamped=1e-14,
+        clamped_again=1e-14,
         entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
         steps=('completes', 'equations end all', 'follows seed'),
     ),

@@ -197,7 +197,7 @@ static int solve_regular(
 static const int entries[2] = { 3, 7 };
 static const struct dhgen_arm arm = {
     2, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
-    { 3.333, 3.333, 0.0, 0.0, 0.0, 0.0 }, 3.3333333333333335, 1e-14, entries, 2,
+    { 3.333, 3.333, 0.0, 0.0, 0.0, 0.0 }, 3.3333333333333335, { 1e-14, 1e-14 }, entries, 2,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

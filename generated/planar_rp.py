@@ -76,6 +76,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.0, 1.0, 0.0, 0.0, 0.0, 0.0),
         size=1.0,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits', 'clamps', 'clamps far', 'follows seed'),
         choosable=(0,),
         cuts=52,

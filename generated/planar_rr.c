@@ -219,7 +219,7 @@ static const int entries[2] = { 3, 7 };
 static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     2, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
-    { 1.429, 1.429, 0.0, 0.0, 0.0, 0.0 }, 1.4285714285714286, 1e-14, entries, 2,
+    { 1.429, 1.429, 0.0, 0.0, 0.0, 0.0 }, 1.4285714285714286, { 1e-14, 1e-14 }, entries, 2,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

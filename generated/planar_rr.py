@@ -84,6 +84,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.429, 1.429, 0.0, 0.0, 0.0, 0.0),
         size=0.7,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -95,6 +95,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.176, 1.176, 1.176, 1.0, 1.0, 1.0),
         size=0.85,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -114,6 +114,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.8065, 0.8065, 0.8065, 1.0, 1.0, 1.0),
         size=1.24,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('merges', 'follows seed'),
     ),
 )

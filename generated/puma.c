@@ -453,7 +453,7 @@ static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[3] = { 3, 1, 0 };
 static const struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
-    { 0.529, 0.529, 0.529, 1.0, 1.0, 1.0 }, 0.5290477290765635, 1e-14, entries, 9,
+    { 0.529, 0.529, 0.529, 1.0, 1.0, 1.0 }, 0.5290477290765635, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 3, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

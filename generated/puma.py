@@ -107,6 +107,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.529, 0.529, 0.529, 1.0, 1.0, 1.0),
         size=1.8901886257889609,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('merges', 'refines', 'follows seed'),
     ),
 )

@@ -119,6 +119,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5862, 0.5862, 0.5862, 1.0, 1.0, 1.0),
         size=1.70578,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits', 'merges', 'refines', 'clamps', 'clamps far', 'winds', 'follows seed'),
         choosable=(3, 1, 0),
         cuts=52,

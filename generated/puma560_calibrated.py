@@ -182,6 +182,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5844, 0.5844, 0.5844, 1.0, 1.0, 1.0),
         size=1.7112988821471,
         clamped=1e-14,
+        clamped_again=1e-10,
     ),
 )
 

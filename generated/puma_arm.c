@@ -289,7 +289,7 @@ static const int entries[3] = { 3, 7, 11 };
 static const int choosable[2] = { 1, 0 };
 static const struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
-    { 0.5862, 0.5862, 0.5862, 0.0, 0.0, 0.0 }, 0.5862420710759887, 1e-14, entries, 3,
+    { 0.5862, 0.5862, 0.5862, 0.0, 0.0, 0.0 }, 0.5862420710759887, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 2, NULL, 0, 52,
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

@@ -98,6 +98,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5862, 0.5862, 0.5862, 0.0, 0.0, 0.0),
         size=1.70578,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('merges', 'refines', 'follows seed'),
     ),
 )

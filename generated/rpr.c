@@ -239,7 +239,7 @@ static const int entries[3] = { 3, 7, 11 };
 static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
-    { 1.25, 1.25, 1.25, 0.0, 0.0, 0.0 }, 1.25, 1e-14, entries, 3,
+    { 1.25, 1.25, 1.25, 0.0, 0.0, 0.0 }, 1.25, { 1e-14, 1e-14 }, entries, 3,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

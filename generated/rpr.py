@@ -81,6 +81,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.25, 1.25, 1.25, 0.0, 0.0, 0.0),
         size=0.8,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

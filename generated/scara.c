@@ -302,7 +302,7 @@ static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
-    { 1.25, 1.25, 1.25, 1.0, 1.0, 1.0 }, 1.25, 1e-14, entries, 9,
+    { 1.25, 1.25, 1.25, 1.0, 1.0, 1.0 }, 1.25, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */

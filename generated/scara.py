@@ -98,6 +98,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.25, 1.25, 1.25, 1.0, 1.0, 1.0),
         size=0.7999999999999999,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
         choosable=(0,),
         cuts=52,

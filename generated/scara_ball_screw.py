@@ -110,6 +110,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.429, 1.429, 1.429, 1.0, 1.0, 1.0),
         size=0.7,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits',),
         choosable=(0,),
         cuts=52,

@@ -177,7 +177,8 @@ struct dhgen_arm {
      * digits in refining; and for whether a row fits, the places of the entries that do. */
     float miss_weights[6];
     float per_length;
-    float clamped; /* a joint is clamped if the pose is missed by so much more [arm sizes, rad] */
+    float clamped[2]; /* a joint is clamped if the pose is missed by so much more; and where no row
+                        * is inside limits then [arm sizes, rad] */
     const int *entries;
     int entry_count;
 
@@ -555,19 +556,19 @@ DHGEN_FN int dhgen_farthest_past(const struct dhgen_arm *arm, const float *x, fl
 }
 
 /* Takes joint values to some not farther than `most` that miss the pose by less than `enough`; if
- * that is NaN, to some inside their limits that miss it hardly more. Returns whether it can. Goes
- * on while that gains, first by short steps. */
+ * that is negative, to some inside their limits that miss it by less than so much more. Returns
+ * whether it can. Goes on while that gains, first by short steps. */
 DHGEN_FN int dhgen_refine(
     const struct dhgen_arm *arm, const float *T, float enough, float most, float *q)
 {
     float x[DHGEN_JOINTS], half[DHGEN_JOINTS], e[6], last = HUGE_VALF;
-    const int clamps = isnan(enough) != 0;
+    const int clamps = enough <= 0.0f;
     int moves = 0, refined = 0, lost = 0, held[DHGEN_JOINTS] = { 0 };
     dhgen_copy_row(arm, q, x);
     for (int k = 0; k < DHGEN_STEPS; k++) {
         float miss = dhgen_miss(arm, T, x, e), past = 0.0f;
-        if (isnan(enough))
-            enough = miss + arm->clamped;
+        if (clamps && k == 0)
+            enough = miss - enough;
         const int worst = clamps && miss < enough ? dhgen_farthest_past(arm, x, &past) : -1;
         if (worst >= 0) { /* one by one: others may follow it inside, or the first the second */
             moves++;
@@ -596,19 +597,20 @@ DHGEN_FN int dhgen_refine(
 }
 
 /* Clamps joint values to the ends of ranges that they are past or, as two may not be there at once,
- * takes them inside. Returns whether it can. */
+ * takes them inside; the pose is missed by less than `more` more than before. Returns whether it
+ * can. */
 DHGEN_FN int dhgen_refine_inside(
-    const struct dhgen_arm *arm, const float *T, float most, float *q)
+    const struct dhgen_arm *arm, const float *T, float more, float most, float *q)
 {
     float x[DHGEN_JOINTS], e[6];
-    if (dhgen_refine(arm, T, DHGEN_NAN, most, q))
+    if (dhgen_refine(arm, T, -more, most, q))
         return 1;
     if (!arm->winds)
         return 0;
     int past = 0;
     for (int i = 0; i < dhgen_dof(arm); i++)
         past += dhgen_moves(arm, i) && fabsf(dhgen_past_an_end(arm, i, q[i])) > 0.0f;
-    const float enough = dhgen_miss(arm, T, q, e) + arm->clamped;
+    const float enough = dhgen_miss(arm, T, q, e) + more;
     float farther = DHGEN_NEXT_INSIDE;
     while (past > 1 && farther <= DHGEN_FARTHEST_INSIDE) {
         for (int i = 0; i < dhgen_dof(arm); i++)
@@ -628,19 +630,21 @@ DHGEN_FN int dhgen_refine_inside(
 /* From half way to one solution steps lead no farther than so many times the whole way. */
 #define DHGEN_HALF_WAY_ASIDE 0.25f
 
-/* Clamps the joints of a row that exceed their limits, by little or `far`. Returns whether it can:
- * the result must be the same solution, so the middle must also solve the pose, and no row with a
- * smaller violation may lie closer. */
-DHGEN_FN int dhgen_clamp_to_limits(const struct dhgen_arm *arm, const float *T, int row, int far,
+/* Clamps the joints of a row that exceed their limits, by little, or as an arm may `again`. Returns
+ * whether it can: the result must be the same solution, so the middle must also solve the pose, and
+ * no row with a smaller violation may lie closer. */
+DHGEN_FN int dhgen_clamp_to_limits(const struct dhgen_arm *arm, const float *T, int row, int again,
     float *rows, const unsigned char *status)
 {
     float x[DHGEN_JOINTS], half[DHGEN_JOINTS], to[DHGEN_JOINTS];
     float *const q = rows + dhgen_dof(arm) * row;
     const float beyond = dhgen_past_ends(arm, q);
+    const int far = again && arm->clamps_far;
     if (!(0.0f < beyond && (far || beyond < DHGEN_DOUBTFUL)))
         return 0;
     dhgen_copy_row(arm, q, x);
-    if (!dhgen_refine_inside(arm, T, far ? HUGE_VALF : DHGEN_MOST_CLAMPED, x))
+    const float most = far ? HUGE_VALF : DHGEN_MOST_CLAMPED;
+    if (!dhgen_refine_inside(arm, T, arm->clamped[again], most, x))
         return 0;
     const float off = dhgen_half_way(arm, q, x, half);
     for (int k = 0; k < dhgen_rows(arm); k++) {
@@ -721,7 +725,7 @@ DHGEN_FN int dhgen_beside_seed(const struct dhgen_arm *arm, const float *T,
     if (!dhgen_refine(arm, T, DHGEN_EXACT, DHGEN_BESIDE_SEED, x))
         return 0;
     return !(arm->clamps && dhgen_past_ends(arm, x) > DHGEN_LIMIT)
-        || dhgen_refine_inside(arm, T, DHGEN_BESIDE_SEED, x);
+        || dhgen_refine_inside(arm, T, arm->clamped[0], DHGEN_BESIDE_SEED, x);
 }
 
 /* Gives the solution next to the seed a row where rounding can't tell solutions apart: its own, one
@@ -1245,18 +1249,19 @@ DHGEN_FN int dhgen_turn_inside(const struct dhgen_arm *arm, float *q)
     return inside;
 }
 
-/* Clamps rows to limits, from far away only where none is inside, and tells those that are not
- * inside. Returns how many are. */
+/* Clamps rows to limits, and again where none is inside, and tells those that are not inside.
+ * Returns how many are. */
 DHGEN_FN int dhgen_end_rows(
     const struct dhgen_arm *arm, const float *T, float *q, unsigned char *status)
 {
     const int rows = dhgen_rows(arm);
+    const int twice = arm->clamps_far || arm->clamped[1] > arm->clamped[0];
     int count = 0;
-    for (int n = 0; n < rows || (arm->clamps_far && n < 2 * rows && count == 0); n++) {
-        const int row = n % rows, far = n >= rows;
+    for (int n = 0; n < rows || (twice && n < 2 * rows && count == 0); n++) {
+        const int row = n % rows, again = n >= rows;
         if (status[row] == DHGEN_UNREACHABLE)
             continue;
-        if (arm->clamps && dhgen_clamp_to_limits(arm, T, row, far, q, status) && far)
+        if (arm->clamps && dhgen_clamp_to_limits(arm, T, row, again, q, status) && again)
             status[row] = DHGEN_FREE_JOINT;
         if (!dhgen_turn_inside(arm, q + dhgen_dof(arm) * row))
             status[row] = DHGEN_OUT_OF_LIMITS;
@@ -2009,7 +2014,7 @@ static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
-    { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f }, 1.25f, 1e-06f, entries, 9,
+    { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f }, 1.25f, { 1e-06f, 1e-06f }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */

@@ -91,6 +91,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.818, 1.818, 1.818, 1.0, 1.0, 1.0),
         size=0.55,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -86,6 +86,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.8333, 0.8333, 0.8333, 0.0, 0.0, 0.0),
         size=1.2,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -95,6 +95,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.7692, 0.7692, 0.7692, 1.0, 1.0, 1.0),
         size=1.3,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -488,7 +488,7 @@ static const int entries[6] = { 2, 3, 6, 7, 10, 11 };
 static const int choosable[2] = { 1, 0 };
 static const struct dhgen_arm arm = {
     5, 4, 1, DHGEN_POINTING, joints, given_joints, 1,
-    { 1.05, 1.05, 1.05, 1.0, 1.0, 1.0 }, 1.050420168067227, 1e-14, entries, 6,
+    { 1.05, 1.05, 1.05, 1.0, 1.0, 1.0 }, 1.050420168067227, { 1e-14, 1e-14 }, entries, 6,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 2, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

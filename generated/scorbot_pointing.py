@@ -140,6 +140,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.05, 1.05, 1.05, 1.0, 1.0, 1.0),
         size=0.952,
         clamped=1e-14,
+        clamped_again=1e-14,
         entries=(2, 3, 6, 7, 10, 11),
         steps=('retries', 'completes', 'equations end all', 'follows seed'),
         given=(4,),

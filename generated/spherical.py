@@ -75,6 +75,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(2.0, 2.0, 2.0, 0.0, 0.0, 0.0),
         size=0.5,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -82,6 +82,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(6.667, 6.667, 6.667, 0.0, 0.0, 0.0),
         size=0.15,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('follows seed',),
     ),
 )

@@ -116,6 +116,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5618, 0.5618, 0.5618, 1.0, 1.0, 1.0),
         size=1.7800000000000005,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('merges', 'refines', 'follows seed'),
     ),
 )

@@ -166,6 +166,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.6098, 0.6098, 0.6098, 1.0, 1.0, 1.0),
         size=1.64,
         clamped=1e-14,
+        clamped_again=1e-14,
         entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
         steps=('completes', 'follows seed'),
         root_turns=((0, 1.0),),

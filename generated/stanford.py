@@ -104,6 +104,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.7874, 0.7874, 0.7874, 1.0, 1.0, 1.0),
         size=1.27,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('keeps limits', 'clamps', 'clamps far', 'follows seed'),
         choosable=(3, 1, 0),
         cuts=52,

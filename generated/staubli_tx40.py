@@ -113,6 +113,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(1.149, 1.149, 1.149, 1.0, 1.0, 1.0),
         size=0.8700000000000001,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('merges', 'refines', 'follows seed'),
     ),
 )

@@ -117,6 +117,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.7535, 0.7535, 0.7535, 1.0, 1.0, 1.0),
         size=1.3271500000000003,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=(
             'retries',
             'keeps limits',

@@ -111,6 +111,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5632, 0.5632, 0.5632, 1.0, 1.0, 1.0),
         size=1.7754999999999999,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=(
             'retries',
             'keeps limits',

@@ -111,6 +111,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.4271, 0.4271, 0.4271, 1.0, 1.0, 1.0),
         size=2.3416,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=(
             'retries',
             'keeps limits',

@@ -483,7 +483,7 @@ static const int choosable[3] = { 5, 1, 0 };
 static const int together[2] = { 0, 5 };
 static const struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
-    { 0.762, 0.762, 0.762, 1.0, 1.0, 1.0 }, 0.762020879372095, 1e-14, entries, 9,
+    { 0.762, 0.762, 0.762, 1.0, 1.0, 1.0 }, 0.762020879372095, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, together, 2, 52,
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */

@@ -308,7 +308,7 @@ static const int entries[6] = { 2, 3, 6, 7, 10, 11 };
 static const int choosable[4] = { 3, 2, 1, 0 };
 static const struct dhgen_arm arm = {
     5, 8, 0, DHGEN_POINTING, joints, NULL, 0,
-    { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 }, 0.625, 1e-14, entries, 6,
+    { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 }, 0.625, { 1e-14, 1e-14 }, entries, 6,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 4, NULL, 0, 52,
     1, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */

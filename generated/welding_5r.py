@@ -139,6 +139,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.625, 0.625, 0.625, 1.0, 1.0, 1.0),
         size=1.6,
         clamped=1e-14,
+        clamped_again=1e-14,
         entries=(2, 3, 6, 7, 10, 11),
         steps=('retries', 'keeps limits', 'completes', 'merges', 'clamps', 'follows seed'),
         choosable=(3, 2, 1, 0),

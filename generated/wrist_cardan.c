@@ -211,7 +211,7 @@ static const int entries[6] = { 0, 2, 4, 6, 8, 10 };
 static const int choosable[1] = { 0 };
 static const struct dhgen_arm arm = {
     3, 2, 0, DHGEN_ROTATION, joints, NULL, 0,
-    { 0.0, 0.0, 0.0, 1.0, 1.0, 1.0 }, 1.0, 1e-14, entries, 6,
+    { 0.0, 0.0, 0.0, 1.0, 1.0, 1.0 }, 1.0, { 1e-14, 1e-14 }, entries, 6,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */

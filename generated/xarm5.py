@@ -114,6 +114,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.9254, 0.9254, 0.9254, 1.0, 1.0, 1.0),
         size=1.080646614543747,
         clamped=1e-14,
+        clamped_again=1e-14,
         steps=('retries', 'follows seed'),
         choosable=(1, 0),
         cuts=52,

@@ -124,6 +124,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.87, 0.87, 0.87, 1.0, 1.0, 1.0),
         size=1.149486614543747,
         clamped=1e-14,
+        clamped_again=1e-10,
     ),
 )
 

@@ -130,6 +130,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.8295, 0.8295, 0.8295, 1.0, 1.0, 1.0),
         size=1.2055000000000002,
         clamped=1e-14,
+        clamped_again=1e-10,
         given=(2,),
     ),
 )

@@ -171,6 +171,7 @@ _ARM = _arms.arm_numbers(
         miss_weights=(0.5659, 0.5659, 0.5659, 1.0, 1.0, 1.0),
         size=1.767,
         clamped=1e-14,
+        clamped_again=1e-10,
         steps=('clamps', 'winds'),
     ),
 )

@@ -108,6 +108,7 @@ class Completion:
                 miss_weights=(0.0,) * 6,
                 size=chain.size,
                 clamped=0.0,
+                clamped_again=0.0,
                 entries=self._entries,
                 root_turns=tuple((joint - 1, float(sign)) for joint, sign in self.turning),
             ),

@@ -52,6 +52,7 @@ class Policy:
         refines: Whether rows of a root that follows another are led to solutions.
         clamps: Whether joints are put on limits near singular poses.
         clamped: By how much more the pose may be missed then [arm sizes, rad].
+        clamped_again: And where no row is inside limits then.
         clamps_far: Whether they are led far to them: not where every pose is solved with care.
         winds: Whether a joint that is put on a limit could be turned.
         follows_seed: Whether rows near singular poses go on from the seed.
@@ -72,6 +73,7 @@ class Policy:
     refines: bool
     clamps: bool
     clamped: float
+    clamped_again: float
     clamps_far: bool
     winds: bool
     follows_seed: bool
@@ -103,6 +105,7 @@ def policy_of(module: SolverModule) -> Policy:
         refines=solver.led is not None,
         clamps=stands_on_limits(module),
         clamped=module.precision.tolerances.clamped,
+        clamped_again=_clamped_again(module),
         clamps_far=stands_on_limits(module) and tells_regular(solver),
         winds=stands_on_limits(module) and _widest_turn(module) > NEARLY_A_TURN,
         follows_seed=follows_seed,
@@ -126,6 +129,15 @@ def fan_steps(module: SolverModule) -> tuple[float, ...]:
         2.0 * (math.pi if turns else length) / FAN
         for turns, length in zip(module.chain.turning, lengths, strict=True)
     )
+
+
+def _clamped_again(module: SolverModule) -> float:
+    """By how much more a pose may be missed by rows that are clamped where none is inside limits.
+
+    Where solutions are found without branches, nearer ones than `polished` are one anyway.
+    """
+    tolerances = module.precision.tolerances
+    return tolerances.clamped if whole_arm(module.solver) is None else tolerances.polished
 
 
 def _follows_seed(module: SolverModule) -> bool:

@@ -79,7 +79,8 @@ struct dhgen_arm {
      * digits in refining; and for whether a row fits, the places of the entries that do. */
     double miss_weights[6];
     double per_length;
-    double clamped; /* a joint is clamped if the pose is missed by so much more [arm sizes, rad] */
+    double clamped[2]; /* a joint is clamped if the pose is missed by so much more; and where no row
+                        * is inside limits then [arm sizes, rad] */
     const int *entries;
     int entry_count;
 

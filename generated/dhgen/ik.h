@@ -113,18 +113,19 @@ DHGEN_FN int dhgen_turn_inside(const struct dhgen_arm *arm, double *q)
     return inside;
 }
 
-/* Clamps rows to limits, from far away only where none is inside, and tells those that are not
- * inside. Returns how many are. */
+/* Clamps rows to limits, and again where none is inside, and tells those that are not inside.
+ * Returns how many are. */
 DHGEN_FN int dhgen_end_rows(
     const struct dhgen_arm *arm, const double *T, double *q, unsigned char *status)
 {
     const int rows = dhgen_rows(arm);
+    const int twice = arm->clamps_far || arm->clamped[1] > arm->clamped[0];
     int count = 0;
-    for (int n = 0; n < rows || (arm->clamps_far && n < 2 * rows && count == 0); n++) {
-        const int row = n % rows, far = n >= rows;
+    for (int n = 0; n < rows || (twice && n < 2 * rows && count == 0); n++) {
+        const int row = n % rows, again = n >= rows;
         if (status[row] == DHGEN_UNREACHABLE)
             continue;
-        if (arm->clamps && dhgen_clamp_to_limits(arm, T, row, far, q, status) && far)
+        if (arm->clamps && dhgen_clamp_to_limits(arm, T, row, again, q, status) && again)
             status[row] = DHGEN_FREE_JOINT;
         if (!dhgen_turn_inside(arm, q + dhgen_dof(arm) * row))
             status[row] = DHGEN_OUT_OF_LIMITS;

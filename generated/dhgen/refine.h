@@ -163,19 +163,19 @@ DHGEN_FN int dhgen_farthest_past(const struct dhgen_arm *arm, const double *x, d
 }
 
 /* Takes joint values to some not farther than `most` that miss the pose by less than `enough`; if
- * that is NaN, to some inside their limits that miss it hardly more. Returns whether it can. Goes
- * on while that gains, first by short steps. */
+ * that is negative, to some inside their limits that miss it by less than so much more. Returns
+ * whether it can. Goes on while that gains, first by short steps. */
 DHGEN_FN int dhgen_refine(
     const struct dhgen_arm *arm, const double *T, double enough, double most, double *q)
 {
     double x[DHGEN_JOINTS], half[DHGEN_JOINTS], e[6], last = HUGE_VAL;
-    const int clamps = isnan(enough) != 0;
+    const int clamps = enough <= 0.0;
     int moves = 0, refined = 0, lost = 0, held[DHGEN_JOINTS] = { 0 };
     dhgen_copy_row(arm, q, x);
     for (int k = 0; k < DHGEN_STEPS; k++) {
         double miss = dhgen_miss(arm, T, x, e), past = 0.0;
-        if (isnan(enough))
-            enough = miss + arm->clamped;
+        if (clamps && k == 0)
+            enough = miss - enough;
         const int worst = clamps && miss < enough ? dhgen_farthest_past(arm, x, &past) : -1;
         if (worst >= 0) { /* one by one: others may follow it inside, or the first the second */
             moves++;
@@ -204,19 +204,20 @@ DHGEN_FN int dhgen_refine(
 }
 
 /* Clamps joint values to the ends of ranges that they are past or, as two may not be there at once,
- * takes them inside. Returns whether it can. */
+ * takes them inside; the pose is missed by less than `more` more than before. Returns whether it
+ * can. */
 DHGEN_FN int dhgen_refine_inside(
-    const struct dhgen_arm *arm, const double *T, double most, double *q)
+    const struct dhgen_arm *arm, const double *T, double more, double most, double *q)
 {
     double x[DHGEN_JOINTS], e[6];
-    if (dhgen_refine(arm, T, DHGEN_NAN, most, q))
+    if (dhgen_refine(arm, T, -more, most, q))
         return 1;
     if (!arm->winds)
         return 0;
     int past = 0;
     for (int i = 0; i < dhgen_dof(arm); i++)
         past += dhgen_moves(arm, i) && fabs(dhgen_past_an_end(arm, i, q[i])) > 0.0;
-    const double enough = dhgen_miss(arm, T, q, e) + arm->clamped;
+    const double enough = dhgen_miss(arm, T, q, e) + more;
     double farther = DHGEN_NEXT_INSIDE;
     while (past > 1 && farther <= DHGEN_FARTHEST_INSIDE) {
         for (int i = 0; i < dhgen_dof(arm); i++)

@@ -16,6 +16,7 @@ from .jit import calling, of_file
 from .places import (
     CHOOSABLE,
     CLAMPED,
+    CLAMPED_AGAIN,
     DESCENTS,
     ENTRIES,
     GIVEN_JOINTS,
@@ -94,6 +95,7 @@ class Arm:
         miss_weights: What the entries of a miss count, first the translation's.
         size: Of the arm.
         clamped: A joint is clamped to a limit if the pose is missed by so much more at most.
+        clamped_again: And where no row is inside limits then.
         entries: Places of a pose's entries that are asked then.
         steps: What has to be done, by the names in STEPS.
         given: Joints whose values the caller gives, from 0.
@@ -114,6 +116,7 @@ class Arm:
     miss_weights: tuple[float, ...]
     size: float
     clamped: float
+    clamped_again: float
     entries: tuple[int, ...] = ()
     steps: tuple[str, ...] = ()
     given: tuple[int, ...] = ()
@@ -139,7 +142,7 @@ def arm_numbers(arm: Arm, descents: Sequence[float] | Floats = ()) -> Floats:
     directions = NAMES.index(arm.directions)
     numbers[:5] = len(arm.types), arm.rows, directions, arm.cuts, 1.0 / arm.size
     numbers[MISS_WEIGHTS : MISS_WEIGHTS + 6] = arm.miss_weights
-    numbers[CLAMPED] = arm.clamped
+    numbers[CLAMPED], numbers[CLAMPED_AGAIN] = arm.clamped, arm.clamped_again
     for step in arm.steps:
         if step not in STEPS:
             raise ValueError(f"no step is called {step!r}")

@@ -14,6 +14,8 @@ from .follow_seed import follow_seed
 from .jit import of_file
 from .limits import at_an_end
 from .places import (
+    CLAMPED,
+    CLAMPED_AGAIN,
     CLAMPS,
     CLAMPS_FAR,
     COMPLETES,
@@ -80,13 +82,14 @@ def _turn_inside(arm: Floats, q: Floats) -> bool:
 
 @OWN.inner
 def _end_rows(arm: Floats, robot: Robot, pose: Pose, q: Floats, status: Bytes) -> int:
-    """Clamps rows to limits, from far away only where none is inside; returns how many are."""
+    """Clamps rows to limits, and again where none is inside; returns how many are."""
     rows, count = int(arm[ROWS]), 0
-    for n in range(2 * rows if arm[CLAMPS_FAR] > 0.0 else rows):
-        row, far = n % rows, n >= rows
-        if status[row] == UNREACHABLE or (far and count > 0):
+    twice = arm[CLAMPS_FAR] > 0.0 or arm[CLAMPED_AGAIN] > arm[CLAMPED]
+    for n in range(2 * rows if twice else rows):
+        row, again = n % rows, n >= rows
+        if status[row] == UNREACHABLE or (again and count > 0):
             continue
-        if arm[CLAMPS] > 0.0 and clamp_to_limits(arm, robot, pose, row, far, q, status) and far:
+        if arm[CLAMPS] > 0.0 and clamp_to_limits(arm, robot, pose, row, again, q, status) and again:
             status[row] = FREE_JOINT
         if not _turn_inside(arm, q[row]):
             status[row] = OUT_OF_LIMITS

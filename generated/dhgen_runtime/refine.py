@@ -12,7 +12,6 @@ from .arm import FK, JACOBIAN, POSE, ROBOT, fk_at, jacobian_at
 from .jit import of_file
 from .limits import past_an_end, past_ends
 from .places import (
-    CLAMPED,
     DIRECTIONS,
     DOF,
     ENTRIES,
@@ -203,18 +202,19 @@ def _farthest_past(arm: Floats, q: Floats) -> tuple[int, float]:
 def refine(arm: Floats, robot: Robot, pose: Pose, enough: float, most: float, q: Floats) -> bool:
     """Takes joint values to some not farther than `most` that miss the pose by less than `enough`.
 
-    If that is NaN, to some inside their limits that miss it hardly more. Returns whether it can.
+    If that is negative, to some inside their limits that miss it by less than so much more. Returns
+    whether it can.
     Goes on while that gains: where roots meet a step still leaves less than half. Until one gains
     little they are damped so that none leads far.
     """
     dof = len(q)
-    half, e, clamps, moved = np.empty(dof), np.empty(6), math.isnan(enough), 0
+    half, e, clamps, moved = np.empty(dof), np.empty(6), enough <= 0.0, 0
     held, x, refined = np.zeros(dof, np.bool_), q.copy(), False
     last, lost = math.inf, 0
-    for _ in range(STEPS):
+    for k in range(STEPS):
         miss = measure_miss(arm, robot, pose, x, e)
-        if math.isnan(enough):
-            enough = miss + arm[CLAMPED]
+        if clamps and k == 0:
+            enough = miss - enough
         worst, past = _farthest_past(arm, x) if clamps and miss < enough else (-1, 0.0)
         if worst >= 0:  # one by one: others may follow it inside, or the first one the second
             moved += 1
@@ -243,13 +243,16 @@ def refine(arm: Floats, robot: Robot, pose: Pose, enough: float, most: float, q:
     return refined
 
 
-@OWN.apart(f"boolean(float64[::1], {ROBOT}, {POSE}, float64, float64[::1])")
-def refine_inside(arm: Floats, robot: Robot, pose: Pose, most: float, q: Floats) -> bool:
+@OWN.apart(f"boolean(float64[::1], {ROBOT}, {POSE}, float64, float64, float64[::1])")
+def refine_inside(
+    arm: Floats, robot: Robot, pose: Pose, more: float, most: float, q: Floats
+) -> bool:
     """Clamps joint values to the ends of ranges that they are past, or else takes them inside.
 
-    Two of them may not be on their ends at once. Returns whether it can.
+    Two of them may not be on their ends at once. The pose is missed by less than `more` more than
+    before. Returns whether it can.
     """
-    if refine(arm, robot, pose, math.nan, most, q):
+    if refine(arm, robot, pose, -more, most, q):
         return True
     past = 0
     for i in range(len(q)):
@@ -257,7 +260,7 @@ def refine_inside(arm: Floats, robot: Robot, pose: Pose, most: float, q: Floats)
     if arm[WINDS] == 0.0 or past < 2:
         return False
     x, farther = q.copy(), NEXT_INSIDE
-    enough = measure_miss(arm, robot, pose, q, np.empty(6)) + arm[CLAMPED]
+    enough = measure_miss(arm, robot, pose, q, np.empty(6)) + more
     while farther <= FARTHEST_INSIDE:
         for i in range(len(q)):
             x[i] = q[i] - moves(arm, i) * farther * past_an_end(arm, i, q[i])

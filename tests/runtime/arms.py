@@ -36,6 +36,7 @@ def arm_of(types: str, limits: Sequence[tuple[float, float]], **others: Any) -> 
         miss_weights=(2.0, 2.0, 0.0, 0.0, 0.0, 0.0),
         size=0.5,
         clamped=1e-14,
+        clamped_again=1e-14,
         entries=(3, 7),
     )
     return replace(arm, **others)

@@ -24,7 +24,9 @@ from tests.runtime.plain import KINDS
 
 pytestmark = pytest.mark.parametrize("kind", KINDS)
 FREE = arm_numbers(arm_of("RR", (ENDLESS, ENDLESS)))
-LIMITED = arm_numbers(arm_of("RR", ((-1.0, 1.0), (-2.0, 2.0)), steps=("clamps", "follows seed")))
+LIMITED = arm_numbers(
+    arm_of("RR", ((-1.0, 1.0), (-2.0, 2.0)), steps=("clamps", "clamps far", "follows seed"))
+)
 NONE = np.zeros(2)
 
 

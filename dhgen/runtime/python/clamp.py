@@ -15,7 +15,7 @@ import numpy as np
 from .arm import POSE, ROBOT
 from .jit import of_file
 from .limits import past_ends
-from .places import DOF, ROWS
+from .places import CLAMPED, CLAMPED_AGAIN, CLAMPS_FAR, DOF, ROWS
 from .refine import copy_row, half_way, refine, refine_inside
 from .status import UNREACHABLE
 from .tolerances import DOUBTFUL, EXACT, TOGETHER
@@ -35,20 +35,21 @@ HALF_WAY_ASIDE = 0.25
 
 @OWN.apart(f"boolean(float64[::1], {ROBOT}, {POSE}, int64, boolean, float64[:, ::1], uint8[::1])")
 def clamp_to_limits(
-    arm: Floats, robot: Robot, pose: Pose, row: int, far: bool, rows: Floats, status: Bytes
+    arm: Floats, robot: Robot, pose: Pose, row: int, again: bool, rows: Floats, status: Bytes
 ) -> bool:
-    """Clamps the joints of a row that exceed their limits, by little or `far`.
+    """Clamps the joints of a row that exceed their limits: by little, or as an arm may `again`.
 
     Returns whether it can: the result must be the same solution, so the middle must also solve the
     pose, and no row with a smaller violation may lie closer.
     """
     q = rows[row]
-    beyond = past_ends(arm, q)
+    beyond, far = past_ends(arm, q), again and arm[CLAMPS_FAR] > 0.0
     if not (beyond > 0.0 and (far or beyond < DOUBTFUL)):
         return False
     dof = int(arm[DOF])
     x, half, to = q.copy(), np.empty(dof), np.empty(dof)
-    if not refine_inside(arm, robot, pose, math.inf if far else MOST_CLAMPED, x):
+    more = arm[CLAMPED_AGAIN] if again else arm[CLAMPED]
+    if not refine_inside(arm, robot, pose, more, math.inf if far else MOST_CLAMPED, x):
         return False
     off = half_way(arm, q, x, half)
     for k in range(int(arm[ROWS])):

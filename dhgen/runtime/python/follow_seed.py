@@ -14,7 +14,7 @@ import numpy as np
 from .arm import POSE, ROBOT
 from .jit import of_file
 from .limits import past_an_end, past_ends
-from .places import CLAMPS, DOF, GIVEN_JOINTS, ROWS, WINDS
+from .places import CLAMPED, CLAMPS, DOF, GIVEN_JOINTS, ROWS, WINDS
 from .refine import copy_row, half_way, measure_miss, refine, refine_inside
 from .status import FREE_JOINT, UNREACHABLE
 from .tolerances import APART_BY, BESIDE_SEED, EXACT, FAMILY, LIMIT, TOGETHER
@@ -50,7 +50,7 @@ def _beside_seed(
         return False
     if arm[CLAMPS] == 0.0 or past_ends(arm, x) <= LIMIT:
         return True
-    return refine_inside(arm, robot, pose, BESIDE_SEED, x)
+    return refine_inside(arm, robot, pose, arm[CLAMPED], BESIDE_SEED, x)
 
 
 @OWN.apart(

@@ -13,21 +13,22 @@ CUTS = 3  # of an interval by golden section
 PER_LENGTH = 4  # what a length counts where it is asked whether a row fits: 1 / size of the arm
 MISS_WEIGHTS = 5  # six: what the entries of a miss count in refining, lengths in arm sizes
 CLAMPED = 11  # a joint is clamped to a limit if the pose is missed by so much more at most
+CLAMPED_AGAIN = 12  # and where no row is inside limits then
 
 # Of the tool's directions: none, its z axis, all, or of the angles yaw, pitch, roll and pitch.
 NAMES = ("none", "pointing", "rotation", "yaw", "pitch", "tilt")
 _, POINTING, ROTATION, YAW, PITCH, TILT = map(float, range(6))
 
 # Whether a step is taken around the formulas, each under its name in `arm.STEPS`.
-RETRIES, CHECKS, KEEPS_LIMITS = range(12, 15)
-COMPLETES, ADDS_OTHERS, ASCENDS, EQUATIONS_END_ALL = range(15, 19)
-MERGES, REFINES, CLAMPS, CLAMPS_FAR, WINDS, FOLLOWS_SEED = range(19, 25)
+RETRIES, CHECKS, KEEPS_LIMITS = range(13, 16)
+COMPLETES, ADDS_OTHERS, ASCENDS, EQUATIONS_END_ALL = range(16, 20)
+MERGES, REFINES, CLAMPS, CLAMPS_FAR, WINDS, FOLLOWS_SEED = range(20, 26)
 
-DESCENTS = 25  # where the numbers of the arm begin that descents work on (numerical/places.py)
+DESCENTS = 26  # where the numbers of the arm begin that descents work on (numerical/places.py)
 
 # Lists: how many there are, and from the next place on joints or entries of a pose, from 0.
 MOST = 16
-GIVEN_JOINTS = 26  # whose values the caller gives
+GIVEN_JOINTS = 27  # whose values the caller gives
 CHOOSABLE = GIVEN_JOINTS + 1 + MOST  # that may be free, the last first
 TOGETHER = CHOOSABLE + 1 + MOST  # that may have to be chosen together
 ENTRIES = TOGETHER + 1 + MOST  # of a pose that count, in sixteen numbers

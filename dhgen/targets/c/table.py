@@ -60,13 +60,14 @@ def c_table(module: SolverModule) -> CTable:
     choosing_together = _Places("together", policy.together)
     arrays = (given, entries, choosing, choosing_together)
     weights = ", ".join(miss_weights(chain))
+    clamped = f"{policy.clamped!r}, {policy.clamped_again!r}"
     size = f"{chain.dof}, {module.solver.rows}, {chain.given}"
     return CTable(
         joints=_joints(module),
         places=[each.definition for each in arrays if each.places],
         arm=[
             f"{INDENT}{size}, {_task(module)}, joints, {given.named},",
-            f"{INDENT}{{ {weights} }}, {1.0 / chain.size!r}, {policy.clamped!r}, {entries.named},",
+            f"{INDENT}{{ {weights} }}, {1.0 / chain.size!r}, {{ {clamped} }}, {entries.named},",
             *_steps(chain, policy, choosing.named, choosing_together.named),
             *_functions(module),
         ],

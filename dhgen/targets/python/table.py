@@ -51,6 +51,7 @@ def _arm(module: SolverModule) -> Arm:
         miss_weights=tuple(map(float, miss_weights(chain))),
         size=chain.size,
         clamped=policy.clamped,
+        clamped_again=policy.clamped_again,
         entries=tuple(e.place for e in named_entries(chain)) if measures else (),
         steps=_steps(policy),
         given=tuple(number - 1 for number in chain.free),

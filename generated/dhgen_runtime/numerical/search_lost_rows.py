@@ -16,7 +16,7 @@ from ..angles import wrap
 from ..arm import ARM_ANGLE, ARM_ANGLE_MISS, arm_angle_at, descents_of
 from ..jit import of_file
 from ..limits import beyond_limits
-from ..places import CLAMPS, KEEPS_LIMITS
+from ..places import CLAMPED, CLAMPS, KEEPS_LIMITS
 from ..refine import copy_row, refine
 from ..retry import TASK
 from ..status import FREE_JOINT, UNREACHABLE
@@ -92,7 +92,7 @@ def search_from(task: Task, goal: Goal, near: Floats, k: int, exact: float, end:
         if abs(off) > 1.0:
             return math.inf  # the elbow is on the other side
     if arm[KEEPS_LIMITS] > 0.0 and arm[CLAMPS] > 0.0 and beyond_limits(arm, end) > 0.0:
-        refine(arm, robot, pose, math.nan, math.inf, end)
+        refine(arm, robot, pose, -arm[CLAMPED], math.inf, end)
     return float(miss)
 
 

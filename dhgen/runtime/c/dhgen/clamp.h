@@ -16,19 +16,21 @@
 /* From half way to one solution steps lead no farther than so many times the whole way. */
 #define DHGEN_HALF_WAY_ASIDE 0.25
 
-/* Clamps the joints of a row that exceed their limits, by little or `far`. Returns whether it can:
- * the result must be the same solution, so the middle must also solve the pose, and no row with a
- * smaller violation may lie closer. */
-DHGEN_FN int dhgen_clamp_to_limits(const struct dhgen_arm *arm, const double *T, int row, int far,
+/* Clamps the joints of a row that exceed their limits, by little, or as an arm may `again`. Returns
+ * whether it can: the result must be the same solution, so the middle must also solve the pose, and
+ * no row with a smaller violation may lie closer. */
+DHGEN_FN int dhgen_clamp_to_limits(const struct dhgen_arm *arm, const double *T, int row, int again,
     double *rows, const unsigned char *status)
 {
     double x[DHGEN_JOINTS], half[DHGEN_JOINTS], to[DHGEN_JOINTS];
     double *const q = rows + dhgen_dof(arm) * row;
     const double beyond = dhgen_past_ends(arm, q);
+    const int far = again && arm->clamps_far;
     if (!(0.0 < beyond && (far || beyond < DHGEN_DOUBTFUL)))
         return 0;
     dhgen_copy_row(arm, q, x);
-    if (!dhgen_refine_inside(arm, T, far ? HUGE_VAL : DHGEN_MOST_CLAMPED, x))
+    const double most = far ? HUGE_VAL : DHGEN_MOST_CLAMPED;
+    if (!dhgen_refine_inside(arm, T, arm->clamped[again], most, x))
         return 0;
     const double off = dhgen_half_way(arm, q, x, half);
     for (int k = 0; k < dhgen_rows(arm); k++) {

@@ -29,7 +29,7 @@ DHGEN_FN int dhgen_beside_seed(const struct dhgen_arm *arm, const double *T,
     if (!dhgen_refine(arm, T, DHGEN_EXACT, DHGEN_BESIDE_SEED, x))
         return 0;
     return !(arm->clamps && dhgen_past_ends(arm, x) > DHGEN_LIMIT)
-        || dhgen_refine_inside(arm, T, DHGEN_BESIDE_SEED, x);
+        || dhgen_refine_inside(arm, T, arm->clamped[0], DHGEN_BESIDE_SEED, x);
 }
 
 /* Gives the solution next to the seed a row where rounding can't tell solutions apart: its own, one

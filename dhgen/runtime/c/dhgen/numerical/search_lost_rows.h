@@ -68,7 +68,7 @@ DHGEN_FN double dhgen_search_from(
     if (of->arm_angle && fabs(dhgen_wrap(of->arm_angle(end) - d->free_joints[0])) > 1.0)
         return HUGE_VAL; /* the elbow is on the other side */
     if (arm->keeps_limits && arm->clamps && dhgen_beyond_limits(arm, end) > 0.0)
-        (void)dhgen_refine(arm, d->T, DHGEN_NAN, HUGE_VAL, end);
+        (void)dhgen_refine(arm, d->T, -arm->clamped[0], HUGE_VAL, end);
     return miss;
 }
 
