@@ -57,6 +57,33 @@ def test_own_values_are_found(name: str, digits: int | None) -> None:
     assert lost == []
 
 
+# Joint values beside which what stands below a root is nearly zero: of the rounded pose it is below.
+BELOW_ZERO = {
+    "nested_roots": (
+        (-1.89527407, -1.57119684, 2.30145563, -0.50056531, 0.87178582),
+        (-2.36671737, -1.57083241, -0.57573364, 0.70572943, -0.89386927),
+        (2.12554774, 1.57017666, -2.87171996, 2.38940138, -1.68018053),
+    ),
+    "close_quartic": (
+        (-0.33418408, -0.80516148, -0.14404827, -2.33972823, -1.74354078),
+        (-0.96021114, -2.6206999, -1.19498849, -2.08756874, 1.44317899),
+        (2.73346359, -2.49277477, -2.61412548, 1.27600831, 0.73283393),
+    ),
+}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", BELOW_ZERO)
+def test_rounding_below_a_root_loses_no_solution(name: str, language: str) -> None:
+    """As far off at most as the pose is rounded, over the smallest singular value."""
+    for values in BELOW_ZERO[name]:
+        q = np.array(values)
+        assert np.linalg.svd(weighted_jacobian(name, q), compute_uv=False)[-1] > 0.01
+        T = np.round(np.array(forward(robot(name), q)), 6)
+        rows, status = Solver(name, language).all(T)
+        assert np.any((gap(rows, q) < 1e-3) & np.isin(status, HELD)), q
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_reported_pose(language: str) -> None:
     """Its smallest singular value is 0.1, and a solution misses it by 1e-6."""

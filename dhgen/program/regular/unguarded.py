@@ -33,6 +33,9 @@ if TYPE_CHECKING:
     from dhgen.tolerances import Tolerances
 
 FOLDED = "m"  # what the names of constants made here begin with
+# Rounding of a pose may take what stands below a root so many times farther below zero than it may
+# be and count as zero, where it comes from another root that is nearly zero.
+ROUNDED_SQUARES = 1000
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,6 +87,7 @@ class Unguarded:
         self._assumptions = Assumptions(program)
         self._doubts: list[Node] = []
         self._fits: list[tuple[Node, Node]] = []  # what is exact; what is near enough to be refined
+        self._hardly_out: list[Node] = []  # out of reach by no more than rounding of a pose may do
         self._endings = Endings(self._builder)
         self._brink = Brink(self._builder, tolerances)
         self._reached: Guard | None = None
@@ -119,6 +123,9 @@ class Unguarded:
         fits = zip(*self._fits, strict=True)
         for name, parts in zip(("exact", "near"), fits, strict=False):
             results[name] = reduce(partial(builder.apply, "and"), parts)
+        if "near" in results:
+            near = [results["near"], *self._hardly_out]
+            results["near"] = reduce(partial(builder.apply, "or"), near)
         finished = builder.finish(self._program.name, results, [])
         outputs = dict(zip(results, finished.outputs, strict=True))
         return Regular(
@@ -274,6 +281,19 @@ class Unguarded:
             square = self._arithmetic.plain(self._value(guard.margin))
             self._brink.ends_at_root(square)
             self._endings.at_root(square)
+            self._note_hardly_out(guard.condition, square)
+
+    def _note_hardly_out(self, condition: Expression, square: Node) -> None:
+        """Where rounding of a pose may have put a branch out of reach that rows are refined to."""
+        match condition:
+            case Apply("at_most", (lowest, _)) if self._slacks:
+                builder = self._builder
+                below = builder.apply("less", square, builder.integer(0))
+                limit = self._arithmetic.plain(self._value(lowest))
+                wide = builder.mul(builder.integer(ROUNDED_SQUARES), limit)
+                self._hardly_out.append(
+                    builder.apply("and", below, builder.apply("at_most", wide, square))
+                )
 
     def _ends_unless(self, condition: Expression) -> None:
         inside = self._truth(condition)

@@ -5,17 +5,26 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .arm import POSE, ROBOT
+from .arm import POSE, ROBOT, descents_of
 from .jit import of_file
-from .numerical import descent, other_values, refine_rows, search_lost_rows, split_close_roots
+from .numerical import (
+    descent,
+    other_values,
+    places,
+    refine_rows,
+    rows_beside,
+    search_lost_rows,
+    split_close_roots,
+)
 from .places import ADDS_OTHERS, EQUATIONS_END_ALL, ROOT_TURNS
+from .status import UNREACHABLE
 
 if TYPE_CHECKING:
     from .arm import Pose, Robot
     from .arrays import Bytes, Floats
 
 OWN = of_file(__file__)
-PARTS = (descent, refine_rows, other_values, split_close_roots, search_lost_rows)
+PARTS = (descent, refine_rows, other_values, split_close_roots, search_lost_rows, rows_beside)
 _split, _add_others = split_close_roots.split_close_roots, other_values.add_others
 _refine, _search = refine_rows.refine_rows, search_lost_rows.search_lost_rows
 
@@ -37,7 +46,8 @@ def complete_rows(
     """Completes the rows of a pose.
 
     Splits close roots, adds rows for other values of joints, refines rows and, if `begun` is not
-    negative, searches for lost ones, for row `begun`.
+    negative, searches for lost ones, for row `begun`. Where a pose that may be rounded has none,
+    those of poses beside it are looked at.
     """
     task = arm, robot, pose, q_free
     if arm[ROOT_TURNS] > 0.0:
@@ -45,10 +55,15 @@ def complete_rows(
     if arm[ADDS_OTHERS] > 0.0:
         _add_others(task, q, status)
     fitted = _refine(task, q, status)
+    none = descents_of(arm)[places.CHECKED] > 0.0
+    for kind in status:
+        none = none and kind == UNREACHABLE
     if begun < 0 and arm[EQUATIONS_END_ALL] > 0.0:
         begun = 0
     if begun >= 0:
         _search(task, seed, begun, fitted, q, status)
+    if none:
+        rows_beside.add_rows_beside(task, seed, q, status)
 
 
 def compile_apart() -> None:
