@@ -57,7 +57,7 @@ def test_own_values_are_found(name: str, digits: int | None) -> None:
     assert lost == []
 
 
-# Joint values beside which what stands below a root is nearly zero: of the rounded pose it is below.
+# Joint values beside which what stands below a root is nearly zero: at the rounded pose it is less.
 BELOW_ZERO = {
     "nested_roots": (
         (-1.89527407, -1.57119684, 2.30145563, -0.50056531, 0.87178582),
