@@ -93,6 +93,9 @@ def point_name(context: StepContext) -> Prose:
             if story.is_wrist_frame(frame):
                 return say("the wrist centre")
             return say("the origin of frame {}", Given(str(frame)))
+    turned = {joint for joint, _ in context.angle.terms}
+    if any(turned & {joint for joint, _ in each.terms} for each in story.algebra.chain.passive):
+        return say("the far end of the two links")  # what is behind it is turned back
     later = [
         f"{kind}{a.suffix}"
         for a in story.algebra.angles

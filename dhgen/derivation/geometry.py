@@ -66,6 +66,8 @@ def _moves(chain: Chain) -> Iterator[tuple[type, int, list[Transform]]]:
         elif isinstance(element, Turn | Slide):
             yield type(element), element.joint, between
             between = []
+        else:  # what a passive row moves in between is constant to no neighbours
+            yield Fixed, 0, between
 
 
 def _neighbours(chain: Chain, joint: int, between: list[Transform]) -> Neighbours:

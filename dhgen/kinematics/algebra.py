@@ -12,6 +12,7 @@ from sympy.polys.rings import PolyRing
 
 from dhgen.kinematics.chain import Chain, Fixed, Slide, parallel_groups
 from dhgen.kinematics.normal import NormalForm, normal_form
+from dhgen.kinematics.passive import demand_sums
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Element
@@ -131,7 +132,12 @@ class Algebra:
 
 
 def build_algebra(chain: Chain) -> Algebra:
-    """The ring of an arm."""
+    """The ring of an arm.
+
+    Raises:
+        UnsolvedError: Passive rows leave angles in the equations that no ring here has.
+    """
+    demand_sums(chain)
     angles = tuple(
         AngleSum(tuple((joint, sign * run[start][1]) for joint, sign in run[start : end + 1]))
         for run in parallel_groups(chain)

@@ -6,7 +6,16 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.axes import exact_axes
-from dhgen.kinematics.chain import Chain, ChainJoint, Element, Fixed, Slide, Turn, arm_size
+from dhgen.kinematics.chain import (
+    Chain,
+    ChainJoint,
+    Element,
+    Fixed,
+    Passive,
+    Slide,
+    Turn,
+    arm_size,
+)
 from dhgen.kinematics.common_normals import table_of_axes
 from dhgen.kinematics.constants import ConstantTable
 from dhgen.kinematics.drives import Share, SumLimit
@@ -20,11 +29,13 @@ from dhgen.kinematics.transform import (
     translation,
 )
 from dhgen.robot.expression import ZERO, evaluate, to_text
+from dhgen.robot.passive import followed
 from dhgen.robot.robot import Convention, DhTable, JointKind
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
+    from dhgen.robot.passive import Followed
     from dhgen.robot.robot import DhRow, Frame, Robot
     from dhgen.robot.robot import SumLimit as SumOfFile
 
@@ -64,20 +75,13 @@ def _chain_of_rows(robot: Robot, geometry: DhTable) -> Chain:
     cells, base, tool = _read(robot, geometry, table)
     constants = tuple(table.constants.values())
     normal = normal_form(ring, constants, {})
-    moves = [
-        Turn(number) if row.kind is JointKind.REVOLUTE else Slide(number)
-        for number, row in enumerate(geometry.rows, start=1)
-    ]
     joints = tuple(
-        _joint(number, row, table.parameters) for number, row in enumerate(geometry.rows, start=1)
+        _joint(number, row, table.parameters) for number, row in enumerate(geometry.driven, start=1)
     )
     return Chain(
         name=robot.name,
         joints=joints,
-        links=tuple(
-            _link(move, row_cells, geometry.convention, normal)
-            for move, row_cells in zip(moves, cells, strict=True)
-        ),
+        links=_links(geometry, cells, table.parameters, normal),
         base=base,
         tool=tool,
         constants=constants,
@@ -92,27 +96,62 @@ def _chain_of_rows(robot: Robot, geometry: DhTable) -> Chain:
 def _read(
     robot: Robot, geometry: DhTable, table: ConstantTable
 ) -> tuple[list[_RowCells], Transform, Transform]:
-    cells = [_row_cells(number, row, table) for number, row in enumerate(geometry.rows, start=1)]
+    rows = zip(geometry.labels, geometry.rows, strict=True)
+    cells = [_row_cells(label, row, geometry.driven, table) for label, row in rows]
     base = read_frame(robot.base, table, "z", "base frame")
     tool = read_frame(robot.tool, table, "e", "tool frame")
     return cells, base, tool
 
 
-def _row_cells(number: int, row: DhRow, table: ConstantTable) -> _RowCells:
+def _links(
+    geometry: DhTable, cells: list[_RowCells], parameters: dict[str, float], normal: NormalForm
+) -> tuple[tuple[Element, ...], ...]:
+    """The link of every joint; passive rows are in those of the joints beside them."""
+    modified = geometry.convention is Convention.MODIFIED
+    links: list[tuple[Element, ...]] = []
+    waiting: tuple[Element, ...] = ()
+    passive = 0
+    for label, row, row_cells in zip(geometry.labels, geometry.rows, cells, strict=True):
+        if row.sign:
+            number = len(links) + 1
+            move = Turn(number) if row.kind is JointKind.REVOLUTE else Slide(number)
+            links.append((*waiting, *_link(move, row_cells, geometry.convention, normal)))
+            waiting = ()
+            continue
+        motion = _passive(passive, label, followed(row, geometry.driven), row, parameters)
+        passive += 1
+        waiting = (*waiting, *_link(motion, row_cells, geometry.convention, normal))
+        if not modified or len(links) == len(geometry.driven):
+            links[-1], waiting = (*links[-1], *waiting), ()
+    return tuple(links)
+
+
+def _passive(
+    place: int, label: str, found: Followed, row: DhRow, parameters: dict[str, float]
+) -> Passive:
+    terms = tuple((joint, int(times)) for joint, times in found.terms)
+    constant = evaluate(row.offset, parameters) - evaluate(found.offset, parameters)
+    return Passive(place, label, terms, row.kind is JointKind.REVOLUTE, _shares(row), constant)
+
+
+def _row_cells(
+    label: str, row: DhRow, driven: tuple[DhRow, ...], table: ConstantTable
+) -> _RowCells:
     revolute = row.kind is JointKind.REVOLUTE
-    still = ZERO if revolute else row.theta  # q is in theta: its offset is the joint's
-    fixed = row.d if revolute else ZERO
+    offset = ZERO if row.sign else followed(row, driven).offset  # of a joint it is the joint's own
+    still = offset if revolute else row.theta
+    fixed = row.d if revolute else offset
     return _RowCells(
-        theta=table.cosine_sine(still, f"t{number}", f"the angle of joint {number}"),
-        d=table.length(fixed, f"d{number}", f"joint offset {number}"),
-        a=table.length(row.a, f"a{number}", f"link length {number}"),
-        alpha=table.cosine_sine(row.alpha, str(number), f"twist {number}"),
-        b=table.length(row.b, f"b{number}", f"shift along y of link {number}"),
+        theta=table.cosine_sine(still, f"t{label}", f"the angle of joint {label}"),
+        d=table.length(fixed, f"d{label}", f"joint offset {label}"),
+        a=table.length(row.a, f"a{label}", f"link length {label}"),
+        alpha=table.cosine_sine(row.alpha, label, f"twist {label}"),
+        b=table.length(row.b, f"b{label}", f"shift along y of link {label}"),
     )
 
 
 def _link(
-    move: Turn | Slide, cells: _RowCells, convention: Convention, normal: NormalForm
+    move: Turn | Slide | Passive, cells: _RowCells, convention: Convention, normal: NormalForm
 ) -> tuple[Element, ...]:
     ring = cells.a.ring
     along_x = compose(
@@ -129,7 +168,7 @@ def _link(
     if convention is Convention.MODIFIED:
         along_y = translation(ring, (ring.zero, cells.b, ring.zero))
         parts = (Fixed(compose(compose(along_x, along_y, normal), along_z, normal)), move)
-    elif isinstance(move, Turn):
+    elif isinstance(move, Turn) or (isinstance(move, Passive) and move.turns):
         parts = (move, Fixed(compose(along_z, along_x, normal)))
     else:
         parts = (Fixed(along_z), move, Fixed(along_x))
@@ -138,13 +177,15 @@ def _link(
 
 
 def _joint(number: int, row: DhRow, parameters: dict[str, float]) -> ChainJoint:
-    offset = row.theta if row.kind is JointKind.REVOLUTE else row.d
-    added = evaluate(offset, parameters)
-    shares = tuple(
+    added = evaluate(row.offset, parameters)
+    return ChainJoint(number, row.kind, row.sign, added, row.limits, row.name, _shares(row))
+
+
+def _shares(row: DhRow) -> tuple[Share, ...]:
+    return tuple(
         Share(coupling.joint, coupling.value, to_text(coupling.factor))
         for coupling in row.couplings
     )
-    return ChainJoint(number, row.kind, row.sign, added, row.limits, row.name, shares)
 
 
 def _lengths(geometry: DhTable, tool: Frame, parameters: dict[str, float]) -> list[float]:

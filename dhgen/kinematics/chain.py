@@ -48,7 +48,35 @@ class Slide:
     sign: int = 1
 
 
-Element = Fixed | Turn | Slide
+@dataclass(frozen=True, slots=True)
+class Passive:
+    """The motion of a passive row about or along z: drives of other joints move it.
+
+    Attributes:
+        place: Which passive row of the chain it is, from zero.
+        label: What it is called: 3p behind joint 3.
+        terms: The joints whose angles or lengths add up to its own, each with a whole number.
+        turns: Whether it turns.
+        shares: What the drives add to it.
+        offset: What is added to these shares, so that they are the sum of the terms.
+        sign: What all that is multiplied by: -1 on the way back.
+    """
+
+    place: int
+    label: str
+    terms: tuple[tuple[int, int], ...]
+    turns: bool
+    shares: tuple[Share, ...]
+    offset: float
+    sign: int = 1
+
+    @property
+    def signed(self) -> tuple[tuple[int, int], ...]:
+        """The terms with the sign."""
+        return tuple((joint, self.sign * times) for joint, times in self.terms)
+
+
+Element = Fixed | Turn | Slide | Passive
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +109,8 @@ class Chain:
     Attributes:
         name: The robot's identifier.
         joints: From base to tool.
-        links: The elements of A_1 ... A_n.
+        links: The elements of A_1 ... A_n. A passive row is in the link of the joint before it, or
+            of the one behind it in a modified table: there the frames of joints are those of links.
         base: Z, the arm's base frame in the caller's frame.
         tool: E, the tool in the last frame.
         constants: The generators of `ring` with their values.
@@ -142,6 +171,17 @@ class Chain:
         return "".join("R" if turns else "P" for turns in self.turning)
 
     @property
+    def is_coupled(self) -> bool:
+        """Whether a drive moves more than its own joint, or sums of drives' values have limits."""
+        return self.drives.are_coupled or bool(self.passive or self.sums)
+
+    @property
+    def passive(self) -> tuple[Passive, ...]:
+        """The motions of passive rows, from base to tool."""
+        elements = (element for link in self.links for element in link)
+        return tuple(element for element in elements if isinstance(element, Passive))
+
+    @property
     def given(self) -> int:
         """How many values the caller gives besides the pose."""
         return len(self.free) + self.arm_angle
@@ -171,20 +211,42 @@ def parallel_groups(chain: Chain) -> tuple[tuple[tuple[int, int], ...], ...]:
     """Runs of revolute joints whose axes are always parallel: (joint, direction) pairs.
 
     The direction is +1 or -1, relative to the first axis of the run. Prismatic joints between them
-    do not break a run.
+    do not break a run, and passive rows only where they turn about another direction.
+    """
+    runs: list[tuple[tuple[int, int], ...]] = []
+    for run in turning_runs(chain):
+        turns = [(element.joint, facing) for element, facing in run if isinstance(element, Turn)]
+        if turns:
+            first = turns[0][1]
+            runs.append(tuple((joint, first * facing) for joint, facing in turns))
+    return tuple(runs)
+
+
+def turning_runs(chain: Chain) -> tuple[tuple[tuple[Turn | Passive, int], ...], ...]:
+    """All that turns, in runs of axes that are always parallel, with directions.
+
+    The direction is +1 or -1, relative to the first axis of the run.
     """
     normal = normal_form(chain.ring, chain.constants, {})
-    runs: list[list[tuple[int, int]]] = []
+    runs: list[list[tuple[Turn | Passive, int]]] = []
     since_first = still = identity(chain.ring)
     for element in (element for link in chain.links for element in link):
         if isinstance(element, Fixed):
             turned = Transform(element.transform.rotation, still.translation)
             since_first = compose(since_first, turned, normal)
-        elif isinstance(element, Turn):
+        elif isinstance(element, Turn) or (isinstance(element, Passive) and element.turns):
             facing = turn_between(since_first.rotation)
             if facing and runs:
-                runs[-1].append((element.joint, facing))
+                runs[-1].append((element, facing))
             else:
-                runs.append([(element.joint, 1)])
+                runs.append([(element, 1)])
                 since_first = still
     return tuple(tuple(run) for run in runs)
+
+
+def added_up(terms: Iterable[tuple[int, int]]) -> tuple[tuple[int, int], ...]:
+    """Terms of a sum of angles, each joint once; what cancels is left out."""
+    total: dict[int, int] = {}
+    for joint, sign in terms:
+        total[joint] = total.get(joint, 0) + sign
+    return tuple((joint, sign) for joint, sign in total.items() if sign)

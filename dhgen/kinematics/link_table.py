@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.robot.expression import evaluate
-from dhgen.robot.robot import DhTable
+from dhgen.robot.robot import DhTable, JointKind
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -26,15 +26,17 @@ class LinkTable:
 
     Attributes:
         convention: `standard` or `modified` for Denavit-Hartenberg rows, or `axes`.
+        types: R or P for every row.
         rows: Of each joint at q = 0 theta, d, a, alpha; of an axis the unit vector along it, and a
             point of it.
         drives: What joint values are multiplied by for the angles and lengths of the rows; empty
-            where these are the same.
+            where these are the same. Passive rows are rows without a joint.
         base: Z, the arm's base in the caller's frame.
         tool: E, the tool in the last frame; with axes its pose at q = 0.
     """
 
     convention: str
+    types: str
     rows: tuple[tuple[float, ...], ...]
     drives: tuple[tuple[float, ...], ...]
     base: Placement
@@ -50,21 +52,17 @@ def link_table(robot: Robot) -> LinkTable:
             tuple(evaluate(cell, values) for cell in (row.theta, row.d, row.a, row.alpha))
             for row in robot.geometry.rows
         )
-        drives = _drives(robot.geometry.rows)
-        return LinkTable(robot.geometry.convention.value, rows, drives, base, tool)
+        factors, types = robot.geometry.drive_factors, _types(robot.geometry.rows)
+        same = tuple(tuple(float(i == j) for j in range(len(rows))) for i in range(len(rows)))
+        drives = () if factors == same else factors
+        return LinkTable(robot.geometry.convention.value, types, rows, drives, base, tool)
     axes = tuple(_axis(axis, values) for axis in robot.geometry.axes)
     home = _placement(robot.geometry.home, values)
-    return LinkTable(AXES, axes, (), base, _product(home, tool))
+    return LinkTable(AXES, _types(robot.geometry.axes), axes, (), base, _product(home, tool))
 
 
-def _drives(rows: Sequence[DhRow]) -> tuple[tuple[float, ...], ...]:
-    if all(row.sign > 0 and not row.couplings for row in rows):
-        return ()
-    found = [[float(row.sign * (i == j)) for j in range(len(rows))] for i, row in enumerate(rows)]
-    for factors, row in zip(found, rows, strict=True):
-        for coupling in row.couplings:
-            factors[coupling.joint - 1] = coupling.value
-    return tuple(map(tuple, found))
+def _types(joints: Sequence[DhRow | AxisJoint]) -> str:
+    return "".join("R" if joint.kind is JointKind.REVOLUTE else "P" for joint in joints)
 
 
 def _axis(axis: AxisJoint, values: Mapping[str, float]) -> tuple[float, ...]:

@@ -7,11 +7,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.chain import Chain, Fixed
+from dhgen.kinematics.chain import Chain, Fixed, Passive
 from dhgen.kinematics.ring import terms_in_numbers
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
     from dhgen.arrays import FloatArray
+    from dhgen.kinematics.chain import Slide, Turn
     from dhgen.kinematics.transform import Transform
 
 
@@ -23,7 +28,8 @@ class NumericArm:
         chain: The arm.
         base: Z, shape (4, 4).
         tool: E, shape (4, 4).
-        elements: For every element its constant matrix, or the number of its joint.
+        elements: For every element its constant matrix, or the number of its joint; passive rows
+            are numbered behind the joints.
     """
 
     chain: Chain
@@ -37,8 +43,19 @@ class NumericArm:
 
     def axes(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Directions and points (..., n, 3) of the joints' axes at joint values (..., n)."""
+        directions, points = self.all_axes(q)
+        return directions[..., : self.chain.dof, :], points[..., : self.chain.dof, :]
+
+    def all_axes(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """As `axes`, with those of passive rows behind them."""
         frames = self._frames(q)[1]
         return frames[..., :3, 2], frames[..., :3, 3]
+
+    def passive_behind(self, joint: int) -> int | None:
+        """The number of the passive row that follows a joint next; None where a joint does."""
+        numbers = [element for element in self.elements if isinstance(element, int)]
+        number = next(iter(numbers[numbers.index(joint) + 1 :]), 0)
+        return number if number > self.chain.dof else None
 
     def jacobian(self, q: FloatArray) -> FloatArray:
         """The geometric Jacobian (..., 6, n): velocity of the tool's origin, angular velocity."""
@@ -48,25 +65,39 @@ class NumericArm:
         """Pose (..., 4, 4) and geometric Jacobian (..., 6, n) of joint values (..., n)."""
         T, frames = self._frames(q)
         directions, points = frames[..., :3, 2], frames[..., :3, 3]
-        turns = np.array(self.chain.turning)[:, None]
+        turns = self._turning[:, None]
         velocities = np.cross(directions, T[..., None, :3, 3] - points)
         columns = np.concatenate(
             [np.where(turns, velocities, directions), np.where(turns, directions, 0.0)], axis=-1
         )
-        return T, self.chain.drives.rates(np.swapaxes(columns, -1, -2))
+        columns = np.swapaxes(columns, -1, -2)
+        dof, passive = self.chain.dof, self.chain.passive
+        J = self.chain.drives.rates(columns[..., :dof])
+        return T, J + columns[..., dof:] @ _factors(passive, dof) if passive else J
 
     def steps(self, q: FloatArray) -> FloatArray:
-        """What the joints' own transforms are for joint values (..., n), (..., n, 4, 4)."""
-        turns = self.chain.turning
+        """What the joints' own transforms are for joint values (..., n), (..., n, 4, 4).
+
+        Behind them are those of passive rows.
+        """
+        turns, passive = self._turning, self.chain.passive
         values = self.chain.drives.values(q)
+        if passive:
+            moved = q @ _factors(passive, self.chain.dof).T + [each.offset for each in passive]
+            values = np.concatenate([values, moved], axis=-1)
         angles = np.where(turns, values, 0.0)
-        steps = np.zeros((*q.shape, 4, 4))
+        steps = np.zeros((*values.shape, 4, 4))
         steps[..., 0, 0] = steps[..., 1, 1] = np.cos(angles)
         steps[..., 1, 0] = np.sin(angles)
         steps[..., 0, 1] = -steps[..., 1, 0]
         steps[..., 2, 2] = steps[..., 3, 3] = 1.0
         steps[..., 2, 3] = np.where(turns, 0.0, values)
         return steps
+
+    @property
+    def _turning(self) -> NDArray[np.bool_]:
+        passive = (each.turns for each in self.chain.passive)
+        return np.array([*self.chain.turning, *passive])
 
     def _frames(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
         """The pose (..., 4, 4), and the frames that the joints move in (..., n, 4, 4)."""
@@ -86,11 +117,26 @@ def numeric_arm(chain: Chain) -> NumericArm:
     """The numeric arm of a chain."""
     values = {constant.name: constant.value for constant in chain.constants}
     elements = tuple(
-        _matrix(element.transform, values) if isinstance(element, Fixed) else element.joint
+        _matrix(element.transform, values)
+        if isinstance(element, Fixed)
+        else _number(element, chain)
         for link in chain.links
         for element in link
     )
     return NumericArm(chain, _matrix(chain.base, values), _matrix(chain.tool, values), elements)
+
+
+def _number(element: Turn | Slide | Passive, chain: Chain) -> int:
+    return chain.dof + 1 + element.place if isinstance(element, Passive) else element.joint
+
+
+def _factors(passive: Sequence[Passive], dof: int) -> FloatArray:
+    """What drives' values are multiplied by for those of passive rows, (rows, n)."""
+    factors = np.zeros((len(passive), dof))
+    for row, each in zip(factors, passive, strict=True):
+        for share in each.shares:
+            row[share.drive - 1] = share.factor
+    return factors
 
 
 def _matrix(transform: Transform, values: dict[str, float]) -> FloatArray:

@@ -8,10 +8,10 @@ way.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.chain import Fixed, Slide, Turn
+from dhgen.kinematics.chain import Fixed, Passive, Slide, Turn, added_up
 from dhgen.kinematics.transform import (
     Transform,
     compose,
@@ -39,6 +39,8 @@ def reversed_elements(elements: Iterable[Element], algebra: Algebra) -> tuple[El
                 turned.append(Turn(joint, -sign))
             case Slide(joint, sign):
                 turned.append(Slide(joint, -sign))
+            case Passive():
+                turned.append(replace(element, sign=-element.sign))
             case Fixed(transform):
                 turned.append(Fixed(inverse(transform, algebra.normal)))
     return tuple(turned)
@@ -101,11 +103,11 @@ class _Scan:
         """One element more."""
         match element:
             case Turn(joint, sign):
-                self._turn(joint, sign)
+                self._turn(((joint, sign),))
             case Slide(joint, sign):
-                length = self._algebra.generator(self._algebra.slides[joint])
-                zero = self._algebra.ring.zero
-                self._move((zero, zero, length * sign))
+                self._slide(((joint, sign),))
+            case Passive():
+                (self._turn if element.turns else self._slide)(element.signed)
             case Fixed(transform):
                 self._move(transform.translation)
                 still = identity(self._algebra.ring)
@@ -113,13 +115,18 @@ class _Scan:
                 constant = Transform(transform.rotation, still.translation)
                 self._after = compose(turned, constant, self._algebra.normal).rotation
 
-    def _turn(self, joint: int, sign: int) -> None:
+    def _turn(self, terms: tuple[tuple[int, int], ...]) -> None:
         facing = turn_between(self._after)
         if not facing:
             self._prefix = self.result()
-            self._begin(((joint, sign),))
+            self._begin(terms)
         else:
-            self._terms = (*self._terms, (joint, sign * facing))
+            self._terms = added_up((*self._terms, *((j, sign * facing) for j, sign in terms)))
+
+    def _slide(self, terms: tuple[tuple[int, int], ...]) -> None:
+        zero = self._algebra.ring.zero
+        slides = ((self._algebra.generator(self._algebra.slides[j]), n) for j, n in terms)
+        self._move((zero, zero, sum((length * times for length, times in slides), zero)))
 
     def _move(self, vector: tuple[Polynomial, ...]) -> None:
         if not any(vector):

@@ -13,7 +13,7 @@ from dhgen.robot.robot import AxisJoint, Convention, DhRow, DhTable, JointKind
 from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable, Mapping, Sequence
     from typing import Self
 
     from dhgen.robot.expression import Expression
@@ -68,8 +68,12 @@ def table_rows(robot: Robot) -> list[tuple[str, ...]]:
     else:
         columns = ["type", "direction", "point"]
         body = [_axis_cells(axis) for axis in geometry.axes]
-    names = [f"{n} {joint.name}".rstrip() for n, joint in enumerate(robot.joints, 1)]
-    limits = [_limits(joint, robot.length_unit) for joint in robot.joints]
+    rows: Sequence[DhRow | AxisJoint] = robot.joints
+    labels = [str(number) for number in range(1, len(rows) + 1)]
+    if isinstance(geometry, DhTable):
+        rows, labels = geometry.rows, list(geometry.labels)
+    names = [f"{label} {row.name}".rstrip() for label, row in zip(labels, rows, strict=True)]
+    limits = [_limits(row, robot.length_unit) for row in rows]
     shown = [(name, *row, end) for name, row, end in zip(names, body, limits, strict=True)]
     return [("joint", *columns, "limits"), *shown]
 
@@ -123,7 +127,8 @@ def _row_cells(row: DhRow) -> dict[str, str]:
 
 
 def _variable(row: DhRow, offset: Expression) -> str:
-    moved: Expression = Name("q") if row.sign > 0 else Negate(Name("q"))
+    own: dict[int, Expression] = {1: Name("q"), 0: ZERO, -1: Negate(Name("q"))}
+    moved = own[row.sign]
     for each in row.couplings:
         moved = add(moved, multiply(each.factor, Name(f"q{each.joint}")))
     q, beside = to_text(moved), to_text(offset)

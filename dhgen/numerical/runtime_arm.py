@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import inf
 from typing import TYPE_CHECKING
 
+from dhgen.errors import UnsolvedError
 from dhgen.kinematics.rigid import IDENTITY, multiply
 from dhgen.robot.robot import JointKind
 from dhgen.runtime.python.numerical.arm import Arm, ChainJoint, Joint
@@ -18,8 +19,18 @@ if TYPE_CHECKING:
 
 
 def runtime_arm(kernel: NumericalKernel) -> Arm:
-    """The arm of a kernel."""
+    """The arm of a kernel.
+
+    Raises:
+        UnsolvedError: Rows are passive, which the runtime's least squares know nothing of.
+    """
     chain = kernel.arm.chain
+    if chain.passive:
+        raise UnsolvedError(
+            "rows of this arm would have to be refined by least squares, which do not take passive "
+            "rows (those without q): ask for as much as the arm can choose, with equations in "
+            "closed form"
+        )
     base, *behind = _between_joints(kernel.arm)
     return Arm(
         rows=kernel.rows,

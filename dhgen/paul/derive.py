@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.kinematics.chain import Chain
+    from dhgen.numerical.kernel import NumericalKernel
     from dhgen.paul.step import EquationType
 
 ROWS, ROWS_OF_CHECKED = 8, 2
@@ -58,7 +59,7 @@ def derive(chain: Chain, *, numerical: bool = False, steps: Sequence[int] = ()) 
         demand_few_given(chain)
     problem = build_problem(build_algebra(chain))
     if spare.count or are_too_many_given(chain.given):
-        kernel = numerical_kernel(chain, redundant=bool(spare.count))
+        kernel = _numerical(chain, redundant=bool(spare.count))
         return Derivation(Pool(problem, (), ()), (), (), kernel)
     pool = build_pool(problem)
     if chain.arm_angle:
@@ -73,7 +74,7 @@ def derive(chain: Chain, *, numerical: bool = False, steps: Sequence[int] = ()) 
         other = _by_steps(Search(both, CLOSED), both)
         found = other if other is not None and _is_better(other, found) else found
     if found is None and numerical:
-        found = Derivation(pool, (), (), numerical_kernel(chain, redundant=False))
+        found = Derivation(pool, (), (), _numerical(chain, redundant=False))
     if found is not None:
         return _as_chosen(found, types, steps) if steps else found
     raise UnsolvedError(refusal(closed, chain))
@@ -86,6 +87,17 @@ def _demand_a_question(chain: Chain) -> None:
     if chain.arm_angle:
         demand_arm_angle(chain)
     demand_few_directions(chain)
+
+
+def _numerical(chain: Chain, *, redundant: bool) -> NumericalKernel:
+    """The kernel of the numerical solver.
+
+    Raises:
+        UnsolvedError: Rows are passive.
+    """
+    if chain.passive:
+        raise UnsolvedError("the numerical solver does not take passive rows (those without q)")
+    return numerical_kernel(chain, redundant=redundant)
 
 
 def _by_steps(search: Search, pool: Pool) -> Derivation | None:
@@ -119,7 +131,7 @@ def _from_both_ends(pool: Pool, chain: Chain) -> Derivation | None:
     found = _by_steps(Search(pool, QUARTIC), pool)
     if found is not None and not _is_frail(found):
         return found
-    kernel = general_kernel(chain)
+    kernel = None if chain.passive else general_kernel(chain)
     return found if kernel is None else Derivation(pool, (), (), kernel)
 
 

@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING
 
 from dhgen.robot.cell_notes import note_slips, note_snapped, note_turns
 from dhgen.robot.cells import INVALID, Cells
-from dhgen.robot.couplings import check_couplings
+from dhgen.robot.couplings import check_couplings, numbers_of
 from dhgen.robot.frames import IDENTITY_FRAME, read_frame
 from dhgen.robot.joints import read_axis, read_row
 from dhgen.robot.lengths import note_distance, note_spread
 from dhgen.robot.names import why_no_parameter_name
+from dhgen.robot.passive import check_passive, is_passive
 from dhgen.robot.robot import Convention, DhTable, Parameter, ReferenceAxes, Robot
 from dhgen.robot.schema import AxisRow, FrameEntry, JointRow, SumEntry, Units
 from dhgen.robot.shape import Shape
@@ -19,8 +20,10 @@ from dhgen.robot.sums import read_sum
 from dhgen.robot.task import ANGLES, ARM_ANGLE, COORDINATES, Task, TaskKind
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.robot.report import Report
-    from dhgen.robot.robot import Frame, SumLimit
+    from dhgen.robot.robot import DhRow, Frame, SumLimit
 
 
 def assemble(report: Report) -> Robot | None:
@@ -50,8 +53,8 @@ class _Assembly:
         base, tool = self._frame("base"), self._frame("tool")
         self._check_names()
         sums = self._sums(geometry)
-        free = self._free(self._count("joints") or self._count("axes"))
-        self._check_drives(geometry, len(sums))
+        free = self._free(len(self._numbers()))
+        self._check_free(geometry, len(sums))
         for name in self.cells.used.unused():
             message = f"no cell uses the parameter '{name}': remove it, or use it in a cell"
             self.report.notice_at_key(("parameters", name), message)
@@ -121,31 +124,49 @@ class _Assembly:
         if self.document.has("home") and not self.document.has("axes"):
             self.report.error_at_key(("home",), "'home' goes with 'axes'; with 'joints' use 'tool'")
         rows, count = [], self._count("joints")
+        numbers = self._numbers()
         for path in [("joints", i) for i in range(count)]:
             if entry := self.shape.section(path, JointRow):
-                others = [number for number in range(1, count + 1) if number != path[1] + 1]
                 complete = self.shape.right(path)
-                rows.append(read_row(self.cells, path, entry, others, complete=complete))
+                rows.append(read_row(self.cells, path, entry, numbers, complete=complete))
         if len(rows) == count:
-            check_couplings(self.cells, "joints", rows)
+            self._check_drives(rows, tuple(numbers))
         file = self.shape.file
         return DhTable(Convention(file.convention if file else "standard"), tuple(rows))
+
+    def _check_drives(self, rows: Sequence[DhRow], numbers: tuple[int, ...]) -> None:
+        """What rows hold of each other's variables; of rows with other mistakes nothing is said."""
+        right = check_couplings(self.cells, "joints", rows, numbers)
+        if right and numbers == tuple(n for n, row in enumerate(rows, start=1) if row.sign):
+            for place in set(range(len(rows))) - {number - 1 for number in numbers}:
+                check_passive(self.cells, ("joints", place), place, rows)
+
+    def _numbers(self) -> dict[int, int]:
+        """The joints' numbers by those of their rows, of which passive ones have no q."""
+        rows = self._count("joints")
+        passive = [
+            number
+            for number in range(1, rows + 1)
+            if is_passive(self.document.plain(("joints", number - 1)), number, rows)
+        ]
+        count = max(rows, self._count("axes"))
+        return numbers_of([number for number in range(1, count + 1) if number not in passive])
 
     def _sums(self, geometry: DhTable | ReferenceAxes | None) -> tuple[SumLimit, ...]:
         if geometry is None:
             return ()
-        rows = geometry.rows if isinstance(geometry, DhTable) else geometry.axes
-        kinds = [row.kind for row in rows]
-        if len(kinds) < max(self._count("joints"), self._count("axes")):
+        rows = geometry.driven if isinstance(geometry, DhTable) else geometry.axes
+        kinds, numbers = [row.kind for row in rows], self._numbers()
+        if len(kinds) < len(numbers):
             return ()  # a row that could not be read is told already
         found = (
-            read_sum(self.cells, path, entry, kinds)
+            read_sum(self.cells, path, entry, kinds, numbers)
             for path in [("limits", i) for i in range(self._count("limits"))]
             if (entry := self.shape.section(path, SumEntry))
         )
         return tuple(each for each in found if each is not None)
 
-    def _check_drives(self, geometry: DhTable | ReferenceAxes | None, sums: int) -> None:
+    def _check_free(self, geometry: DhTable | ReferenceAxes | None, sums: int) -> None:
         """What the caller gives has to be the value of a joint alone."""
         rows = geometry.rows if isinstance(geometry, DhTable) else ()
         if self.document.has("free") and (sums or any(row.couplings for row in rows)):

@@ -19,60 +19,86 @@ LARGEST_FACTOR = 1e6  # beyond, a drive's rounding would be the other joint's tu
 LARGEST_WHOLE = 10**6  # of a ratio: gears have fewer teeth
 
 
+def numbers_of(rows: Sequence[int]) -> dict[int, int]:
+    """The joints' numbers by those of their rows, as cells have them: passive rows are no joints.
+
+    Args:
+        rows: The numbers, from 1, of all rows with a variable of their own.
+    """
+    return {row: joint for joint, row in enumerate(rows, start=1)}
+
+
 def read_couplings(
-    cells: Cells, path: Path, factors: Mapping[int, Expression]
+    cells: Cells, path: Path, factors: Mapping[int, Expression], numbers: Mapping[int, int]
 ) -> tuple[Coupling, ...]:
     """The multiples of other joints' variables in a cell; mistakes are reported.
 
     Args:
         cells: Reads the cells, and reports.
         path: The place of the cell.
-        factors: What multiplies the variable of each joint, from 1.
+        factors: What multiplies the variable of each row, from 1.
+        numbers: The joints' numbers by those of their rows.
     """
     found = []
-    for joint, factor in sorted(factors.items()):
+    for row, factor in sorted(factors.items()):
         value = cells.value(factor)
         if not abs(value) <= LARGEST_FACTOR:
-            message = f"q{joint} is taken {value:.6g} times: at most {LARGEST_FACTOR:.0e} can be"
+            message = f"q{row} is taken {value:.6g} times: at most {LARGEST_FACTOR:.0e} can be"
             cells.report.error(path, message)
         elif value:
-            found.append(Coupling(joint, factor, value))
+            found.append(Coupling(numbers[row], factor, value))
     return tuple(found)
 
 
-def check_couplings(cells: Cells, key: str, rows: Sequence[DhRow]) -> None:
+def check_couplings(cells: Cells, key: str, rows: Sequence[DhRow], numbers: Sequence[int]) -> bool:
     """Reports couplings that are no ratio, and joints that hang on each other in a circle.
 
     Args:
         cells: Reports.
         key: Where the table stands.
         rows: The table.
+        numbers: The numbers, from 1, of all rows with a variable of their own.
+
+    Returns:
+        Whether all is well.
     """
     cell = {JointKind.REVOLUTE: "theta", JointKind.PRISMATIC: "d"}
     paths: list[Path] = [(key, place, cell[row.kind]) for place, row in enumerate(rows)]
-    for path, row in zip(paths, rows, strict=True):
-        for coupling in row.couplings:
-            _check_ratio(cells, path, row, rows[coupling.joint - 1], coupling)
-    circle = _circle({number: row.couplings for number, row in enumerate(rows, start=1)})
+    checked = [
+        _has_ratio(cells, path, (row, rows[numbers[coupling.joint - 1] - 1]), coupling, numbers)
+        for path, row in zip(paths, rows, strict=True)
+        for coupling in row.couplings
+    ]
+    circle = _circle({j: rows[row - 1].couplings for j, row in enumerate(numbers, start=1)})
     if circle:
+        told = [numbers[joint - 1] for joint in circle]
         links = ", ".join(
-            f"joint {a} by q{b}" for a, b in zip(circle, [*circle[1:], circle[0]], strict=True)
+            f"joint {a} by q{b}" for a, b in zip(told, [*told[1:], told[0]], strict=True)
         )
         message = f"these joints are moved by each other's drives: {links}"
         end = "one of them has to be moved by its own drive alone"
-        cells.report.error(paths[circle[0] - 1], f"{message}; {end}")
+        cells.report.error(paths[told[0] - 1], f"{message}; {end}")
+    return all(checked) and not circle
 
 
-def _check_ratio(cells: Cells, path: Path, row: DhRow, other: DhRow, coupling: Coupling) -> None:
+def _has_ratio(
+    cells: Cells,
+    path: Path,
+    rows: tuple[DhRow, DhRow],
+    coupling: Coupling,
+    numbers: Sequence[int],
+) -> bool:
     """Turns by turns are in a ratio of whole numbers, or else whole turns would never meet."""
-    if not row.kind is other.kind is JointKind.REVOLUTE:
-        return
-    if not is_ratio(cells, coupling.factor):
-        message = (
-            f"q{coupling.joint} is taken {coupling.value:.6g} times, but an angle follows another "
-            "one in a ratio of whole numbers: write the teeth of the gears, e.g. 3/2*q2"
-        )
-        cells.report.error(path, message)
+    turns = all(row.kind is JointKind.REVOLUTE for row in rows)
+    if not turns or is_ratio(cells, coupling.factor):
+        return True
+    times = f"q{numbers[coupling.joint - 1]} is taken {coupling.value:.6g} times"
+    message = (
+        f"{times}, but an angle follows another one in a ratio of whole numbers: write the teeth "
+        "of the gears, e.g. 3/2*q2"
+    )
+    cells.report.error(path, message)
+    return False
 
 
 def is_ratio(cells: Cells, factor: Expression) -> bool:

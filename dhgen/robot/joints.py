@@ -13,11 +13,11 @@ from dhgen.robot.frames import read_lengths
 from dhgen.robot.lengths import Length
 from dhgen.robot.robot import AxisJoint, DhRow, JointKind
 from dhgen.robot.shape import is_endless
-from dhgen.robot.source import quoted
+from dhgen.robot.source import Span, quoted
 from dhgen.robot.units import VARIABLE, Split, split
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping
 
     from dhgen.robot.cells import Cells
     from dhgen.robot.expression import Expression
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from dhgen.robot.schema import AxisRow, JointRow
 
 
+_NUMBERED = re.compile(r"\bq([1-9]\d*)\b", re.ASCII)
 _NOWHERE = "neither value limits the joint: leave 'limits' out"
 
 # Beyond, an end is as good as nowhere, and doubles have too few digits of it.
@@ -111,7 +112,7 @@ def _report_order(
 
 
 def read_row(
-    cells: Cells, path: Path, entry: JointRow, others: Sequence[int], *, complete: bool
+    cells: Cells, path: Path, entry: JointRow, numbers: Mapping[int, int], *, complete: bool
 ) -> DhRow:
     """A row of the table; mistakes are reported.
 
@@ -119,15 +120,19 @@ def read_row(
         cells: Reads the cells, and reports.
         path: The place of the row.
         entry: Its keys.
-        others: The numbers of all other joints, whose variables it may hold.
+        numbers: The joints' numbers by those of their rows: their variables it may hold.
         complete: Whether these are all: a misspelt key may have held the variable.
     """
-    theta = _split(cells, (*path, "theta"), entry.theta, others)
-    d = _split(cells, (*path, "d"), entry.d, others)
+    row = int(path[1]) + 1
+    theta = _split(cells, (*path, "theta"), entry.theta, numbers, row)
+    d = _split(cells, (*path, "d"), entry.d, numbers, row)
     if INVALID not in (theta.offset, d.offset):
         _check_variables(cells, path, theta, d, complete=complete)
-    kind = JointKind.PRISMATIC if d.sign else JointKind.REVOLUTE
-    moving = "d" if d.sign else "theta"
+    slides = bool(d.sign or (d.others and not theta.sign))
+    kind = JointKind.PRISMATIC if slides else JointKind.REVOLUTE
+    moving = "d" if slides else "theta"
+    if not (theta.sign or d.sign) and (theta.others or d.others):
+        entry = _without_limits(cells, path, entry)
     offset = cells.radians(theta.offset)
     return DhRow(
         kind=kind,
@@ -138,8 +143,16 @@ def read_row(
         alpha=cells.angle((*path, "alpha"), entry.alpha),
         limits=read_limits(cells, (*path, "limits"), kind, entry.limits),
         name=entry.name,
-        couplings=read_couplings(cells, (*path, moving), (d if d.sign else theta).others),
+        couplings=read_couplings(cells, (*path, moving), (d if slides else theta).others, numbers),
     )
+
+
+def _without_limits(cells: Cells, path: Path, entry: JointRow) -> JointRow:
+    """A passive row; limits in it are reported: they are of a sum."""
+    if entry.limits:
+        message = "a row without q has no limits of its own: write those of the sum that it follows"
+        cells.report.error((*path, "limits"), f"{message} under `limits` beside `joints`")
+    return entry.model_copy(update={"limits": []})
 
 
 def _check_variables(cells: Cells, path: Path, theta: Split, d: Split, *, complete: bool) -> None:
@@ -150,13 +163,10 @@ def _check_variables(cells: Cells, path: Path, theta: Split, d: Split, *, comple
         still, moving = ("d", "theta") if theta.sign else ("theta", "d")
         message = f"the variables of other joints stand beside q, in {moving}"
         cells.report.error((*path, still), message)
-    elif not theta.sign and not d.sign and (theta.others or d.others):
-        message = (
-            "q is missing: every row has a drive of its own, to which those of other joints are "
-            "added, as in 'theta: q - q2'"
-        )
-        cells.report.error((*path, "theta" if theta.others else "d"), message)
-    elif complete and not theta.sign and not d.sign:
+    elif theta.others and d.others:
+        message = "without q a row turns or slides: the variables of other joints are in theta, too"
+        cells.report.error((*path, "d"), message)
+    elif complete and not (theta.sign or d.sign or theta.others or d.others):
         message = (
             "no variable: write q in theta (revolute) or in d (prismatic); a fixed "
             "transform belongs in base, tool or a neighbouring row"
@@ -188,7 +198,12 @@ def read_axis(cells: Cells, path: Path, entry: AxisRow, *, complete: bool) -> Ax
     )
 
 
-def _split(cells: Cells, path: Path, text: str, others: Sequence[int]) -> Split:
+def _split(cells: Cells, path: Path, text: str, numbers: Mapping[int, int], row: int) -> Split:
+    if (wrong := _no_other(text, numbers, row)) is not None:
+        message, part = wrong
+        cells.report.error(path, message, part=part)
+        return Split(0, INVALID)
+    others = [number for number in numbers if number != row]
     names = (VARIABLE.name, *(f"q{joint}" for joint in others))
     expression = cells.parse(path, text, more=dict.fromkeys(names, math.nan))
     parts = split(expression)
@@ -198,3 +213,15 @@ def _split(cells: Cells, path: Path, text: str, others: Sequence[int]) -> Split:
             message += "; the variables of other joints may have factors, too: q - 2*q1"
         cells.report.error(path, message)
     return parts or Split(0, INVALID)
+
+
+def _no_other(text: str, numbers: Mapping[int, int], row: int) -> tuple[str, Span] | None:
+    """The mistake of a cell that calls its own variable, or that of a passive row, by a number."""
+    for found in _NUMBERED.finditer(text):
+        number, part = int(found[1]), Span(found.start(), len(found[0]))
+        if number == row:
+            told = f"the variable of this row is called q here: write q for {found[0]}"
+            return f"{told}; with its number it is called so in other rows", part
+        if number not in numbers and 1 <= number <= max(numbers, default=0):
+            return f"row {number} has no variable of its own: write what moves it", part
+    return None

@@ -65,10 +65,11 @@ class DhRow:
 
     The variable q is in `theta` (revolute) or in `d` (prismatic), with `sign`; the expression
     kept there is the constant that is added to it: `theta: q + pi/2` has sign 1 and theta pi/2.
+    A passive row has no q: the drives of other joints move it, `theta: -q3`.
 
     Attributes:
-        kind: By the place of q.
-        sign: +1 or -1, the factor of q.
+        kind: By the place of q, or of what is in its place.
+        sign: +1 or -1, the factor of q; 0 in a passive row.
         theta: Joint angle (or its offset) [rad].
         d: Joint offset (or the constant added to q) [length].
         a: Link length [length].
@@ -90,6 +91,11 @@ class DhRow:
     b: Expression = ZERO
     name: str = ""
     couplings: tuple[Coupling, ...] = ()
+
+    @property
+    def offset(self) -> Expression:
+        """What is added in the cell that moves."""
+        return self.theta if self.kind is JointKind.REVOLUTE else self.d
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,10 +119,47 @@ class AxisJoint:
 
 @dataclass(frozen=True, slots=True)
 class DhTable:
-    """A robot given by Denavit-Hartenberg rows."""
+    """A robot given by Denavit-Hartenberg rows.
+
+    Attributes:
+        convention: How rows are read.
+        rows: From base to tool, passive ones among them. Couplings number the others.
+    """
 
     convention: Convention
     rows: tuple[DhRow, ...]
+
+    @property
+    def driven(self) -> tuple[DhRow, ...]:
+        """The rows with a variable of their own: the joints."""
+        return tuple(row for row in self.rows if row.sign)
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """What the rows are called: by the numbers of the joints, a passive one 3p behind joint 3.
+
+        One more of these behind the same joint is 3pp.
+        """
+        found: list[str] = []
+        joints = 0
+        for row in self.rows:
+            joints += bool(row.sign)
+            found.append(str(joints) if row.sign else f"{found[-1]}p")
+        return tuple(found)
+
+    @property
+    def drive_factors(self) -> tuple[tuple[float, ...], ...]:
+        """What the drives' values are multiplied by for each row's angle or length."""
+        places = iter(range(len(self.driven)))
+        found = []
+        for row in self.rows:
+            factors = [0.0] * len(self.driven)
+            if row.sign:
+                factors[next(places)] = float(row.sign)
+            for each in row.couplings:
+                factors[each.joint - 1] = each.value
+            found.append(tuple(factors))
+        return tuple(found)
 
 
 @dataclass(frozen=True, slots=True)
@@ -210,5 +253,5 @@ class Robot:
 
     @property
     def joints(self) -> tuple[DhRow | AxisJoint, ...]:
-        """The joints from base to tool."""
-        return self.geometry.rows if isinstance(self.geometry, DhTable) else self.geometry.axes
+        """The joints from base to tool, each with a variable of its own."""
+        return self.geometry.driven if isinstance(self.geometry, DhTable) else self.geometry.axes

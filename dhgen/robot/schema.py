@@ -216,7 +216,7 @@ class FrameEntry(_Strict):
 
 
 class JointRow(_Strict):
-    """A row of a Denavit-Hartenberg table; exactly one of theta and d holds the variable q."""
+    """A row of a Denavit-Hartenberg table; theta or d holds q, or the variables of other rows."""
 
     theta: Cell = Field(default="0", description="Joint angle [angle]; q in it: a revolute joint.")
     d: Cell = Field(default="0", description="Joint offset [length]; q in it: a prismatic joint.")

@@ -14,7 +14,7 @@ from dhgen.robot.source import quoted
 from dhgen.robot.units import split
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from dhgen.robot.cells import Cells
     from dhgen.robot.reader import Path
@@ -23,7 +23,11 @@ if TYPE_CHECKING:
 
 
 def read_sum(
-    cells: Cells, path: Path, entry: SumEntry, kinds: Sequence[JointKind]
+    cells: Cells,
+    path: Path,
+    entry: SumEntry,
+    kinds: Sequence[JointKind],
+    numbers: Mapping[int, int],
 ) -> SumLimit | None:
     """A sum and its limits; mistakes are reported.
 
@@ -32,8 +36,9 @@ def read_sum(
         path: The place of the entry.
         entry: Its keys.
         kinds: How the joints move.
+        numbers: The joints' numbers by those of their rows.
     """
-    terms = _terms(cells, (*path, "of"), entry.of, len(kinds))
+    terms = _terms(cells, (*path, "of"), entry.of, numbers)
     if not terms:
         return None
     moving = {kinds[term.joint - 1] for term in terms}
@@ -53,8 +58,8 @@ def read_sum(
     return SumLimit(terms, (low, high), kind)
 
 
-def _terms(cells: Cells, path: Path, text: str, joints: int) -> tuple[Coupling, ...]:
-    names = [f"q{joint}" for joint in range(1, joints + 1)]
+def _terms(cells: Cells, path: Path, text: str, numbers: Mapping[int, int]) -> tuple[Coupling, ...]:
+    names = [f"q{row}" for row in numbers]
     expression = cells.parse(path, text, more=dict.fromkeys(names, math.nan))
     if expression == INVALID:
         return ()
@@ -63,7 +68,7 @@ def _terms(cells: Cells, path: Path, text: str, joints: int) -> tuple[Coupling, 
         message = f"{quoted(text.strip())} is no sum of joints' variables: q2 + q3, q2 - 1/2*q3"
         cells.report.error(path, message)
         return ()
-    return read_couplings(cells, path, found.others)
+    return read_couplings(cells, path, found.others, numbers)
 
 
 def _end(cells: Cells, path: Path, text: str, kind: JointKind) -> float:

@@ -71,4 +71,4 @@ class Trial:
         off = rows - q
         miss = np.abs(off @ self.model.shares.T if self.model.is_coupled else off)
         turned = np.abs(miss - 2 * np.pi * np.round(miss / (2 * np.pi)))
-        return np.asarray(np.where(self.model.revolute, turned, miss / self.size).max(axis=-1))
+        return np.asarray(np.where(self.model.turns, turned, miss / self.size).max(axis=-1))

@@ -50,7 +50,8 @@ SECTIONS = [
 
 def sections_of(name: str) -> list[str]:
     """Those of the document of an arm that is solved step by step."""
-    coupled = build_chain(load(ROBOTS / f"{name}.yaml")).drives.are_coupled
+    chain = build_chain(load(ROBOTS / f"{name}.yaml"))
+    coupled = chain.drives.are_coupled or chain.passive
     return [section for section in SECTIONS if coupled or section != "Coupled drives"]
 
 

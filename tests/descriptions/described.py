@@ -30,7 +30,7 @@ def urdf_of(robot: Robot) -> str:
         modified = table.convention is Convention.MODIFIED
         before = before @ along_x @ along_z if modified else before
         # what is beside q turns about the joint's own axis: before or after it is one
-        joints.append(_joint(number, before, row.sign, row.kind, row.limits))
+        joints.append(_joint(number, before, row.sign or 1, row.kind, row.limits))
         links.append(f'  <link name="link{number}"/>')
         before = np.eye(4) if modified else along_z @ along_x
     joints.append(_fixed(len(table.rows), before @ _matrix(robot.tool, values)))

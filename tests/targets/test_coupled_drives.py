@@ -11,6 +11,7 @@ import pytest
 
 from dhgen.robot.robot import DhTable
 from dhgen.survey.oracle.forward import forward
+from dhgen.survey.oracle.search import solve
 from tests.targets.calling import HELD, LANGUAGES, OK, Solver
 from tests.targets.made import in_c, in_python, made, poses_of, robot, turning
 
@@ -25,9 +26,14 @@ NAMES = (
     "fanuc_lrmate200id_j23",
     "geared_3r",
     "kuka_kr40pa_drives",
+    "kuka_kr40pa_level",
+    "level_modified",
+    "level_palletizer",
     "scara_ball_screw",
     "summed_prrr",
+    "telescope_stages",
 )
+PASSIVE = ("kuka_kr40pa_level", "level_modified", "level_palletizer", "telescope_stages")
 POSES, AT_ONCE = 10_000, 1_000
 TURNS = (-2, -1, 0, 1, 2)
 CLEAR = 1e-6  # [rad, length] what is as far inside limits is so whatever rounding does
@@ -38,8 +44,8 @@ def shares(name: str) -> FloatArray:
     """M, with M q the joints' angles and lengths but for constants."""
     geometry = robot(name).geometry
     assert isinstance(geometry, DhTable)
-    M = np.diag([float(row.sign) for row in geometry.rows])
-    for place, row in enumerate(geometry.rows):
+    M = np.diag([float(row.sign) for row in geometry.driven])
+    for place, row in enumerate(geometry.driven):
         for coupling in row.couplings:
             M[place, coupling.joint - 1] = coupling.value
     return M
@@ -132,6 +138,18 @@ def test_some_rows_are_beyond_limits_and_some_need_turns(name: str) -> None:
     assert np.isfinite(rows).any()
 
 
+@pytest.mark.parametrize("name", PASSIVE)
+def test_an_independent_search_finds_the_rows(name: str) -> None:
+    """Of arms with passive rows it looks for the drives' values, not for the joints'."""
+    T = poses_of(name, drawn(name, 3))
+    rows, status = in_c(name).batch(T)
+    for pose, row, kind in zip(T, rows, status, strict=True):
+        held = row[np.isin(kind, HELD)]
+        found = solve(robot(name), pose).regular
+        assert len(found) == len(held) >= 2
+        assert gaps(name, found[:, None], held).min(axis=1).max() < 1e-6
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("name", NAMES)
 def test_the_nearest_row_is_the_nearest_of_all_copies(name: str, language: str) -> None:
@@ -171,7 +189,7 @@ def test_the_jacobian_is_the_derivative_by_the_drives(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_frames_are_of_the_drives_values(name: str) -> None:
     for q in drawn(name, 5):
-        frames = np.empty((len(q) + 2, 16))
+        frames = np.empty((len(made(name).module.links.rows) + 2, 16))  # of passive rows, too
         pointers = (a.ctypes.data_as(ctypes.c_void_p) for a in (q, frames))
         in_c(name).library[f"{name}_frames"](*pointers)
         T = poses_of(name, q)
@@ -190,3 +208,23 @@ def test_c_and_python_are_alike(name: str) -> None:
     one, kinds = in_python(name).ik_all(T[0])
     np.testing.assert_array_equal(kinds, status[0])
     np.testing.assert_allclose(one, rows[0], atol=1e-9)
+
+
+def test_names_of_rows_are_what_is_seen_of_an_arm_whose_tool_is_level() -> None:
+    """The elbow is above or below the line from the shoulder to where the level hand hangs."""
+    name = "kuka_kr40pa_level"
+    rows, status = in_c(name).batch(poses_of(name, drawn(name, 400)))
+    seen: set[str] = set()
+    for places, kinds in zip(rows, status, strict=True):
+        for word, q, kind in zip(made(name).module.branches, places, kinds, strict=True):
+            upper = 0.85 * np.array([np.cos(q[1]), -np.sin(q[1])])  # out, and up
+            fore = 0.85 * np.array([np.cos(q[1] + q[2]), -np.sin(q[1] + q[2])])
+            line = upper + fore
+            reach = 0.22 + line[0] + 0.2
+            off = upper - (upper @ line) / (line @ line) * line
+            if kind not in HELD or reach * line[0] < 1e-3 or abs(off[1]) < 1e-3:
+                continue
+            facing = "front" if reach > 0.0 else "back"
+            assert word == f"{facing}-{'up' if off[1] > 0.0 else 'down'}"
+            seen.add(word)
+    assert seen == {"front-up", "front-down", "back-up", "back-down"}

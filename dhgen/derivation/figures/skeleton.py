@@ -164,8 +164,8 @@ class Skeletons:
             for element, matrix in zip(link, matrices, strict=False):
                 if isinstance(element, Fixed) and not isinstance(matrix, int):
                     self._links[-1].append(still(element.transform, matrix, Part.LINK))
-                elif not isinstance(element, Fixed):
-                    self._links[-1].append(element.joint)
+                elif isinstance(matrix, int):
+                    self._links[-1].append(matrix)
         self._standard = is_standard(story)
 
     def at(self, q: FloatArray) -> Skeleton:
@@ -196,7 +196,10 @@ class _Walk:
         self.axes: list[Axis] = []
 
     def move(self, number: int) -> None:
-        """A joint."""
+        """A joint; a passive row, numbered behind them, has no axis of its own in figures."""
+        if number > self.chain.dof:
+            self.T = self.T @ self.steps[number - 1]
+            return
         turns = self.chain.turning[number - 1]
         name = letter("z", "z", str(number - self.standard)).text
         value = theta(single(number)).text if turns else letter("r", "r", str(number)).text

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.notation.names import joint_symbol, parameter
 from dhgen.derivation.text.formula import Symbol
 from dhgen.robot.exact import add, multiply
-from dhgen.robot.expression import ZERO, Name, Negate, to_text
+from dhgen.robot.expression import ZERO, Binary, Name, Negate, to_text
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
@@ -38,7 +38,10 @@ def expression_symbol(expression: Expression) -> Symbol:
 def variable_symbol(
     number: int, sign: int, offset: Expression, couplings: Sequence[Coupling] = ()
 ) -> Symbol:
-    """The cell that holds the joint variable: q_2, q_2 - pi/2, -q_5, q_3 - q_2."""
+    """The cell that holds the joint variable: q_2, q_2 - pi/2, -q_5, q_3 - q_2.
+
+    That of a passive row, whose sign is zero, holds those of other joints only.
+    """
     if couplings:
         return expression_symbol(_cell(number, sign, offset, couplings))
     variable = joint_symbol(number)
@@ -58,9 +61,13 @@ def variable_symbol(
 def _cell(number: int, sign: int, offset: Expression, couplings: Sequence[Coupling]) -> Expression:
     """A cell with variables of other joints, its own one with its number."""
     own = Name(f"q{number}")
-    total: Expression = own if sign > 0 else Negate(own)
+    total: Expression = own if sign > 0 else Negate(own) if sign else ZERO
     for each in couplings:
-        total = add(total, multiply(each.factor, Name(f"q{each.joint}")))
+        other = Name(f"q{each.joint}")
+        if total == ZERO and abs(each.value) != 1.0:  # -3 q_2, not -(3 q_2)
+            total = Binary("*", each.factor, other)
+        else:
+            total = add(total, multiply(each.factor, other))
     return add(total, offset)
 
 

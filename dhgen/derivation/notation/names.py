@@ -25,7 +25,7 @@ _GREEK = {
     "sigma": "σ", "tau": "τ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω",
 }  # fmt: skip
 _MADE = re.compile(r"([ezhup])(\d*[xyz]|\d\d)")  # numbers of frames and axes without a name
-_PARTS = re.compile(r"([A-Za-z]+)_?(\d*)")
+_PARTS = re.compile(r"([A-Za-z]+)_?(\d+p+|\d*)")  # 3p is a passive row behind joint 3
 
 
 _TAKEN = frozenset("ABCEJKPQRTUVWXYZcqrstw")  # letters that formulas use for other things

@@ -5,18 +5,24 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.expressions import expression_symbol, variable_symbol
-from dhgen.derivation.notation.names import joint_symbol, letter, single, theta
+from dhgen.derivation.notation.names import joint_symbol, letter, link, single, theta
 from dhgen.derivation.sections.tables import couplings_of, joints_of, sign_and_offset
 from dhgen.derivation.text.blocks import Heading, display, joined, paragraph, say
 from dhgen.derivation.text.formula import Formula, Symbol, add, equal, minus, times
+from dhgen.derivation.text.show import show
+from dhgen.derivation.text.style import PLAIN
 from dhgen.derivation.text.words import many
+from dhgen.kinematics.chain import Passive
+from dhgen.robot import exact
 from dhgen.robot.expression import ONE, ZERO, Negate
-from dhgen.robot.robot import JointKind
+from dhgen.robot.passive import followed
+from dhgen.robot.robot import DhTable, JointKind
 
 if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.robot.expression import Expression
+    from dhgen.robot.passive import Followed
     from dhgen.robot.robot import Coupling
 
 _TEXT = (
@@ -32,30 +38,83 @@ _EVERYWHERE = (
     "drives."
 )
 _COLUMNS = (
-    "These are the columns {} by the joints' own angles and lengths. A drive that moves several "
+    "These are the columns {} by the joints' own angles and lengths{}. A drive that moves several "
     "joints has a sum of them: {}."
 )
+_PASSIVE = (
+    "Row {label} is passive: other drives move it. It is no joint, and its transform is part of "
+    "{link}. Its {what} is"
+)
+_PASSIVE_ONLY = "{} is the value of drive {}, as the caller counts it."
+_PASSIVE_COLUMNS = ", and that of {} is made in the same way, with the frame that it moves in"
+_Q, _I = Symbol("q_i", "qᵢ"), Symbol("i", "i")
 
 
 def drives_section(story: Story) -> list[Block]:
     """From the drives' values to the angles and lengths of the formulas, and back."""
     drives = story.algebra.chain.drives
     moved = [number for number in drives.order if couplings_of(story, number)]
-    if not moved:
+    passive = _passive(story)
+    if not moved and not passive:
         return []
+    joints = _joints_moved(story, moved) if moved else [paragraph(_PASSIVE_ONLY, _Q, _I)]
+    return [Heading(2, say("Coupled drives")), *joints, *passive, paragraph(_EVERYWHERE)]
+
+
+def _joints_moved(story: Story, moved: list[int]) -> list[Block]:
+    """Joints that drives of others move, too, and the way back to the drives."""
     slides = [number in story.algebra.slides for number in moved]
     what = "length" if all(slides) else "value" if any(slides) else "angle"
     plural = len(moved) > 1
     which = many("joint", [str(number) for number in sorted(moved)])
     told = f"the {what}{'s' * plural} of {which} {'are' if plural else 'is'}"
     return [
-        Heading(2, say("Coupled drives")),
-        paragraph(_TEXT, Symbol("q_i", "qᵢ"), Symbol("i", "i"), say(told)),
+        paragraph(_TEXT, _Q, _I, say(told)),
         display(*(_there(story, number) for number in sorted(moved))),
         paragraph(_BACK, _letters(story)),
         display(*(drive_value(story, number) for number in moved)),
-        paragraph(_EVERYWHERE),
     ]
+
+
+def _passive(story: Story) -> list[Block]:
+    """What the rows without a drive follow, by drives and by joints, and where they are."""
+    geometry, chain = story.robot.geometry, story.algebra.chain
+    if not isinstance(geometry, DhTable):
+        return []
+    rows = dict(zip(geometry.labels, geometry.rows, strict=True))
+    blocks: list[Block] = []
+    for number, link_elements in enumerate(chain.links, start=1):
+        for each in link_elements:
+            if not isinstance(each, Passive):
+                continue
+            row = rows[each.label]
+            cell = variable_symbol(0, 0, row.offset, row.couplings)
+            by_joints = _followed(story, followed(row, geometry.driven))
+            what = "angle" if each.turns else "length"
+            text = _PASSIVE.format(label=each.label, what=what, link="{}")
+            sides = [passive_value(each), cell]
+            if show(by_joints, PLAIN) != cell.text:
+                sides.append(by_joints)
+            blocks += [paragraph(text, link(number)), display(equal(*sides))]
+    return blocks
+
+
+def passive_value(passive: Passive) -> Formula:
+    """The angle or length of a passive row, by its letter."""
+    latex, text = (r"\theta", "θ") if passive.turns else ("r", "r")
+    return letter(latex, text, passive.label)
+
+
+def _followed(story: Story, found: Followed) -> Formula:
+    """A sum of angles or lengths of joints: -theta_2 - theta_3 + pi/2."""
+    parts: list[Formula] = []
+    for joint, count in found.terms:
+        inner = inner_value(story, joint)
+        part = (
+            inner if abs(count) == 1 else times(expression_symbol(exact.number(abs(count))), inner)
+        )
+        parts.append(minus(part) if count < 0 else part)
+    return add(*parts, *([] if found.offset == ZERO else [_signed(found.offset)]))
 
 
 def drive_value(story: Story, number: int) -> Formula:
@@ -78,15 +137,25 @@ def inner_value(story: Story, number: int) -> Formula:
 
 def columns_by_drives(story: Story) -> list[Block]:
     """The Jacobian's columns by drives, where these are sums of those by angles and lengths."""
+    geometry = story.robot.geometry
+    if not isinstance(geometry, DhTable):
+        return []
+    rows = list(zip(geometry.labels, geometry.rows, strict=True))
     sums: list[Prose] = []
     for drive in range(1, story.dof + 1):
-        moved = [(n, each) for n in range(1, story.dof + 1) for each in couplings_of(story, n)]
-        shares = [(number, each) for number, each in moved if each.joint == drive]
+        shares = [
+            (label, each) for label, row in rows for each in row.couplings if each.joint == drive
+        ]
         if shares:
-            own = _column(drive) if sign_and_offset(story, drive)[0] > 0 else minus(_column(drive))
-            parts = [_times(each, _column(number)) for number, each in shares]
+            sign, column = sign_and_offset(story, drive)[0], _column(str(drive))
+            own = column if sign > 0 else minus(column)
+            parts = [_times(each, _column(label)) for label, each in shares]
             sums.append(say("{}", equal(_of_drive(drive), add(own, *parts))))
-    return [paragraph(_COLUMNS, Symbol(r"\partial_i", "∂ᵢ"), joined(sums))] if sums else []
+    if not sums:
+        return []
+    passive = [label for label, row in rows if not row.sign]
+    beside = say(_PASSIVE_COLUMNS.format(many("row", passive))) if passive else say("")
+    return [paragraph(_COLUMNS, Symbol(r"\partial_i", "∂ᵢ"), beside, joined(sums))]
 
 
 def _there(story: Story, number: int) -> Formula:
@@ -105,8 +174,8 @@ def _slides(story: Story) -> list[bool]:
     return [number in story.algebra.slides for number in range(1, story.dof + 1)]
 
 
-def _column(number: int) -> Symbol:
-    return letter(r"\partial", "∂", str(number))
+def _column(label: str) -> Symbol:
+    return letter(r"\partial", "∂", label)
 
 
 def _of_drive(number: int) -> Symbol:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.sections.drives import columns_by_drives
+from dhgen.derivation.sections.tables import joints_of
 from dhgen.derivation.text.blocks import display, paragraph
 from dhgen.derivation.text.formula import Formula, Matrix, Symbol, equal, times
 from dhgen.derivation.text.lines import WIDTH, width
 from dhgen.derivation.text.words import many
-from dhgen.kinematics.chain import Slide, Turn
+from dhgen.kinematics.chain import Fixed, Passive, Slide, Turn
 from dhgen.kinematics.product import product
 from dhgen.kinematics.transform import compose, identity
 from dhgen.robot.robot import Convention, DhTable
@@ -85,6 +86,9 @@ def _columns(story: Story) -> list[Block]:
     text = "where {} and {} are columns 3 and 4 of {}, and {} is column 4 of {}."
     if reversed_:
         text += f" For {many('joint', reversed_)} it has the opposite sign, as the variable has."
+    last = story.algebra.chain.links[-1]
+    if own and any(isinstance(element, Passive) for element in last[1:]):
+        text += f" Those of joint {len(joints_of(story))} are of the frame before the passive rows."
     whole = Symbol(r"T_{\mathrm{base,tool}}", "T_base,tool")
     parts = (Symbol(z, zt), Symbol(o, ot), frame, _TOOL_ORIGIN, whole)
     return [display(both), paragraph(text, *parts)]
@@ -96,20 +100,26 @@ def _rows(algebra: Algebra) -> list[tuple[Polynomial, ...]]:
     elements: list[Element] = [e for link in chain.links for e in algebra.lifted(link)]
     base, tool = algebra.lift(chain.base), algebra.lift(chain.tool)
     whole = compose(compose(base, product(elements, algebra), algebra.normal), tool, algebra.normal)
-    columns: list[list[Polynomial]] = []
+    columns: list[list[Polynomial]] = [[algebra.ring.zero] * 6 for _ in chain.joints]
     for place, element in enumerate(elements):
-        if not isinstance(element, Turn | Slide):
+        if isinstance(element, Fixed):
             continue
-        sign = element.sign
         before = compose(base, product(elements[:place], algebra), algebra.normal)
-        axis = tuple(sign * entry for entry in before.column(2))
-        if isinstance(element, Slide):
-            columns.append([*axis, *([algebra.ring.zero] * 3)])
-        else:
-            moved = (sign * derivative(algebra, e, element.joint) for e in whole.translation)
-            columns.append([*moved, *axis])
+        turns = isinstance(element, Turn) or (isinstance(element, Passive) and element.turns)
+        for joint, count in _moved_by(element):
+            for row, entry in enumerate(before.column(2)):
+                columns[joint - 1][row + 3 * turns] += count * entry
+        if isinstance(element, Turn):  # of all that its angle moves
+            moved = (derivative(algebra, e, element.joint) for e in whole.translation)
+            columns[element.joint - 1][:3] = moved
+    columns = [[algebra.normal(entry) for entry in column] for column in columns]
     matrix = chain.drives.matrix.astype(int).tolist()
     return [_by_drives(algebra, row, matrix) for row in zip(*columns, strict=True)]
+
+
+def _moved_by(element: Turn | Slide | Passive) -> tuple[tuple[int, int], ...]:
+    """The joints whose angles or lengths an element follows, with what these count."""
+    return element.signed if isinstance(element, Passive) else ((element.joint, element.sign),)
 
 
 def _by_drives(

@@ -164,7 +164,7 @@ def _angles(story: Story) -> Iterator[tuple[Symbol, Expression]]:
     geometry = story.robot.geometry
     if not isinstance(geometry, DhTable):
         return
-    for number, row in enumerate(geometry.rows, start=1):
+    for label, row in zip(geometry.labels, geometry.rows, strict=True):
         if row.kind is JointKind.PRISMATIC:
-            yield letter(r"\theta", "θ", str(number)), row.theta
-        yield letter(r"\alpha", "α", str(number)), row.alpha
+            yield letter(r"\theta", "θ", label), row.theta
+        yield letter(r"\alpha", "α", label), row.alpha

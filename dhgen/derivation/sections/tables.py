@@ -52,8 +52,8 @@ def table_blocks(story: Story) -> list[Block]:
     limited = any(row.limits for row in geometry.rows)
     header = [say("joint"), *(say("{}", s) for s in _columns()), *([say("limits")] * limited)]
     rows = [
-        (*_cells(number, row), *([_limits(row, story)] * limited))
-        for number, row in enumerate(geometry.rows, start=1)
+        (*_cells(label, row), *([_limits(row, story)] * limited))
+        for label, row in zip(geometry.labels, geometry.rows, strict=True)
     ]
     standard = geometry.convention is Convention.STANDARD
     axes = (_BEFORE, _OWN) if standard else (_OWN, _AFTER)
@@ -90,7 +90,7 @@ def axes_blocks(story: Story) -> list[Block]:
     rows = []
     for place, joint in enumerate(joints, start=1):
         point = say("—") if joint.kind is JointKind.PRISMATIC else _triple(joint.point)
-        cells = [_joint(place, joint), say(joint.kind.value), _triple(joint.direction), point]
+        cells = [_joint(str(place), joint), say(joint.kind.value), _triple(joint.direction), point]
         rows.append((*cells, *([_limits(joint, story)] * limited)))
     q, z, a = Symbol("q_i", "qᵢ"), Symbol("z", "z"), Symbol("A_i", "Aᵢ")
     return [
@@ -105,19 +105,20 @@ def _columns() -> list[Symbol]:
     return [letter(r"\theta", "θ"), letter("d", "d"), letter("a", "a"), letter(r"\alpha", "α")]
 
 
-def _cells(number: int, row: DhRow) -> tuple[Prose, ...]:
+def _cells(label: str, row: DhRow) -> tuple[Prose, ...]:
+    number = int(label.rstrip("p"))
     theta_cell, d_cell = expression_symbol(row.theta), expression_symbol(row.d)
     if row.kind is JointKind.REVOLUTE:
         theta_cell = variable_symbol(number, row.sign, row.theta, row.couplings)
     else:
         d_cell = variable_symbol(number, row.sign, row.d, row.couplings)
     cells = (theta_cell, d_cell, expression_symbol(row.a), expression_symbol(row.alpha))
-    return (_joint(number, row), *(say("{}", cell) for cell in cells))
+    return (_joint(label, row), *(say("{}", cell) for cell in cells))
 
 
-def _joint(number: int, joint: DhRow | AxisJoint) -> Prose:
-    """A joint's number, and what the file calls it."""
-    return say(f"{number}: {{}}", Given(joint.name)) if joint.name else say(str(number))
+def _joint(label: str, joint: DhRow | AxisJoint) -> Prose:
+    """A joint's number, or the label of a passive row, and what the file calls it."""
+    return say(f"{label}: {{}}", Given(joint.name)) if joint.name else say(label)
 
 
 def _limits(joint: DhRow | AxisJoint, story: Story) -> Prose:

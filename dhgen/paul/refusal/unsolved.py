@@ -30,6 +30,7 @@ COUPLED = (
     "without coupled drives the general algorithm for six joints would solve the arm: leave the "
     "variables of other joints out, and convert drives in the program that calls the solver"
 )
+NUMERICAL = "--numerical would give the solutions that damped least squares finds from many starts"
 NEARLY_PARALLEL = math.radians(5.0)
 NEARLY_CONCURRENT = 0.15  # of the arm's size
 
@@ -43,7 +44,7 @@ def refusal(search: Search, chain: Chain) -> str:
         *_nearest(search, state),
         *missed_structure(chain),
         *([COUPLED] if is_general(chain) and chain.drives.are_coupled else []),
-        "--numerical would give the solutions that damped least squares finds from many starts",
+        *([] if chain.passive else [NUMERICAL]),
     ]
     return "\n".join(lines)
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from dhgen.kinematics.algebra import Algebra
-    from dhgen.kinematics.chain import Chain, ChainJoint
+    from dhgen.kinematics.chain import Chain, ChainJoint, Passive
     from dhgen.kinematics.drives import Share
     from dhgen.paul.knowledge import Cut
     from dhgen.program.building.builder import Builder
@@ -221,7 +221,8 @@ class JointVariables:
             return self._given(joint)
         value = builder.sub(inner, self._offset(joint))
         for share, other in zip(known.shares, others, strict=True):
-            value = builder.sub(value, builder.mul(factor_constant(builder, known, share), other))
+            factor = factor_constant(builder, str(joint), share)
+            value = builder.sub(value, builder.mul(factor, other))
         value = value if known.sign > 0 else builder.neg(value)
         as_it_is = wrapped and known.offset == 0.0 and not known.shares
         return (
@@ -240,17 +241,30 @@ def driven(builder: Builder, joint: ChainJoint, value: Callable[[int], Node]) ->
     own = value(joint.number)
     total = own if joint.sign > 0 else builder.neg(own)
     for share in joint.shares:
-        moved = builder.mul(factor_constant(builder, joint, share), value(share.drive))
-        total = builder.add(total, moved)
+        factor = factor_constant(builder, str(joint.number), share)
+        total = builder.add(total, builder.mul(factor, value(share.drive)))
     return builder.add(total, offset_constant(builder, joint))
 
 
-def factor_constant(builder: Builder, joint: ChainJoint, share: Share) -> Node:
-    """What a drive's value is multiplied by in another joint."""
+def followed(builder: Builder, passive: Passive, value: Callable[[int], Node]) -> Node:
+    """The angle or length of a passive row but for what is constant in its link."""
+    total = builder.integer(0)
+    for share in passive.shares:
+        factor = factor_constant(builder, passive.label, share)
+        total = builder.add(total, builder.mul(factor, value(share.drive)))
+    if not passive.offset:
+        return total
+    meaning = f"offset of the passive row {passive.label}" + " [rad]" * passive.turns
+    name, power = f"offset{passive.label}", int(not passive.turns)
+    return builder.add(total, builder.constant(name, passive.offset, meaning, power))
+
+
+def factor_constant(builder: Builder, label: str, share: Share) -> Node:
+    """What a drive's value is multiplied by in the row of another joint, or in a passive one."""
     if share.factor.is_integer():
         return builder.integer(int(share.factor))
-    meaning = f"{share.meaning}: what q{share.drive} counts in joint {joint.number}"
-    return builder.constant(f"factor{joint.number}{share.drive}", share.factor, meaning)
+    meaning = f"{share.meaning}: what q{share.drive} counts in joint {label}"
+    return builder.constant(f"factor{label}{share.drive}", share.factor, meaning)
 
 
 def offset_constant(builder: Builder, joint: ChainJoint) -> Node:

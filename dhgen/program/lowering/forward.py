@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.chain import Fixed, Slide, Turn
+from dhgen.kinematics.chain import Fixed, Passive, Slide, Turn
 from dhgen.program.building.builder import Builder
-from dhgen.program.lowering.angles import driven, factor_constant
+from dhgen.program.lowering.angles import driven, factor_constant, followed
 from dhgen.program.lowering.vectors import cross
 from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.role import Source
@@ -14,6 +14,7 @@ from dhgen.program.role import Source
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain, Element
     from dhgen.kinematics.constants import Polynomial
+    from dhgen.kinematics.drives import Share
     from dhgen.kinematics.transform import Transform
     from dhgen.program.building.graph import Node
     from dhgen.program.ir import Program
@@ -43,16 +44,19 @@ def jacobian_program(chain: Chain, reserved: Reserved = NOTHING) -> Program:
     walk.along_arm()
     builder = walk.builder
     tip = walk.columns[3]
-    columns: list[Vector] = []
-    for axis, origin in walk.axes:
+
+    def column(axis: Vector, origin: Vector | None) -> Vector:
         if origin is None:
-            columns.append([*axis, *(builder.integer(0) for _ in range(3))])
-        else:
-            arm = [builder.sub(p, o) for p, o in zip(tip, origin, strict=True)]
-            columns.append([*cross(builder, axis, arm), *axis])
+            return [*axis, *(builder.integer(0) for _ in range(3))]
+        arm = [builder.sub(p, o) for p, o in zip(tip, origin, strict=True)]
+        return [*cross(builder, axis, arm), *axis]
+
+    columns = _by_drives(builder, chain, [column(*axis) for axis in walk.axes])
+    for passive, axis in zip(chain.passive, walk.passive_axes, strict=True):
+        _add_shares(builder, columns, passive.label, passive.shares, column(*axis))
     results = {
         f"J{row + 1}{column + 1}": entry
-        for row, entries in enumerate(zip(*_by_drives(builder, chain, columns), strict=True))
+        for row, entries in enumerate(zip(*columns, strict=True))
         for column, entry in enumerate(entries)
     }
     return builder.finish_entries(chain.name, results)
@@ -63,13 +67,20 @@ def _by_drives(builder: Builder, chain: Chain, columns: list[Vector]) -> list[Ve
     found = list(columns)
     for joint, column in zip(chain.joints, columns, strict=True):
         own = column if joint.sign > 0 else [builder.neg(entry) for entry in column]
-        for share in joint.shares:
-            factor = factor_constant(builder, joint, share)
-            found[share.drive - 1] = [
-                builder.add(entry, builder.mul(factor, more))
-                for entry, more in zip(found[share.drive - 1], own, strict=True)
-            ]
+        _add_shares(builder, found, str(joint.number), joint.shares, own)
     return found
+
+
+def _add_shares(
+    builder: Builder, columns: list[Vector], label: str, shares: tuple[Share, ...], own: Vector
+) -> None:
+    """Adds to the columns of drives what they have of one that they move, too."""
+    for share in shares:
+        factor = factor_constant(builder, label, share)
+        columns[share.drive - 1] = [
+            builder.add(entry, builder.mul(factor, more))
+            for entry, more in zip(columns[share.drive - 1], own, strict=True)
+        ]
 
 
 class Walk:
@@ -79,6 +90,7 @@ class Walk:
         builder: Where values go.
         columns: x, y, z and origin of the frame reached.
         axes: For every joint met its axis, and a point on it (None for prismatic joints).
+        passive_axes: Of every passive row met the same.
         joints: For every joint met the columns of the frame whose z it turns about or slides along.
         frames: The columns of the base frame and of the frame after every link.
     """
@@ -93,6 +105,7 @@ class Walk:
             [one if row == column else zero for row in range(3)] for column in range(4)
         ]
         self.axes: list[tuple[Vector, Vector | None]] = []
+        self.passive_axes: list[tuple[Vector, Vector | None]] = []
         self.joints: list[list[Vector]] = []
         self.frames: list[list[Vector]] = []
 
@@ -114,20 +127,25 @@ class Walk:
                 self.builder.hint(entry, f"{letter}{number}_{component}")
 
     def _element(self, element: Element) -> None:
-        if not isinstance(element, Fixed):
+        if isinstance(element, Turn | Slide):
             self.joints.append(list(self.columns))
         match element:
             case Fixed(transform):
                 self._fixed(transform)
             case Turn(joint):
                 self.axes.append((self._facing(joint), list(self.columns[3])))
-                angle = self._inner(joint)
-                cosine = self.builder.name(self.builder.apply("cos", angle), f"c{joint}")
-                sine = self.builder.name(self.builder.apply("sin", angle), f"s{joint}")
-                self._turn(cosine, sine)
+                self._turn(self._inner(joint), str(joint))
             case Slide(joint):
                 self.axes.append((self._facing(joint), None))
                 self.columns[3] = self._moved(self.columns[2], self._inner(joint))
+            case Passive():
+                point = list(self.columns[3]) if element.turns else None
+                self.passive_axes.append((list(self.columns[2]), point))
+                value = followed(self.builder, element, self.builder.joint)
+                if element.turns:
+                    self._turn(value, element.label)
+                else:
+                    self.columns[3] = self._moved(self.columns[2], value)
 
     def _facing(self, joint: int) -> Vector:
         """The axis along which the joint's value counts: -z where its sign is -1."""
@@ -139,8 +157,10 @@ class Walk:
     def _inner(self, joint: int) -> Node:
         return driven(self.builder, self._chain.joints[joint - 1], self.builder.joint)
 
-    def _turn(self, cosine: Node, sine: Node) -> None:
+    def _turn(self, angle: Node, label: str) -> None:
         builder = self.builder
+        cosine = builder.name(builder.apply("cos", angle), f"c{label}")
+        sine = builder.name(builder.apply("sin", angle), f"s{label}")
         x, y = self.columns[0], self.columns[1]
         pairs = list(zip(x, y, strict=True))
         self.columns[0] = [

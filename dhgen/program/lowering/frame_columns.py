@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.chain import Fixed, Slide, Turn, parallel_groups
+from dhgen.kinematics.chain import Fixed, Passive, Slide, Turn, parallel_groups
 from dhgen.kinematics.product import product, reversed_elements
 from dhgen.kinematics.ring import by_powers, used_places
 from dhgen.kinematics.transform import Transform, dot, inverse
@@ -71,7 +71,7 @@ class Columns:
         """A column from before a stretch."""
         if isinstance(stretch, Transform):
             return self._named(self._moved(stretch, column), column)
-        if sum(isinstance(element, Turn) for element in stretch) > 1:
+        if sum(isinstance(element, Turn | Passive) for element in stretch) > 1:
             return self._moved(product(stretch, self._algebra), column)
         for element in reversed(stretch):
             column = self._before(element, column)
@@ -79,6 +79,8 @@ class Columns:
 
     def _before(self, element: Element, column: Column) -> Column:
         match element:
+            case Passive():
+                return self._moved(product((element,), self._algebra), column)
             case Fixed(transform):
                 return self._moved(transform, column)
             case Turn(joint, sign):

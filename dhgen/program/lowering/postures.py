@@ -127,7 +127,8 @@ class Solutions:
     Attributes:
         arm: The arm.
         q: Joint values (poses, rows, n), NaN where there is no solution.
-        directions: Of the axes in the caller's frame, (poses, rows, n, 3).
+        directions: Of the axes in the caller's frame, (poses, rows, n, 3); behind them are those of
+            passive rows.
         points: A point of each axis, of the same shape.
         tool: The tool's origin, (poses, rows, 3).
     """
@@ -195,7 +196,7 @@ def _solutions(program: Program, derivation: Derivation) -> Solutions:
 
 
 def _drawn(arm: NumericArm, q: FloatArray) -> Solutions:
-    return Solutions(arm, q, *arm.axes(q), arm.pose(q)[..., :3, 3])
+    return Solutions(arm, q, *arm.all_axes(q), arm.pose(q)[..., :3, 3])
 
 
 # ------------------------------------------------------------------------------- what is seen
@@ -250,6 +251,9 @@ def _bends(found: Solutions, shoulder: int, elbow: int) -> bool:
 
 def _end_of_forearm(found: Solutions, elbow: int) -> FloatArray:
     """The next axis where that is parallel, else the wrist's centre, else the tool."""
+    passive = found.arm.passive_behind(elbow)
+    if passive is not None and found.parallel(elbow, passive):
+        return found.point(passive)
     after = found.next_turning(elbow, 1)
     if not found.turns(after):
         return found.tool

@@ -23,7 +23,7 @@ class Links:
     """An arm as its robot file has it.
 
     Attributes:
-        types: R or P for every joint.
+        types: R or P for every row.
         table: Of each joint at q = 0 theta, d, a, alpha; of an axis the unit vector along it, and a
             point of it.
         convention: What rows are: `standard`, `modified` or `axes`.
@@ -50,7 +50,7 @@ def frames_of(**of_links: Any) -> Callable[[Any], Floats]:  # noqa: ANN401
     turns = np.array([kind == "R" for kind in links.types])
 
     def frames(q: Any) -> Floats:  # noqa: ANN401
-        """The frames of the base, of every link and of the tool, (dof + 2, 4, 4).
+        """The frames of the base, of every row's link and of the tool, (rows + 2, 4, 4).
 
         Those of the links are the table's own; of an arm that is given by axes they are at the
         points of the axes, parallel to the base's frame at q = 0.

@@ -5,6 +5,8 @@ nothing with dhgen.kinematics, so that a mistake there cannot hide behind the sa
 Every joint is a twist, pure rotation or pure translation, whichever way the robot was given:
 
     T_base_tool = B_1 exp(xi_1 q_1) B_2 exp(xi_2 q_2) ... B_n exp(xi_n q_n) E
+
+So are passive rows, whose values are made of those of drives alone.
 """
 
 from __future__ import annotations
@@ -33,36 +35,43 @@ ORIGIN = (0.0, 0.0, 0.0)
 
 @dataclass(frozen=True, slots=True)
 class Arm:
-    """A robot as numbers.
+    """A robot as numbers, of m rows and n drives; without passive rows these are as many.
 
     Attributes:
-        before: (n, 4, 4), the constant transform in front of each joint.
-        twist: (n, 4, 4), each joint's twist as a matrix; its square is zero when prismatic.
-        end: (4, 4), the constant transform after the last joint.
-        revolute: (n,), which joints turn.
-        shares: (n, n), what each joint's value is made of where others' have a share in it.
+        before: (m, 4, 4), the constant transform in front of each row.
+        twist: (m, 4, 4), each row's twist as a matrix; its square is zero when prismatic.
+        end: (4, 4), the constant transform after the last row.
+        turns: (m,), which rows turn.
+        revolute: (n,), which drives do.
+        shares: (m, n), what each row's value is made of.
     """
 
     before: FloatArray
     twist: FloatArray
     end: FloatArray
+    turns: NDArray[np.bool_]
     revolute: NDArray[np.bool_]
     shares: FloatArray
 
     @property
     def is_coupled(self) -> bool:
-        """Whether drives have shares in joints other than their own."""
+        """Whether drives have shares in rows other than their own."""
         return not np.array_equal(self.shares, np.eye(len(self.shares)))
+
+    @property
+    def has_passive(self) -> bool:
+        """Whether rows have no drive of their own."""
+        return len(self.turns) > len(self.revolute)
 
     def divided_by(self, length: float) -> Arm:
         """The same arm with all lengths, also those of prismatic q, divided by a length."""
         before, twist, end = self.before.copy(), self.twist.copy(), self.end.copy()
         before[:, :3, 3] /= length
-        twist[self.revolute, :3, 3] /= length
+        twist[self.turns, :3, 3] /= length
         end[:3, 3] /= length
-        unit = np.where(self.revolute, 1.0, length)
-        shares = self.shares * unit / unit[:, None]
-        return Arm(before, twist, end, self.revolute, shares)
+        units, of_rows = (np.where(each, 1.0, length) for each in (self.revolute, self.turns))
+        shares = self.shares * units / of_rows[:, None]
+        return Arm(before, twist, end, self.turns, self.revolute, shares)
 
 
 def arm(robot: Robot) -> Arm:
@@ -74,17 +83,28 @@ def arm(robot: Robot) -> Arm:
     else:
         before, twist, end = _from_axes(geometry, values)
     before[0] = _frame(robot.base, values) @ before[0]
+    rows = geometry.rows if isinstance(geometry, DhTable) else geometry.axes
+    turns = np.array([row.kind is JointKind.REVOLUTE for row in rows])
     revolute = np.array([joint.kind is JointKind.REVOLUTE for joint in robot.joints])
-    return Arm(before, twist, end @ _frame(robot.tool, values), revolute, _shares(robot))
+    return Arm(before, twist, end @ _frame(robot.tool, values), turns, revolute, _shares(robot))
 
 
 def _shares(robot: Robot) -> FloatArray:
-    """The identity, and beside it what drives add to joints other than their own."""
-    shares = np.eye(len(robot.joints))
-    rows = robot.geometry.rows if isinstance(robot.geometry, DhTable) else ()
+    """One for every row with a drive, and beside it what drives add to other rows than their own.
+
+    Times the row's sign, which is in its twist.
+    """
+    if not isinstance(robot.geometry, DhTable):
+        return np.eye(len(robot.joints))
+    rows = robot.geometry.rows
+    shares = np.zeros((len(rows), len(robot.joints)))
+    drive = 0
     for place, row in enumerate(rows):
+        if row.sign:
+            shares[place, drive] = 1.0
+            drive += 1
         for coupling in row.couplings:
-            shares[place, coupling.joint - 1] = row.sign * coupling.value
+            shares[place, coupling.joint - 1] = (row.sign or 1) * coupling.value
     return shares
 
 
@@ -97,7 +117,7 @@ def arm_size(robot: Robot) -> float:
     """How large an arm is [the file's unit]: its lengths and strokes added up, 1 without any."""
     model = arm(robot)
     lengths = np.linalg.norm(model.before[1:, :3, 3], axis=1).sum()
-    points = np.linalg.norm(model.twist[model.revolute, :3, 3], axis=1).sum()
+    points = np.linalg.norm(model.twist[model.turns, :3, 3], axis=1).sum()
     strokes = sum(
         max(map(abs, joint.limits))
         for joint in robot.joints
@@ -119,7 +139,7 @@ def _from_table(
         else:
             before[i] = end @ along_x
             end = along_z
-        twist[i] = row.sign * _twist(row.kind, Z_AXIS, ORIGIN)
+        twist[i] = (row.sign or 1) * _twist(row.kind, Z_AXIS, ORIGIN)
     return before, twist, end
 
 

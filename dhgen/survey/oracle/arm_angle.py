@@ -82,7 +82,8 @@ def elbow_in_link(robot: Robot) -> Arm:
     end = np.eye(4)
     first = slice(ELBOW)
     own = np.eye(ELBOW)
-    upper = Arm(model.before[first], model.twist[first], end, model.revolute[first], own)
+    turns = model.turns[first]
+    upper = Arm(model.before[first], model.twist[first], end, turns, turns, own)
     place = np.append(_places(model, none).elbow, 1.0)
     end[:3, 3] = np.linalg.solve(forward(upper, none[:ELBOW]), place)[:3]
     return upper

@@ -21,14 +21,14 @@ if TYPE_CHECKING:
 
 
 def motions(model: Arm, q: ArrayLike) -> AnyArray:
-    """The joints' own transforms exp(xi x), shape (..., n, 4, 4), for q of shape (..., n).
+    """The rows' own transforms exp(xi x), shape (..., m, 4, 4), for q of shape (..., n).
 
-    x is q but for joints in which other drives have a share.
+    x is q but for rows in which other drives have a share.
     """
     q = np.asarray(q) @ model.shares.T if model.is_coupled else np.asarray(q)
-    first = np.where(model.revolute, np.sin(q), q)[..., None, None]
+    first = np.where(model.turns, np.sin(q), q)[..., None, None]
     # 2 sin^2(q/2) is 1 - cos q without its cancellation near zero
-    second = np.where(model.revolute, 2 * np.sin(q / 2) ** 2, 0)[..., None, None]
+    second = np.where(model.turns, 2 * np.sin(q / 2) ** 2, 0)[..., None, None]
     return np.eye(4) + first * model.twist + second * (model.twist @ model.twist)
 
 

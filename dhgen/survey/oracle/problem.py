@@ -99,8 +99,9 @@ def state(robot: Robot, T: FloatArray, q_free: Sequence[float]) -> Problem:
     target[:, 3] /= unit_length
     entries = task_entries(robot.task)
     moving = np.setdiff1d(np.arange(len(q)), free)
-    # joints are solved for one by one, whatever drives have shares in them
-    scaled = replace(model, shares=np.eye(len(q))).divided_by(unit_length)
+    # joints are solved for one by one, whatever drives have shares in them; passive rows are none
+    one_by_one = model if model.has_passive else replace(model, shares=np.eye(len(q)))
+    scaled = one_by_one.divided_by(unit_length)
     return Problem(
         model=scaled,
         unit_length=unit_length,
@@ -109,7 +110,7 @@ def state(robot: Robot, T: FloatArray, q_free: Sequence[float]) -> Problem:
         moving=moving,
         q=q,
         tables=_link_tables(scaled),
-        drives=np.linalg.inv(model.shares) if model.is_coupled else None,
+        drives=np.linalg.inv(model.shares) if model.is_coupled and not model.has_passive else None,
         elbow=elbow,
     )
 

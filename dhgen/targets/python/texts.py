@@ -181,8 +181,9 @@ def _frames(module: SolverModule) -> list[str]:
     named: dict[str, object] = {"drives": table.drives} if table.drives else {}
     named |= {"base": table.base} if table.base != IDENTITY else {}
     named |= {"tool": table.tool} if table.tool != IDENTITY else {}
+    types = "JOINT_TYPES" if table.types == module.chain.joint_types else f'"{table.types}"'
     return [
-        f"{INDENT}types=JOINT_TYPES,",
+        f"{INDENT}types={types},",
         f"{INDENT}table={_table_name(module)},",
         f'{INDENT}convention="{table.convention}",',
         *(f"{INDENT}{name}={literal(value, {}, INDENT)}," for name, value in named.items()),

@@ -48,7 +48,7 @@ def module_of(module: SolverModule) -> Module:
         dof=dof,
         rows=module.solver.rows,
         jacobian_size=6 * dof,
-        frames=dof + 2,
+        frames=len(module.links.rows) + 2,
         joint_types=module.chain.joint_types,
         has_turns=any(module.chain.turning),
         method=module.method,

@@ -1,0 +1,92 @@
+/* kuka_kr40pa_level: KUKA KR 40 PA palletizer, whose rods keep the tool level
+ *
+ * Inverse kinematics, generated from robots/kuka_kr40pa_level.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/kuka_kr40pa_level.yaml. The formulas and where they come from:
+ * kuka_kr40pa_level.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, x = T[0, 3] and y = T[1, 3] and z = T[2, 3] and the yaw atan2(T[1, 0], T[0, 0]) counts;
+ * other entries are ignored.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: e6b64dc6e30913b8
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef KUKA_KR40PA_LEVEL_H
+#define KUKA_KR40PA_LEVEL_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define KUKA_KR40PA_LEVEL_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define KUKA_KR40PA_LEVEL_JOINT_TYPES "RRRR"
+#define KUKA_KR40PA_LEVEL_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
+#define KUKA_KR40PA_LEVEL_JOINT_LIMITS \
+    { -2.705260340591211, 2.705260340591211 }, { -2.0943951023931953, -0.2617993877991494 }, \
+    { 0.2617993877991494, 2.530727415391778 }, { -6.1086523819801535, 6.1086523819801535 }
+
+enum {
+    KUKA_KR40PA_LEVEL_DOF = 4, /* joints */
+    KUKA_KR40PA_LEVEL_ROWS = 4 /* branches */
+};
+
+/* What a row of kuka_kr40pa_level_ik holds. */
+enum {
+    /* joint values */
+    KUKA_KR40PA_LEVEL_OK = 0,
+    /* NaN: no solution in this branch, or one that an earlier row holds */
+    KUKA_KR40PA_LEVEL_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
+    KUKA_KR40PA_LEVEL_FREE_JOINT = 2,
+    /* joint values, at least one beyond its limits */
+    KUKA_KR40PA_LEVEL_OUT_OF_LIMITS = 3,
+    /* NaN: T is not a valid pose */
+    KUKA_KR40PA_LEVEL_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const kuka_kr40pa_level_branches[4];
+
+/* The pose T of the joint values q. */
+void kuka_kr40pa_level_fk(const double q[4], double T[16]);
+
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void kuka_kr40pa_level_frames(const double q[4], double frames[7][16]);
+
+/* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void kuka_kr40pa_level_jacobian(const double q[4], double J[24]);
+
+/* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
+ * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
+ * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
+ * the twist, lengths in arm sizes. */
+void kuka_kr40pa_level_joint_velocities(const double q[4], const double twist[6], double
+    velocities[4]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -KUKA_KR40PA_LEVEL_INVALID_POSE, also for a seed that is not finite where it may be needed. */
+int kuka_kr40pa_level_ik(
+    const double T[16], const double *q_seed, double q[4][4], unsigned char status[4]);
+
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
+ * q_seed. Returns KUKA_KR40PA_LEVEL_OK or KUKA_KR40PA_LEVEL_FREE_JOINT, or, with NaN in q, minus
+ * KUKA_KR40PA_LEVEL_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that
+ * is not finite. */
+int kuka_kr40pa_level_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
+
+/* kuka_kr40pa_level_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 4 x 4, status n x 4. */
+void kuka_kr40pa_level_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
