@@ -11,6 +11,9 @@ from typing import TYPE_CHECKING
 
 from dhgen.compiler import compile_loaded, source_name
 from dhgen.derivation.figures.figure import FOLDER
+from dhgen.descriptions.files import ENDINGS as DESCRIPTIONS
+from dhgen.descriptions.files import is_description
+from dhgen.descriptions.write import identifier
 from dhgen.errors import DhgenError, about
 from dhgen.generated_header import SUFFIXES, is_generated, source_folder
 from dhgen.printing.comments import plain_path
@@ -136,7 +139,7 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
     """
     folders = {led_to(path).parent for path in files}
     told = {_folder_of(plain_path(source_name(path, out))) for path in files}
-    around = (each for folder in folders for end in ENDINGS for each in folder.glob(f"*{end}"))
+    around = (each for folder in folders for each in _robots_in(folder))
     neighbours = _stems([*files, *around])
     known = _stems(makers)
     if not makers or not out.is_dir():
@@ -149,6 +152,13 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
         and source_folder(out / name) in {None, *told}
     )
     return own + _extra_of_the_runtime(out, expected)
+
+
+def _robots_in(folder: Path) -> Iterable[Path]:
+    """Robot files, and robot descriptions, of which MJCF files are called .xml."""
+    for end in (*ENDINGS, *DESCRIPTIONS):
+        yield from folder.glob(f"*{end}")
+    yield from filter(is_description, folder.glob("*.xml"))
 
 
 def _in_the_folder(out: Path) -> Iterable[tuple[str, str]]:
@@ -185,10 +195,13 @@ def _stems(files: Iterable[Path]) -> set[str]:
 
 
 def _robot_name(path: Path) -> str:
-    """The name that a robot file gives itself, or that of the file."""
+    """The name that a robot file gives itself, or an import a robot's; else that of the file."""
     try:
         text = path.read_text(encoding="utf-8", errors="replace")
     except OSError:  # it is refused for that
         return path.stem
+    if is_description(path):
+        named = re.search(r"<(?:robot|mujoco)\b[^>]*?\b(?:name|model)\s*=\s*[\"']([^\"']+)", text)
+        return identifier(named.group(1) if named else path.stem)
     found = re.search(r"^name:\s*(\w+)", text, re.MULTILINE)
     return found.group(1) if found else path.stem

@@ -229,7 +229,8 @@ def import_description(options: argparse.Namespace) -> int:
     imported = import_file(options.file, wishes, outside)
     for note in imported.notes:
         print(f"note: {note}", file=sys.stderr)
-    out = _write_robot_file(imported.robot.name, imported.text, options.out)
+    read = (options.file,)
+    out = _write_robot_file(imported.robot.name, imported.text, options.out, read)
     if out is None:
         return 0
     chain, off = imported.chain, imported.difference
@@ -254,7 +255,8 @@ def calibrate(options: argparse.Namespace) -> int:
     made = calibrated_by(nominal, read_calibration(options.calibration), as_axes=options.axes)
     for note in made.notes:
         print(f"note: {note}", file=sys.stderr)
-    out = _write_robot_file(made.robot.name, made.text, options.out)
+    read = (options.file, options.calibration)
+    out = _write_robot_file(made.robot.name, made.text, options.out, read)
     if out is not None:
         moved = f"{made.moved.moved:.2g} {nominal.length_unit} and {made.moved.turned:.2g} rad"
         print(f"{made.robot.name}: the tool is up to {moved} away from that of {nominal.name}")
@@ -262,8 +264,20 @@ def calibrate(options: argparse.Namespace) -> int:
     return 0
 
 
-def _write_robot_file(name: str, text: str, wished: Path | None) -> Path | None:
-    """Writes a robot file, not over another one unless that is wished; None in the terminal."""
+def _write_robot_file(
+    name: str, text: str, wished: Path | None, read: Sequence[Path]
+) -> Path | None:
+    """Writes a robot file, and says so where it takes the place of another one.
+
+    Args:
+        name: The robot's, which names the file where nobody wishes another name.
+        text: What to write.
+        wished: Where to write; what is there is written over. A dash is the terminal.
+        read: The files that this one is made of, which are not written over.
+
+    Returns:
+        Where it was written; None for the terminal.
+    """
     from dhgen.atomic_write import replace_files  # noqa: PLC0415
 
     if wished == Path("-"):
@@ -274,7 +288,11 @@ def _write_robot_file(name: str, text: str, wished: Path | None) -> Path | None:
     if out.exists() and wished is None and out.read_text("utf-8") != text:
         message = f"dhgen: {out} is there already: write over it with --out {quote(str(out))}"
         raise CommandError(f"{message}, or name another file")
+    if out.exists() and any(each.exists() and out.samefile(each) for each in read):
+        raise CommandError(f"dhgen: {out} is what was read: write to another file")
     _refuse_occupied([out])
+    if out.exists() and out.read_bytes() != text.encode():
+        print(f"note: {out} was there and is written over", file=sys.stderr)
     replace_files(out.parent, {out.name: text.encode()})
     return out
 

@@ -2,7 +2,7 @@
 
 kinematics:                                   deltas:
   shoulder: {x: 0, y: 0, z: 0.1625,             - {theta: 1e-4, d: 0, a: 2e-5, alpha: -3e-4}
-             roll: 0, pitch: 0, yaw: 0}         - {theta: 0, a: 1e-5, alpha: 2e-4, beta: 1e-4}
+             roll: 0, pitch: 0, yaw: 0}         - {theta: 0.01 deg, alpha: 2e-4, beta: 1e-4}
 """
 
 from __future__ import annotations
@@ -14,10 +14,12 @@ from typing import TYPE_CHECKING
 from ruamel.yaml.nodes import MappingNode, ScalarNode, SequenceNode
 
 from dhgen.errors import Diagnostic, RobotFileError
-from dhgen.robot.arithmetic import nearest
+from dhgen.robot.arithmetic import nearest, parse
+from dhgen.robot.expression import DEGREE, evaluate, parts
 from dhgen.robot.nodes import span_of
 from dhgen.robot.reader import MAX_BYTES, read_document
 from dhgen.robot.source import SourceText, quoted
+from dhgen.robot.tokens import CellError
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
 ORIGINS, DELTAS = "kinematics", "deltas"
 PLACES = ("x", "y", "z", "roll", "pitch", "yaw")
 CELLS = ("theta", "d", "a", "alpha", "beta")
+ANGLES = frozenset({"roll", "pitch", "yaw", "theta", "alpha", "beta"})
 OTHERS = ("hash",)  # beside the origins
 # Universal Robots' names of the links whose origins these are, from base to tool.
 LINKS = ("shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3")
@@ -140,16 +143,24 @@ class _Reader:
         missing = [name for name in needed if name not in pairs]
         if missing:
             self._complain(node, f"{', '.join(missing)} missing")
-        return tuple(self._number(pairs[name][1]) if name in pairs else 0.0 for name in names)
+        return tuple(
+            self._number(pairs[name][1], is_angle=name in ANGLES) if name in pairs else 0.0
+            for name in names
+        )
 
-    def _number(self, node: Node) -> float:
-        try:
-            value = float(str(node.value)) if isinstance(node, ScalarNode) else math.nan
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
+    def _number(self, node: Node, *, is_angle: bool) -> float:
+        """A cell's value, as robot files have them: arithmetic, angles in rad or with deg."""
+        if not isinstance(node, ScalarNode):
             self._complain(node, "expected a number")
-        return value
+            return math.nan
+        try:
+            expression = parse(str(node.value), {})
+        except CellError as error:
+            self._complain(node, f"expected a number: {error.message}")
+            return math.nan
+        if not is_angle and DEGREE in parts(expression):
+            self._complain(node, "is an angle, but a length belongs here: leave out deg")
+        return evaluate(expression, {})
 
     def _complain(self, node: Node, message: str) -> None:
         self._mistakes.append(self._document.source.point(span_of(node), message))

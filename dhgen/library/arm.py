@@ -6,9 +6,7 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
-
-import numpy as np
+from typing import TYPE_CHECKING, Literal
 
 from dhgen.errors import DhgenError, VerificationError, about
 from dhgen.library.documents import (
@@ -21,7 +19,9 @@ from dhgen.library.documents import (
     table_rows,
 )
 from dhgen.library.progress import say_nothing, tell_who_waits
+from dhgen.library.wording import note_for_python
 from dhgen.robot.robot import JointKind
+from dhgen.runtime.python.arguments import numbers
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -87,9 +87,9 @@ class Arm:
         return tuple(joint.limits or _ENDLESS for joint in self.file.robot.joints)
 
     @property
-    def free(self) -> tuple[int, ...]:
-        """The joints, from 1, whose values the caller gives."""
-        return self.file.robot.free
+    def free(self) -> tuple[int, ...] | Literal["arm_angle"]:
+        """The joints, from 1, whose values the caller gives; or "arm_angle", as `load` takes it."""
+        return "arm_angle" if self.file.robot.arm_angle else self.file.robot.free
 
     def fk(self, q: ArrayLike) -> FloatArray:
         """The pose of the tool, (4, 4), of joint values (n,); or a stack of both."""
@@ -98,6 +98,14 @@ class Arm:
     def jacobian(self, q: ArrayLike) -> FloatArray:
         """The geometric Jacobian (6, n): velocity of the tool's origin, then angular velocity."""
         return self._model.jacobian(self._joint_values(q))
+
+    def frames(self, q: ArrayLike) -> FloatArray:
+        """Where the base, the link of every row and the tool are, (n + 2, 4, 4), or a stack.
+
+        Those of the links are the table's own, with a further one for each passive row; of an arm
+        given by axes they are at the axes' points, parallel to the base's frame at q = 0.
+        """
+        return self._frames(self._joint_values(q))
 
     def derivation(self) -> Document:
         """The derivation of the inverse kinematics, in Markdown, with its figures.
@@ -170,6 +178,21 @@ class Arm:
         return numeric_arm(build_chain(self.file.robot))
 
     @cached_property
+    def _frames(self) -> Callable[[FloatArray], FloatArray]:
+        from dhgen.kinematics.link_table import link_table  # noqa: PLC0415
+        from dhgen.runtime.python.frames import frames_of  # noqa: PLC0415
+
+        table = link_table(self.file.robot)
+        return frames_of(
+            types=table.types,
+            table=table.rows,
+            convention=table.convention,
+            drives=table.drives,
+            base=table.base,
+            tool=table.tool,
+        )
+
+    @cached_property
     def _compilation(self) -> Compilation:
         from dhgen.compiler import compile_loaded  # noqa: PLC0415
 
@@ -180,12 +203,15 @@ class Arm:
         except DhgenError as error:
             for note in self.notes:
                 error.add_note(f"note: {note}")
+            note_for_python(error, repr(self.label) if str(path) == self.label else "...")
             raise
 
     def _joint_values(self, q: ArrayLike) -> FloatArray:
-        values = np.asarray(q, np.float64)
+        values = numbers(q, (self.dof,), "q")
         if values.shape[-1:] != (self.dof,):
-            raise ValueError(f"q must hold {self.dof} joint values")
+            n = self.dof
+            wanted = f"q must hold {n} joint values, with shape ({n},) or (..., {n})"
+            raise ValueError(f"{wanted}, not {values.shape}")
         return values
 
     def __reduce__(self) -> tuple[type[Arm], tuple[RobotFile, str]]:

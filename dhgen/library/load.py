@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from numbers import Real
 from operator import index
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -11,9 +12,11 @@ from dhgen.descriptions.convert import Wishes
 from dhgen.descriptions.expand import Outside
 from dhgen.descriptions.files import is_description
 from dhgen.descriptions.snap import MOST
-from dhgen.errors import CommandError
+from dhgen.errors import CommandError, RobotFileError
 from dhgen.library.arm import Arm
+from dhgen.library.wording import note_for_python
 from dhgen.robot.mapping import load_mapping
+from dhgen.robot.source import quoted
 from dhgen.robot.task import ARM_ANGLE
 from dhgen.robot_files import RobotFile
 
@@ -68,7 +71,11 @@ def load(  # noqa: PLR0913 - the options of `dhgen import`
         wishes = Wishes(base, tip, _tolerance(snap), as_axes=axes, free=_joints(free))
         packages = {name: Path(folder) for name, folder in (package or {}).items()}
         arguments = {name: _argument(value) for name, value in (arg or {}).items()}
-        file, label = RobotFile.read(path, wishes, Outside(packages, arguments)), str(path)
+        try:
+            file, label = RobotFile.read(path, wishes, Outside(packages, arguments)), str(path)
+        except RobotFileError as error:
+            note_for_python(error, repr(str(source)))
+            raise
     return Arm(file.with_numerical() if numerical else file, label)
 
 
@@ -81,7 +88,12 @@ def _of_mapping(mapping: Mapping[str, Any]) -> tuple[RobotFile, str]:
 def _path(source: str | os.PathLike[str]) -> Path:
     if isinstance(source, str) and source.lstrip().startswith("<"):
         raise CommandError("load takes a path, not the text of a description: write that to a file")
-    return Path(source)
+    try:
+        return Path(source)
+    except TypeError:
+        what = f"{type(source).__name__} {quoted(repr(source))}"
+        message = f"load takes a path, or a dict with keys of a robot file, not {what}"
+        raise CommandError(message) from None
 
 
 def _joints(free: Sequence[int] | str | None) -> tuple[int, ...] | str | None:
@@ -95,9 +107,9 @@ def _joints(free: Sequence[int] | str | None) -> tuple[int, ...] | str | None:
 
 
 def _tolerance(snap: float | None) -> float | None:
-    if snap is not None and not 0.0 <= snap <= MOST:
+    if snap is not None and not (isinstance(snap, Real) and 0.0 <= float(snap) <= MOST):
         raise CommandError(f"snap must be a number from 0 to {MOST:g}, not {snap!r}")
-    return snap
+    return None if snap is None else float(snap)
 
 
 def _demand_none(options: list[str], source: str) -> None:

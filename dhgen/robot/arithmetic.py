@@ -22,7 +22,14 @@ from dhgen.robot.expression import (
     evaluate,
 )
 from dhgen.robot.source import Span, quoted
-from dhgen.robot.tokens import ALLOWED, CellError, UnknownNameError, check_tokens, multiply_degrees
+from dhgen.robot.tokens import (
+    ALLOWED,
+    CellError,
+    UnknownNameError,
+    check_tokens,
+    multiply_degrees,
+    no_unit,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -79,6 +86,8 @@ def parse(text: str, values: Mapping[str, float]) -> Expression:
     try:
         tree = ast.parse(multiply_degrees(body), mode="eval")
     except SyntaxError as error:
+        if (unit := no_unit(text, values)) is not None:
+            raise unit from None
         # Python gives 0 for the end of the text.
         end = len(text.rstrip(" ")) - 1
         column = min(error.offset - 1 + shift, end) if error.offset else end
@@ -142,7 +151,9 @@ class _Parser:
         if name == "q":
             raise self._error(node, "the variable q is only allowed in theta or d of a joint")
         known = (each for each in self.values if not _NUMBERED.fullmatch(each))
-        valid = (*known, "pi", "deg", *FUNCTIONS)
+        others = [each for each in self.values if _NUMBERED.fullmatch(each)]
+        shown = [f"{others[0]} to {others[-1]}"] if len(others) > 3 else others
+        valid = (*known, *shown, "pi", "deg", *FUNCTIONS)
         end = nearest(name, valid)
         if "q" in self.values and _VARIABLE.fullmatch(name):
             end = self._variable(name)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import bisect
 import json
+import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -99,7 +100,8 @@ class _Writer:
             self._mistake(path[:1], f"nested more than {MAX_DEPTH} deep")
         elif isinstance(plain, Mapping):
             self._write("{")
-            for count, (key, each) in enumerate(plain.items()):
+            told = {key: each for key, each in plain.items() if not _is_endless(key, each)}
+            for count, (key, each) in enumerate(told.items()):
                 self._write(", " if count else "")
                 self._at((*path, key))
                 self._write(f"{self._key(key, path)}: ")
@@ -153,6 +155,12 @@ def _plain(value: object) -> object:
         return str(value)
     inner = value.tolist() if hasattr(value, "tolist") else value
     return list(inner) if isinstance(inner, tuple) else inner
+
+
+def _is_endless(key: object, value: object) -> bool:
+    """Whether a joint's limits are both infinite, as `joint_limits` gives those that are none."""
+    ends = _plain(value)
+    return key == "limits" and ends in ([-math.inf, math.inf], (-math.inf, math.inf))
 
 
 def _text(text: str) -> str:

@@ -69,6 +69,8 @@ _FORMS = {
     "matrix": "four rows of four numbers",
 }
 
+_SUMS = "a list of sums, e.g. [{of: q2 + q3, from: -80 deg, to: 150 deg}]"
+
 # What one entry of a list holds.
 _ENTRIES = {
     "joints": f"a joint, e.g. {_ROW}",
@@ -122,6 +124,8 @@ def value_message(details: ErrorDetails) -> str:
 def _form(path: Path) -> str:
     """What the key holds at the end of a path, or what an entry of its list does."""
     key = next(str(step) for step in reversed(path) if isinstance(step, str))
+    if path == ("limits",):
+        return _SUMS
     return _FORMS[key] if path[-1] == key else _ENTRIES[key]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import re
 from typing import TYPE_CHECKING, get_args
 
@@ -31,6 +32,8 @@ _NOT_DECIMAL = re.compile(
 )
 _LENGTHS: tuple[str, ...] = get_args(LengthUnit)
 _UNIT = re.compile(rf"({_NUMBER})\ *({'|'.join((*_LENGTHS, 'rad', 'degrees?'))})\b", re.ASCII)
+_FOLLOWED = re.compile(rf"(?<![\w.])({_NUMBER})\ +([A-Za-z_]\w*)", re.ASCII)
+_KNOWN = frozenset({"pi", "deg", "sqrt", "sin", "cos"})
 _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
 _NOT_FINITE = re.compile(r"\.(?:inf|nan)\b", re.ASCII | re.IGNORECASE)  # as YAML writes them
 _LOOKALIKES = {"−": "-", "–": "-", "×": "*", "·": "*", "÷": "/", "°": " deg", "π": "pi", "^": "**"}
@@ -85,6 +88,24 @@ def check_tokens(text: str, names: Container[str] = ()) -> None:
 def multiply_degrees(text: str) -> str:
     """`10 deg` as `10*deg`: the space becomes the sign, so that every column keeps its number."""
     return _DEGREES.sub(r"\1*", text)
+
+
+def no_unit(text: str, names: Container[str]) -> CellError | None:
+    """The mistake of a text in which a word follows a number as a unit does, and is none.
+
+    Args:
+        text: A cell as written.
+        names: The names that may occur: before these an operator is missing.
+    """
+    for found in _FOLLOWED.finditer(text):
+        number, word = found.groups()
+        if word in names or word in _KNOWN:
+            continue
+        span = Span(found.start(2), len(word))
+        close = difflib.get_close_matches(word.lower(), ("deg", "degree", "grad"), n=1, cutoff=0.5)
+        meant = f": write '{number} deg'" if close else ": a number stands alone, or before deg"
+        return CellError(f"{quoted(word)} is no unit{meant}", span)
+    return None
 
 
 def circle_through(own: str, name: str, texts: Mapping[str, str]) -> tuple[str, ...]:

@@ -109,6 +109,38 @@ def test_axes_where_they_are_asked_for() -> None:
     assert isinstance(load("axes.yaml").geometry, ReferenceAxes)
 
 
+def test_cells_are_those_of_robot_files() -> None:
+    """Numbers, angles with their unit or in rad, arithmetic."""
+    words = DELTAS.replace("theta: 1e-4, d: 1e-4", "theta: 0.01 deg - pi/3600, d: 2e-4/2")
+    numbers = DELTAS.replace("theta: 1e-4", f"theta: {float(np.radians(0.01) - np.pi / 3600)!r}")
+    for text, out in ((words, "words.yaml"), (numbers, "numbers.yaml")):
+        assert calibrated("puma560", text, "--out", out) == 0
+    q = joint_values(20)
+    np.testing.assert_allclose(
+        forward(load("words.yaml"), q), forward(load("numbers.yaml"), q), atol=1e-12
+    )
+
+
+def test_what_is_written_over_is_told_and_what_is_read_stays(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """As `dhgen import` does."""
+    kind = Path("kind.yaml")
+    kind.write_text((ROBOTS / "ur5e.yaml").read_text("utf-8"), encoding="utf-8")
+    Path("measured.yaml").write_text(NOMINAL, encoding="utf-8")
+    command = ["calibrate", "kind.yaml", "--from", "measured.yaml", "--out"]
+    for read in ("kind.yaml", "measured.yaml"):
+        before = Path(read).read_bytes()
+        assert main([*command, read]) == 2
+        assert f"dhgen: {read} is what was read: write to another file" in capsys.readouterr().err
+        assert Path(read).read_bytes() == before
+    Path("other.yaml").write_text("mine\n", encoding="utf-8")
+    assert main([*command, "other.yaml"]) == 0
+    assert "note: other.yaml was there and is written over" in capsys.readouterr().err
+    assert main([*command, "other.yaml"]) == 0
+    assert "written over" not in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("robot", "text", "message"),
     [
@@ -125,6 +157,8 @@ def test_axes_where_they_are_asked_for() -> None:
         ("puma560", "deltas: 3", "measured.yaml:1:9: deltas is a list with a row for each joint"),
         ("puma560", "deltas: [3]", "measured.yaml:1:10: expected {theta: 0, d: 0, a: 0, "),
         ("puma560", "deltas: [{theta: nan}]", "measured.yaml:1:18: expected a number"),
+        ("puma560", "deltas: [{theta: 1 dgr}]", "expected a number: 'dgr' is no unit: write"),
+        ("puma560", "deltas: [{d: 1 deg}]", "is an angle, but a length belongs here"),
         ("ur5e", "kinematics: {shoulder: {x: 0}}", "y, z, roll, pitch, yaw missing"),
         ("ur5e", "name: ur5e", "measured.yaml:1:1: a calibration holds kinematics: "),
         (

@@ -88,6 +88,23 @@ def test_check_sees_what_is_missing_and_what_is_extra(
     )
 
 
+def test_check_leaves_alone_what_a_neighbouring_description_makes(
+    run: Run, written: Path, tmp_path: Path
+) -> None:
+    """Two URDFs in one folder, each with files of its own."""
+    folder = copy(written, tmp_path)
+    header = (folder / "generated" / "planar_rr.h").read_text()
+    (folder / "robots" / "arm.urdf").write_text('<?xml version="1.0"?>\n<robot name="My Arm">\n')
+    (folder / "robots" / "scene.xml").write_text('<mujoco model="reach">\n</mujoco>\n')
+    for stem in ("my_arm", "reach", "nobody"):
+        (folder / "generated" / f"{stem}.h").write_text(header)
+    done = run("--check", "robots/planar_rr.yaml", folder=folder)
+    assert done.returncode == 1
+    assert "generated/nobody.h: extra file" in done.stderr
+    assert "my_arm" not in done.stderr
+    assert "reach" not in done.stderr
+
+
 def test_check_looks_at_figures_of_its_own(run: Run, written: Path, tmp_path: Path) -> None:
     folder = copy(written, tmp_path)
     figures = folder / "generated" / "figures"

@@ -41,7 +41,7 @@ def test_stacks_of_joint_values(arm: dhgen.Arm) -> None:
     np.testing.assert_array_equal(arm.fk(q)[2, 1], arm.fk(q[2, 1]))
     assert arm.jacobian(q).shape == (3, 4, 6, 2)
     for wrong in (0.3, [1.0], np.zeros((2, 3))):
-        with pytest.raises(ValueError, match=r"^q must hold 2 joint values$"):
+        with pytest.raises(ValueError, match=r"^q must hold 2 joint values, with shape \(2,\) or "):
             arm.fk(wrong)
 
 
@@ -80,7 +80,7 @@ def test_axes_slides_and_given_joints_are_shown() -> None:
     assert "the caller gives q7" in repr(dhgen.load(FILES / "panda.urdf"))
     arm_angle = dhgen.load(FILES / "iiwa14.urdf", free="arm_angle")
     assert "the caller gives the arm angle" in repr(arm_angle)
-    assert arm_angle.free == ()
+    assert arm_angle.free == "arm_angle"
 
 
 def test_notes_are_shown_and_nothing_is_printed(capsys: pytest.CaptureFixture[str]) -> None:

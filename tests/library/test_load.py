@@ -138,7 +138,8 @@ def test_why_an_arm_is_not_solved_is_told_with_its_notes() -> None:
     told = str(refused.value)
     assert told.startswith("two_links: the arm has infinitely many solutions")
     assert "under `free`" in told
-    (note,) = refused.value.__notes__
+    note, in_python = refused.value.__notes__
+    assert in_python == "in Python:\n    dhgen.load(..., numerical=True)"
     assert note.startswith("note: parameters.a3: no cell uses the parameter 'a3'")
 
 
