@@ -49,8 +49,8 @@ class ArmChain:
 
     @property
     def actuated(self) -> tuple[Joint, ...]:
-        """Those that a variable moves."""
-        return tuple(joint for joint in self.joints if joint.motion.is_actuated)
+        """Those that a variable of their own moves."""
+        return tuple(joint for joint in self.joints if joint.is_driven)
 
 
 def choose_chain(description: Description, base: str | None, tip: str | None) -> ArmChain:
@@ -97,7 +97,7 @@ def _is_hand(joint: Joint, children: dict[str, list[Joint]]) -> bool:
 
 def _moves_arm(joint: Joint) -> bool:
     """Whether a joint counts for how long an arm is."""
-    return joint.motion.is_actuated and joint.mimics is None and not _WHEELS.search(joint.name)
+    return joint.is_driven and not _WHEELS.search(joint.name)
 
 
 def _longest(description: Description, base: str | None) -> str:
@@ -193,10 +193,6 @@ def _refuse_unfit(description: Description, chain: ArmChain) -> None:
         if joint.motion in {Motion.FLOATING, Motion.PLANAR}:
             message = f"a {joint.motion.value} joint is between base and tip: start behind it, "
             message += f"--base {joint.child}"
-            mistakes.append(description.source.point(joint.place, message))
-        elif joint.mimics is not None and joint.motion.is_actuated:
-            message = f"{quoted(joint.name)} follows {quoted(joint.mimics)} (mimic), and joints "
-            message += f"without a drive are not read: end before it, --tip {joint.parent}"
             mistakes.append(description.source.point(joint.place, message))
     if mistakes:
         raise RobotFileError(tuple(mistakes))

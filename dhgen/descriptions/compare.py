@@ -54,7 +54,7 @@ def difference(joints: Sequence[Joint], robot: Robot, size: float) -> Difference
         robot: The file, read again.
         size: Of the arm.
     """
-    q = _samples([joint for joint in joints if joint.motion.is_actuated], size)
+    q = _samples([joint for joint in joints if joint.is_driven], size)
     one, other = described_pose(joints, q), robot_pose(robot, q)
     moved = np.linalg.norm(one[..., :3, 3] - other[..., :3, 3], axis=-1).max()
     apart = np.linalg.norm(one[..., :3, :3] - other[..., :3, :3], axis=(-2, -1)).max()

@@ -10,6 +10,7 @@ from dhgen.descriptions.chain import choose_chain
 from dhgen.descriptions.compare import difference
 from dhgen.descriptions.free_joints import free_joints
 from dhgen.descriptions.lines import arm_of
+from dhgen.descriptions.mimic import demand_followed
 from dhgen.descriptions.misses import misses_note
 from dhgen.descriptions.snap import DEFAULT, LEAST, LITTLE, snap
 from dhgen.descriptions.table import cheapest_table, farthest_offset
@@ -92,6 +93,7 @@ def convert(description: Description, wishes: Wishes) -> Import:
     near, little = (DEFAULT, LITTLE) if wishes.snap is None else (max(wishes.snap, LEAST),) * 2
     snapped = snap(chain.joints, near, little)
     arm = arm_of(snapped.joints, near, little)
+    demand_followed(description, chain.joints, arm.axes)
     heading = _heading(description, chain, free_joints(arm) if wishes.free is None else wishes.free)
     text, notes = robot_file_text(heading, arm, as_axes=wishes.as_axes)
     robot = load_text(text, f"{heading.name}.yaml")
@@ -135,12 +137,21 @@ def _heading(description: Description, chain: ArmChain, free: tuple[int, ...] | 
 def robot_file_text(heading: Heading, arm: Arm, *, as_axes: bool) -> tuple[str, list[str]]:
     """A robot file, and what is to be said of how it is written."""
     if as_axes:
+        _demand_drives(heading, arm)
         return axes_text(heading, arm), []
     table = cheapest_table(arm)
     if farthest_offset(table) > FAR * arm.size:
+        _demand_drives(heading, arm)
         why = "axes that are nearly parallel have their common normal far away: the file holds "
         return axes_text(heading, arm), [why + "axes, not a table"]
     return table_text(heading, arm, table), []
+
+
+def _demand_drives(heading: Heading, arm: Arm) -> None:
+    """Refuses joints that follow others where axes are written, which hold no such thing."""
+    if any(axis.shares for axis in arm.axes):
+        message = "joints follow others (mimic), which a table can say, and axes can't"
+        raise RobotFileError((Diagnostic(heading.source, 0, 0, message),))
 
 
 def _snap_note(snapped: Snapped, off: Difference, near: float) -> str:

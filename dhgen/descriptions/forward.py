@@ -26,16 +26,24 @@ def described_pose(joints: Sequence[Joint], q: FloatArray) -> FloatArray:
 
     Args:
         joints: From base to tip.
-        q: Values of those that move [rad or length], shape (..., n).
+        q: Values of those that have a drive [rad or length], shape (..., n).
     """
+    driven = (joint.name for joint in joints if joint.is_driven)
+    values = dict(zip(driven, np.moveaxis(q, -1, 0), strict=True))
     T = np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4))
-    values = iter(np.moveaxis(q, -1, 0))
     for joint in joints:
         T = T @ _origin(joint)
         if joint.motion.is_actuated:
             axis = np.array(joint.axis) / np.linalg.norm(joint.axis)
-            T = T @ _motion(axis, next(values), turns=joint.motion.turns)
+            T = T @ _motion(axis, _value(joint, values), turns=joint.motion.turns)
     return np.asarray(T)
+
+
+def _value(joint: Joint, values: Mapping[str, FloatArray]) -> FloatArray:
+    """Its own, or what it follows another one's by."""
+    if joint.mimics is None:
+        return values[joint.name]
+    return joint.mimics.multiplier * values[joint.mimics.joint] + joint.mimics.offset
 
 
 def _origin(joint: Joint) -> FloatArray:
@@ -69,20 +77,18 @@ def robot_pose(robot: Robot, q: FloatArray) -> FloatArray:
     """
     values = {parameter.name: parameter.value for parameter in robot.parameters}
     T = np.broadcast_to(_frame(robot.base, values), (*q.shape[:-1], 4, 4))
-    columns = np.moveaxis(q, -1, 0)
     geometry = robot.geometry
     if isinstance(geometry, DhTable):
+        columns = np.moveaxis(q @ np.array(geometry.drive_factors).T, -1, 0)
         for row, value in zip(geometry.rows, columns, strict=True):
             theta, d, a, alpha = (evaluate(c, values) for c in (row.theta, row.d, row.a, row.alpha))
             turns = row.kind is JointKind.REVOLUTE
-            along_z = _rotation(2, theta + row.sign * value * turns) @ _shift(
-                2, d + row.sign * value * (not turns)
-            )
+            along_z = _rotation(2, theta + value * turns) @ _shift(2, d + value * (not turns))
             along_x = _rotation(0, alpha) @ _shift(0, a)
             modified = geometry.convention is Convention.MODIFIED
             T = T @ along_x @ along_z if modified else T @ along_z @ along_x
         return np.asarray(T @ _frame(robot.tool, values))
-    for axis, value in zip(geometry.axes, columns, strict=True):
+    for axis, value in zip(geometry.axes, np.moveaxis(q, -1, 0), strict=True):
         direction = np.array([evaluate(c, values) for c in axis.direction])
         turns = axis.kind is JointKind.REVOLUTE
         moved = _motion(direction / np.linalg.norm(direction), value, turns=turns)

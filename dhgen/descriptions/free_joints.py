@@ -26,7 +26,7 @@ ELBOW = 3  # where nothing speaks for any other, the turn of the upper arm is gi
 def free_joints(arm: Arm) -> tuple[int, ...]:
     """Joints, from 1, whose values are to be given; none of an arm of six joints or fewer."""
     extra = len(arm.axes) - SIX
-    if extra < 1:
+    if extra < 1 or any(axis.shares for axis in arm.axes):  # which have no free ones beside them
         return ()
     numbers = range(1, len(arm.axes) + 1)
     if extra == 1 and _has(arm, (1, 2, 3), _meet) and _has(arm, (5, 6, 7), _meet):

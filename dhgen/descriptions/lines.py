@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhgen.descriptions.rotations import (
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 
 NO_LENGTH = 1e-6  # m
+LEAST, NOTHING = 1e-9, 1e-12  # [rad, m] what rounding leaves of one line
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,12 +39,16 @@ class Axis:
         direction: Of length one.
         point: The origin of the joint's frame; a slide's line may be anywhere else.
         turns: Whether the joint rotates.
+        shares: Names of joints that it follows, and how often; a driven one beside its own value.
+        offset: What is added to that [rad or length].
     """
 
     joint: Joint
     direction: Vector
     point: Vector
     turns: bool
+    shares: tuple[tuple[str, float], ...] = ()
+    offset: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +56,8 @@ class Arm:
     """Axes from base to tip, and the tip's frame, all joints zero.
 
     Attributes:
-        axes: One for each joint that moves.
+        axes: One for each joint that moves, but for those that follow others about, or along, the
+            axis of their neighbour.
         tip: The tip link's frame in the base link's.
         size: Sum of the distances from joint to joint, to the tip; 1 without any [length].
         near: What is nearer to parallel or right counts as that [rad].
@@ -79,9 +85,46 @@ def arm_of(joints: Sequence[Joint], near: float, little: float) -> Arm:
         frame = placed(frame, (from_rpy(joint.rpy), joint.xyz))
         if joint.motion.is_actuated:
             direction = turned(frame[0], unit(joint.axis))
-            axes.append(Axis(joint, direction, frame[1], joint.motion.turns))
+            axes.append(_axis(joint, direction, frame[1]))
     size = size_of(joints)
-    return Arm(tuple(axes), frame, size, near, little * size)
+    return Arm(_merged(axes, max(near, LEAST), little * size), frame, size, near, little * size)
+
+
+def _axis(joint: Joint, direction: Vector, point: Vector) -> Axis:
+    axis = Axis(joint, direction, point, joint.motion.turns)
+    if joint.mimics is None:
+        return axis
+    share = joint.mimics.joint, joint.mimics.multiplier
+    return replace(axis, shares=(share,), offset=joint.mimics.offset)
+
+
+def _merged(axes: Sequence[Axis], near: float, little: float) -> tuple[Axis, ...]:
+    """Axes of which those that follow others are one with a neighbour on the same line."""
+    found: list[Axis] = []
+    for axis in axes:
+        before = found[-1] if found else None
+        if (
+            before is None
+            or (before.joint.is_driven and axis.joint.is_driven)
+            or not _is_same_line(before, axis, near, little)
+        ):
+            found.append(axis)
+        else:
+            kept, other = (before, axis) if before.joint.is_driven else (axis, before)
+            sign = 1.0 if dot(kept.direction, other.direction) > 0.0 else -1.0
+            shares = tuple((name, sign * times) for name, times in other.shares)
+            found[-1] = replace(
+                kept, shares=(*kept.shares, *shares), offset=kept.offset + sign * other.offset
+            )
+    return tuple(found)
+
+
+def _is_same_line(one: Axis, other: Axis, near: float, little: float) -> bool:
+    """Whether two joints turn about one line, or slide in one direction."""
+    if one.turns is not other.turns or not are_parallel(one.direction, other.direction, near):
+        return False
+    apart = across(one.direction, minus(other.point, one.point))
+    return not one.turns or math.hypot(*apart) <= max(little, NOTHING)
 
 
 def size_of(joints: Sequence[Joint]) -> float:

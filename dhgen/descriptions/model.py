@@ -36,6 +36,21 @@ class Motion(Enum):
 
 
 @dataclass(frozen=True, slots=True)
+class Mimic:
+    """What moves a joint without a drive: another one.
+
+    Attributes:
+        joint: The name of the other one.
+        multiplier: What its value is multiplied by.
+        offset: What is added [rad or length].
+    """
+
+    joint: str
+    multiplier: float = 1.0
+    offset: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class Joint:
     """A joint of a description.
 
@@ -48,7 +63,7 @@ class Joint:
         rpy: Roll, pitch and yaw of the joint's frame, about fixed axes [rad].
         axis: Direction in the joint's frame, of any length but zero.
         limits: Lowest and highest value, as written; None where nothing is written.
-        mimics: The joint that this one follows, if it does.
+        mimics: What this one follows, if it does.
         place: Where in the file it stands.
     """
 
@@ -60,8 +75,13 @@ class Joint:
     rpy: Vector
     axis: Vector
     limits: tuple[float, float] | None
-    mimics: str | None
+    mimics: Mimic | None
     place: Span
+
+    @property
+    def is_driven(self) -> bool:
+        """Whether a variable of its own moves it."""
+        return self.motion.is_actuated and self.mimics is None
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 from dhgen.descriptions.markup import Element, read_xml
-from dhgen.descriptions.model import Description, Joint, Motion
+from dhgen.descriptions.model import Description, Joint, Mimic, Motion
 from dhgen.descriptions.tree import check_tree
 from dhgen.errors import Diagnostic, RobotFileError
 from dhgen.robot.arithmetic import nearest
@@ -87,10 +87,17 @@ class _Urdf:
             self.wrong_value(element.all("axis")[0], "xyz", "an axis can't have length 0")
         mimic = self.only(element, "mimic")
         limits = self.limits(self.only(element, "limit"), motion)
-        mimics = None if mimic is None else mimic.attributes.get("joint", "")
+        mimics = None if mimic is None else self.mimic(mimic)
         if len(self.mistakes) > before:
             return None
         return Joint(name, motion, parent, child, xyz, rpy, axis, limits, mimics, element.place)
+
+    def mimic(self, element: Element) -> Mimic:
+        """What a joint follows; mistakes are noted."""
+        words = element.attributes
+        multiplier = self.number(element, "multiplier", words.get("multiplier", "1"))
+        offset = self.number(element, "offset", words.get("offset", "0"))
+        return Mimic(words.get("joint", ""), multiplier, offset)
 
     def name(self, element: Element) -> str:
         name = element.attributes.get("name", "")

@@ -7,6 +7,7 @@ import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from dhgen.descriptions.mimic import share_text
 from dhgen.descriptions.rotations import to_rpy
 from dhgen.robot.angles import exact_angle, twelfths
 from dhgen.robot.expression import to_text
@@ -14,7 +15,7 @@ from dhgen.robot.names import MAX_ROBOT_NAME, YAML_WORDS, why_no_joint_name, why
 from dhgen.robot.robot import Convention
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from dhgen.descriptions.lines import Arm, Axis
     from dhgen.descriptions.model import Joint
@@ -124,7 +125,8 @@ def _degrees(value: float, near: float) -> str | None:
 def table_text(heading: Heading, arm: Arm, table: Table) -> str:
     """The robot file of a table."""
     lengths = _Lengths(arm)
-    rows = [_row(row, n, table.convention, lengths) for n, row in enumerate(table.rows, 1)]
+    numbers = {row.axis.joint.name: number for number, row in enumerate(table.rows, 1)}
+    rows = [_row(row, numbers, table.convention, lengths) for row in table.rows]
     base, tool = _frame("base", table.base, lengths, arm), _frame("tool", table.tool, lengths, arm)
     return "\n".join(
         [
@@ -189,16 +191,20 @@ def _parameters(lengths: _Lengths) -> list[str]:
     return ["parameters:", *(f"  {entry}" for entry in entries)]
 
 
-def _row(row: Row, number: int, convention: Convention, lengths: _Lengths) -> dict[str, str]:
+def _row(
+    row: Row, numbers: Mapping[str, int], convention: Convention, lengths: _Lengths
+) -> dict[str, str]:
     """The cells of a row, in the order in which its convention reads them."""
-    q, near = "-q" if row.sign < 0 else "q", lengths.arm.near
-    turn, twist = angle_cell(row.turn, near), angle_cell(row.twist, near)
+    q, near, number = _variable(row, numbers), lengths.arm.near, numbers[row.axis.joint.name]
+    added = row.sign * row.axis.offset
+    turn = angle_cell(row.turn + added * row.axis.turns, near)
+    twist = angle_cell(row.twist, near)
 
     def along_x(link: int) -> str:
         return lengths.cell(row.length, f"a{link}")
 
     def along_z() -> dict[str, str]:
-        offset = lengths.cell(row.offset, f"d{number}")
+        offset = lengths.cell(row.offset + added * (not row.axis.turns), f"d{number}")
         if row.axis.turns:
             return {"theta": _beside(q, turn), "d": offset}
         return {"theta": turn, "d": _beside(q, offset)}
@@ -207,9 +213,20 @@ def _row(row: Row, number: int, convention: Convention, lengths: _Lengths) -> di
         cells = {"alpha": twist, "a": along_x(number - 1), **along_z()}
     else:
         cells = {**along_z(), "a": along_x(number), "alpha": twist}
-    if limits := limits_cell(row.axis.joint):
+    if row.axis.joint.is_driven and (limits := limits_cell(row.axis.joint)):
         cells["limits"] = limits
     return cells
+
+
+def _variable(row: Row, numbers: Mapping[str, int]) -> str:
+    """What moves a row: q, -q, q - q2, -q3; what others move has their numbers."""
+    text = ("-q" if row.sign < 0 else "q") if row.axis.joint.is_driven else ""
+    for name, factor in row.axis.shares:
+        signed = row.sign * factor
+        if signed:
+            mark = (" - " if signed < 0 else " + ") if text else "-" * (signed < 0)
+            text += mark + share_text(signed, numbers[name])
+    return text
 
 
 def _beside(q: str, offset: str) -> str:

@@ -109,12 +109,6 @@ def test_what_is_beside_the_arm_is_told() -> None:
     )
 
 
-def test_a_joint_that_follows_another_is_refused_in_the_arm() -> None:
-    told = refused(tree("a b revolute", "b c mimic", "c d revolute"), tip="d")
-    assert "'c_joint' follows 'x' (mimic)" in told
-    assert "--tip b" in told
-
-
 def test_an_arm_on_wheels_starts_behind_them() -> None:
     chain = chosen(tree("odom chassis floating", "chassis l1 revolute", "l1 l2 revolute"))
     assert chain.base == "chassis"

@@ -1,0 +1,77 @@
+"""Joints that follow others (mimic): which of them a robot file can hold, as coupled or passive."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from dhgen.errors import RobotFileError
+from dhgen.robot.couplings import LARGEST_WHOLE
+from dhgen.robot.passive import MOST_TIMES
+from dhgen.robot.source import quoted
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.descriptions.lines import Axis
+    from dhgen.descriptions.model import Description, Joint
+
+
+def demand_followed(
+    description: Description, joints: Sequence[Joint], axes: Sequence[Axis]
+) -> None:
+    """Refuses joints that follow what they can't.
+
+    Args:
+        description: The robot, for the places of mistakes.
+        joints: From base to tip.
+        axes: Those of the table; a joint that follows another one about a driven joint's axis has
+            none of its own.
+
+    Raises:
+        RobotFileError: There are some: all of them, each with the reason.
+    """
+    places = {axis.joint.name: place for place, axis in enumerate(axes)}
+    mistakes = []
+    for joint in joints:
+        if joint.mimics is None or not joint.motion.is_actuated:
+            continue
+        other = joint.mimics.joint
+        reason = _why_not(joint, axes, places)
+        if reason:
+            message = f"{quoted(joint.name)} follows {quoted(other)} (mimic), {reason}: end before "
+            message += f"it, --tip {joint.parent}"
+            mistakes.append(description.source.point(joint.place, message))
+    if mistakes:
+        raise RobotFileError(tuple(mistakes))
+
+
+def _why_not(joint: Joint, axes: Sequence[Axis], places: dict[str, int]) -> str:
+    """Why a joint can't follow another one; empty where it can."""
+    assert joint.mimics is not None
+    other, factor = places.get(joint.mimics.joint), abs(joint.mimics.multiplier)
+    if other is None or not axes[other].joint.is_driven:
+        return "which is no joint of this arm with a drive of its own"
+    turns, own = joint.motion.turns, places.get(joint.name)
+    same_kind = turns == axes[other].turns
+    if own is None:  # it adds to what a drive does
+        too_fine = Fraction(str(factor)).limit_denominator() != Fraction(str(factor))
+        return "by no ratio of whole numbers" if same_kind and turns and too_fine else ""
+    if not same_kind:
+        return "an angle by a length or the other way round, which makes equations transcendental"
+    if own < other:
+        return "which comes behind it"
+    if turns and factor != 1.0:
+        return f"{factor:g} times, which makes the equations of another degree"
+    if not factor.is_integer() or not 0.0 < factor <= MOST_TIMES:
+        return f"{factor:g} times: a stage of a telescope follows another a whole number of times"
+    return ""
+
+
+def share_text(factor: float, row: int) -> str:
+    """A multiple of a variable as a cell has it, without its sign: q2, 3/2*q2."""
+    ratio = Fraction(str(abs(factor))).limit_denominator(LARGEST_WHOLE)
+    times = (
+        str(ratio.numerator) if ratio.denominator == 1 else f"{ratio.numerator}/{ratio.denominator}"
+    )
+    return f"q{row}" if ratio == 1 else f"{times}*q{row}"

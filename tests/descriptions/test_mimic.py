@@ -1,0 +1,157 @@
+"""Joints of a URDF that follow others (mimic): coupled drives, passive rows, or the reason."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.descriptions.convert import Wishes, convert
+from dhgen.descriptions.urdf import read_urdf
+from dhgen.errors import RobotFileError
+from dhgen.kinematics.build import build_chain
+from dhgen.paul.derive import derive
+from dhgen.robot.load import load_text
+from dhgen.robot.robot import DhTable
+from dhgen.survey.oracle.forward import forward
+
+if TYPE_CHECKING:
+    from dhgen.descriptions.convert import Import
+
+UPPER, FORE, HAND, DOWN = 0.8, 0.7, 0.15, 0.2
+
+
+def joint(name: str, parent: str, child: str, words: str = "", *, mimic: str = "") -> str:
+    """A joint that turns about y unless it is told otherwise."""
+    kind, axis, xyz = "revolute", "0 1 0", "0 0 0"
+    for word in words.split(","):
+        key, _, value = word.partition("=")
+        kind = value if key == "type" else kind
+        axis = value if key == "axis" else axis
+        xyz = value if key == "xyz" else xyz
+    follows = f"<mimic joint={mimic}/>" if mimic else ""
+    return (
+        f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>'
+        f'<origin xyz="{xyz}"/><axis xyz="{axis}"/><limit lower="-2" upper="2"/>{follows}</joint>'
+    )
+
+
+def imported(*joints: str, **wishes: object) -> Import:
+    links = [f'<link name="l{number}"/>' for number in range(9)]
+    used = [link for link in links if any(link.split('"')[1] in each for each in joints)]
+    text = f'<robot name="arm">{"".join(used)}{"".join(joints)}</robot>'
+    return convert(read_urdf(text.encode(), "arm.urdf"), Wishes(**wishes))  # type: ignore[arg-type]
+
+
+PALLETIZER = (
+    joint("turn", "l0", "l1", "axis=0 0 1,xyz=0 0 0.5"),
+    joint("upper", "l1", "l2", "xyz=0.2 0 0"),
+    joint("rods", "l2", "l3", f"xyz={UPPER} 0 0", mimic='"upper" multiplier="-1"'),
+    joint("fore", "l3", "l4", "axis=0 -1 0"),
+    joint("level", "l4", "l5", f"xyz={FORE} 0 0", mimic='"fore" multiplier="1" offset="0.1"'),
+    joint("hand", "l5", "l6", f"axis=0 0 1,xyz={HAND} 0 -{DOWN}"),
+)
+
+
+def test_a_palletizer_has_a_coupled_and_a_passive_row() -> None:
+    """The rods about the elbow's axis are no row of their own: the forearm follows both drives."""
+    made = imported(*PALLETIZER, tip="l6")
+    assert made.difference.is_rounding
+    assert [each.name for each in made.robot.joints] == ["turn", "upper", "fore", "hand"]
+    geometry = made.robot.geometry
+    assert isinstance(geometry, DhTable)
+    assert [len(row.couplings) for row in geometry.rows] == [0, 0, 1, 1, 0]
+    assert [bool(row.sign) for row in geometry.rows] == [True, True, True, False, True]
+    q = np.random.default_rng(1).uniform(-2.0, 2.0, (50, 4))
+    turn, upper, fore, _ = q.T
+    lift = 0.1  # the level joint turns back by what the drive has turned, and a little more
+    reach = UPPER * np.cos(upper) + FORE * np.cos(fore)
+    height = -UPPER * np.sin(upper) + FORE * np.sin(fore)
+    reach += HAND * np.cos(lift) - DOWN * np.sin(lift)
+    height += -HAND * np.sin(lift) - DOWN * np.cos(lift)
+    reached = forward(made.robot, q)[:, :3, 3]
+    expected = [(0.2 + reach) * np.cos(turn), (0.2 + reach) * np.sin(turn), 0.5 + height]
+    np.testing.assert_allclose(reached.T, expected, atol=1e-12)
+
+
+def test_an_imported_palletizer_is_solved() -> None:
+    """For the tool's place and yaw, once it is level."""
+    level = [each.replace(' offset="0.1"', "") for each in PALLETIZER]
+    text = f"{imported(*level, tip='l6').text}task: [x, y, z, yaw]\n"
+    chain = build_chain(load_text(text, "arm.yaml"))
+    assert len(chain.passive) == 1
+    assert derive(chain).branches == 4
+
+
+def test_the_stages_of_a_telescope_are_passive() -> None:
+    stage = "type=prismatic,axis=1 0 0"
+    made = imported(
+        joint("turn", "l0", "l1", "axis=0 0 1"),
+        joint("lift", "l1", "l2", "xyz=0.1 0 0.3"),
+        joint("one", "l2", "l3", stage),
+        joint("bow", "l3", "l4", "axis=0 0 1"),
+        joint("two", "l4", "l5", stage, mimic='"one" multiplier="2" offset="0.05"'),
+        tip="l5",
+    )
+    geometry = made.robot.geometry
+    assert isinstance(geometry, DhTable)
+    assert [bool(row.sign) for row in geometry.rows] == [True, True, True, True, False]
+    assert [each.value for each in geometry.rows[4].couplings] == [2.0]
+    assert made.difference.is_rounding
+
+
+def test_gears_about_one_axis_are_ratios() -> None:
+    made = imported(
+        joint("turn", "l0", "l1", "axis=0 0 1"),
+        joint("upper", "l1", "l2"),
+        joint("gear", "l2", "l3", "xyz=0.5 0 0", mimic='"upper" multiplier="-1.5"'),
+        joint("fore", "l3", "l4"),
+        joint("end", "l4", "l5", "type=fixed,xyz=0.4 0 0"),
+        tip="l5",
+    )
+    assert "3/2*q2" in made.text
+    assert made.difference.is_rounding
+
+
+@pytest.mark.parametrize(
+    ("mimic", "words", "reason"),
+    [
+        ('"upper" multiplier="0.5"', "", "0.5 times, which makes the equations of another degree"),
+        ('"upper" multiplier="-2"', "", "2 times, which makes the equations of another degree"),
+        ('"finger"', "", "which is no joint of this arm with a drive of its own"),
+        ('"follower"', "", "which is no joint of this arm with a drive of its own"),
+        ('"hand"', "", "which comes behind it"),
+        ('"slide"', "", "an angle by a length or the other way round, which makes equations"),
+        ('"slide" multiplier="0.5"', "type=prismatic,axis=0 0 1", "0.5 times: a stage of a"),
+    ],
+)
+def test_what_no_robot_file_holds_is_refused_at_its_joint(
+    mimic: str, words: str, reason: str
+) -> None:
+    chain = (
+        joint("slide", "l0", "l1", "type=prismatic,axis=1 0 0"),
+        joint("upper", "l1", "l2"),
+        joint("fore", "l2", "l3", "xyz=0.5 0 0"),
+        joint("follower", "l3", "l4", f"xyz=0.4 0 0,{words}", mimic=mimic),
+        joint("hand", "l4", "l5", "axis=0 0 1,xyz=0.1 0 0"),
+    )
+    with pytest.raises(RobotFileError) as refused:
+        imported(*chain, tip="l5")
+    (mistake,) = refused.value.diagnostics
+    followed = mimic.split('"')[1]
+    assert mistake.message.startswith(f"'follower' follows '{followed}' (mimic), {reason}")
+    assert mistake.message.endswith("end before it, --tip l3")
+    assert mistake.line == 1
+    assert len(imported(*chain[:3], tip="l3").robot.joints) == 3
+
+
+def test_axes_hold_no_joints_that_follow_others() -> None:
+    with pytest.raises(RobotFileError, match=r"which a table can say, and axes can't"):
+        imported(*PALLETIZER, tip="l6", as_axes=True)
+
+
+@pytest.mark.parametrize("word", ["multiplier", "offset"])
+def test_numbers_that_are_none(word: str) -> None:
+    with pytest.raises(RobotFileError, match="'twice' is not a number"):
+        imported(joint("a", "l0", "l1"), joint("b", "l1", "l2", mimic=f'"a" {word}="twice"'))
