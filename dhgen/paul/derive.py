@@ -10,6 +10,7 @@ from dhgen.kinematics.algebra import build_algebra
 from dhgen.kinematics.arm_angle import demand_arm_angle
 from dhgen.method import Method
 from dhgen.numerical.kernel import numerical_kernel
+from dhgen.paul.close_roots import has_close_roots
 from dhgen.paul.degeneracy import best_route, degenerate_steps, is_ill_conditioned
 from dhgen.paul.derivation import Derivation
 from dhgen.paul.further_forms import with_arm_plane, with_inverse_forms
@@ -136,9 +137,11 @@ def _from_both_ends(pool: Pool, chain: Chain) -> Derivation | None:
 
 
 def _is_frail(derivation: Derivation) -> bool:
-    """Whether roots of a quartic may lie too close to be distinguished."""
-    rooted = derivation.method is Method.QUARTIC
-    return rooted and is_ill_conditioned(derivation.pool, derivation.steps)
+    """Whether roots of a quartic may lie too close to be distinguished, or often take long."""
+    if derivation.method is not Method.QUARTIC:
+        return False
+    pool, steps = derivation.pool, derivation.steps
+    return is_ill_conditioned(pool, steps) or has_close_roots(pool, steps)
 
 
 def _is_better(other: Derivation, found: Derivation) -> bool:

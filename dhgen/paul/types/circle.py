@@ -269,7 +269,7 @@ def _is_sound(split: Split, ratio: Ratio | None, view: View) -> bool:
     )
     if _says_it_twice(first[:, 0], second[:, 0]):
         return False
-    values, sizes = _polynomial(first, second, ratio)
+    values, sizes = polynomial(first, second, ratio)
     largest = np.max(np.abs(values), axis=0)
     if np.any(largest <= SAME * np.max(sizes, axis=0)):
         return False  # 0 = 0: what is left of it is rounding
@@ -288,7 +288,7 @@ def _says_it_twice(first: FloatArray, second: FloatArray) -> bool:
     return bool(np.all(np.abs(one - other) <= SAME * np.abs(one)))
 
 
-def _polynomial(
+def polynomial(
     first: FloatArray, second: FloatArray, ratio: Ratio | None
 ) -> tuple[FloatArray, FloatArray]:
     """The polynomial in the angle that remains, and the sum of the sizes of its two sides.
