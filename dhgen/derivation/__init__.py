@@ -17,6 +17,7 @@ for a terminal, `derivation_summary` a dozen lines, `alternatives_text` the rout
 | effects         | what that means for the arm, and what the program does there                |
 | example         | a pose to work through, and its rows                                        |
 | values          | what a printed formula is worth in numbers                                  |
+| velocity        | det J in factors, the motion that each loses, and a wrist's blocks          |
 | figures         | the arm, its postures and its workspace as SVG                              |
 | geometry        | how axes lie, and the arm's size                                            |
 | notation        | letters, cells, polynomials and matrices as formulas                        |

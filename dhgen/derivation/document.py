@@ -18,6 +18,7 @@ from dhgen.derivation.sections.inverse import inverse_beginning
 from dhgen.derivation.sections.joints import joint_values
 from dhgen.derivation.sections.robot import opening, robot_section
 from dhgen.derivation.sections.shoulder import arm_angle_places
+from dhgen.derivation.sections.velocity import velocity_section
 from dhgen.derivation.steps import step_blocks
 from dhgen.derivation.text.blocks import Given, Paragraph, Prose, paragraph
 from dhgen.derivation.text.walk import symbols_of
@@ -57,9 +58,11 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
     if whole is not None:
         if isinstance(whole, GeneralKernel):
             inverse = general_section(whole, story.algebra.chain, story.robot.length_unit)
-            return [*forward_section(story), *inverse]
-        return [*forward_in_short(story), *numerical_section(whole, story.algebra.chain)]
+            return [*forward_section(story), *inverse, *velocity_section(story, [])]
+        inverse = numerical_section(whole, story.algebra.chain)
+        return [*forward_in_short(story), *inverse, *velocity_section(story, [])]
     steps = [step_blocks(story, number) for number in range(1, len(story.steps) + 1)]
+    places = [*arm_angle_places(story), *(each for _, found in steps for each in found)]
     return [
         *forward_section(story),
         *inverse_beginning(story),
@@ -68,9 +71,8 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
         *solutions_section(story),
         *example_section(story),
         *shown.postures,
-        *singular_section(
-            [*arm_angle_places(story), *(each for _, found in steps for each in found)]
-        ),
+        *singular_section(places),
+        *velocity_section(story, places),
         *cost_section(story),
     ]
 

@@ -1,0 +1,252 @@
+"""Which motion of the tool an arm loses where a factor of the determinant vanishes.
+
+There the rows of the Jacobian are dependent: a force and a moment exist that do no work with any
+joint. Where they are one force through a frame's origin, that point's velocity is lost along it; a
+moment alone, turning about it. Of any other pair, the velocity along the force is lost while the
+tool does not turn, and turning about the moment at a point while that point is at rest. What is
+named holds at all postures that were drawn.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.derivation.notation.names import letter
+from dhgen.derivation.text.blocks import Given, say
+from dhgen.derivation.velocity.posture import Posture, exact_value
+from dhgen.robot.task import Directions
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
+    from dhgen.arrays import FloatArray
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.blocks import Prose
+    from dhgen.derivation.text.formula import Formula
+
+POSTURES = 3
+TRIES = 12
+STEPS = 12  # of a turn, where a sign change is looked for
+HALVINGS = 30
+CLEAR = 1e-3  # of the least singular value but one: nothing else is lost there
+NEAR = 1e-6  # what is zero, of unit vectors and of lengths in arm sizes
+
+# Joint values, angles as the formulas have them.
+Values = dict[int, float]
+
+
+@dataclass(frozen=True, slots=True)
+class _Wrench:
+    """What does no work, in the base's frame, lengths in arm sizes.
+
+    Attributes:
+        force: At the tool's origin.
+        moment: About the tool's origin.
+        frames: Frames 0 to n and the tool's, (n + 2, 3, 4).
+    """
+
+    force: FloatArray
+    moment: FloatArray
+    frames: FloatArray
+
+    def in_tool(self) -> FloatArray:
+        """The origins of all frames in the tool's frame, (n + 2, 3)."""
+        tool = self.frames[-1]
+        return np.asarray((self.frames[..., 3] - tool[:, 3]) @ tool[:, :3])
+
+    def moment_about(self, frame: int) -> FloatArray:
+        """The moment about a frame's origin."""
+        arm = self.frames[-1][:, 3] - self.frames[frame][:, 3]
+        return self.moment + np.cross(arm, self.force)
+
+
+def lost_motion(story: Story, factor: Formula, others: Sequence[Formula]) -> Prose | None:
+    """The motion that is lost where a formula vanishes; None where it has no short name.
+
+    Args:
+        story: The arm.
+        factor: A factor of the determinant.
+        others: The other factors, which do not vanish there.
+    """
+    wrenches = list(_wrenches(story, factor, others))
+    if len(wrenches) < POSTURES:
+        return None
+    if all(np.linalg.norm(each.force) < NEAR for each in wrenches):
+        axis = _axis(story, wrenches, lambda each: each.moment)
+        return None if axis is None else say("turning about {}", axis)
+    points = _points(story, wrenches)
+    point = next((k for k in points if all(_is_force_at(w, k) for w in wrenches)), None)
+    if point is not None:
+        return _lost_velocity(story, wrenches, point)
+    turning = _lost_turning(story, wrenches, _wrist_points(story, wrenches))
+    if turning is not None:
+        return turning
+    axis = _axis(story, wrenches, lambda each: each.force)
+    if axis is not None:
+        return say("with the orientation kept, the velocity along {}", axis)
+    return _lost_turning(story, wrenches, points)
+
+
+def _lost_turning(story: Story, wrenches: list[_Wrench], points: list[int]) -> Prose | None:
+    """The turning that a moment resists, with a frame's origin at rest."""
+    for point in points:
+        axis = _axis(story, wrenches, lambda each, at=point: each.moment_about(at))  # type: ignore[misc]
+        if axis is not None:
+            text = "with {} at rest, turning about {}"
+            return say(text, _point_name(story, wrenches, point), axis)
+    return None
+
+
+def _lost_velocity(story: Story, wrenches: list[_Wrench], point: int) -> Prose | None:
+    """The velocity that a force through a frame's origin resists."""
+    named = _point_name(story, wrenches, point)
+    axis = _axis(story, wrenches, lambda each: each.force)
+    if axis is not None:
+        return say("the velocity of {} along {}", named, axis)
+    starts = (k for k in range(story.dof + 1) if all(_leads(w, k, point) for w in wrenches))
+    start = next(starts, None)
+    if start is None:
+        return None
+    text = "the velocity of {} along the line to the origin of frame {}"
+    return say(text, named, Given(str(start)))
+
+
+def _points(story: Story, wrenches: list[_Wrench]) -> list[int]:
+    """Frames whose origins move with the tool, the tool's own first."""
+    first, *others = (each.in_tool() for each in wrenches)
+    moved = np.max([np.linalg.norm(each - first, axis=1) for each in others], axis=0)
+    return [frame for frame in reversed(range(story.dof + 2)) if moved[frame] < NEAR]
+
+
+def _is_force_at(wrench: _Wrench, frame: int) -> bool:
+    return bool(np.linalg.norm(wrench.moment_about(frame)) < NEAR)
+
+
+def _wrenches(story: Story, factor: Formula, others: Sequence[Formula]) -> Iterator[_Wrench]:
+    """At some postures where the formula vanishes and nothing else is lost."""
+    source = random.Random(3)  # noqa: S311 - postures, no secrets
+    found = 0
+    for _ in range(TRIES):
+        values = _singular_values_of_joints(story, factor, source)
+        if values is None:
+            continue
+        letters = _posture(story, values).letters()
+        if any(abs(float(exact_value(other, letters))) < NEAR for other in others):
+            continue  # as those of a folded arm with links of one length do
+        wrench = _wrench(story, values)
+        if wrench is not None:
+            yield wrench
+            found += 1
+        if found == POSTURES:
+            return
+
+
+def _posture(story: Story, values: Values) -> Posture:
+    chain = story.algebra.chain
+    turns = {j: (math.cos(x), math.sin(x)) for j, x in values.items()}
+    return Posture(story, turns, values, {c.name: c.value for c in chain.constants})
+
+
+def _singular_values_of_joints(
+    story: Story, factor: Formula, source: random.Random
+) -> Values | None:
+    """Random values of all joints but one, which makes the formula zero."""
+    size = story.algebra.chain.size
+    turning = story.algebra.chain.turning
+    reach = {j: math.pi if turns else size for j, turns in enumerate(turning, start=1)}
+    values = {j: source.uniform(-most, most) for j, most in reach.items()}
+
+    def at(joint: int, value: float) -> float:
+        letters = _posture(story, {**values, joint: value}).letters()
+        return float(exact_value(factor, letters))
+
+    for joint in sorted(values, key=lambda _: source.random()):
+        step = 2.0 * reach[joint] / STEPS
+        ends = [-reach[joint] + step * (k + 0.37) for k in range(STEPS)]
+        signs = [at(joint, end) for end in ends]
+        changes = [k for k in range(STEPS - 1) if signs[k] * signs[k + 1] < 0.0]
+        if changes:
+            k = source.choice(changes)
+            return {**values, joint: _bisected(partial(at, joint), ends[k], ends[k + 1])}
+    return None
+
+
+def _bisected(function: Callable[[float], float], low: float, high: float) -> float:
+    rising = function(low) < 0.0
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        if (function(middle) < 0.0) == rising:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)
+
+
+def _wrench(story: Story, values: Values) -> _Wrench | None:
+    """What does no work; None where that is not one thing."""
+    chain = story.algebra.chain
+    posture = _posture(story, values)
+    J = np.array(posture.jacobian(), float)
+    frames = np.array(posture.frames()[0], float)
+    frames[..., 3] /= chain.size
+    rows = len(chain.task.position_rows)
+    J *= [1.0 if chain.turning[joint.number - 1] else chain.size for joint in chain.solved]
+    J[:rows] /= chain.size
+    named = np.flatnonzero(np.abs(J).max(axis=1) > NEAR)
+    U, s, _ = np.linalg.svd(J[named])
+    if s[-1] > NEAR or s[-2] < CLEAR:
+        return None
+    whole = np.zeros(len(J))
+    whole[named] = U[:, -1]
+    force, moment = np.zeros(3), np.zeros(3)
+    force[list(chain.task.position_rows)] = whole[:rows]
+    if chain.task.directions is Directions.ROTATION:
+        moment = whole[rows:]
+    elif chain.task.directions is Directions.POINTING:
+        moment = frames[-1][:, :2] @ whole[rows:]
+    return _Wrench(force, moment, frames)
+
+
+def _axis(
+    story: Story, wrenches: list[_Wrench], vector: Callable[[_Wrench], FloatArray]
+) -> Formula | None:
+    """The first axis of a frame that vectors are along at all postures."""
+    for frame in range(story.dof + 1):
+        for column, name in enumerate("xyz"):
+            if all(_are_parallel(vector(w), w.frames[frame][:, column]) for w in wrenches):
+                return letter(name, name, str(frame))
+    return None
+
+
+def _are_parallel(a: FloatArray, b: FloatArray) -> bool:
+    return bool(np.linalg.norm(np.cross(a, b)) < NEAR)
+
+
+def _leads(wrench: _Wrench, start: int, end: int) -> bool:
+    """Whether the force is along the line between two origins."""
+    line = wrench.frames[end][:, 3] - wrench.frames[start][:, 3]
+    return bool(np.linalg.norm(line) > CLEAR) and _are_parallel(line, wrench.force)
+
+
+def _wrist_points(story: Story, wrenches: list[_Wrench]) -> list[int]:
+    """Frames whose origins are the wrist centre, where the arm has one."""
+    if story.wrist is None:
+        return []
+    centre, places = story.wrist[0], [each.in_tool() for each in wrenches]
+    apart = np.max([np.linalg.norm(each - each[centre], axis=1) for each in places], axis=0)
+    return np.flatnonzero(apart < NEAR).tolist()
+
+
+def _point_name(story: Story, wrenches: list[_Wrench], frame: int) -> Prose:
+    """What the origin of a frame is called; the last is the tool's."""
+    if frame in _wrist_points(story, wrenches):
+        return say("the wrist centre")
+    if frame > story.dof:
+        return say("the tool's origin")
+    return say("the origin of frame {}", Given(str(frame)))

@@ -1,0 +1,304 @@
+"""What the section on velocities prints is true, read from the Markdown as it is committed."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from functools import cache, partial
+from itertools import pairwise
+from types import CodeType, MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.derivation.notation.names import symbols
+from dhgen.kinematics.algebra import build_algebra
+from dhgen.kinematics.build import build_chain
+from dhgen.robot.load import load
+from dhgen.robot.task import Directions
+from dhgen.survey.oracle.forward import forward, jacobian
+from tests.derivation.stories import ROBOTS, WITH_STEPS, document
+from tests.generated.solvers import module
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from dhgen.arrays import FloatArray
+    from dhgen.derivation.text.formula import Symbol
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.robot.robot import Robot
+
+PRINTED = re.compile(r"^\\det J = (.*)$", re.MULTILINE)
+ROW = re.compile(r"^\| \$(.*)\$ \| (?:\d+|\$\\psi\$) \| (.*) \|$", re.MULTILINE)
+TOKEN = re.compile(
+    r"(?P<number>\d+)|(?P<name>\\?[A-Za-z]+(?:_(?:\{[^}]*\}|\w))?)|(?P<sign>[-+()^])"
+)
+NAMES = [name for name in WITH_STEPS if PRINTED.search(document(name))]
+
+
+@cache
+def _code(latex: str) -> CodeType:
+    """A printed product of sums as an expression in the letters `at`."""
+    words: list[str] = []
+    for found in TOKEN.finditer(latex):
+        word = found[0]
+        starts = word == "(" or word[0] not in "+-)^"
+        if starts and words and words[-1] not in "+-(^":
+            words.append("*")
+        words.append(f"at[{word!r}]" if found["name"] else word)
+    return compile("".join(words).replace("^", "**"), latex, "eval")
+
+
+@dataclass(frozen=True, slots=True)
+class Arm:
+    """A robot, and the letters of its document.
+
+    Attributes:
+        robot: As its file says.
+        algebra: Its ring.
+        spelled: The letter of every generator.
+    """
+
+    robot: Robot
+    algebra: Algebra
+    spelled: Mapping[str, Symbol]
+
+    def worth(
+        self, latex: str, q: FloatArray, others: Mapping[str, float] = MappingProxyType({})
+    ) -> float:
+        """A printed product of sums at joint values; `others` are further letters."""
+        return float(eval(_code(latex), {"at": {**self.letters(q), **others}}))  # noqa: S307
+
+    def letters(self, q: FloatArray) -> dict[str, float]:
+        chain, letters = self.algebra.chain, self.spelled
+        inner = {j.number: j.sign * q[j.number - 1] + j.offset for j in chain.joints}
+        found = {letters[c.name].latex: c.value for c in chain.constants}
+        for angle in self.algebra.angles:
+            total = sum(sign * inner[joint] for joint, sign in angle.terms)
+            found[letters[angle.cosine].latex] = math.cos(total)
+            found[letters[angle.sine].latex] = math.sin(total)
+        return found | {letters[n].latex: inner[j] for j, n in self.algebra.slides.items()}
+
+    def rates(self, q: FloatArray) -> FloatArray:
+        """The rows that the task names, without those of zeros, of the joints solved for."""
+        J, task = jacobian(self.robot, q), self.robot.task
+        J = np.delete(J, [joint - 1 for joint in self.robot.free], axis=1)
+        spins = J[3:] if task.directions is Directions.ROTATION else J[:0]
+        if task.directions is Directions.POINTING:
+            spins = forward(self.robot, q)[:3, :2].T @ J[3:]
+        rows = np.vstack([J[list(task.position_rows)], spins])
+        return np.asarray(rows[np.abs(rows).max(axis=1) > 1e-12])
+
+
+@cache
+def arm(name: str) -> Arm:
+    robot = load(ROBOTS / f"{name}.yaml")
+    algebra = build_algebra(build_chain(robot))
+    return Arm(robot, algebra, symbols(algebra))
+
+
+def postures(of: Arm, count: int, seed: int) -> FloatArray:
+    """Joint values (count, n)."""
+    chain = of.algebra.chain
+    reach = np.where(chain.turning, np.pi, chain.size)
+    return np.random.default_rng(seed).uniform(-reach, reach, (count, chain.dof))
+
+
+def test_most_arms_have_it() -> None:
+    assert len(NAMES) > 45
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_determinant_is_the_product(name: str) -> None:
+    of, printed = arm(name), PRINTED.search(document(name))
+    assert printed is not None
+    size = of.algebra.chain.size
+    for q in postures(of, 8, seed=1):
+        J = of.rates(q)
+        found = of.worth(printed[1], q)
+        scale = max(1.0, size) ** len(J)
+        assert found == pytest.approx(np.linalg.det(J), rel=1e-9, abs=1e-12 * scale)
+        assert found != 0.0
+
+
+def section(name: str) -> str:
+    return document(name).partition("## Velocity\n")[2].partition("\n## ")[0]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_its_factors_are_listed(name: str) -> None:
+    """All that moves is in the table."""
+    of, printed = arm(name), PRINTED.search(section(name))
+    assert printed is not None
+    q, other = postures(of, 2, seed=2)
+    listed = [latex for latex, _ in ROW.findall(section(name))]
+    moving = [each for each in listed if each in printed[1]]
+    assert moving == listed
+    powers = [
+        2 if f"{each}^2" in printed[1] or f"({each})^2" in printed[1] else 1 for each in listed
+    ]
+    ratio = of.worth(printed[1], q) / of.worth(printed[1], other)
+    product = [
+        math.prod(of.worth(e, x) ** p for e, p in zip(listed, powers, strict=True))
+        for x in (q, other)
+    ]
+    assert ratio == pytest.approx(product[0] / product[1], rel=1e-9)
+
+
+WITH_BLOCKS = [name for name in WITH_STEPS if "J_{11} =" in document(name)]
+MATRIX = r"%s (?:& )?= \\begin\{bmatrix\} (.*?) \\end\{bmatrix\}"
+RATE = re.compile(
+    r"^(?:\\dot\{q\}_(?P<joint>\d)|u_(?P<along>[xyz])) & = (?P<value>.*?)(?: \\\\)?$", re.MULTILINE
+)
+FRACTION = re.compile(r"(-?)\\frac\{(.*)\}\{(.*)\}")
+
+
+def matrix(of: Arm, text: str, name: str, q: FloatArray) -> FloatArray:
+    """A printed matrix in numbers."""
+    found = re.search(MATRIX % re.escape(name), text)
+    assert found is not None, name
+    rows = found[1].split(r" \\ ")
+    return np.array([[of.worth(entry, q) for entry in row.split(" & ")] for row in rows])
+
+
+def wrist_jacobian(name: str, q: FloatArray) -> FloatArray:
+    """At the point where the last three axes meet, in the frame behind joint 3."""
+    of = arm(name)
+    J, tip = jacobian(of.robot, q), forward(of.robot, q)[:3, 3]
+    axes = J[3:, 3:].T
+    across = [np.eye(3) - np.outer(a, a) for a in axes]
+    # of every axis the point next to the tool's origin
+    points = [tip + np.cross(a, v) for a, v in zip(axes, J[:3, 3:].T, strict=True)]
+    centre = np.linalg.solve(sum(across), sum(P @ o for P, o in zip(across, points, strict=True)))
+    J[:3] += np.cross(J[3:].T, centre - tip).T
+    R = forward(of.robot, q)
+    return np.asarray(np.vstack([R[:3, :3].T @ J[:3], R[:3, :3].T @ J[3:]]))
+
+
+def test_spherical_wrists_have_blocks() -> None:
+    assert len(WITH_BLOCKS) > 20
+
+
+@pytest.mark.parametrize("name", WITH_BLOCKS)
+def test_the_blocks_are_those_of_the_jacobian_up_to_the_frame(name: str) -> None:
+    """Turned by one rotation into the tool's frame; the steps that are printed invert them."""
+    of, text = arm(name), section(name)
+    for q in postures(of, 4, seed=3):
+        J11, J21, J22 = (matrix(of, text, f"J_{{{k}}}", q) for k in (11, 21, 22))
+        printed, wanted = np.block([[J11, np.zeros((3, 3))], [J21, J22]]), wrist_jacobian(name, q)
+        # the rotation that takes the printed columns to those that are wanted
+        pairs = np.hstack([printed[:3], printed[3:]]), np.hstack([wanted[:3], wanted[3:]])
+        U, _, V = np.linalg.svd(pairs[1] @ pairs[0].T)
+        R = U @ np.diag([1.0, 1.0, np.linalg.det(U @ V)]) @ V
+        np.testing.assert_allclose(R @ pairs[0], pairs[1], atol=1e-9 * of.algebra.chain.size)
+        det = re.search(r"\\det J_\{22\} & = (.*?) \\\\$", text, re.MULTILINE)
+        assert det is not None
+        adjugate = matrix(of, text, r"\det J_{22} J_{22}^{-1}", q)
+        np.testing.assert_allclose(adjugate / of.worth(det[1], q) @ J22, np.eye(3), atol=1e-9)
+        if "follow from $v$ alone" in text:
+            rates = np.array([0.3, -0.7, 0.4])
+            np.testing.assert_allclose(rates_by_steps(of, text, q, J11 @ rates), rates, atol=1e-9)
+
+
+def rates_by_steps(of: Arm, text: str, q: FloatArray, v: FloatArray) -> list[float]:
+    """Velocities of joints 1 to 3 by the printed lines, from the wrist centre's."""
+    known = {f"v_{axis}": float(value) for axis, value in zip("xyz", v, strict=True)}
+    for line in RATE.finditer(text):
+        value = line["value"].replace(r"\dot{q}_1", "w_1")
+        fraction = FRACTION.fullmatch(value)
+        found = of.worth(fraction[2] if fraction else value, q, known)
+        if fraction:
+            found /= of.worth(fraction[3], q, known) * (-1.0 if fraction[1] else 1.0)
+        known[f"u_{line['along']}" if line["along"] else f"w_{line['joint']}"] = found
+    return [known[f"w_{joint}"] for joint in (1, 2, 3)]
+
+
+def singular(of: Arm, latex: str, seed: int) -> FloatArray | None:
+    """Joint values at which a factor is zero, between two of one joint that differ in its sign."""
+    q = postures(of, 1, seed)[0]
+    for joint in np.random.default_rng(seed).permutation(len(q)):
+        ends = [
+            np.where(np.arange(len(q)) == joint, value, q) for value in np.linspace(-2.9, 3, 20)
+        ]
+        for one, two in pairwise(ends):
+            if of.worth(latex, one) * of.worth(latex, two) < 0.0:
+                return _bisected(partial(of.worth, latex), one, two)
+    return None
+
+
+def _bisected(value: Callable[[FloatArray], float], one: FloatArray, two: FloatArray) -> FloatArray:
+    rises = value(one) < 0.0
+    for _ in range(55):
+        middle = (one + two) / 2.0
+        one, two = (middle, two) if (value(middle) < 0.0) == rises else (one, middle)
+    return (one + two) / 2.0
+
+
+def _null(A: FloatArray) -> FloatArray:
+    """A basis of what a matrix makes zero, in columns."""
+    _, s, V = np.linalg.svd(A)
+    return np.asarray(V[int((s > 1e-6 * s[0]).sum()) :].T)
+
+
+AXIS = re.compile(r"\$([xyz])_(?:\{(\d+)\}|(\d))\$$")
+LINE = re.compile(r"along the line to the origin of frame (\d+)$")
+
+
+def lost_part(name: str, lost: str, q: FloatArray) -> float:
+    """The most of a motion that is named as lost, of unit joint velocities."""
+    of = arm(name)
+    J = np.delete(jacobian(of.robot, q), [joint - 1 for joint in of.robot.free], axis=1)
+    scale = np.where(of.algebra.chain.turning, 1.0, of.algebra.chain.size)
+    J *= np.delete(scale, [joint - 1 for joint in of.robot.free])
+    frames, z = module(name).frames(q), J[3:]
+    point = frames[-1][:3, 3]
+    if found := re.search(r"(?<!line to )the origin of frame (\d+)", lost):
+        point = frames[int(found[1])][:3, 3]
+    elif "the wrist centre" in lost:
+        axes = z[:, -3:].T
+        origins = np.cross(axes, J[:3, -3:].T) + frames[-1][:3, 3]
+        across = [np.eye(3) - np.outer(a, a) for a in axes]
+        point = np.linalg.solve(
+            sum(across), sum(P @ o for P, o in zip(across, origins, strict=True))
+        )
+    moved = J[:3] + np.cross(z.T, point - frames[-1][:3, 3]).T
+    if line := LINE.search(lost):
+        direction = frames[int(line[1])][:3, 3] - point
+    else:
+        axis = AXIS.search(lost)
+        assert axis is not None, lost
+        direction = frames[int(axis[2] or axis[3])][:3, "xyz".index(axis[1])]
+    direction = direction / np.linalg.norm(direction)
+    if lost.startswith("the velocity"):
+        return float(np.abs(direction @ moved).max())
+    if lost.startswith("turning"):
+        return float(np.abs(direction @ z).max())
+    if lost.startswith("with the orientation kept"):
+        return float(np.abs(direction @ J[:3] @ _null(z)).max())
+    assert lost.startswith("with ")
+    return float(np.abs(direction @ z @ _null(moved)).max())
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_is_lost_is_lost(name: str) -> None:
+    of = arm(name)
+    listed = ROW.findall(section(name))
+    for latex, lost in listed:
+        others, seen = [each for each, _ in listed if each != latex], 0
+        for seed in range(5):
+            q = singular(of, latex, seed)
+            if q is None:
+                continue
+            J = of.rates(q)
+            s = np.zeros(J.shape[1])  # rows of zeros are not among its rows
+            s[: len(J)] = np.linalg.svd(J, compute_uv=False)
+            assert s[-1] < 1e-9 * s[0]
+            # where two factors vanish at once (links of one length, folded), others are lost
+            alone = all(abs(of.worth(each, q)) > 1e-6 for each in others) and s[-2] > 1e-4 * s[0]
+            if not alone or lost == "no short name" or hasattr(module(name), "AXES"):
+                continue
+            assert lost_part(name, lost, q) < 1e-6 * max(1.0, of.algebra.chain.size), (lost, q)
+            seen += 1
+        assert seen or lost == "no short name" or hasattr(module(name), "AXES")
