@@ -81,7 +81,7 @@ def determinant_of(story: Story, places: Sequence[Singularity]) -> Determinant |
     """The determinant of a square task's Jacobian; None where the conditions don't make it up."""
     chain = story.algebra.chain
     known = all(constant.is_length for constant in chain.constants)
-    if not known or chain.arm_angle or any(joint.shares for joint in chain.joints):
+    if not known or chain.arm_angle or chain.drives.are_coupled or chain.passive:
         return None
     source = random.Random(2)  # noqa: S311 - places, no secrets
     lengths = dict(zip((c.name for c in chain.constants), LENGTHS, strict=False))

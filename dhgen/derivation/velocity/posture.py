@@ -8,7 +8,7 @@ from math import prod
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.text.formula import Minus, Number, Power, Product, Sum, Symbol
-from dhgen.kinematics.chain import Fixed, Turn
+from dhgen.kinematics.chain import Fixed, Slide, Turn
 from dhgen.robot.task import Directions
 
 if TYPE_CHECKING:
@@ -107,6 +107,7 @@ class Posture:
             c, s = self.turns[element.joint]
             s = element.sign * s
             return [[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0]]
+        assert isinstance(element, Slide), "no arm with passive rows"
         length = element.sign * self.slides[element.joint]
         return [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, length]]
 

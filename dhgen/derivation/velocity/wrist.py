@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.matrices import expanded
-from dhgen.kinematics.chain import Fixed, Slide
+from dhgen.kinematics.chain import Slide, Turn
 from dhgen.kinematics.product import product, reversed_elements
 from dhgen.robot.task import Directions
 
@@ -46,7 +46,7 @@ def wrist_blocks(story: Story) -> WristBlocks | None:
     chain = story.algebra.chain
     poses = chain.task.directions is Directions.ROTATION and len(chain.task.position_rows) == 3
     plain = all(constant.is_length for constant in chain.constants)  # else they fill pages
-    plain = plain and not any(joint.shares for joint in chain.joints)
+    plain = plain and not (chain.drives.are_coupled or chain.passive)
     if chain.dof != 2 * ARM or story.wrist is None or chain.given or not (plain and poses):
         return None
     columns = list(_columns(story.algebra, ARM, 2 * ARM))
@@ -70,7 +70,7 @@ def _columns(algebra: Algebra, frame: int, last: int) -> Iterator[tuple[Vector, 
     point = _between(algebra, elements, ends[frame], ends[CENTRE]).translation
     still = (algebra.ring.zero,) * 3
     for place, element in enumerate(elements):
-        if isinstance(element, Fixed) or element.joint > last:
+        if not isinstance(element, Turn | Slide) or element.joint > last:
             continue
         sign = element.sign * chain.joints[element.joint - 1].sign
         at = _between(algebra, elements, ends[frame], place)
