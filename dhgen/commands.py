@@ -99,7 +99,8 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     if options.numerical and module.method is not Method.NUMERICAL:
         print("note: --numerical was not needed", file=sys.stderr)
     print(f"{compilation.robot.name}: {compilation.robot.title}")
-    print(derivation_summary(compilation.robot, compilation.derivation, module.solver))
+    told = compilation.robot, compilation.derivation, module.solver, module.nominal
+    print(derivation_summary(*told))
     _refuse_occupied([options.out / name for name in compilation.files])
     report = verified(compilation, _tell)
     options.out.mkdir(parents=True, exist_ok=True)
@@ -184,7 +185,8 @@ def explain(options: argparse.Namespace) -> int:
         text = program_text(module.solver)
     else:
         source = str(options.file)
-        text, beside = derivation_as(options.format, file.robot, derivation, module.solver, source)
+        told = file.robot, derivation, module.solver, source, module.nominal
+        text, beside = derivation_as(options.format, *told)
     if options.out is None:
         print(text, end="")
     else:

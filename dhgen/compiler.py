@@ -28,6 +28,7 @@ from dhgen.errors import PrecisionError, UnsolvedError, VerificationError
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.link_table import link_table
 from dhgen.method import Method
+from dhgen.nominal.nominal import nominal_arm
 from dhgen.paul.derive import derive
 from dhgen.paul.refusal.other_convention import other_convention
 from dhgen.program.lowering.programs import robot_programs
@@ -88,7 +89,7 @@ def compile_loaded(
     """
     derivation, module, single = worked_out(file, tell, out=out)
     source = source_name(file.path, out)
-    document = derivation_files(file.robot, derivation, module.solver, source)
+    document = derivation_files(file.robot, derivation, module.solver, source, module.nominal)
     files = {**emit(module, single, single_file=single_file), **document}
     return Compilation(file.robot, derivation, module, single, MappingProxyType(files))
 
@@ -129,11 +130,13 @@ def _module(
     """The programs of a robot for some arithmetic, under the name that they bear there."""
     name = robot.name + precision.suffix
     programs = robot_programs(derivation, name, precision.tolerances, RESERVED)
+    chain = derivation.problem.algebra.chain
+    is_whole = derivation.whole is not None and not robot.plain
     return SolverModule(
         name=name,
         title=robot.title,
         source=source,
-        chain=derivation.problem.algebra.chain,
+        chain=chain,
         method=derivation.method,
         solver=programs.solver,
         forward=programs.forward,
@@ -145,6 +148,7 @@ def _module(
         digest=digest,
         precision=precision,
         plain=robot.plain,
+        nominal=nominal_arm(chain, RESERVED) if is_whole else None,
     )
 
 

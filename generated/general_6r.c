@@ -388,12 +388,14 @@ static void solve(
     double (*const q)[6] = (double (*)[6])rows;
     (void)free_joints;
     (void)moved;
+    double (*const nearby)[6] = NULL; /* no nearest arm is tried first */
+    const int nearby_count = 0;
 
     /* all joints: the general 6R loop */
     double solution_roots[16][6];
     int solution_found[16], solution_chosen[16];
-    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
-        solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, nearby, nearby_count, solution_roots[0],
+        solution_found, solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
         const double q1 = solution_roots[i1][0];

@@ -267,12 +267,14 @@ static void solve(
     double (*const q)[6] = (double (*)[6])rows;
     (void)free_joints;
     (void)moved;
+    double (*const nearby)[6] = NULL; /* no nearest arm is tried first */
+    const int nearby_count = 0;
 
     /* all joints: the general 4R2P loop */
     double solution_roots[8][6];
     int solution_found[8], solution_chosen[8];
-    dhgen_general_rows(&general, &descents, T, NULL, seed, solution_roots[0], solution_found,
-        solution_chosen);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, nearby, nearby_count, solution_roots[0],
+        solution_found, solution_chosen);
 
     for (int i1 = 0; i1 < 8; i1++) { /* root1 to root8 */
         const double q1 = solution_roots[i1][0];

@@ -361,8 +361,11 @@ _NO_FREE = np.zeros(0)
 @_HOW.apart(_arms.SOLVES)
 def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
+    nearby = np.empty((0, 6))
     # all joints: the general 6R loop
-    solution_roots, solution_found, solution_chosen = _all_joints(_NUMBERS, pose, _NO_FREE, seed)
+    solution_roots, solution_found, solution_chosen = _all_joints(
+        _NUMBERS, pose, _NO_FREE, seed, nearby
+    )
 
     for i1 in range(16):  # root1 to root16
         q1 = solution_roots[i1, 0]

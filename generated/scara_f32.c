@@ -1776,20 +1776,29 @@ DHGEN_INLINE void dhgen_ik_batch(const struct dhgen_arm *arm, dhgen_solve_wide *
 
 #else
 
-/* One regular pose. Returns how many rows are OK, or -1 if it needs care. */
+/* One regular pose of an arm with at most DHGEN_ROWS rows. Returns how many rows are OK, or -1 if
+ * it needs care. */
 DHGEN_ALWAYS
-DHGEN_INLINE int dhgen_solve_one(dhgen_solve_wide *solve_wide, const float *T,
+DHGEN_INLINE int dhgen_solve_branches(dhgen_solve_wide *solve_wide, int rows, const float *T,
     const float *free_joints, float *q, unsigned char *status)
 {
     dhgen_wide_mask kind[DHGEN_ROWS];
     int count = 0;
     if (solve_wide(T, free_joints, q, kind))
         return -1;
-    for (int row = 0; row < DHGEN_ROWS; row++) {
+    for (int row = 0; row < rows; row++) {
         status[row] = (unsigned char)kind[row];
         count += kind[row] == DHGEN_OK;
     }
     return count;
+}
+
+/* One regular pose. Returns how many rows are OK, or -1 if it needs care. */
+DHGEN_ALWAYS
+DHGEN_INLINE int dhgen_solve_one(dhgen_solve_wide *solve_wide, const float *T,
+    const float *free_joints, float *q, unsigned char *status)
+{
+    return dhgen_solve_branches(solve_wide, DHGEN_ROWS, T, free_joints, q, status);
 }
 
 /* All solutions of the poses of a batch. */

@@ -43,13 +43,18 @@ from dhgen.printing.comments import plain_path
 from dhgen.printing.templates import render
 
 if TYPE_CHECKING:
+    from dhgen.nominal.nominal import Nominal
     from dhgen.paul.derivation import Derivation
     from dhgen.program.ir import Program
     from dhgen.robot.robot import Robot
 
 
 def derivation_files(
-    robot: Robot, derivation: Derivation, program: Program, source: str
+    robot: Robot,
+    derivation: Derivation,
+    program: Program,
+    source: str,
+    nominal: Nominal | None = None,
 ) -> dict[str, str]:
     """The derivation as GitHub Markdown with formulas, and its figures, by their paths.
 
@@ -58,8 +63,9 @@ def derivation_files(
         derivation: The steps.
         program: What computes them.
         source: How the robot file is called.
+        nominal: The nearest arm with a structure, where its rows are tried first.
     """
-    story = Story(robot, derivation, program)
+    story = Story(robot, derivation, program, nominal)
     figures = figures_of(story)
     document = render(
         "derivation/document.md.jinja",
@@ -77,16 +83,20 @@ def derivation_document(robot: Robot, derivation: Derivation, program: Program, 
     return derivation_files(robot, derivation, program, source)[f"{robot.name}.md"]
 
 
-def derivation_terminal(robot: Robot, derivation: Derivation, program: Program) -> str:
+def derivation_terminal(
+    robot: Robot, derivation: Derivation, program: Program, nominal: Nominal | None = None
+) -> str:
     """The same as plain text, without figures."""
-    blocks = document_blocks(Story(robot, derivation, program))
+    blocks = document_blocks(Story(robot, derivation, program, nominal))
     first, *others = map(plain, blocks)
     return render("derivation/terminal.txt.jinja", first=first, others=others)
 
 
-def derivation_summary(robot: Robot, derivation: Derivation, program: Program) -> str:
+def derivation_summary(
+    robot: Robot, derivation: Derivation, program: Program, nominal: Nominal | None = None
+) -> str:
     """A line for each step, the branches, the degenerate cases."""
-    story = Story(robot, derivation, program)
+    story = Story(robot, derivation, program, nominal)
     return summary_text(story, singular_places(story))
 
 

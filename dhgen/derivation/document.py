@@ -16,6 +16,7 @@ from dhgen.derivation.sections.forward import forward_in_short, forward_section
 from dhgen.derivation.sections.general import general_section, numerical_section
 from dhgen.derivation.sections.inverse import inverse_beginning
 from dhgen.derivation.sections.joints import joint_values
+from dhgen.derivation.sections.nearest import nearest_blocks
 from dhgen.derivation.sections.robot import opening, robot_section
 from dhgen.derivation.sections.shoulder import arm_angle_places
 from dhgen.derivation.sections.velocity import velocity_section
@@ -57,7 +58,9 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
     whole = story.derivation.whole
     if whole is not None:
         if isinstance(whole, GeneralKernel):
-            inverse = general_section(whole, story.algebra.chain, story.robot.length_unit)
+            unit = story.robot.length_unit
+            nearest = nearest_blocks(story.nominal, unit)
+            inverse = general_section(whole, story.algebra.chain, unit, nearest)
             return [*forward_section(story), *inverse, *velocity_section(story, [])]
         inverse = numerical_section(whole, story.algebra.chain)
         return [*forward_in_short(story), *inverse, *velocity_section(story, [])]

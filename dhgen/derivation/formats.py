@@ -10,13 +10,19 @@ from dhgen.derivation.handouts import derivation_html, derivation_latex
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from dhgen.nominal.nominal import Nominal
     from dhgen.paul.derivation import Derivation
     from dhgen.program.ir import Program
     from dhgen.robot.robot import Robot
 
 
 def derivation_as(
-    wished: str, robot: Robot, derivation: Derivation, program: Program, source: str
+    wished: str,
+    robot: Robot,
+    derivation: Derivation,
+    program: Program,
+    source: str,
+    nominal: Nominal | None = None,
 ) -> tuple[str, Mapping[str, str]]:
     """The document, and texts of files beside it by their paths.
 
@@ -26,17 +32,18 @@ def derivation_as(
         derivation: The steps.
         program: What computes them.
         source: How the robot file is called.
+        nominal: The nearest arm with a structure, where its rows are tried first.
 
     Raises:
         CommandError: A package is missing that the format needs.
     """
     match wished:
         case "markdown":
-            files = derivation_files(robot, derivation, program, source)
+            files = derivation_files(robot, derivation, program, source, nominal)
             return files.pop(f"{robot.name}.md"), files
         case "latex":
-            return derivation_latex(robot, derivation, program, source), {}
+            return derivation_latex(robot, derivation, program, source, nominal), {}
         case "html":
-            return derivation_html(robot, derivation, program, source), {}
+            return derivation_html(robot, derivation, program, source, nominal), {}
         case _:
-            return derivation_terminal(robot, derivation, program) + "\n", {}
+            return derivation_terminal(robot, derivation, program, nominal) + "\n", {}

@@ -16,12 +16,19 @@ from dhgen.printing.comments import plain_path
 from dhgen.printing.templates import render
 
 if TYPE_CHECKING:
+    from dhgen.nominal.nominal import Nominal
     from dhgen.paul.derivation import Derivation
     from dhgen.program.ir import Program
     from dhgen.robot.robot import Robot
 
 
-def derivation_latex(robot: Robot, derivation: Derivation, program: Program, source: str) -> str:
+def derivation_latex(
+    robot: Robot,
+    derivation: Derivation,
+    program: Program,
+    source: str,
+    nominal: Nominal | None = None,
+) -> str:
     """The derivation as a LaTeX document.
 
     Args:
@@ -29,8 +36,9 @@ def derivation_latex(robot: Robot, derivation: Derivation, program: Program, sou
         derivation: The steps.
         program: What computes them.
         source: How the robot file is called.
+        nominal: The nearest arm with a structure, where its rows are tried first.
     """
-    story = Story(robot, derivation, program)
+    story = Story(robot, derivation, program, nominal)
     figures = figures_of(story)
     drawings = {each.path: "\n".join(map(tikz, each.sheet.shapes)) for each in figures}
     first, *others = (latex(block, drawings) for block in document_blocks(story, figures))
@@ -42,7 +50,13 @@ def derivation_latex(robot: Robot, derivation: Derivation, program: Program, sou
     )
 
 
-def derivation_html(robot: Robot, derivation: Derivation, program: Program, source: str) -> str:
+def derivation_html(
+    robot: Robot,
+    derivation: Derivation,
+    program: Program,
+    source: str,
+    nominal: Nominal | None = None,
+) -> str:
     """The derivation as an HTML document that needs no other file.
 
     Args:
@@ -50,6 +64,7 @@ def derivation_html(robot: Robot, derivation: Derivation, program: Program, sour
         derivation: The steps.
         program: What computes them.
         source: How the robot file is called.
+        nominal: The nearest arm with a structure, where its rows are tried first.
 
     Raises:
         CommandError: latex2mathml is not installed.
@@ -59,7 +74,7 @@ def derivation_html(robot: Robot, derivation: Derivation, program: Program, sour
     except ModuleNotFoundError:
         message = "dhgen: HTML needs latex2mathml: pip install 'dhgen[html]'"
         raise CommandError(message) from None
-    story = Story(robot, derivation, program)
+    story = Story(robot, derivation, program, nominal)
     figures = figures_of(story)
     drawings = {each.path: _inside(each.file(robot.name, source)) for each in figures}
     return render(

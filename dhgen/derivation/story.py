@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula, Symbol
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
+    from dhgen.nominal.nominal import Nominal
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.equation import Matrix
     from dhgen.paul.knowledge import Knowledge
@@ -61,11 +62,13 @@ class Story:
         robot: As the user wrote it.
         derivation: The steps.
         program: What computes them; its axes are the branch signs.
+        nominal: The nearest arm with a structure, where its rows are tried first.
     """
 
     robot: Robot
     derivation: Derivation
     program: Program
+    nominal: Nominal | None = None
 
     @property
     def algebra(self) -> Algebra:

@@ -10,6 +10,7 @@ import numpy as np
 from dhgen.derivation.notation.matrices import element_of
 from dhgen.derivation.notation.names import unknown_symbol
 from dhgen.derivation.sections.general import joint_symbol
+from dhgen.derivation.sections.nearest import nearest_line
 from dhgen.derivation.steps import quoted
 from dhgen.derivation.text.blocks import Prose
 from dhgen.derivation.text.plain import words
@@ -85,12 +86,19 @@ def _whole(kernel: GeneralKernel | NumericalKernel, story: Story) -> list[str]:
             f"no closed form: the {kernel.method} algorithm, up to {kernel.rows} solutions",
             f"a polynomial of degree {degree} in {hidden}; rows by ascending joint values",
             *missed_structure(story.algebra.chain),
+            *_nearest(story),
             *([CHECKED, *_just_enough(story.algebra.chain)] if kernel.checked else []),
         ]
     if kernel.redundant:
         return ["numerical, as asked for: the solution near the seed, by damped least squares"]
     found = "by damped least squares, as many as are found from evenly spread starts"
     return [f"numerical, as asked for: up to {kernel.rows} solutions {found}; others may exist"]
+
+
+def _nearest(story: Story) -> list[str]:
+    """What is tried first, where that is the nearest arm with a structure."""
+    nominal = story.nominal
+    return [] if nominal is None else [nearest_line(nominal, story.robot.length_unit)]
 
 
 def _just_enough(chain: Chain) -> list[str]:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.link_table import LinkTable
     from dhgen.method import Method
+    from dhgen.nominal.nominal import Nominal
     from dhgen.program.ir import Program
     from dhgen.program.regular.unguarded import Regular
 
@@ -49,6 +50,7 @@ class SolverModule:
         precision: The arithmetic that the programs are for; its suffix ends `name`.
         links: The table as the robot file has it.
         plain: Whether there is no fast path for regular poses.
+        nominal: The nearest arm with a structure, where its rows are tried first.
     """
 
     name: str
@@ -66,6 +68,7 @@ class SolverModule:
     digest: str = ""
     precision: Precision = DOUBLE
     plain: bool = False
+    nominal: Nominal | None = None
 
     @property
     def robot(self) -> str:

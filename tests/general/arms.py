@@ -135,7 +135,7 @@ def in_c(known: GeneralKernel, name: str, *flags: str) -> Callable[[np.ndarray],
         + "int run(const double *T, double *q, double *residual);\n"
         "int run(const double *T, double *q, double *residual)\n"
         "{\n    double (*const rows)[6] = (double (*)[6])q;\n"
-        "    return dhgen_general_solutions(&general, T, 0, rows, residual);\n}\n"
+        "    return dhgen_general_solutions(&general, T, 0, 0, 0, rows, residual);\n}\n"
     )
     folder = Path(tempfile.mkdtemp())
     write_files(folder, {"arm.c": text, **c_runtime_files()})

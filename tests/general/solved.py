@@ -87,7 +87,9 @@ def solve(T: np.ndarray, kernel: GeneralKernel, free: Sequence[float] = ()) -> S
     flat, given = _pose(T, kernel), np.array(free, dtype=float)
     q, residual = np.empty((kernel.rows, 6)), np.empty(kernel.rows)
     with np.errstate(divide="ignore", invalid="ignore"):  # as compiled code divides
-        count = plain("general.search").solve_loop(numbers(kernel), flat, given, q, residual)
+        count = plain("general.search").solve_loop(
+            numbers(kernel), flat, given, np.empty((0, 6)), q, residual
+        )
     found = count if count >= 0 else -1 - count
     return Solved(q[:found], residual[:found], count >= 0)
 

@@ -34,8 +34,17 @@ if TYPE_CHECKING:
     from dhgen.numerical.kernel import NumericalKernel
 
 
-def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Block]:
-    """What replaces the steps of Paul's method; `unit` is that of lengths."""
+def general_section(
+    kernel: GeneralKernel, chain: Chain, unit: str, nearest: list[Block]
+) -> list[Block]:
+    """What replaces the steps of Paul's method.
+
+    Args:
+        kernel: The algorithm's constants.
+        chain: The arm.
+        unit: Of lengths.
+        nearest: What is said of the nearest arm with a structure, where its rows are tried first.
+    """
     loop = [joint_symbol(kernel, place) for place in range(6)]
     values = _elimination(kernel) if kernel.eliminations else _four_turns(kernel)
     if kernel.wrist is not None:
@@ -58,6 +67,7 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
         joints=_joints(kernel),
         others_given=_others_given(kernel),
         near=near_blocks(chain, unit),
+        nearest=nearest,
         closes=loop_that_closes(kernel),
         begin_with_motions=begin_with_motions(kernel, chain),
         or_length=say(" or {}", Symbol("r_i = 0", "rᵢ = 0")) if kernel.loop.slides else say(""),

@@ -23,8 +23,18 @@ class Entries:
     macro: Sequence[str]
 
 
-def entry_texts(module: SolverModule, regular: Sequence[Program]) -> Entries:
-    """How a robot's solver names the pose's entries beside its programs for regular poses."""
+def entry_texts(
+    module: SolverModule, regular: Sequence[Program], nearest: SolverModule | None = None
+) -> Entries:
+    """How a robot's solver names the pose's entries beside its programs for regular poses.
+
+    Args:
+        module: The robot.
+        regular: Its programs for regular poses, or those of the nearest arm.
+        nearest: The nearest arm, where that has these.
+    """
+    if nearest is not None:
+        return Entries(entry_lines(module.solver), entry_texts(nearest, regular).macro)
     if not regular or not read_alike(module, regular):
         return Entries(entry_lines(module.solver), ())
     return Entries(entry_lines(module.solver, alike=True), _entries_macro(regular[0]))

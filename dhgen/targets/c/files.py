@@ -16,6 +16,7 @@ from dhgen.targets.c.general import general_sizes, general_source
 from dhgen.targets.c.language import C
 from dhgen.targets.c.links import CLinks, c_links
 from dhgen.targets.c.motion import Motion, motion_of
+from dhgen.targets.c.nearest import CNearest, c_nearest, nearest_flats, nearest_module
 from dhgen.targets.c.regular import CRegular, flats_of, regular_values
 from dhgen.targets.c.runtime import in_one_file
 from dhgen.targets.c.single_precision import in_single_precision
@@ -66,6 +67,7 @@ class CSolver:
         descents: The table of least squares, where these do or may complete rows.
         coupling: Of drives whose whole turns hang together, where some do.
         regular: What serves regular poses, where there is a program for them.
+        nearest: The nearest arm with a structure, where its rows are tried first.
         runtime: How it is brought along.
     """
 
@@ -82,6 +84,7 @@ class CSolver:
     descents: str
     coupling: CCoupling | None
     regular: CRegular | None
+    nearest: CNearest | None
     runtime: CRuntime
 
 
@@ -126,7 +129,9 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
     """
     regular = regular_solver(module)
     flats = None if regular is None else flats_of(regular, in_loops=in_loops)
-    programs = () if flats is None else flats.programs
+    near = nearest_flats(module, LONGEST)
+    used = flats or near
+    programs = () if used is None else used.programs
     descents, kernel = c_descents(module), general_kernel(module.solver)
     motion = motion_of(module) if in_loops else Motion((), module)
     return CSolver(
@@ -134,7 +139,7 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
         tables=c_tables(module, programs),
         links=None if module.precision is SINGLE else c_links(module),
         table=c_table(module),
-        entries=entry_texts(module, programs),
+        entries=entry_texts(module, programs, nearest_module(module)),
         unused=_unused(module),
         prototypes=c_prototypes(module),
         motion=motion.macro,
@@ -143,7 +148,8 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
         descents="" if descents is None else render("c/descents.c.jinja", descents=descents),
         coupling=c_coupling(module),
         regular=regular_values(module, flats) if flats else None,
-        runtime=CRuntime(_brought_along(module, regular=regular is not None)),
+        nearest=c_nearest(module, near),
+        runtime=CRuntime(_brought_along(module, regular=used is not None)),
     )
 
 
@@ -159,6 +165,7 @@ def _brought_along(module: SolverModule, *, regular: bool) -> list[str]:
     kernel = general_kernel(solver)
     if whole_arm(solver) is not None:
         headers += ["numerical" if kernel is None else "general"]
+    headers += ["general/near"] if module.nominal is not None else []
     return [
         *(f"#define DHGEN_{each}" for each in single),
         *(line for each in switches if regular for line in _switch(upper, each)),

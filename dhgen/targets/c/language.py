@@ -106,11 +106,12 @@ class C:
         name, count = axis.name, axis.count
         arms = "numerical_rows(" if statement.general is None else "general_rows(&general, "
         given = "free_joints" if statement.given else "NULL"
+        nearby = "" if statement.general is None else "nearby, nearby_count, "
         found = f"{name}_roots[0], {name}_found, {name}_chosen"
         return [
             f"double {name}_roots[{count}][{len(statement.names)}];",
             f"int {name}_found[{count}], {name}_chosen[{count}];",
-            f"dhgen_{arms}&descents, T, {given}, seed, {found});",
+            f"dhgen_{arms}&descents, T, {given}, seed, {nearby}{found});",
         ]
 
     def open_loop(self, loop: Loop) -> list[str]:

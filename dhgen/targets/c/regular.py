@@ -44,12 +44,14 @@ class CRegular:
         one: Branches in lanes; none where they never are.
         about: What is in lanes then.
         shared: What both compute in the same words, as lines.
+        one_pose: The beginning of a call for one pose where no branches are in lanes.
     """
 
     wide: Sequence[str]
     one: Sequence[str]
     about: str
     shared: Sequence[str]
+    one_pose: str = "dhgen_solve_one(solve_wide"
 
 
 def regular_values(module: SolverModule, flats: Flats) -> CRegular:

@@ -13,6 +13,7 @@ from dhgen.targets.layout import INDENT
 from dhgen.targets.module import regular_solver
 from dhgen.targets.python.formulas import Formulas, formulas_of
 from dhgen.targets.python.language import Python
+from dhgen.targets.python.nearest import PythonNearest, python_nearest
 from dhgen.targets.python.single_file import in_one_file
 from dhgen.targets.python.texts import (
     PythonComments,
@@ -47,6 +48,7 @@ class PythonSolver:
         compiled: Those that compile parts of the runtime that only some robots need.
         regular: The formulas of regular poses, where there is a program for them.
         arctangent: Whether the solver takes arctangents.
+        nearest: The nearest arm with a structure, where its rows are tried first.
     """
 
     comments: PythonComments
@@ -58,6 +60,7 @@ class PythonSolver:
     compiled: str
     regular: Formulas | None
     arctangent: bool
+    nearest: PythonNearest | None
 
 
 def python_files(module: SolverModule, *, single_file: bool = False) -> dict[str, str]:
@@ -75,18 +78,20 @@ def python_files(module: SolverModule, *, single_file: bool = False) -> dict[str
 
 def python_solver(module: SolverModule) -> PythonSolver:
     """What the templates name of a robot."""
-    regular = regular_solver(module)
+    regular, nominal = regular_solver(module), module.nominal
     flat = None if regular is None else flatten(regular)
+    near = None if nominal is None else flatten(nominal.regular)
     return PythonSolver(
         comments=python_comments(module, flat),
-        tables=python_tables(module, flat),
+        tables=python_tables(module, flat or near),
         pose=python_pose(module),
         bodies=bodies_of(module, Python(), _assignments, _entries),
         whole=python_whole(module.solver),
         functions=_functions(module),
         compiled=_compiled(module),
         regular=None if flat is None else formulas_of(flat, module.chain.given),
-        arctangent=uses(module.solver, "atan2"),
+        arctangent=uses(module.solver, "atan2") or nominal is not None,
+        nearest=None if near is None else python_nearest(module, near),
     )
 
 

@@ -99,8 +99,12 @@ class Python:
         """All solutions as a table, with what is true of each."""
         name = axis.name
         given = "q_free" if statement.given else "_NO_FREE"
-        taken = f"_NUMBERS, pose, {given}, seed"
-        return [f"{name}_roots, {name}_found, {name}_chosen = _all_joints({taken})"]
+        nearby = "" if statement.general is None else ", nearby"
+        taken = f"_NUMBERS, pose, {given}, seed{nearby}"
+        found = f"{name}_roots, {name}_found, {name}_chosen"
+        if statement.general is None:
+            return [f"{found} = _all_joints({taken})"]
+        return [f"{found} = _all_joints(", f"    {taken}", ")"]
 
     def open_loop(self, loop: Loop) -> list[str]:
         """A loop over a sign or the roots of a polynomial."""

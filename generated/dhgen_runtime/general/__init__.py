@@ -11,5 +11,6 @@ arm as a closed loop J(q1) K0 J(q2) ... K4 J(q6) = P), equations (of a formulati
 determinant), circle (real roots of a polynomial on the circle), moebius (a lens on the circle),
 wrist and four_turns (polynomials in closed form), roots (all real roots of either), recover (joints
 from a root), refine (Newton's steps), candidates (what becomes a solution), attempts (one
-formulation), search (all of them), rows (solutions of the arm).
+formulation), correct (from near all solutions to these), search (all of them), rows (solutions of
+the arm); near (joint values near all solutions, by the nearest arm with a structure).
 """

@@ -6,6 +6,7 @@ from . import (
     attempts,
     candidates,
     circle,
+    correct,
     equations,
     four_turns,
     loop,
@@ -18,7 +19,7 @@ from . import (
 
 FILES = (
     *(descent, solutions, loop, equations, circle, four_turns),
-    *(recover, refine, roots, candidates, attempts, search, rows),
+    *(recover, refine, roots, candidates, correct, attempts, search, rows),
 )
 
 

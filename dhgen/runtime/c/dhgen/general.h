@@ -8,7 +8,8 @@
  * Rooms, in reading order: arm (the table), loop, motions; monomials, equations, determinant;
  * circle_tables, circle_cosines, circle_sines, circle, circle_parts, circle_cells, moebius, roots
  * (of a polynomial on the circle); null_vectors, recover, refine, solutions, eliminate;
- * closed_polynomial, offset_wrist, four_turns; search, rows. */
+ * closed_polynomial, offset_wrist, four_turns; correct (from near all solutions to these), search,
+ * rows; near (the nearest arm with a structure). */
 #ifndef DHGEN_GENERAL_H
 #define DHGEN_GENERAL_H
 
@@ -22,23 +23,25 @@ extern "C" {
 
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most arm->most.
  *
- * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose
- * q1 agree to DHGEN_ORDER_TIE in the order of q2, and so on, singular ones and nearly singular ones
- * last. residual: by how much the loop stays open, in radians and arm sizes. Returns how many; -1 -
- * count when it is not certain that these are all: for want of a certificate of its own (where
- * every polynomial vanishes identically there may be a continuum, which poses close by do not
- * have), or because roots met or the arm is singular at a solution, or nearly, so that steps did
- * not make it exact. */
+ * T: row by row. nearby, nearby_count: joint values with one solution near each and no other one,
+ * as dhgen_near_solutions has them, or none where that is not known. q: the angles, in (-pi, pi],
+ * or length, rows in the order of q1, rows whose q1 agree to DHGEN_ORDER_TIE in the order of q2,
+ * and so on, singular ones and nearly singular ones last. residual: by how much the loop stays
+ * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
+ * are all: for want of a certificate of its own (where every polynomial vanishes identically there
+ * may be a continuum, which poses close by do not have), or because roots met or the arm is
+ * singular at a solution, or nearly, so that steps did not make it exact. */
 DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double T[16],
-    const double *free_joints, double (*q)[6], double *residual);
+    const double *free_joints, double (*nearby)[6], int nearby_count, double (*q)[6],
+    double *residual);
 
 /* All solutions, sorted by the first joint, then by the second and so on: rows of joint values,
  * which of them there are, and which were chosen from a continuum. Where it is not certain that
  * these are all, the seed and evenly spread starts are followed, too; singular solutions out of a
- * continuum go to the seed. */
+ * continuum go to the seed. nearby, nearby_count: as above. */
 DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
     const struct dhgen_numerical_arm *arm, const double *T, const double *free_joints,
-    const double *seed, double *q, int *found, int *chosen);
+    const double *seed, double (*nearby)[6], int nearby_count, double *q, int *found, int *chosen);
 
 #if defined(__cplusplus) && defined(DHGEN_SHARED)
 }

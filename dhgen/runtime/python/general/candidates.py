@@ -98,6 +98,55 @@ def _from_loop(arm: Floats, c: Floats, s: Floats, q: Floats) -> None:
                 q[i] = s[i]
 
 
+@inner
+def keep_solution(
+    arm: Floats,
+    c: Floats,
+    s: Floats,
+    missing: float,
+    least: float,
+    q: Floats,
+    residual: Floats,
+    marks: Ints,
+    count: int,
+) -> tuple[int, int]:
+    """Keeps a solution unless it is known or none: (its place or -1, the count).
+
+    Args:
+        arm: The numbers of the arm.
+        c: Cosines of its joints in the loop.
+        s: Sines.
+        missing: By how much the loop stays open.
+        least: The smallest pivot of the Jacobian over the largest.
+        q: The solutions so far.
+        residual: Their misses.
+        marks: What is true of them.
+        count: How many they are.
+    """
+    if not missing <= SOLUTION:
+        return -1, count
+    theta = carray(room(6), 6)
+    _from_loop(arm, c, s, theta)
+    place = count
+    for k in range(count):
+        if gap_between(arm, q[k], theta) < SAME:
+            place = k
+            break
+    singular, nearly = 1 if least < SINGULAR else 0, 1 if least < NEARLY_SINGULAR else 0
+    if place == count and count >= PLACES - nearly * int(arm[MOST]):
+        return -1, count
+    if place == count:
+        count += 1
+        marks[place] = 0
+        residual[place] = np.inf
+    if missing < residual[place]:
+        residual[place] = missing
+        for i in range(6):
+            q[place, i] = theta[i]
+    marks[place] |= singular | nearly << 1
+    return place, count
+
+
 @apart(
     "UniTuple(int64, 2)(float64[::1], float64[:, ::1], float64[::1], float64[::1], boolean, "
     "boolean, float64[:, ::1], float64[::1], int64[::1], int64)"
@@ -123,29 +172,5 @@ def offer(
         missing = refine_sliding(arm, links, c, s, afar)
     else:
         missing = refine_turning(links, c, s, afar)
-    if not missing <= SOLUTION:
-        return -1, count
-    theta = carray(room(6), 6)
-    _from_loop(arm, c, s, theta)
-    place = count
-    for k in range(count):
-        if gap_between(arm, q[k], theta) < SAME:
-            place = k
-            break
-    singular = nearly = 0
-    if doubtful:
-        least = pivot(arm, links, c, s)
-        singular = 1 if least < SINGULAR else 0
-        nearly = 1 if least < NEARLY_SINGULAR else 0
-    if place == count and count >= PLACES - nearly * int(arm[MOST]):
-        return -1, count
-    if place == count:
-        count += 1
-        marks[place] = 0
-        residual[place] = np.inf
-    if missing < residual[place]:
-        residual[place] = missing
-        for i in range(6):
-            q[place, i] = theta[i]
-    marks[place] |= singular | nearly << 1
-    return place, count
+    least = pivot(arm, links, c, s) if doubtful and missing <= SOLUTION else 1.0
+    return keep_solution(arm, c, s, missing, least, q, residual, marks, count)

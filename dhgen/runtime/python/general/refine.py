@@ -168,7 +168,7 @@ def _step(J: Floats, afar: bool, now: float, x: Floats) -> None:
 
 
 @merged
-def _turn_by(c: Floats, s: Floats, i: int, x: float) -> None:
+def turn_by(c: Floats, s: Floats, i: int, x: float) -> None:
     """Adds 2 atan(x/2) to an angle, without trigonometry."""
     u = 0.25 * x * x
     dc, ds = (1.0 - u) / (1.0 + u), x / (1.0 + u)
@@ -191,7 +191,7 @@ def refine_turning(links: Floats, c: Floats, s: Floats, afar: bool) -> float:
             break
         _step(J, afar, now, x)
         for i in range(6):
-            _turn_by(tc, ts, i, x[i])
+            turn_by(tc, ts, i, x[i])
         now = _turning_error(links, tc, ts, J)
         if now < least:
             least = now
@@ -216,7 +216,7 @@ def refine_sliding(arm: Floats, links: Floats, c: Floats, s: Floats, afar: bool)
             if arm[SLIDES + i] > 0.0:
                 ts[i] += x[i]
             else:
-                _turn_by(tc, ts, i, x[i])
+                turn_by(tc, ts, i, x[i])
         now = _sliding_error(arm, links, tc, ts, J)
         if now < least:
             least = now

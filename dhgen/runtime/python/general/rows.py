@@ -137,14 +137,15 @@ def _keep_without_turn(
 
 @apart(
     "Tuple((float64[:, ::1], boolean[::1], boolean[::1]))(float64[::1], UniTuple(float64, 12), "
-    "float64[::1], float64[::1])"
+    "float64[::1], float64[::1], float64[:, ::1])"
 )
 def all_joints(
-    arm: Floats, pose: tuple[float, ...], q_free: Floats, seed: Floats
+    arm: Floats, pose: tuple[float, ...], q_free: Floats, seed: Floats, nearby: Floats
 ) -> tuple[Floats, Bools, Bools]:
     """Returns rows of joint values, which hold a solution, and in which a joint was indeterminate.
 
-    Such a joint follows the seed.
+    Such a joint follows the seed. `nearby` holds joint values of the loop near which all solutions
+    are, one near each, or none.
     """
     goal = goal_of(pose, q_free, NO_ARM_ANGLE)
     T, joints, near = goal[0], given_joints(arm, q_free), in_units(arm, seed)
@@ -153,7 +154,7 @@ def all_joints(
     if arm[POINTING_LOOP] > 0.0:
         any_turn(T, flat)
     angles, residual = np.empty((rows, 6)), np.empty(rows)
-    known = solve_loop(arm, flat, q_free, angles, residual)
+    known = solve_loop(arm, flat, q_free, nearby, angles, residual)
     certain, many = known >= 0, known if known >= 0 else -1 - known
     q = np.zeros((rows, int(arm[DOF])))
     found, chosen = np.zeros(rows, np.bool_), np.zeros(rows, np.bool_)
@@ -182,4 +183,4 @@ def solve_whole(
     arm: Floats, pose: tuple[float, ...], q_free: Floats, seed: Floats
 ) -> tuple[Floats, Bools, Bools]:
     """Returns what `all_joints` does, for callers in Python."""
-    return all_joints(arm, pose, q_free, seed)
+    return all_joints(arm, pose, q_free, seed, np.empty((0, 6)))

@@ -74,7 +74,7 @@ DHGEN_FN void dhgen_keep_without_turn(
 
 DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
     const struct dhgen_numerical_arm *arm, const double *T, const double *free_joints,
-    const double *seed, double *q, int *found, int *chosen)
+    const double *seed, double (*nearby)[6], int nearby_count, double *q, int *found, int *chosen)
 {
     struct dhgen_descent d;
     struct dhgen_kept kept;
@@ -84,8 +84,9 @@ DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
     kept.count = 0;
     if (arm->directions == DHGEN_POINTING)
         dhgen_choose_spin(T, whole);
-    const int count = dhgen_general_solutions(
-        general, arm->directions == DHGEN_POINTING ? whole : T, free_joints, angles, residual);
+    const int count =
+        dhgen_general_solutions(general, arm->directions == DHGEN_POINTING ? whole : T, free_joints,
+            nearby, nearby_count, angles, residual);
     const int many = count < 0 ? -1 - count : count;
     for (int j = 0; j < arm->solved; j++)
         u[j] = d.seed[j];

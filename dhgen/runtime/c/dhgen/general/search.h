@@ -6,6 +6,7 @@
 
 #include "../general.h"
 #include "closed_polynomial.h"
+#include "correct.h"
 #include <math.h>
 
 #if DHGEN_MAY_LACK(DHGEN_FOUR_TURNS)
@@ -26,8 +27,6 @@
 #define DHGEN_SINGULAR_TOGETHER 0.001
 /* Values closer than this don't decide which of two solutions comes first [rad, arm sizes]. */
 #define DHGEN_ORDER_TIE 1e-09
-/* The tolerance `exact`: the loop of an exact solution stays open by no more [rad, arm sizes]. */
-#define DHGEN_LOOP_EXACT 1e-12
 
 /* From a pose to poses close by, for those at which the formulations fail: where roots crowd, they
  * come apart only at some distance. */
@@ -135,9 +134,7 @@ DHGEN_FN int dhgen_search_nearby_poses(const dhgen_loop *loop, dhgen_found *foun
         int complete, count = -1, lost = 0;
         dhgen_solution_set met;
         dhgen_append(nearby.link[5], dhgen_nudge[n]);
-        other.count = 0;
-        other.singular = other.nearly_singular = 0;
-        other.doubles = 0;
+        dhgen_forget(&other);
         complete = dhgen_try_all(&nearby, &other);
         met = dhgen_refine_from(loop, other.q, other.count, found, &lost);
         if (complete && !lost && met) {
@@ -203,21 +200,20 @@ DHGEN_FN int dhgen_precedes(const dhgen_found *found, const int *rank, int i, in
 }
 
 DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double T[16],
-    const double *free_joints, double (*q)[6], double *residual)
+    const double *free_joints, double (*nearby)[6], int nearby_count, double (*q)[6],
+    double *residual)
 {
     dhgen_found found;
     dhgen_loop whole;
     const dhgen_loop *const loop = &whole;
     int rank[DHGEN_PLACES], order[DHGEN_PLACES], certified, inexact = 0;
     dhgen_close_loop(arm, T, free_joints, &whole);
-    found.count = 0;
-    found.singular = found.nearly_singular = 0;
-    found.doubles = 0;
+    dhgen_forget(&found);
     const double *const P = loop->link[5];
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > arm->reach) {
         return 0;
     }
-    certified = dhgen_try_all(loop, &found);
+    certified = dhgen_solve_near(loop, nearby, nearby_count, &found) || dhgen_try_all(loop, &found);
     if (!certified && !dhgen_search_nearby_poses(loop, &found)) {
         dhgen_search_everywhere(loop, &found);
     }

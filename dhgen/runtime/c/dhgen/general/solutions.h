@@ -37,6 +37,14 @@ typedef struct {
     double q[DHGEN_PLACES][6], residual[DHGEN_PLACES];
 } dhgen_found;
 
+/* Nothing has been found. */
+DHGEN_FN void dhgen_forget(dhgen_found *found)
+{
+    found->count = 0;
+    found->singular = found->nearly_singular = 0;
+    found->doubles = 0;
+}
+
 /* Whether two joint vectors differ by less than that, modulo turns. */
 DHGEN_FN int dhgen_is_close(
     const dhgen_general_arm *arm, const double a[6], const double b[6], double most)
@@ -86,23 +94,16 @@ DHGEN_FN int dhgen_keep_solution(const dhgen_general_arm *arm, dhgen_found *foun
     return found->count++;
 }
 
-/* Refines candidates, given by cosines and sines, and keeps the solutions that come of them;
- * returns which these are. `place` takes which solution each candidate became, or -1. Of `doubtful`
- * candidates singular solutions are marked. */
-DHGEN_FN dhgen_solution_set dhgen_refine_and_keep(const dhgen_loop *loop, dhgen_lane c[6],
-    dhgen_lane s[6], int count, int steps, int doubtful, dhgen_found *found,
+/* Keeps the solutions among candidates, given by cosines and sines; returns which these are.
+ * `place` takes which solution each candidate became, or -1. */
+DHGEN_FN dhgen_solution_set dhgen_keep_lanes(const dhgen_loop *loop, const dhgen_lane c[6],
+    const dhgen_lane s[6], int count, dhgen_lane residuals, dhgen_lane pivots, dhgen_found *found,
     int place[DHGEN_GENERAL_LANES])
 {
     double residual[DHGEN_GENERAL_LANES], theta[6][DHGEN_GENERAL_LANES], pivot[DHGEN_GENERAL_LANES];
     dhgen_solution_set met = 0;
-    DHGEN_STORE(residual, dhgen_refine_lanes(loop, c, s, steps, steps > DHGEN_LOOP_STEPS));
-    if (doubtful) {
-        dhgen_lane J[6][7], x[6];
-        (void)dhgen_loop_error(loop, c, s, J);
-        DHGEN_STORE(pivot, dhgen_newton_step(J, x));
-    } else {
-        DHGEN_STORE(pivot, dhgen_lane_all(1.0));
-    }
+    DHGEN_STORE(residual, residuals);
+    DHGEN_STORE(pivot, pivots);
     for (int i = 0; i < 6; i++) {
         const double cosine = loop->arm->advance[0][i], sine = loop->arm->advance[1][i];
         if (dhgen_is_slide(loop->arm, i)) {
@@ -126,6 +127,23 @@ DHGEN_FN dhgen_solution_set dhgen_refine_and_keep(const dhgen_loop *loop, dhgen_
         }
     }
     return met;
+}
+
+/* Refines candidates, given by cosines and sines, and keeps the solutions that come of them;
+ * returns which these are. `place` takes which solution each candidate became, or -1. Of `doubtful`
+ * candidates singular solutions are marked. */
+DHGEN_FN dhgen_solution_set dhgen_refine_and_keep(const dhgen_loop *loop, dhgen_lane c[6],
+    dhgen_lane s[6], int count, int steps, int doubtful, dhgen_found *found,
+    int place[DHGEN_GENERAL_LANES])
+{
+    const dhgen_lane residual = dhgen_refine_lanes(loop, c, s, steps, steps > DHGEN_LOOP_STEPS);
+    dhgen_lane pivot = dhgen_lane_all(1.0);
+    if (doubtful) {
+        dhgen_lane J[6][7], x[6];
+        (void)dhgen_loop_error(loop, c, s, J);
+        pivot = dhgen_newton_step(J, x);
+    }
+    return dhgen_keep_lanes(loop, c, s, count, residual, pivot, found, place);
 }
 
 /* How many bits are set. */

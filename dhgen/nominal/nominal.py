@@ -1,0 +1,116 @@
+"""Solving the nearest arm with a structure: its closed form, and where that shows all rows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.neighbours import EXACT, axis_triples
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.method import Method
+from dhgen.nominal.certificate import certified
+from dhgen.nominal.fit import JOINTS
+from dhgen.nominal.nearest import nearest_arm
+from dhgen.paul.derive import derive
+from dhgen.program.interpret import outputs
+from dhgen.program.lowering.programs import robot_programs
+from dhgen.program.regular.regular import regular
+from dhgen.robot.load import load_text
+from dhgen.robot.task import TaskKind
+from dhgen.tolerances import TOLERANCES
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
+    from dhgen.nominal.nearest import Nearest
+    from dhgen.nominal.table import Table
+    from dhgen.program.ir import Program
+    from dhgen.program.regular.unguarded import Regular
+    from dhgen.program.reserved import Reserved
+
+NAME = "nearest"
+TWISTS = ("0", "pi/2", "pi")
+POSES = 1000
+WORTH = 0.5  # of poses have to be certain: solving the nearest arm takes time that others lose
+
+
+@dataclass(frozen=True, slots=True)
+class Nominal:
+    """The nearest arm with a structure, solved.
+
+    Attributes:
+        nearest: Its numbers.
+        chain: The arm of its table alone.
+        solver: Its closed form.
+        regular: The same of regular poses, left where its rows may not be all of the arm's.
+        certain: At which part of random poses they are.
+    """
+
+    nearest: Nearest
+    chain: Chain
+    solver: Program
+    regular: Regular
+    certain: float
+
+
+def nominal_arm(chain: Chain, reserved: Reserved) -> Nominal | None:
+    """The nearest arm with a closed form; None where there is none that helps.
+
+    Args:
+        chain: The arm.
+        reserved: Names that are kept for others.
+    """
+    if not _is_asked_alone(chain):
+        return None
+    nearest = nearest_arm(chain)
+    if nearest is None:
+        return None
+    near = build_chain(load_text(_robot_file(nearest.table), NAME))
+    if not _has_structure(near):
+        return None
+    derivation = derive(near)
+    if derivation.method is not Method.CLOSED_FORM:
+        return None
+    names = frozenset(constant.name for constant in chain.constants)
+    solver = robot_programs(derivation, NAME, TOLERANCES, reserved).solver
+    whole = regular(solver)
+    own = None if whole is None else certified(whole, nearest.deviation, names)
+    if own is None:
+        return None
+    certain = _certain(chain, nearest, own)
+    return Nominal(nearest, near, solver, own, certain) if certain >= WORTH else None
+
+
+def _is_asked_alone(chain: Chain) -> bool:
+    """Whether a pose asks for six joints that turn, each with a drive of its own."""
+    turns = chain.dof == JOINTS and all(chain.turning)
+    asked = chain.task.kind is TaskKind.POSE and not chain.given
+    return turns and asked and not chain.drives.are_coupled
+
+
+def _has_structure(chain: Chain) -> bool:
+    """Whether three axes side by side are parallel, or meet."""
+    return any(min(t.tilt, t.miss / chain.size) < EXACT for t in axis_triples(chain))
+
+
+def _robot_file(table: Table) -> str:
+    twists = [
+        repr(alpha) if quarter is None else TWISTS[quarter]
+        for quarter, alpha in zip(table.quarters, table.alpha, strict=True)
+    ]
+    rows = zip(table.d, table.a, twists, strict=True)
+    links = [f"  - {{theta: q, d: {d!r}, a: {a!r}, alpha: {alpha}}}" for d, a, alpha in rows]
+    last = "  - {theta: q, d: 0, a: 0, alpha: 0}"
+    head = f"name: {NAME}\ntitle: {NAME}\nsource: computed\nconvention: standard\njoints:"
+    return "\n".join([head, *links, last, "task: pose", ""])
+
+
+def _certain(chain: Chain, nearest: Nearest, solver: Regular) -> float:
+    """At which part of random poses no branch may end near by."""
+    angles = np.random.default_rng(0).uniform(-np.pi, np.pi, (POSES, JOINTS))
+    poses = numeric_arm(chain).pose(angles)
+    found = outputs(solver.program, np.array(nearest.left) @ poses @ np.array(nearest.right))
+    doubts = [np.any(each.reshape(POSES, -1), axis=1) for each in found[len(solver.joints) :]]
+    return float(1.0 - np.mean(np.any(doubts, axis=0)))

@@ -1,0 +1,95 @@
+"""Tables of arms with a structure: which numbers of a table are exact, and the table's motions."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.descriptions.misses import GAP, TILT
+
+if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
+    from dhgen.nominal.lines import Neighbours
+
+QUARTER = 0.5 * math.pi
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """The links between six axes, first to last: T_z(d) T_x(a) R_x(alpha).
+
+    Attributes:
+        quarters: Each twist as a multiple of a right angle; None where it is neither.
+        alpha: Each twist [rad].
+        a: Each link length.
+        d: Each joint offset; the first is the base's.
+    """
+
+    quarters: tuple[int | None, ...]
+    alpha: tuple[float, ...]
+    a: tuple[float, ...]
+    d: tuple[float, ...]
+
+    def links(self, lengths: FloatArray, offsets: FloatArray) -> FloatArray:
+        """What stands between the joints, (5, 4, 4).
+
+        Args:
+            lengths: In the place of all that are not zero: of a, then of d.
+            offsets: What each angle but the first and the last is more, (4,).
+        """
+        a, d = self.filled(lengths)
+        return np.array(
+            [
+                _link(offset, d[k], a[k], self.alpha[k])
+                for k, offset in enumerate([0.0, *map(float, offsets)])
+            ]
+        )
+
+    @property
+    def lengths(self) -> FloatArray:
+        """All lengths that are not zero: of a, then of d."""
+        return np.array([length for length in (*self.a, *self.d) if length])
+
+    def filled(self, lengths: FloatArray) -> tuple[list[float], list[float]]:
+        """Both columns with these lengths in the place of those that are not zero."""
+        left = iter(map(float, lengths))
+        a, d = ([next(left) if each else 0.0 for each in column] for column in (self.a, self.d))
+        return a, d
+
+
+def rounded_table(found: tuple[Neighbours, ...], size: float) -> Table:
+    """The table with what is nearly zero or a right angle taken as that."""
+    quarters = [_quarter(each.alpha) for each in found]
+    return Table(
+        tuple(quarters),
+        tuple(
+            each.alpha if quarter is None else quarter * QUARTER
+            for each, quarter in zip(found, quarters, strict=True)
+        ),
+        tuple(_or_zero(each.a, size) for each in found),
+        tuple(_or_zero(each.d, size) for each in found),
+    )
+
+
+def _quarter(angle: float) -> int | None:
+    nearest = round(angle / QUARTER)
+    return nearest if abs(angle - nearest * QUARTER) < TILT else None
+
+
+def _or_zero(length: float, size: float) -> float:
+    return 0.0 if abs(length) < GAP * size else length
+
+
+def _link(theta: float, d: float, a: float, alpha: float) -> FloatArray:
+    c, s, ca, sa = math.cos(theta), math.sin(theta), math.cos(alpha), math.sin(alpha)
+    return np.array(
+        [
+            [c, -s * ca, s * sa, a * c],
+            [s, c * ca, -c * sa, a * s],
+            [0.0, sa, ca, d],
+            [0.0, 0.0, 0.0, 1.0],
+        ]
+    )

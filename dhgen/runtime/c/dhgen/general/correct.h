@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * From joint values that are near all solutions to these: Newton's method, in the frame of joint 3,
+ * for arms without slides. There axis 3 is z, and axis 4 is fixed: what is across both twists is
+ * four equations in the other joints. */
+#ifndef DHGEN_GENERAL_CORRECT_H
+#define DHGEN_GENERAL_CORRECT_H
+
+#include "solutions.h"
+
+/* Steps at most, and the longest that is the last one [rad]: the next one would be its square. */
+#define DHGEN_CORRECTIONS 8
+#define DHGEN_LAST_CORRECTION 1e-07
+/* The tolerance `exact`: the loop of an exact solution stays open by no more [rad, arm sizes]. */
+#define DHGEN_LOOP_EXACT 1e-12
+
+/* What the pose's solutions have in common: the way back from joint 3 to joint 1, and the twist of
+ * axis 4, velocity of the origin and angular velocity, divided by its largest entry but the last.
+ */
+typedef struct {
+    double back_1[12], back_0[12]; /* the inverses of K1 and K0 */
+    double axis_4[6];
+    int pivot, other[4]; /* the place of that entry, and those of the others */
+    double per_pivot;
+} dhgen_middle;
+
+DHGEN_FN void dhgen_look_from_middle(const dhgen_loop *loop, dhgen_middle *middle)
+{
+    const double *const K = loop->link[2];
+    int others = 0;
+    dhgen_invert(loop->link[1], middle->back_1);
+    dhgen_invert(loop->link[0], middle->back_0);
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        middle->axis_4[i] = K[4 * j + 3] * K[4 * k + 2] - K[4 * k + 3] * K[4 * j + 2];
+        middle->axis_4[3 + i] = K[4 * i + 2];
+    }
+    middle->pivot = 0;
+    for (int i = 1; i < 5; i++) {
+        if (fabs(middle->axis_4[i]) > fabs(middle->axis_4[middle->pivot])) {
+            middle->pivot = i;
+        }
+    }
+    for (int i = 0; i < 5; i++) {
+        if (i != middle->pivot) {
+            middle->other[others++] = i;
+        }
+    }
+    middle->per_pivot = 1.0 / middle->axis_4[middle->pivot];
+    for (int i = 0; i < 6; i++) {
+        middle->axis_4[i] *= middle->per_pivot;
+    }
+}
+
+/* A column of the Jacobian: the twist of the z axis of a frame. */
+DHGEN_INLINE void dhgen_twist(dhgen_rigid T, int column, dhgen_lane A[6][5])
+{
+    DHGEN_UNROLL
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        A[i][column] = T[j][3] * T[k][2] - T[k][3] * T[j][2];
+        A[3 + i][column] = T[i][2];
+    }
+}
+
+/* What the loop misses, as a twist, in the last column of A; its first ones are the twists of
+ * joints 1, 2, 5 and 6. Returns the square of the miss. */
+DHGEN_INLINE dhgen_lane dhgen_middle_miss(const dhgen_loop *loop, const dhgen_middle *middle,
+    const dhgen_lane c[6], const dhgen_lane s[6], dhgen_lane A[6][5])
+{
+    const double *const B = middle->back_1;
+    dhgen_rigid U, W;
+    dhgen_lane R[3][3], square, trace;
+    DHGEN_UNROLL
+    for (int j = 0; j < 4; j++) {
+        U[0][j] = c[2] * B[j] + s[2] * B[4 + j];
+        U[1][j] = c[2] * B[4 + j] - s[2] * B[j];
+        U[2][j] = dhgen_lane_all(B[8 + j]);
+    }
+    dhgen_twist(U, 1, A);
+    dhgen_turn(U, c[1], -s[1]);
+    dhgen_multiply(U, middle->back_0);
+    dhgen_twist(U, 0, A);
+    dhgen_turn(U, c[0], -s[0]);
+    dhgen_multiply(U, loop->link[5]);
+    dhgen_broadcast(W, loop->link[2]);
+    dhgen_turn(W, c[3], s[3]);
+    dhgen_multiply(W, loop->link[3]);
+    dhgen_twist(W, 2, A);
+    dhgen_turn(W, c[4], s[4]);
+    dhgen_multiply(W, loop->link[4]);
+    dhgen_twist(W, 3, A);
+    dhgen_turn(W, c[5], s[5]);
+    DHGEN_UNROLL
+    for (int i = 0; i < 3; i++) {
+        DHGEN_UNROLL
+        for (int j = 0; j < 3; j++) {
+            R[i][j] = U[i][0] * W[j][0] + U[i][1] * W[j][1] + U[i][2] * W[j][2];
+        }
+        A[i][4] = U[i][3] - (R[i][0] * W[0][3] + R[i][1] * W[1][3] + R[i][2] * W[2][3]);
+    }
+    A[3][4] = 0.5 * (R[2][1] - R[1][2]);
+    A[4][4] = 0.5 * (R[0][2] - R[2][0]);
+    A[5][4] = 0.5 * (R[1][0] - R[0][1]);
+    square = A[0][4] * A[0][4];
+    DHGEN_UNROLL
+    for (int i = 1; i < 6; i++) {
+        square += A[i][4] * A[i][4];
+    }
+    /* half a turn away the skew part vanishes, too, but the trace is negative */
+    trace = R[0][0] + R[1][1] + R[2][2];
+    return dhgen_lane_select(trace < 0.0, square + 1.0, square);
+}
+
+/* Solves four equations, the last column of M the right side, by minors of two rows. */
+DHGEN_INLINE void dhgen_solve_four(dhgen_lane M[4][5], dhgen_lane x[4])
+{
+    static const int pair[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
+    dhgen_lane a[6], b[6], u[4], w[4], per_determinant;
+    DHGEN_UNROLL
+    for (int k = 0; k < 6; k++) {
+        const int i = pair[k][0], j = pair[k][1];
+        a[k] = M[0][i] * M[1][j] - M[1][i] * M[0][j];
+        b[k] = M[2][i] * M[3][j] - M[3][i] * M[2][j];
+    }
+    DHGEN_UNROLL
+    for (int i = 0; i < 4; i++) {
+        u[i] = M[1][i] * M[0][4] - M[0][i] * M[1][4];
+        w[i] = M[3][i] * M[2][4] - M[2][i] * M[3][4];
+    }
+    per_determinant =
+        1.0 / (a[0] * b[5] - a[1] * b[4] + a[2] * b[3] + a[3] * b[2] - a[4] * b[1] + a[5] * b[0]);
+    x[0] = (u[1] * b[5] - u[2] * b[4] + u[3] * b[3]) + (w[1] * a[5] - w[2] * a[4] + w[3] * a[3]);
+    x[1] = (u[2] * b[2] - u[0] * b[5] - u[3] * b[1]) + (w[2] * a[2] - w[0] * a[5] - w[3] * a[1]);
+    x[2] = (u[0] * b[4] - u[1] * b[2] + u[3] * b[0]) + (w[0] * a[4] - w[1] * a[2] + w[3] * a[0]);
+    x[3] = (u[1] * b[1] - u[0] * b[3] - u[2] * b[0]) + (w[1] * a[1] - w[0] * a[3] - w[2] * a[0]);
+    DHGEN_UNROLL
+    for (int i = 0; i < 4; i++) {
+        x[i] *= per_determinant;
+    }
+}
+
+/* The step of Newton's method for all joints. */
+DHGEN_INLINE void dhgen_correction(const dhgen_middle *middle, dhgen_lane A[6][5], dhgen_lane x[6])
+{
+    dhgen_lane M[4][5], y[4], *const pivot = A[middle->pivot];
+    DHGEN_UNROLL
+    for (int i = 0; i < 4; i++) {
+        const int row = middle->other[i];
+        DHGEN_UNROLL
+        for (int j = 0; j < 5; j++) {
+            M[i][j] = A[row][j] - pivot[j] * middle->axis_4[row];
+        }
+    }
+    dhgen_solve_four(M, y);
+    const dhgen_lane along =
+        pivot[4] - (pivot[0] * y[0] + pivot[1] * y[1] + pivot[2] * y[2] + pivot[3] * y[3]);
+    x[0] = y[0];
+    x[1] = y[1];
+    x[2] = A[5][4] - (A[5][0] * y[0] + A[5][1] * y[1] + A[5][2] * y[2] + A[5][3] * y[3])
+        - along * middle->axis_4[5];
+    x[3] = along * middle->per_pivot;
+    x[4] = y[2];
+    x[5] = y[3];
+}
+
+/* Takes cosines and sines of the joints from near to solutions to these. Returns the misses. */
+DHGEN_INLINE dhgen_lane dhgen_correct_lanes(
+    const dhgen_loop *loop, const dhgen_middle *middle, dhgen_lane c[6], dhgen_lane s[6])
+{
+    dhgen_lane A[6][5], x[6], most = dhgen_lane_all(1.0);
+    for (int n = 0; n < DHGEN_CORRECTIONS && dhgen_lane_largest(most) > DHGEN_LAST_CORRECTION;
+         n++) {
+        (void)dhgen_middle_miss(loop, middle, c, s, A);
+        dhgen_correction(middle, A, x);
+        most = dhgen_lane_all(0.0);
+        DHGEN_UNROLL
+        for (int i = 0; i < 6; i++) {
+            /* a turn by 2 atan(x/2), without trigonometry */
+            const dhgen_lane u = 0.25 * x[i] * x[i], f = 1.0 / (1.0 + u);
+            const dhgen_lane dc = (1.0 - u) * f, ds = x[i] * f, old = c[i];
+            c[i] = old * dc - s[i] * ds;
+            s[i] = s[i] * dc + old * ds;
+            most = dhgen_lane_max(most, dhgen_lane_abs(x[i]));
+        }
+    }
+    return dhgen_lane_sqrt(dhgen_middle_miss(loop, middle, c, s, A));
+}
+
+/* Cosine and sine of an angle within a turn of zero, to 1e-7, and of a vector that is one long: the
+ * eighth of the angle by its series, and doubled three times. */
+DHGEN_INLINE void dhgen_lane_direction(dhgen_lane angle, dhgen_lane *c, dhgen_lane *s)
+{
+    const dhgen_lane y = 0.125 * angle, u = y * y;
+    dhgen_lane a = 1.0
+        + u
+            * (-1.0 / 2.0
+                + u * (1.0 / 24.0 + u * (-1.0 / 720.0 + u * (1.0 / 40320.0 - u / 3628800.0))));
+    dhgen_lane b =
+        y * (1.0 + u * (-1.0 / 6.0 + u * (1.0 / 120.0 + u * (-1.0 / 5040.0 + u / 362880.0))));
+    const dhgen_lane f = 1.5 - 0.5 * (a * a + b * b);
+    a *= f;
+    b *= f;
+    for (int n = 0; n < 3; n++) {
+        const dhgen_lane old = a;
+        a = old * old - b * b;
+        b = 2.0 * old * b;
+    }
+    *c = a;
+    *s = b;
+}
+
+/* Finds the solutions near joint values that are known to have one near each and no others; returns
+ * whether all of them are exact and unlike one another. If not, none is kept. */
+DHGEN_FN int dhgen_solve_near(
+    const dhgen_loop *loop, double (*nearby)[6], int nearby_count, dhgen_found *found)
+{
+    dhgen_middle middle;
+    int place[DHGEN_GENERAL_LANES];
+    if (!nearby_count) {
+        return 0;
+    }
+    dhgen_look_from_middle(loop, &middle);
+    for (int from = 0; from < nearby_count; from += DHGEN_GENERAL_LANES) {
+        const int left = nearby_count - from,
+                  now = left < DHGEN_GENERAL_LANES ? left : DHGEN_GENERAL_LANES;
+        dhgen_lane c[6], s[6];
+        for (int i = 0; i < 6; i++) {
+            const double cosine = loop->arm->advance[0][i], sine = loop->arm->advance[1][i];
+            double angle[DHGEN_GENERAL_LANES];
+            dhgen_lane a, b;
+            for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
+                angle[k] = nearby[from + (k < now ? k : 0)][i];
+            }
+            dhgen_lane_direction(DHGEN_LOAD(angle), &a, &b);
+            c[i] = a * cosine + b * sine;
+            s[i] = b * cosine - a * sine;
+        }
+        const dhgen_lane miss = dhgen_correct_lanes(loop, &middle, c, s);
+        (void)dhgen_keep_lanes(loop, c, s, now, miss, dhgen_lane_all(1.0), found, place);
+    }
+    int complete = found->count == nearby_count;
+    for (int i = 0; i < found->count; i++) {
+        complete &= found->residual[i] <= DHGEN_LOOP_EXACT;
+    }
+    if (!complete) {
+        dhgen_forget(found);
+    }
+    return complete;
+}
+
+#endif

@@ -1,0 +1,68 @@
+"""C of the nearest arm with a structure: its regular poses, and its numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from dhgen.targets.c.regular import CRegular, Flats, flats_of, regular_values
+from dhgen.targets.general.numbers import rigid, row
+
+if TYPE_CHECKING:
+    from dhgen.targets.module import SolverModule
+
+
+@dataclass(frozen=True, slots=True)
+class CNearest:
+    """The nearest arm with a structure.
+
+    Attributes:
+        regular: Its regular poses.
+        rows: How many rows it has.
+        left: What stands before a pose to make it this arm's.
+        right: What stands behind it.
+        offsets: What its angles are more than those of the loop.
+    """
+
+    regular: CRegular
+    rows: int
+    left: str
+    right: str
+    offsets: str
+
+
+def nearest_module(module: SolverModule) -> SolverModule | None:
+    """The nearest arm as a module of its own."""
+    nominal = module.nominal
+    if nominal is None:
+        return None
+    return replace(module, chain=nominal.chain, solver=nominal.solver, nominal=None)
+
+
+def nearest_flats(module: SolverModule, longest: int) -> Flats | None:
+    """What its regular poses compute: branches written out, or in loops where that is longer."""
+    own, nominal = nearest_module(module), module.nominal
+    if own is None or nominal is None:
+        return None
+    out = flats_of(nominal.regular, in_loops=False)
+    written = regular_values(own, out)
+    is_long = sum(map(len, (*written.wide, *written.one))) > longest
+    return flats_of(nominal.regular, in_loops=True) if is_long else out
+
+
+def c_nearest(module: SolverModule, flats: Flats | None) -> CNearest | None:
+    """What the templates name of it."""
+    own, nominal = nearest_module(module), module.nominal
+    if own is None or nominal is None or flats is None:
+        return None
+    nearest = nominal.nearest
+    return CNearest(
+        regular=replace(
+            regular_values(own, flats),
+            one_pose=f"dhgen_solve_branches(solve_wide, {own.solver.rows}",
+        ),
+        rows=own.solver.rows,
+        left=rigid(nearest.left),
+        right=rigid(nearest.right),
+        offsets=row(nearest.offsets),
+    )

@@ -1,0 +1,87 @@
+"""Calibrated twins of arms: with the nearest arm's rows they have the same solutions as without."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.verify.native import C_FLAGS, PORTABLE, c_compiler
+from tests.compiling import library, written
+from tests.nominal.twins import twin
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from dhgen.compiler import Compilation
+
+POSES = 3000
+
+
+def compiled(name: str, noise: float, folder: Path) -> Compilation:
+    path = folder / f"twin_{name}.yaml"
+    path.write_text(twin(name, noise), encoding="utf-8")
+    return written(path, folder)
+
+
+@pytest.mark.parametrize(
+    ("name", "noise"),
+    [
+        ("puma560", 1e-4),
+        ("ur5e", 1e-4),
+        *(
+            pytest.param(*each, marks=pytest.mark.slow)
+            for each in (("puma560", 1e-6), ("ur5e", 1e-5), ("kuka_kr6_r900", 1e-4))
+        ),
+    ],
+)
+def test_solutions_are_those_of_the_general_algorithm(
+    name: str, noise: float, tmp_path: Path
+) -> None:
+    module = compiled(name, noise, tmp_path).module
+    assert module.nominal is not None
+    plain = replace(PORTABLE, flags=(*PORTABLE.flags, f"-D{module.name.upper()}_PLAIN"))
+    (tmp_path / "plain").mkdir()
+    shutil.copytree(tmp_path, tmp_path / "plain", dirs_exist_ok=True, ignore=lambda *_: ["plain"])
+    fast, general = library(module, tmp_path), library(module, tmp_path / "plain", plain)
+    q = np.random.default_rng(4).uniform(-np.pi, np.pi, (POSES, 6))
+    poses = numeric_arm(module.chain).pose(q)
+    (found, status), (wanted, kinds) = fast.batch(poses), general.batch(poses)
+    np.testing.assert_array_equal(status, kinds)
+    np.testing.assert_allclose(found, wanted, rtol=0.0, atol=1e-9)
+    alike = sum(np.array_equal(*both, equal_nan=True) for both in zip(found, wanted, strict=True))
+    assert alike < 0.7 * POSES  # as many poses at least are solved in the other way
+
+
+NAMED = """\
+name: named
+source: random
+parameters: {near_a2: 0.4318, nearby: 0.15005, v1: 0.0203, h1: 0.4318, nearest_arm: 0.67183}
+joints:
+  - {theta: q, d: nearest_arm, a: 0.0001, alpha: 1.5708}
+  - {theta: q, d: 0, a: near_a2, alpha: 0.0001}
+  - {theta: q, d: nearby, a: v1, alpha: -1.5707}
+  - {theta: q, d: h1, a: 0, alpha: 1.5709}
+  - {theta: q, d: 0, a: 0.0001, alpha: -1.5708}
+  - {theta: q, d: 0, a: 0, alpha: 0}
+"""
+
+
+@pytest.mark.parametrize("flags", [(), ("-DNAMED_SCALAR",), ("-DNAMED_PLAIN",)])
+def test_numbers_of_both_arms_have_names_of_their_own(
+    flags: tuple[str, ...], tmp_path: Path
+) -> None:
+    (tmp_path / "named.yaml").write_text(NAMED, encoding="utf-8")
+    assert written(tmp_path / "named.yaml", tmp_path).module.nominal is not None
+    command = [str(c_compiler()), *C_FLAGS, "-Wshadow", *flags, "-c", "named.c", "-o", "named.o"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+
+
+def test_arms_far_from_a_structure_have_no_nearest_one(tmp_path: Path) -> None:
+    """At errors of a millimetre hardly any pose of a UR5e is certain: that takes only time."""
+    assert compiled("ur5e", 1e-3, tmp_path).module.nominal is None
