@@ -36,6 +36,11 @@ class CLinks:
     links: Sequence[str]
     values: str
 
+    @property
+    def count(self) -> int:
+        """How many rows there are."""
+        return len(self.rows)
+
 
 def c_links(module: SolverModule) -> CLinks:
     """The links of a robot."""
