@@ -1,0 +1,94 @@
+/* kuka_kr6_r900_calibrated: KUKA KR 6 R900, calibrated
+ *
+ * Inverse kinematics, generated from robots/kuka_kr6_r900_calibrated.yaml and
+ * templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/kuka_kr6_r900_calibrated.yaml. The formulas and where they come
+ * from: kuka_kr6_r900_calibrated.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 0ecca322e1a10d95
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef KUKA_KR6_R900_CALIBRATED_H
+#define KUKA_KR6_R900_CALIBRATED_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define KUKA_KR6_R900_CALIBRATED_METHOD "general 6R"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define KUKA_KR6_R900_CALIBRATED_JOINT_TYPES "RRRRRR"
+#define KUKA_KR6_R900_CALIBRATED_JOINT_NAMES \
+    "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define KUKA_KR6_R900_CALIBRATED_JOINT_LIMITS \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, \
+    { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
+
+enum {
+    KUKA_KR6_R900_CALIBRATED_DOF = 6, /* joints */
+    KUKA_KR6_R900_CALIBRATED_ROWS = 16 /* branches */
+};
+
+/* What a row of kuka_kr6_r900_calibrated_ik holds. */
+enum {
+    /* joint values */
+    KUKA_KR6_R900_CALIBRATED_OK = 0,
+    /* NaN: no solution in this branch, or one that an earlier row holds */
+    KUKA_KR6_R900_CALIBRATED_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
+    KUKA_KR6_R900_CALIBRATED_FREE_JOINT = 2,
+    /* joint values, at least one beyond its limits */
+    KUKA_KR6_R900_CALIBRATED_OUT_OF_LIMITS = 3,
+    /* NaN: T is not a valid pose */
+    KUKA_KR6_R900_CALIBRATED_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const kuka_kr6_r900_calibrated_branches[16];
+
+/* The pose T of the joint values q. */
+void kuka_kr6_r900_calibrated_fk(const double q[6], double T[16]);
+
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void kuka_kr6_r900_calibrated_frames(const double q[6], double frames[8][16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void kuka_kr6_r900_calibrated_jacobian(const double q[6], double J[36]);
+
+/* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
+ * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
+ * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
+ * the twist, lengths in arm sizes. */
+void kuka_kr6_r900_calibrated_joint_velocities(const double q[6], const double twist[6], double
+    velocities[6]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -KUKA_KR6_R900_CALIBRATED_INVALID_POSE, also for a seed that is not finite where it may be
+ * needed. */
+int kuka_kr6_r900_calibrated_ik(
+    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
+
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
+ * q_seed. Returns KUKA_KR6_R900_CALIBRATED_OK or KUKA_KR6_R900_CALIBRATED_FREE_JOINT, or, with NaN
+ * in q, minus KUKA_KR6_R900_CALIBRATED_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one
+ * also for a seed that is not finite. */
+int kuka_kr6_r900_calibrated_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* kuka_kr6_r900_calibrated_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 16 x 6, status n x 16. */
+void kuka_kr6_r900_calibrated_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
