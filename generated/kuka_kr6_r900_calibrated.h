@@ -1,4 +1,4 @@
-/* kuka_kr6_r900_calibrated: KUKA KR 6 R900, calibrated
+/* kuka_kr6_r900_calibrated: KUKA KR 6 R900 with calibration noise of 1e-4
  *
  * Inverse kinematics, generated from robots/kuka_kr6_r900_calibrated.yaml and
  * templates/c/solver.h.jinja.
@@ -8,7 +8,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
  * Every entry of a pose counts.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 0ecca322e1a10d95
+ * dhgen 0.1.0; SHA-256 of the robot file: e4c5b1b5bab468f2
  * SPDX-License-Identifier: MIT
  */
 #ifndef KUKA_KR6_R900_CALIBRATED_H
