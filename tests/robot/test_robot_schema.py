@@ -39,7 +39,8 @@ def test_a_cell_is_a_number_or_a_text() -> None:
     assert row["theta"]["type"] == ["number", "string"]
 
 
-NEARLY_RIGHT = {"kuka_kr6_r900_calibrated", "puma560_calibrated"}  # angles with noise on purpose, of which dhgen warns
+# Angles with noise on purpose, of which dhgen warns.
+NEARLY_RIGHT = {"kuka_kr6_r900_calibrated", "puma560_calibrated"}
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)

@@ -64,6 +64,9 @@ DHGEN_FN void dhgen_add_rows_beside(const struct dhgen_arm *arm, const double *T
             dhgen_empty_row(arm, rows + dof * row, kinds + row);
         dhgen_move_aside(T, n / 2 % 6, n % 2 ? -by : by, descents->size, aside);
         arm->solve(aside, free_joints, seed, 0.0, rows, kinds);
+        for (int row = 0; row < dhgen_rows(arm); row++)
+            if (kinds[row] >= DHGEN_LOST)
+                dhgen_empty_row(arm, rows + dof * row, kinds + row);
         (void)dhgen_refine_rows(arm, T, free_joints, seed, rows, kinds);
         for (int row = 0; row < dhgen_rows(arm); row++) {
             const int empty = kinds[row] != DHGEN_UNREACHABLE && status[row] == DHGEN_UNREACHABLE;

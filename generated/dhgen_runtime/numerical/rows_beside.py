@@ -16,7 +16,7 @@ from ..arm import ARM_ANGLE_MISS, POSE, SOLVE, descents_of, solve_at
 from ..jit import of_file
 from ..refine import copy_row, missed_by
 from ..retry import TASK
-from ..status import UNREACHABLE
+from ..status import LOST, UNREACHABLE
 from .goal import goal_of
 from .places import SIZE
 from .refine_rows import empty_row, exactness, refine_rows, rows_apart
@@ -77,6 +77,9 @@ def add_rows_beside(task: Task, seed: Floats, q: Floats, status: Bytes) -> None:
             empty_row(row, rows, kinds)
         aside = move_aside(pose, n // 2 % 6, -by if n % 2 else by, descents[SIZE])
         solve_at(robot[SOLVE], aside, q_free, seed, 0.0, rows, kinds)
+        for row in range(len(q)):
+            if kinds[row] >= LOST:
+                empty_row(row, rows, kinds)
         refine_rows(task, rows, kinds)
         for row in range(len(q)):
             empty = kinds[row] != UNREACHABLE and status[row] == UNREACHABLE
