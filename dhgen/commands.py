@@ -91,6 +91,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     from dhgen.atomic_write import replace_files  # noqa: PLC0415
     from dhgen.compiler import verified  # noqa: PLC0415
     from dhgen.derivation import derivation_summary, tool_at_zero  # noqa: PLC0415
+    from dhgen.derivation.story import Story  # noqa: PLC0415
     from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
     _refuse_taken(file, options.out)
@@ -100,7 +101,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
         print("note: --numerical was not needed", file=sys.stderr)
     print(f"{compilation.robot.name}: {compilation.robot.title}")
     told = compilation.robot, compilation.derivation, module.solver, module.nominal
-    print(derivation_summary(*told))
+    print(derivation_summary(Story(*told)))
     _refuse_occupied([options.out / name for name in compilation.files])
     report = verified(compilation, _tell)
     options.out.mkdir(parents=True, exist_ok=True)
@@ -160,9 +161,11 @@ def _repeated(options: argparse.Namespace) -> list[str]:
 
 def explain(options: argparse.Namespace) -> int:
     """Prints a derivation, or writes it; the exit code."""
+    from dhgen.atomic_write import write_files  # noqa: PLC0415
     from dhgen.compiler import worked_out  # noqa: PLC0415
     from dhgen.derivation import alternatives_text  # noqa: PLC0415
     from dhgen.derivation.formats import derivation_as  # noqa: PLC0415
+    from dhgen.derivation.story import Story  # noqa: PLC0415
     from dhgen.program.text import program_text  # noqa: PLC0415
     from dhgen.robot_files import RobotFile  # noqa: PLC0415
 
@@ -184,21 +187,14 @@ def explain(options: argparse.Namespace) -> int:
     elif options.program:
         text = program_text(module.solver)
     else:
-        source = str(options.file)
-        told = file.robot, derivation, module.solver, source, module.nominal
-        text, beside = derivation_as(options.format, *told)
+        story = Story(file.robot, derivation, module.solver, module.nominal)
+        text, beside = derivation_as(options.format, story, str(options.file))
     if options.out is None:
         print(text, end="")
     else:
-        _write_texts(options.out.parent, {options.out.name: text, **beside})
+        write_files(options.out.parent, {options.out.name: text, **beside})
         print(f"wrote {options.out}")
     return 0
-
-
-def _write_texts(folder: Path, texts: Mapping[str, str]) -> None:
-    from dhgen.atomic_write import write_files  # noqa: PLC0415
-
-    write_files(folder, texts)
 
 
 def survey(options: argparse.Namespace) -> int:

@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.atomic_write import write_files
 from dhgen.derivation import derivation_files
+from dhgen.derivation.story import Story
 from dhgen.errors import PrecisionError, UnsolvedError, VerificationError
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.link_table import link_table
@@ -89,7 +90,8 @@ def compile_loaded(
     """
     derivation, module, single = worked_out(file, tell, out=out)
     source = source_name(file.path, out)
-    document = derivation_files(file.robot, derivation, module.solver, source, module.nominal)
+    story = Story(file.robot, derivation, module.solver, module.nominal)
+    document = derivation_files(story, source)
     files = {**emit(module, single, single_file=single_file), **document}
     return Compilation(file.robot, derivation, module, single, MappingProxyType(files))
 

@@ -35,7 +35,6 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.document import document_blocks, singular_places
 from dhgen.derivation.figures.all import figures_of
-from dhgen.derivation.story import Story
 from dhgen.derivation.summary import alternatives_text, summary_text, tool_at_zero
 from dhgen.derivation.text.markdown import markdown
 from dhgen.derivation.text.plain import plain
@@ -43,60 +42,39 @@ from dhgen.printing.comments import plain_path
 from dhgen.printing.templates import render
 
 if TYPE_CHECKING:
-    from dhgen.nominal.nominal import Nominal
-    from dhgen.paul.derivation import Derivation
-    from dhgen.program.ir import Program
-    from dhgen.robot.robot import Robot
+    from dhgen.derivation.story import Story
 
 
-def derivation_files(
-    robot: Robot,
-    derivation: Derivation,
-    program: Program,
-    source: str,
-    nominal: Nominal | None = None,
-) -> dict[str, str]:
+def derivation_files(story: Story, source: str) -> dict[str, str]:
     """The derivation as GitHub Markdown with formulas, and its figures, by their paths.
 
     Args:
-        robot: As the user wrote it.
-        derivation: The steps.
-        program: What computes them.
+        story: The arm and its derivation.
         source: How the robot file is called.
-        nominal: The nearest arm with a structure, where its rows are tried first.
     """
-    story = Story(robot, derivation, program, nominal)
-    figures = figures_of(story)
+    name, figures = story.robot.name, figures_of(story)
     document = render(
         "derivation/document.md.jinja",
-        name=robot.name,
+        name=name,
         source=plain_path(source),
         blocks=tuple(map(markdown, document_blocks(story, figures))),
     )
-    return {f"{robot.name}.md": document} | {
-        figure.path: figure.file(robot.name, source) for figure in figures
-    }
+    return {f"{name}.md": document} | {figure.path: figure.file(name, source) for figure in figures}
 
 
-def derivation_document(robot: Robot, derivation: Derivation, program: Program, source: str) -> str:
+def derivation_document(story: Story, source: str) -> str:
     """The Markdown alone."""
-    return derivation_files(robot, derivation, program, source)[f"{robot.name}.md"]
+    return derivation_files(story, source)[f"{story.robot.name}.md"]
 
 
-def derivation_terminal(
-    robot: Robot, derivation: Derivation, program: Program, nominal: Nominal | None = None
-) -> str:
+def derivation_terminal(story: Story) -> str:
     """The same as plain text, without figures."""
-    blocks = document_blocks(Story(robot, derivation, program, nominal))
-    first, *others = map(plain, blocks)
+    first, *others = map(plain, document_blocks(story))
     return render("derivation/terminal.txt.jinja", first=first, others=others)
 
 
-def derivation_summary(
-    robot: Robot, derivation: Derivation, program: Program, nominal: Nominal | None = None
-) -> str:
+def derivation_summary(story: Story) -> str:
     """A line for each step, the branches, the degenerate cases."""
-    story = Story(robot, derivation, program, nominal)
     return summary_text(story, singular_places(story))
 
 

@@ -9,62 +9,39 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.document import document_blocks
 from dhgen.derivation.figures.all import figures_of
 from dhgen.derivation.figures.tikz import tikz
-from dhgen.derivation.story import Story
 from dhgen.derivation.text.latex import latex
 from dhgen.errors import CommandError
 from dhgen.printing.comments import plain_path
 from dhgen.printing.templates import render
 
 if TYPE_CHECKING:
-    from dhgen.nominal.nominal import Nominal
-    from dhgen.paul.derivation import Derivation
-    from dhgen.program.ir import Program
-    from dhgen.robot.robot import Robot
+    from dhgen.derivation.story import Story
 
 
-def derivation_latex(
-    robot: Robot,
-    derivation: Derivation,
-    program: Program,
-    source: str,
-    nominal: Nominal | None = None,
-) -> str:
+def derivation_latex(story: Story, source: str) -> str:
     """The derivation as a LaTeX document.
 
     Args:
-        robot: As the user wrote it.
-        derivation: The steps.
-        program: What computes them.
+        story: The arm and its derivation.
         source: How the robot file is called.
-        nominal: The nearest arm with a structure, where its rows are tried first.
     """
-    story = Story(robot, derivation, program, nominal)
     figures = figures_of(story)
     drawings = {each.path: "\n".join(map(tikz, each.sheet.shapes)) for each in figures}
     first, *others = (latex(block, drawings) for block in document_blocks(story, figures))
     return render(
         "derivation/handout.tex.jinja",
-        name=robot.name,
+        name=story.robot.name,
         source=plain_path(source),
         blocks=(first + "\n\\maketitle", *others),
     )
 
 
-def derivation_html(
-    robot: Robot,
-    derivation: Derivation,
-    program: Program,
-    source: str,
-    nominal: Nominal | None = None,
-) -> str:
+def derivation_html(story: Story, source: str) -> str:
     """The derivation as an HTML document that needs no other file.
 
     Args:
-        robot: As the user wrote it.
-        derivation: The steps.
-        program: What computes them.
+        story: The arm and its derivation.
         source: How the robot file is called.
-        nominal: The nearest arm with a structure, where its rows are tried first.
 
     Raises:
         CommandError: latex2mathml is not installed.
@@ -74,8 +51,7 @@ def derivation_html(
     except ModuleNotFoundError:
         message = "dhgen: HTML needs latex2mathml: pip install 'dhgen[html]'"
         raise CommandError(message) from None
-    story = Story(robot, derivation, program, nominal)
-    figures = figures_of(story)
+    robot, figures = story.robot, figures_of(story)
     drawings = {each.path: _inside(each.file(robot.name, source)) for each in figures}
     return render(
         "derivation/handout.html.jinja",

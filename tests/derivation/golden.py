@@ -17,7 +17,7 @@ NAMES = ("arm_6r", "planar_rr", "scara")
 def made(name: str) -> str:
     """A derivation as Markdown, made here and now."""
     of = story(name)
-    return derivation_document(of.robot, of.derivation, of.program, f"robots/{of.robot.name}.yaml")
+    return derivation_document(of, f"robots/{of.robot.name}.yaml")
 
 
 def without_cost(text: str) -> str:

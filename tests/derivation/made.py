@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation import derivation_document
+from dhgen.derivation.story import Story
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derive import derive
 from dhgen.program.lowering.lower import lower
@@ -22,4 +23,4 @@ def made_of(*rows: str, **sections: str) -> str:
 def made_for(robot: Robot) -> str:
     """The derivation of a robot."""
     derivation = derive(build_chain(robot))
-    return derivation_document(robot, derivation, lower(derivation), "robots/x.yaml")
+    return derivation_document(Story(robot, derivation, lower(derivation)), "robots/x.yaml")

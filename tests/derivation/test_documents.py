@@ -17,6 +17,7 @@ from dhgen.derivation import (
 )
 from dhgen.derivation.sections.closing import tree_text
 from dhgen.derivation.sections.transforms import PAGE
+from dhgen.derivation.story import Story
 from dhgen.derivation.summary import CHECKED
 from dhgen.derivation.types import PRINTERS
 from dhgen.kinematics.build import build_chain
@@ -190,7 +191,7 @@ def test_the_tree_of_an_arm_with_three_signs() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_the_terminal_says_the_same(name: str) -> None:
     of = story(name)
-    text = derivation_terminal(of.robot, of.derivation, of.program)
+    text = derivation_terminal(of)
     for section in sections_of(name):
         assert f"\n{section}\n{'-' * len(section)}\n" in text
     assert "$" not in text
@@ -201,7 +202,7 @@ def test_the_terminal_says_the_same(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_summary(name: str) -> None:
     of = story(name)
-    text = derivation_summary(of.robot, of.derivation, of.program)
+    text = derivation_summary(of)
     lines = text.splitlines()
     for number, step in enumerate(of.steps, start=1):
         assert lines[number - 1].startswith(f"{number}. ")
@@ -221,7 +222,7 @@ def test_a_task_that_asks_for_as_much_as_the_arm_can_choose_is_named(
     rows: tuple[str, ...], enough: list[str]
 ) -> None:
     of = story_of(table(*rows))
-    lines = derivation_summary(of.robot, of.derivation, of.program).splitlines()
+    lines = derivation_summary(of).splitlines()
     told = [f"`task: {task}` would ask for as much as it can" for task in enough]
     assert lines[lines.index(CHECKED) + 1 :] == told
 
@@ -366,7 +367,7 @@ def test_where_all_coefficients_vanish_is_said_in_words() -> None:
     told = "all coefficients of the equation vanish at once"
     assert f"\nDegenerate when {told}: every $" in document("cuspidal_3r")
     assert f"| {told} | no short form | every $" in document("cuspidal_3r")
-    summary = derivation_summary(of.robot, of.derivation, of.program)
+    summary = derivation_summary(of)
     assert f"degenerate where {told}: every θ₁ works" in summary
 
 
@@ -388,7 +389,7 @@ def test_the_degree_of_a_general_arm_is_that_of_its_solutions() -> None:
     )
     for name, degree in (("general_6r", "16 in tan(θ6/2)"), ("general_5r1p", "16 in ")):
         of = story(name)
-        summary = derivation_summary(of.robot, of.derivation, of.program)
+        summary = derivation_summary(of)
         assert f"a polynomial of degree {degree}" in summary
     assert "An arm of this kind has" in document("general_6r")
     assert "a turn behind them are found together" in document("general_5r")
@@ -398,7 +399,7 @@ def test_the_degree_of_a_general_arm_is_that_of_its_solutions() -> None:
 def test_texts_of_the_user_are_escaped() -> None:
     of = story("planar_rr")
     robot = replace(of.robot, title="A *bold* <b>arm</b> | $x$", source="see [here](http://x.y)_")
-    text = derivation_document(robot, of.derivation, of.program, "robots/x.yaml")
+    text = derivation_document(Story(robot, of.derivation, of.program), "robots/x.yaml")
     assert r"# A \*bold\* \<b\>arm\</b\> \| \$x\$: inverse kinematics" in text
     assert r"see \[here\](http://x.y)\_" in text
 

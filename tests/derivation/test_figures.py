@@ -159,7 +159,7 @@ def test_documents_link_every_figure_and_nothing_else() -> None:
 @pytest.mark.parametrize("name", ["scara", "puma560", "general_6r"])
 def test_figures_are_made_the_same_again(name: str) -> None:
     again = story_of(story(name).robot)
-    files = derivation_files(again.robot, again.derivation, again.program, f"robots/{name}.yaml")
+    files = derivation_files(again, f"robots/{name}.yaml")
     figures = {path: text for path, text in files.items() if path.endswith(".svg")}
     assert figures
     for path, text in figures.items():
@@ -203,7 +203,7 @@ task: [x, y]
 
 def test_what_users_wrote_breaks_no_file() -> None:
     of = story_of(load_text(TWO, "arm.yaml"))
-    files = derivation_files(of.robot, of.derivation, of.program, "a--b/arm & <x>.yaml")
+    files = derivation_files(of, "a--b/arm & <x>.yaml")
     for path, text in files.items():
         if path.endswith(".svg"):
             title = parsed(text).findtext(f"{SVG}title")
@@ -213,4 +213,4 @@ def test_what_users_wrote_breaks_no_file() -> None:
 
 def test_the_terminal_has_no_figures() -> None:
     of = story("scara")
-    assert "svg" not in derivation_terminal(of.robot, of.derivation, of.program)
+    assert "svg" not in derivation_terminal(of)

@@ -48,7 +48,7 @@ def test_the_sum_takes_the_seed_s_value_and_not_the_joints(seed: tuple[float, ..
 def test_the_step_and_the_table_say_so() -> None:
     """The wrist's axis is the shoulder's then: theta_4 makes up for any theta_23."""
     story = folding()
-    text = derivation_document(story.robot, story.derivation, story.program, "robots/x.yaml")
+    text = derivation_document(story, "robots/x.yaml")
     folded = "two links of equal length are folded upon each other, and every $\\theta_{23}$ works"
     takes = "\\theta_{23}$ takes the value that the seed's $q_2$ and $q_3$ give it (each 0 without"
     assert f"Degenerate when $X = Y = K = 0$: {folded}. Then ${takes}" in text

@@ -56,7 +56,7 @@ def handout(name: str, wished: str) -> str:
 
 
 def handout_of(that: Story, wished: str, name: str = "x") -> str:
-    text, beside = derivation_as(wished, that.robot, that.derivation, that.program, name)
+    text, beside = derivation_as(wished, that, name)
     assert not beside
     return text
 
@@ -136,12 +136,12 @@ def test_the_same_handout_every_time() -> None:
 
 def test_what_users_write_stays_what_it_is() -> None:
     that = story_of(load_text(HOSTILE, "hostile.yaml"))
-    html = derivation_html(that.robot, that.derivation, that.program, "a -- b.yaml")
+    html = derivation_html(that, "a -- b.yaml")
     written = that.robot.title
     assert unescape(re.findall(r"<h1>(.*?)</h1>", html)[0]) == f"{written}: inverse kinematics"
     comment = re.findall(r"<!--(.*?)-->", html)[0]
     assert "--" not in comment
-    latex = derivation_latex(that.robot, that.derivation, that.program, "a.yaml")
+    latex = derivation_latex(that, "a.yaml")
     assert r"50\% \& \textless{}b\textgreater{}\_x\textasciicircum{}2" in latex
     assert r"\other{Ж} \other{机}" in latex
 

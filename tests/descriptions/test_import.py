@@ -12,6 +12,7 @@ import pytest
 import dhgen.descriptions
 from dhgen.compiler import compile_loaded
 from dhgen.derivation import derivation_terminal
+from dhgen.derivation.story import Story
 from dhgen.descriptions.convert import Import, Wishes, convert
 from dhgen.descriptions.urdf import read_urdf
 from dhgen.robot.expression import evaluate
@@ -146,8 +147,8 @@ def _fixed(name: str, parent: str, child: str, origin: str) -> str:
 
 
 def derivation_of(path: Path) -> str:
-    compilation = compile_loaded(RobotFile.read(path))
-    return derivation_terminal(compilation.robot, compilation.derivation, compilation.module.solver)
+    of = compile_loaded(RobotFile.read(path))
+    return derivation_terminal(Story(of.robot, of.derivation, of.module.solver))
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,6 @@ import re
 from dataclasses import dataclass
 from functools import cache
 from html import escape
-from string import Formatter
 from typing import TYPE_CHECKING
 
 from latex2mathml.converter import convert
@@ -14,14 +13,12 @@ from latex2mathml.converter import convert
 from dhgen.derivation.text.blocks import (
     Display,
     Drawing,
-    Given,
     Heading,
     Paragraph,
     Picture,
-    Prose,
     Table,
 )
-from dhgen.derivation.text.formula import Listing
+from dhgen.derivation.text.inline import in_line
 from dhgen.derivation.text.lines import lines_of
 from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import Latex
@@ -29,7 +26,7 @@ from dhgen.derivation.text.style import Latex
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.derivation.text.formula import Formula
 
 
@@ -75,25 +72,11 @@ def html(block: Block, drawings: Mapping[str, str]) -> str:
 
 def inline(prose: Prose) -> str:
     """Prose in one line."""
-    parts = iter(prose.parts)
-    shown: list[str] = []
-    for text, place, _, _ in Formatter().parse(prose.text):
-        shown.append(escape(text))
-        if place is not None:
-            shown.append(_part(next(parts)))
-    return "".join(shown)
+    return in_line(prose, escape, escape, _in_text)
 
 
-def _part(part: Formula | Given | Prose) -> str:
-    match part:
-        case Given(text):
-            return escape(" ".join(text.split()))
-        case Prose():
-            return inline(part)
-        case Listing(items):
-            return ", ".join(f"<math>{_mathml(show(item, STYLE))}</math>" for item in items)
-        case _:
-            return f"<math>{_mathml(show(part, STYLE))}</math>"
+def _in_text(formula: Formula) -> str:
+    return f"<math>{_mathml(show(formula, STYLE))}</math>"
 
 
 @cache

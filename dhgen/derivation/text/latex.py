@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import re
-from string import Formatter
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.text.blocks import (
     Display,
     Drawing,
-    Given,
     Heading,
     Paragraph,
     Picture,
-    Prose,
     Table,
 )
-from dhgen.derivation.text.formula import Listing
+from dhgen.derivation.text.inline import in_line
 from dhgen.derivation.text.latex_text import latex_cells, latex_text
 from dhgen.derivation.text.lines import lines_of
 from dhgen.derivation.text.plain import words
@@ -26,7 +23,7 @@ from dhgen.derivation.text.style import LATEX
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.derivation.text.formula import Formula
 
 LEVELS = {2: "section", 3: "subsection"}
@@ -63,31 +60,17 @@ def latex(block: Block, drawings: Mapping[str, str]) -> str:
 
 def inline(prose: Prose) -> str:
     """Prose in one line."""
-    parts = iter(prose.parts)
-    shown: list[str] = []
-    for text, place, _, _ in Formatter().parse(prose.text):
-        shown.append(_quoted(text))
-        if place is not None:
-            shown.append(_part(next(parts)))
-    return "".join(shown)
+    return in_line(prose, _quoted, latex_text, _in_text)
+
+
+def _in_text(formula: Formula) -> str:
+    return f"${show(formula, LATEX)}$"
 
 
 def _quoted(text: str) -> str:
     """Words with quotation marks that open and close."""
     pieces = _OPENING.sub("\\1\0", text).replace('"', "\1")
     return latex_text(pieces).replace("\0", "``").replace("\1", "''")
-
-
-def _part(part: Formula | Given | Prose) -> str:
-    match part:
-        case Given(text):
-            return latex_text(" ".join(text.split()))
-        case Prose():
-            return inline(part)
-        case Listing(items):
-            return ", ".join(f"${show(item, LATEX)}$" for item in items)
-        case _:
-            return f"${show(part, LATEX)}$"
 
 
 def _displays(pairs: list[tuple[str, str]]) -> Iterator[str]:

@@ -12,20 +12,18 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.text.blocks import (
     Display,
     Drawing,
-    Given,
     Heading,
     Paragraph,
     Picture,
-    Prose,
     Table,
 )
-from dhgen.derivation.text.formula import Listing
+from dhgen.derivation.text.inline import in_line
 from dhgen.derivation.text.lines import lines_of
 from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import LATEX
 
 if TYPE_CHECKING:
-    from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.derivation.text.formula import Formula
 
 _RISKY = re.compile(r"\}_|\\[^A-Za-z]|[|<>*`]|\[[^\]]*\]\(")
@@ -52,19 +50,7 @@ def markdown(block: Block) -> str:
 
 def inline(prose: Prose) -> str:
     """Prose in one line."""
-    return prose.text.format(*(_part(part) for part in prose.parts))
-
-
-def _part(part: Formula | Given | Prose) -> str:
-    match part:
-        case Given(text):
-            return escaped(text)
-        case Prose():
-            return inline(part)
-        case Listing(items):
-            return ", ".join(inline_formula(item) for item in items)
-        case _:
-            return inline_formula(part)
+    return in_line(prose, str, escaped, inline_formula)
 
 
 def inline_formula(formula: Formula) -> str:

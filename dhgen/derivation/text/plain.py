@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 import textwrap
+from functools import partial
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.text.blocks import (
     Display,
     Drawing,
-    Given,
     Heading,
     Paragraph,
     Picture,
-    Prose,
     Table,
 )
 from dhgen.derivation.text.formula import Listing, Matrix, Product, Relation
+from dhgen.derivation.text.inline import in_line
 from dhgen.derivation.text.lines import laid_out
 from dhgen.derivation.text.show import show, show_entry
 from dhgen.derivation.text.style import PLAIN
 
 if TYPE_CHECKING:
-    from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.derivation.text.formula import Formula
 
 COLUMNS = 96
@@ -49,17 +49,11 @@ def plain(block: Block) -> str:
 
 def words(prose: Prose) -> str:
     """Prose in one line; backquotes, which only Markdown needs, are left out."""
-    return prose.text.replace("`", "").format(*(_part(part) for part in prose.parts))
+    return in_line(prose, _without_backquotes, str, partial(show, style=PLAIN))
 
 
-def _part(part: Formula | Given | Prose) -> str:
-    match part:
-        case Given(text):
-            return " ".join(text.split())
-        case Prose():
-            return words(part)
-        case _:
-            return show(part, PLAIN)
+def _without_backquotes(text: str) -> str:
+    return text.replace("`", "")
 
 
 def _display(formulas: tuple[Formula, ...]) -> list[str]:
