@@ -12,7 +12,6 @@ class Source(Enum):
 
     ARM = "a number of the arm, by the name that it has there"
     MADE = "made of the arm's numbers"
-    COEFFICIENT = "made of them in a way that no formula tells"
     FILE = "the same for every arm, and defined in every file: pi and 2 pi"
 
 

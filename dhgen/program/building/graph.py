@@ -189,18 +189,19 @@ class Graph:
         whole = value.denominator == 1 and abs(value) < _WHOLE
         if whole and self._is_integer(left) and self._is_integer(right):
             return self.integer(int(value))
+        return self.number(value, combined(operator, self.formula(left), self.formula(right)))
+
+    def number(self, value: Fraction, formula: Formula) -> Node:
+        """A constant made of the arm's by a formula."""
         key = ("folded", value)
         if key not in self._index:
-            formula = combined(operator, self._formula(left), self._formula(right))
-            self._index[key] = self._fold(value, formula, Source.MADE)
+            self._index[key] = self._fold(value, formula)
         return self._index[key]
 
-    def number(self, value: Fraction, meaning: str) -> Node:
-        """A constant made of the arm's in a way that no formula shows."""
-        key = ("folded", value)
-        if key not in self._index:
-            self._index[key] = self._fold(value, Formula(meaning), Source.COEFFICIENT)
-        return self._index[key]
+    def formula(self, node: Node) -> Formula:
+        """A constant in the formula of another: its name, or the formula of a folded one."""
+        leaf = self.entries[node].leaf
+        return Formula(str(leaf.value)) if isinstance(leaf, Integer) else self._formulas[node]
 
     def unique(self, wanted: str) -> str:
         """A name like the wanted one that nothing else has; it is taken from now on."""
@@ -254,21 +255,14 @@ class Graph:
     def _is_integer(self, node: Node) -> bool:
         return isinstance(self.entries[node].leaf, Integer)
 
-    def _fold(self, value: Fraction, formula: Formula, role: Role) -> Node:
+    def _fold(self, value: Fraction, formula: Formula) -> Node:
         """A constant without a name as yet: most are only parts of others."""
         node = len(self.entries)
         leaf = Variable(f"?{node}")
-        self.folded[leaf] = NamedConstant(
-            leaf.name, float(value), formula.text, formula.power, role
-        )
+        self.folded[leaf] = NamedConstant(leaf.name, float(value), formula.text, formula.power)
         self.entries.append(Entry(leaf, None, (), value=value))
         self._formulas[node] = formula
         return node
-
-    def _formula(self, node: Node) -> Formula:
-        """A constant in the formula of another: its name, or the formula of a folded one."""
-        leaf = self.entries[node].leaf
-        return Formula(str(leaf.value)) if isinstance(leaf, Integer) else self._formulas[node]
 
 
 def _calculated(operator: Operator, left: Fraction, right: Fraction) -> Fraction:

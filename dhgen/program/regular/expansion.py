@@ -9,8 +9,10 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import TYPE_CHECKING
+
+from dhgen.program.ir import Integer
+from dhgen.program.regular.coefficient import MINUS_ONE, ONE, Coefficient, total, whole
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -19,13 +21,11 @@ if TYPE_CHECKING:
     from dhgen.program.building.graph import Node
 
 Monomial = tuple["Node", ...]  # factors in ascending order
-Terms = dict[Monomial, Fraction]
+Terms = dict[Monomial, Coefficient]
 # Of a value its terms, whether squares of the root have been replaced, and whether terms cancelled.
 Known = tuple[Terms | None, bool, bool]
 
 MOST_TERMS = 80  # of a polynomial on the way
-CANCELLED = Fraction(1, 10**12)  # of its terms a sum that is rounding alone
-ALIKE = Fraction(1, 10**13)  # numbers that differ by no more are one
 _POLYNOMIAL = frozenset({"add", "sub", "mul", "neg"})
 
 
@@ -123,10 +123,10 @@ class Expansion:
         def found(each: Node) -> Terms | None:
             entry = entries[each]
             if entry.value is not None:
-                return {(): entry.value} if entry.value else {}
+                return {(): self._constant(each)} if entry.value else {}
             if each in ends or ends.isdisjoint(self._reached(each)):
                 negated = entry.operator == "neg"
-                return {(entry.operands[0],): Fraction(-1)} if negated else {(each,): Fraction(1)}
+                return {(entry.operands[0],): MINUS_ONE} if negated else {(each,): ONE}
             match entry.operator, [of(operand) for operand in entry.operands]:
                 case "neg", [dict(x)]:
                     return {monomial: -value for monomial, value in x.items()}
@@ -141,12 +141,20 @@ class Expansion:
         of(node)
         return known[node]
 
+    def _constant(self, node: Node) -> Coefficient:
+        """A number as the constant that it is."""
+        entry = self._builder.entries[node]
+        if isinstance(entry.leaf, Integer):
+            return whole(entry.leaf.value)
+        assert entry.value is not None
+        return Coefficient(entry.value, constant=node)
+
     def _product(
         self, x: Terms, y: Terms, root: Node, of: Callable[[Node], Terms | None]
     ) -> Terms | None:
         if len(x) * len(y) > MOST_TERMS:
             return None
-        terms: list[tuple[Monomial, Fraction]] = []
+        terms: list[tuple[Monomial, Coefficient]] = []
         for one, a in x.items():
             for other, b in y.items():
                 monomial = self._reduced((*one, *other), root)
@@ -162,13 +170,13 @@ class Expansion:
                 terms += [(self._reduced((*rest, *m), root), a * b * c) for m, c in under.items()]
         return self._collected(terms)
 
-    def _collected(self, terms: list[tuple[Monomial, Fraction]]) -> Terms | None:
+    def _collected(self, terms: list[tuple[Monomial, Coefficient]]) -> Terms | None:
         """Terms added up; what is rounding of constants alone is gone."""
-        alike: dict[Monomial, list[Fraction]] = {}
+        alike: dict[Monomial, list[Coefficient]] = {}
         for monomial, value in terms:
             alike.setdefault(monomial, []).append(value)
-        totals = {monomial: _total(values) for monomial, values in alike.items()}
-        kept = {monomial: value for monomial, value in totals.items() if value}
+        totals = {monomial: total(values) for monomial, values in alike.items()}
+        kept = {monomial: each for monomial, each in totals.items() if each.value}
         self._cancelled |= len(kept) < len(totals)
         return kept if len(kept) <= MOST_TERMS else None
 
@@ -223,14 +231,3 @@ def common_factors(terms: Terms) -> Monomial:
 def without(monomial: Monomial, factors: Monomial) -> Monomial:
     """A product without some of its factors."""
     return tuple(sorted((Counter(monomial) - Counter(factors)).elements()))
-
-
-def _total(values: list[Fraction]) -> Fraction:
-    """The sum; zero if it is rounding alone, and one if it is one up to rounding."""
-    total = values[0] if len(values) == 1 else sum(values, Fraction(0))
-    if len(values) > 1 and abs(total) <= CANCELLED * sum(map(abs, values)):
-        return Fraction(0)
-    above, below = total.numerator, total.denominator
-    if below == 1 or abs(abs(above) - below) * ALIKE.denominator > below * ALIKE.numerator:
-        return total
-    return Fraction(1 if total > 0 else -1)

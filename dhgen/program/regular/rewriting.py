@@ -8,15 +8,16 @@ the length of a vector that is a product of two others of equal length needs no 
 from __future__ import annotations
 
 from collections import Counter
-from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from dhgen.program.arrival import LATENCY
-from dhgen.program.regular.expansion import ALIKE, Expansion, common_factors, without
+from dhgen.program.regular.coefficient import ALIKE, MINUS_ONE, ONE
+from dhgen.program.regular.expansion import Expansion, common_factors, without
 
 if TYPE_CHECKING:
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
+    from dhgen.program.regular.coefficient import Coefficient
     from dhgen.program.regular.expansion import Terms
 
 MOST_TERMS = 10  # of a value that is written anew
@@ -34,21 +35,16 @@ class Rewriting:
         self._builder = builder
         self._expansion = Expansion(builder)
         self._times: dict[Node, int] = {}
-        self._numbers: list[tuple[Fraction, Node]] = []
+        self._numbers: list[tuple[Coefficient, Node]] = []
 
-    def sooner(self, node: Node, wanted: str) -> Node:
-        """The same value, in a form in which it is known sooner, if there is one.
-
-        Args:
-            node: The value.
-            wanted: Its name, for the meaning of constants.
-        """
+    def sooner(self, node: Node) -> Node:
+        """The same value, in a form in which it is known sooner, if there is one."""
         polynomial = self._expansion.polynomial(node)
         if polynomial is None or not polynomial.exact:
             return node
         if not 1 < len(polynomial.terms) <= MOST_TERMS:
             return node
-        found = self._split(polynomial.terms, f"a coefficient of {wanted}")
+        found = self._split(polynomial.terms)
         if found is None or self._time(found) + GAIN > self._time(node):
             return node
         self._expansion.remember(found, node)
@@ -77,69 +73,73 @@ class Rewriting:
             return None
         common = common_factors(polynomial.terms)
         rest = {without(m, common): value for m, value in polynomial.terms.items()}
-        squares = all(v == 1 and self._expansion.is_positive(m) for m, v in rest.items())
-        if len(common) != 1 or not squares or self._sum(rest, "") != common[0]:
+        squares = all(v.value == 1 and self._expansion.is_positive(m) for m, v in rest.items())
+        if len(common) != 1 or not squares or self._sum(rest) != common[0]:
             return None
         return common[0]
 
-    def _split(self, terms: Terms, meaning: str) -> Node | None:
+    def _split(self, terms: Terms) -> Node | None:
         """P + w Q, where w is what is known last; None if it is not linear in w."""
         builder = self._builder
         factors = {node for monomial in terms for node in monomial}
         last = max(factors, key=lambda node: (self._time(node), node))
-        early, late = dict[tuple["Node", ...], Fraction](), dict[tuple["Node", ...], Fraction]()
+        early: Terms = {}
+        late: Terms = {}
         for monomial, value in terms.items():
             if monomial.count(last) > 1:
                 return None
             part = late if last in monomial else early
             part[without(monomial, (last,))] = value
-        product = builder.mul(last, self._sum(late, meaning))
-        return builder.add(self._sum(early, meaning), product) if early else product
+        product = builder.mul(last, self._sum(late))
+        return builder.add(self._sum(early), product) if early else product
 
-    def _sum(self, terms: Terms, meaning: str) -> Node:
+    def _sum(self, terms: Terms) -> Node:
         """A polynomial, with common factors in front."""
         builder = self._builder
         common = common_factors(terms)
-        sizes = {abs(value) for value in terms.values()}
-        content = sizes.pop() if len(sizes) == 1 else Fraction(1)
-        rest = {without(m, common): value / content for m, value in terms.items()}
-        inner = self._nested(rest, meaning)
+        rest = {without(m, common): value for m, value in terms.items()}
+        content = ONE
+        if len({abs(each.value) for each in terms.values()}) == 1:
+            content = abs(next(iter(terms.values())))
+            rest = {m: ONE if each.value > 0 else MINUS_ONE for m, each in rest.items()}
+        inner = self._nested(rest)
         for factor in sorted(common, key=self._time):
             inner = builder.mul(factor, inner)
-        return inner if content == 1 else builder.mul(self._number(content, meaning), inner)
+        return inner if content.value == 1 else builder.mul(self._number(content), inner)
 
-    def _nested(self, terms: Terms, meaning: str) -> Node:
+    def _nested(self, terms: Terms) -> Node:
         """A polynomial without common factors, after Horner: what occurs most often in front."""
         if len(terms) == 1:
             ((monomial, value),) = terms.items()
-            return self._term(monomial, value, meaning)
+            return self._term(monomial, value)
         counts = Counter(node for monomial in terms for node in set(monomial))
         often, times = max(counts.items(), key=lambda item: (item[1], -item[0]))
         if times < 2:
-            parts = [self._term(m, value, meaning) for m, value in sorted(terms.items())]
+            parts = [self._term(m, value) for m, value in sorted(terms.items())]
         else:
             inside = {m: value for m, value in terms.items() if often in m}
             outside = {m: value for m, value in terms.items() if often not in m}
-            parts = [self._sum(part, meaning) for part in (inside, outside) if part]
+            parts = [self._sum(part) for part in (inside, outside) if part]
         total = parts[0]
         for part in parts[1:]:
             total = self._builder.add(total, part)
         return total
 
-    def _term(self, monomial: tuple[Node, ...], value: Fraction, meaning: str) -> Node:
-        builder = self._builder
-        product = builder.integer(1) if abs(value) == 1 else self._number(abs(value), meaning)
-        for factor in sorted(monomial, key=self._time):
-            product = builder.mul(product, factor)
-        return product if value > 0 else builder.neg(product)
+    def _term(self, monomial: tuple[Node, ...], factor: Coefficient) -> Node:
+        builder, size = self._builder, abs(factor)
+        product = builder.integer(1) if size.value == 1 else self._number(size)
+        for each in sorted(monomial, key=self._time):
+            product = builder.mul(product, each)
+        return product if factor.value > 0 else builder.neg(product)
 
-    def _number(self, value: Fraction, meaning: str) -> Node:
+    def _number(self, number: Coefficient) -> Node:
         """A coefficient: one that is there already, if it is the same up to rounding."""
         for known, node in self._numbers:
-            if abs(known - value) <= ALIKE * abs(known):
+            if abs(known.value - number.value) <= ALIKE * abs(known.value):
                 return node
-        node = self._builder.number(value, meaning)
-        self._numbers.append((value, node))
+        builder = self._builder
+        node = builder.number(number.value, number.formula(builder.formula))
+        self._numbers.append((number, node))
         return node
 
     def _time(self, node: Node) -> int:

@@ -87,9 +87,9 @@ class SignedArithmetic:
                 length = self._rewriting.length(*plain) if operator == "sqrt" else None
                 return Signed(builder.apply(operator, *plain) if length is None else length)
 
-    def sooner(self, value: Signed, wanted: str) -> Signed:
-        """The value of this name, in a form in which it is known sooner."""
-        return replace(value, node=self._rewriting.sooner(value.node, wanted))
+    def sooner(self, value: Signed) -> Signed:
+        """The value in a form in which it is known sooner."""
+        return replace(value, node=self._rewriting.sooner(value.node))
 
     def vanishes(self, value: Signed) -> bool:
         """Whether a value is zero by an identity."""

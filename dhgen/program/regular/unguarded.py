@@ -180,7 +180,7 @@ class Unguarded:
                 doubt = statement.truth and self._assumptions.denies(name)
                 value = self._doubtful(expression) if doubt else self._value(expression)
                 if not statement.truth and name not in self._exact:
-                    value = self._arithmetic.sooner(value, name)
+                    value = self._arithmetic.sooner(value)
                 self._values[name] = value
                 if statement.named:
                     self._builder.hint(value.node, name)

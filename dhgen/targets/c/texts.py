@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen import __version__
 from dhgen.printing.comments import plain
-from dhgen.program.role import GRAZE, LimitEnd, Source
+from dhgen.program.role import GRAZE, LimitEnd
 from dhgen.targets.c.table import c_ends
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import GOES_ON, INDENT, WIDTH, listed, packed, paragraph
@@ -127,14 +127,11 @@ def _in_macros(role: Role) -> bool:
 
 
 def _constant_lines(constants: list[ConstantText]) -> list[str]:
-    """Definitions of those with a comment, of coefficients, and of those whose names say all."""
-    coefficients = [each for each in constants if each.role is Source.COEFFICIENT]
-    told = [each for each in constants if each.comment and each not in coefficients]
+    """Definitions of those with a comment, and of those whose names say all."""
+    told = [each for each in constants if each.comment]
     lines = ["static const double"] if told else []
     for each in told:
         lines += _constant(each, ";" if each is told[-1] else ",")
-    if coefficients:
-        lines += ["/* coefficients */", *_bare(coefficients)]
     return lines + _bare([each for each in constants if not each.comment])
 
 

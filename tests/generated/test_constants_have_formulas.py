@@ -1,0 +1,70 @@
+"""What a file says that its constants are made of is what they are: read from the text itself."""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+
+import pytest
+
+GENERATED = Path(__file__).parents[2] / "generated"
+CONSTANT = re.compile(
+    r"(?P<before>/\*(?:[^*]|\*[^/])*\*/\s*)?"
+    r"\b(?P<name>\w+) = (?P<value>-?\d[\d.e+-]*)[,;](?P<behind> /\*(?:[^*]|\*[^/])*\*/)?"
+)
+UNIT = re.compile(r"\[[^]]*\]")
+ARITHMETIC = re.compile(r"[\w\s.+*/()^-]+")
+EPSILON = math.ulp(1.0)
+
+
+def constants(text: str) -> dict[str, tuple[float, str]]:
+    """Values and comments of the constants of a C file."""
+    found = {}
+    for block in re.findall(r"static const double\s[^{}]*?;", text):
+        for each in CONSTANT.finditer(block):
+            comment = each["behind"] or each["before"] or ""
+            told = " ".join(re.sub(r"^ +\* ", "", comment, flags=re.M).strip("/* \n").split())
+            found[each["name"]] = float(each["value"]), UNIT.sub("", told).strip()
+    return found
+
+
+def sizes(formula: str, values: dict[str, float]) -> tuple[float, float] | None:
+    """A formula's value, and what it would be if nothing cancelled; None for words."""
+    if not ARITHMETIC.fullmatch(formula) or not re.search(r"[*/^+]| - ", formula):
+        return None
+    functions = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan}
+    words = set(re.findall(r"[A-Za-z_]\w*", formula)) - functions.keys() - {"pi"}
+    if not words <= values.keys():
+        return None
+    code = formula.replace("^", "**")
+    value = eval(code, {}, {**functions, "pi": math.pi, **values})  # noqa: S307  our own file
+    whole = re.sub(r"(?<!e)-", "+", code)
+    absolute = {name: abs(number) for name, number in values.items()}
+    return value, abs(eval(whole, {}, {**functions, "pi": math.pi, **absolute}))  # noqa: S307
+
+
+@pytest.mark.parametrize("path", sorted(GENERATED.glob("*.c")), ids=lambda path: path.stem)
+def test_constants_are_what_their_formulas_say(path: Path) -> None:
+    told = constants(path.read_text())
+    values = {name: value for name, (value, _) in told.items()}
+    exact = 2.0**-23 if path.stem.endswith("_f32") else EPSILON
+    for name, (value, comment) in told.items():
+        found = sizes(comment, values)
+        if found is not None:
+            formula, most = found
+            assert abs(formula - value) <= 64.0 * exact * most, (name, comment, formula, value)
+
+
+def test_folded_numbers_of_regular_poses_have_formulas() -> None:
+    """m4 = ... /* k4 * (d4 * k1 + a3 * k2) */: the numbers that only regular poses use."""
+    silent = []
+    for path in GENERATED.glob("*.c"):
+        told = constants(path.read_text())
+        values = {name: value for name, (value, _) in told.items()}
+        silent += [
+            (path.stem, name, comment)
+            for name, (_, comment) in told.items()
+            if re.fullmatch(r"[km]\d+", name) and sizes(comment, values) is None
+        ]
+    assert silent == []
