@@ -33,6 +33,7 @@ from dhgen.nominal.nominal import nominal_arm
 from dhgen.paul.derive import derive
 from dhgen.paul.refusal.other_convention import other_convention
 from dhgen.program.lowering.programs import robot_programs
+from dhgen.program.policy import policy_of
 from dhgen.robot_files import RobotFile, led_to
 from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule
@@ -143,6 +144,7 @@ def _module(
         solver=programs.solver,
         forward=programs.forward,
         jacobian=programs.jacobian,
+        policy=policy_of(chain, programs.solver, precision.tolerances),
         length_unit=robot.length_unit,
         links=link_table(robot),
         arm_angle=programs.arm_angle,

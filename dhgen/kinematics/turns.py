@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
-    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.chain import Chain, ChainJoint
 
 TURN = 2.0 * math.pi
 NOTHING = 1e-9  # [rad] what rounding leaves of whole turns
@@ -48,6 +48,33 @@ def coupled_turns(chain: Chain) -> CoupledTurns | None:
     drives = tuple(each for each in chain.drives.order if each in turns and each in together)
     moves = tuple(tuple((turns[each] + 0.0).tolist()) for each in drives)  # no -0.0
     return CoupledTurns(drives, moves, frozenset(moved))
+
+
+def joints_alone(chain: Chain) -> tuple[ChainJoint, ...]:
+    """The joints with the limits that are looked at for each alone.
+
+    Where the whole turns of drives move others, only all of them together say what is inside.
+    """
+    turns = coupled_turns(chain)
+    moved = frozenset[int]() if turns is None else turns.moved
+    return tuple(
+        replace(joint, limits=None) if joint.number in moved else joint for joint in chain.joints
+    )
+
+
+def turns_alone(chain: Chain) -> bool:
+    """Whether no whole turn of a drive moves another one."""
+    turns = coupled_turns(chain)
+    return turns is None or not turns.moved
+
+
+def stands_on_limits(chain: Chain) -> bool:
+    """Whether an arm has limits, and poses that rounding says little about: not one of slides.
+
+    An arm angle would be one more thing that has to be met.
+    """
+    limited = any(joint.limits for joint in joints_alone(chain))
+    return limited and turns_alone(chain) and any(chain.turning) and not chain.arm_angle
 
 
 def _turns(chain: Chain) -> dict[int, FloatArray]:

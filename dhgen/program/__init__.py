@@ -2,5 +2,6 @@
 
 Read `ir`, the language, with `role` and `reserved`, its names; `interpret`, its meaning, with
 `circle`; `building`, how programs are made; `lowering`, how derivations become programs; `regular`,
-how a solver becomes the program of regular poses. `walk`, `count`, `arrival`, `text` look at one.
+how a solver becomes the program of regular poses; `policy`, what is done around the formulas at run
+time. `walk`, `count`, `arrival`, `text` look at one.
 """

@@ -1,14 +1,16 @@
-"""What occurs in expressions and in programs."""
+"""What occurs in expressions and in programs, and what is asked of them."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import Apply, Guard, Let, Roots, Variable
+from dhgen.program.ir import AllJoints, Apply, Guard, Joint, Let, Roots, Variable
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from dhgen.general.kernel import GeneralKernel
+    from dhgen.numerical.kernel import NumericalKernel
     from dhgen.program.ir import Expression, Program, Statement
 
 
@@ -36,6 +38,36 @@ def expressions(program: Program) -> Iterator[Expression]:
 def finds_roots(program: Program) -> bool:
     """Whether roots of polynomials are looked for."""
     return any(isinstance(statement, Roots) for statement in program.body)
+
+
+def uses(program: Program, operator: str) -> bool:
+    """Whether an operator occurs."""
+    return any(isinstance(e, Apply) and e.operator == operator for e in expressions(program))
+
+
+def reads(program: Program, role: str) -> bool:
+    """Whether a program reads joint values of this role."""
+    whole = any(isinstance(s, AllJoints) for s in program.body)
+    read = any(isinstance(e, Joint) and e.role == role for e in expressions(program))
+    return read or (whole and role == "seed")
+
+
+def whole_arm(program: Program) -> AllJoints | None:
+    """The statement that solves all joints at once, where there is one."""
+    found = (statement for statement in program.body if isinstance(statement, AllJoints))
+    return next(found, None)
+
+
+def general_kernel(program: Program) -> GeneralKernel | None:
+    """What the general algorithm knows of the arm, where that solves it."""
+    whole = whole_arm(program)
+    return None if whole is None else whole.general
+
+
+def descents(program: Program) -> NumericalKernel | None:
+    """What least squares know of the arm, where they solve it or complete its rows."""
+    whole = whole_arm(program)
+    return program.tightened if whole is None else whole.descent
 
 
 def _stated(statement: Statement) -> tuple[Expression, ...]:

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 from dhgen.printing.comments import plain
 from dhgen.program.role import Source
-from dhgen.targets.walk import merged_constants
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from dhgen.program.ir import NamedConstant, Program
     from dhgen.program.role import Role
@@ -39,13 +38,27 @@ class ConstantText:
 def constant_texts(module: SolverModule, others: tuple[Program, ...] = ()) -> list[ConstantText]:
     """Every constant, of all programs and others, that the files do not define anyway."""
     own = [constant.name for constant in module.chain.constants]
-    constants = _told_by_others(merged_constants([*module.programs, *others], own))
+    constants = _told_by_others(_merged([*module.programs, *others], own))
     unit = module.length_unit
     return [
         ConstantText(c.name, repr(c.value), _comment(c, unit), c.role)
         for c in constants
         if c.role is not Source.FILE
     ]
+
+
+def _merged(programs: Iterable[Program], own: Sequence[str]) -> tuple[NamedConstant, ...]:
+    """The constants of several programs, each once: the arm's own in their order come first."""
+    places = {name: place for place, name in enumerate(own)}
+    merged: dict[str, NamedConstant] = {}
+    for program in programs:
+        for constant in program.constants:
+            merged.setdefault(constant.name, constant)
+
+    def order(constant: NamedConstant) -> tuple[bool, int]:
+        return constant.role is not Source.ARM, places.get(constant.name, len(places))
+
+    return tuple(sorted(merged.values(), key=order))
 
 
 def _told_by_others(constants: Iterable[NamedConstant]) -> list[NamedConstant]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.turns import coupled_turns
@@ -14,7 +14,6 @@ from dhgen.targets.python.literal import literal
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.kinematics.chain import ChainJoint
     from dhgen.targets.module import SolverModule
 
 NO_LIMITS = (-math.inf, math.inf)
@@ -40,25 +39,6 @@ def runtime_coupling(module: SolverModule) -> Coupling | None:
             for slack in (angle if each.turns else length,)
         ),
     )
-
-
-def joints_alone(module: SolverModule) -> tuple[ChainJoint, ...]:
-    """The joints with the limits that are looked at for each alone.
-
-    Where the whole turns of drives move others, only all of them together say what is inside.
-    """
-    turns = coupled_turns(module.chain)
-    moved = frozenset[int]() if turns is None else turns.moved
-    return tuple(
-        replace(joint, limits=None) if joint.number in moved else joint
-        for joint in module.chain.joints
-    )
-
-
-def turns_alone(module: SolverModule) -> bool:
-    """Whether no whole turn of a drive moves another one."""
-    turns = coupled_turns(module.chain)
-    return turns is None or not turns.moved
 
 
 @dataclass(frozen=True, slots=True)

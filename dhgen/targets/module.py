@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
+import math
 import shlex
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.task import telling_entries
-from dhgen.kinematics.turns import coupled_turns
+from dhgen.kinematics.turns import coupled_turns, stands_on_limits
 from dhgen.printing.comments import plain_path
 from dhgen.program.regular.limits import ArmLimits, Limits
 from dhgen.program.regular.regular import regular
-from dhgen.targets.coupled import joints_alone, turns_alone
 from dhgen.targets.layout import paragraph
 from dhgen.tolerances import DOUBLE, Precision
 
@@ -24,9 +24,11 @@ if TYPE_CHECKING:
     from dhgen.method import Method
     from dhgen.nominal.nominal import Nominal
     from dhgen.program.ir import Program
+    from dhgen.program.policy import Policy
     from dhgen.program.regular.unguarded import Regular
 
 
+FAN = 64  # values of a free joint that are tried first
 LAST = 3  # column of a pose: its translation
 
 
@@ -43,6 +45,7 @@ class SolverModule:
         solver: From pose to rows of joint values.
         forward: From joint values to the pose.
         jacobian: From joint values to the geometric Jacobian.
+        policy: What is done around the formulas at run time.
         length_unit: How lengths are called.
         arm_angle: From joint values to the arm angle, where the caller gives that.
         plane_miss: From them and the pose to what they miss the arm angle by, where rows need it.
@@ -61,6 +64,7 @@ class SolverModule:
     solver: Program
     forward: Program
     jacobian: Program
+    policy: Policy
     length_unit: str
     links: LinkTable
     arm_angle: Program | None = None
@@ -143,14 +147,20 @@ def slacks(module: SolverModule) -> list[float]:
     return [angle if turns else length for turns in module.chain.turning]
 
 
-def stands_on_limits(module: SolverModule) -> bool:
-    """Whether an arm has limits, and poses that rounding says little about: not one of slides.
+def fan_steps(module: SolverModule) -> tuple[float, ...]:
+    """From one value of a free joint that is tried to the next: half a fan is enough.
 
-    An arm angle would be one more thing that has to be met.
+    Angles are tried in a whole turn, slides to both sides as far as their stroke, or where that
+    is endless as in a turn of the arm.
     """
-    chain = module.chain
-    limited = any(joint.limits for joint in joints_alone(module))
-    return limited and turns_alone(module) and any(chain.turning) and not chain.arm_angle
+    lengths = (
+        joint.limits[1] - joint.limits[0] if joint.limits else math.pi * module.chain.size
+        for joint in module.chain.joints
+    )
+    return tuple(
+        2.0 * (math.pi if turns else length) / FAN
+        for turns, length in zip(module.chain.turning, lengths, strict=True)
+    )
 
 
 def regular_solver(module: SolverModule) -> Regular | None:
@@ -158,7 +168,7 @@ def regular_solver(module: SolverModule) -> Regular | None:
     if module.plain or coupled_turns(module.chain) is not None:
         return None
     table = module.precision.tolerances
-    graze = table.graze if stands_on_limits(module) else None
+    graze = table.graze if stands_on_limits(module.chain) else None
     return regular(module.solver, ArmLimits(tuple(_limits(module)), graze), table)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from dhgen.errors import VerificationError
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.task import task_jacobian, units
-from dhgen.targets.walk import whole_arm
+from dhgen.program.walk import whole_arm
 from dhgen.tolerances import TOLERANCES
 from dhgen.verify.measures import Measures
 

@@ -17,7 +17,7 @@ from dhgen.method import Method
 from dhgen.paul.refusal.redundancy import near_redundancy
 from dhgen.program.all_joints import whole_solver
 from dhgen.program.interpret import interpret
-from dhgen.targets.walk import whole_arm
+from dhgen.program.walk import whole_arm
 from dhgen.tolerances import TOLERANCES
 from dhgen.verify.compiled import compiled_code, import_temporary, runtime_code, together
 from dhgen.verify.demands import FIXED, FOUND, FOUND_SINGULAR, Demands

@@ -14,6 +14,7 @@ from dhgen.kinematics.link_table import link_table
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.lowering.forward import forward_program, jacobian_program
 from dhgen.program.lowering.lower import whole_program
+from dhgen.program.policy import policy_of
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.runtime import c_runtime_files
@@ -68,15 +69,17 @@ def without_derivation(arm: Robot) -> SolverModule:
     chain = build_chain(arm)
     kernel = general_kernel(chain)
     assert kernel is not None
+    solver = whole_program(chain, kernel)
     return SolverModule(
         name=chain.name,
         title=arm.title,
         source="arm.yaml",
         chain=chain,
         method=kernel.method,
-        solver=whole_program(chain, kernel),
+        solver=solver,
         forward=replace(forward_program(chain, RESERVED), name=chain.name),
         jacobian=replace(jacobian_program(chain, RESERVED), name=chain.name),
+        policy=policy_of(chain, solver, DOUBLE.tolerances),
         length_unit=arm.length_unit,
         links=link_table(arm),
         arm_angle=None,

@@ -24,7 +24,9 @@ def constants(text: str) -> dict[str, tuple[float, str]]:
     for block in re.findall(r"static const double\s[^{}]*?;", text):
         for each in CONSTANT.finditer(block):
             comment = each["behind"] or each["before"] or ""
-            told = " ".join(re.sub(r"^ +\* ", "", comment, flags=re.M).strip("/* \n").split())
+            told = " ".join(
+                re.sub(r"^ +\* ", "", comment, flags=re.MULTILINE).strip("/* \n").split()
+            )
             found[each["name"]] = float(each["value"]), UNIT.sub("", told).strip()
     return found
 

@@ -6,12 +6,11 @@ from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING
 
+from dhgen.program.walk import descents, whole_arm
 from dhgen.runtime.plain import plain
 from dhgen.runtime.python.numerical.arm import strides
 from dhgen.targets.c.table import c_directions
 from dhgen.targets.layout import c_array
-from dhgen.targets.policy import policy_of
-from dhgen.targets.walk import descents, whole_arm
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -123,7 +122,7 @@ def c_descents(module: SolverModule) -> Descents | None:
 
 
 def _turns(module: SolverModule) -> str:
-    turning = policy_of(module).root_turns
+    turning = module.policy.root_turns
     entries = [f"{{ {joint - 1}, {float(sign)!r} }}" for joint, sign in turning]
     head = f"static const struct dhgen_root_turn turns[{len(entries)}]"
     return c_array(head, entries) if entries else ""
@@ -131,7 +130,7 @@ def _turns(module: SolverModule) -> str:
 
 def _completion(module: SolverModule, kernel: NumericalKernel) -> str:
     """What `dhgen_complete_rows` does."""
-    policy = policy_of(module)
+    policy = module.policy
     turns = len(policy.root_turns)
     flags = f"{int(policy.adds_others)}, /* adds others */ {int(policy.ascends)}, /* ascends */"
     flags += f" {int(policy.equations_end_all)}, /* equations end all */"

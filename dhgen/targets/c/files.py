@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.turns import coupled_turns
 from dhgen.printing.templates import named, render
-from dhgen.program.walk import finds_roots
+from dhgen.program.walk import finds_roots, general_kernel, reads, whole_arm
 from dhgen.targets.c.calls import Prototypes, c_prototypes
 from dhgen.targets.c.descents import c_descents
 from dhgen.targets.c.entries import Entries, entry_lines, entry_texts
@@ -27,7 +27,6 @@ from dhgen.targets.layout import INDENT, packed
 from dhgen.targets.module import regular_solver
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
-from dhgen.targets.walk import general_kernel, reads, whole_arm
 from dhgen.tolerances import SINGLE
 
 if TYPE_CHECKING:

@@ -5,19 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.turns import joints_alone
 from dhgen.robot.task import Directions, TaskKind
-from dhgen.targets.coupled import joints_alone
 from dhgen.targets.layout import INDENT, c_array, packed
-from dhgen.targets.module import named_entries, slacks
-from dhgen.targets.policy import fan_steps, policy_of
+from dhgen.targets.module import fan_steps, named_entries, slacks
 from dhgen.targets.solver.refinement import miss_weights, paces_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.kinematics.chain import Chain
+    from dhgen.program.policy import Policy
     from dhgen.targets.module import SolverModule
-    from dhgen.targets.policy import Policy
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +52,7 @@ class _Places:
 
 def c_table(module: SolverModule) -> CTable:
     """The table of a robot, but for its last entry: the function for regular poses."""
-    chain, policy = module.chain, policy_of(module)
+    chain, policy = module.chain, module.policy
     given = _Places("given_joints", tuple(number - 1 for number in chain.free))
     entries = _Places("entries", tuple(entry.place for entry in named_entries(chain)))
     choosing = _Places("choosable", policy.choosable)
@@ -113,7 +112,7 @@ def _joints(module: SolverModule) -> list[str]:
     """A row for each joint."""
     chain = module.chain
     numbers = zip(slacks(module), module.weights, paces_of(chain), fan_steps(module), strict=True)
-    alone = zip(joints_alone(module), chain.turning, numbers, strict=True)
+    alone = zip(joints_alone(chain), chain.turning, numbers, strict=True)
     rows = []
     for joint, turns, (slack, weight, pace, step) in alone:
         ends = c_ends(joint.limits)

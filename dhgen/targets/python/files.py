@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.printing.templates import named, render
 from dhgen.program.regular.flatten import flatten
-from dhgen.program.walk import finds_roots
+from dhgen.program.walk import finds_roots, uses, whole_arm
 from dhgen.runtime.python import INTERFACE
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import regular_solver
@@ -27,7 +27,6 @@ from dhgen.targets.python.whole import Whole, python_whole
 from dhgen.targets.scalar import pose_entries
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
-from dhgen.targets.walk import uses, whole_arm
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Program

@@ -5,17 +5,17 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.turns import joints_alone, turns_alone
 from dhgen.runtime.python.arm import Arm
-from dhgen.targets.coupled import NO_LIMITS, joints_alone, turns_alone
+from dhgen.targets.coupled import NO_LIMITS
 from dhgen.targets.layout import INDENT
-from dhgen.targets.module import named_entries, slacks
-from dhgen.targets.policy import fan_steps, policy_of
+from dhgen.targets.module import fan_steps, named_entries, slacks
 from dhgen.targets.python.literal import literal
 from dhgen.targets.solver.refinement import miss_weights, paces_of
 
 if TYPE_CHECKING:
+    from dhgen.program.policy import Policy
     from dhgen.targets.module import SolverModule
-    from dhgen.targets.policy import Policy
 
 # What the module says of the joints beside, under its own names.
 NAMED = {"types": "JOINT_TYPES", "limits": "JOINT_LIMITS"}
@@ -24,7 +24,7 @@ NAMED = {"types": "JOINT_TYPES", "limits": "JOINT_LIMITS"}
 def arm_lines(module: SolverModule) -> list[str]:
     """The expressions that a robot's table is made of, indented."""
     arm = _arm(module)
-    named = NAMED if turns_alone(module) else {"types": NAMED["types"]}
+    named = NAMED if turns_alone(module.chain) else {"types": NAMED["types"]}
     lines = [f"{INDENT}_arms.Arm("]
     for each in fields(arm):
         value = getattr(arm, each.name)
@@ -37,11 +37,11 @@ def arm_lines(module: SolverModule) -> list[str]:
 
 
 def _arm(module: SolverModule) -> Arm:
-    chain, policy = module.chain, policy_of(module)
+    chain, policy = module.chain, module.policy
     measures = policy.checks or policy.completes
     return Arm(
         types=chain.joint_types,
-        limits=tuple(joint.limits or NO_LIMITS for joint in joints_alone(module)),
+        limits=tuple(joint.limits or NO_LIMITS for joint in joints_alone(chain)),
         slacks=tuple(slacks(module)),
         weights=module.weights,
         paces=tuple(map(float, paces_of(chain))),

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 from dhgen.general.runtime_loop import runtime_loop
 from dhgen.numerical.runtime_arm import runtime_arm
+from dhgen.program.walk import descents, whole_arm
 from dhgen.runtime.python.general.arm import Loop
 from dhgen.runtime.python.numerical.arm import Arm
 from dhgen.targets.python.literal import literal
-from dhgen.targets.walk import descents, whole_arm
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Program

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.program.walk import finds_roots
-from dhgen.targets.walk import reads, uses
+from dhgen.program.walk import finds_roots, reads, uses
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule

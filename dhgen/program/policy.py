@@ -7,28 +7,20 @@ the seed meets the pose with other joint values than the rows, the arm may as we
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.turns import joints_alone, stands_on_limits, turns_alone
+from dhgen.program.ir import Failure, Guard, Roots
 from dhgen.program.regular.regular import tells_regular
-from dhgen.program.walk import finds_roots
+from dhgen.program.walk import finds_roots, whole_arm
 from dhgen.runtime.python.limits import NEARLY_A_TURN
-from dhgen.targets.coupled import joints_alone, turns_alone
-from dhgen.targets.module import stands_on_limits
-from dhgen.targets.walk import (
-    checks_again,
-    choosable,
-    chooses_again,
-    lost_together,
-    roots_in_a_row,
-    whole_arm,
-)
 
 if TYPE_CHECKING:
-    from dhgen.targets.module import SolverModule
+    from dhgen.kinematics.chain import Chain
+    from dhgen.program.ir import Program
+    from dhgen.tolerances import Tolerances
 
-FAN = 64  # values of a free joint that are tried first
 # Of an interval, until one of a turn is as small as rounding: by bisection, and by golden section,
 # which leaves 0.62 of it.
 HALVINGS, GOLDEN_CUTS = 52, 72
@@ -87,77 +79,102 @@ class Policy:
         return self.retries or self.keeps_limits or self.adds_others
 
 
-def policy_of(module: SolverModule) -> Policy:
-    """What is done for a robot."""
-    solver, completes = module.solver, module.solver.tightened is not None
-    follows_seed = _follows_seed(module)
-    checks, joints = checks_again(solver), choosable(solver)
+def policy_of(chain: Chain, solver: Program, tolerances: Tolerances) -> Policy:
+    """What is done around the formulas of an arm.
+
+    Args:
+        chain: The arm.
+        solver: From pose to rows of joint values.
+        tolerances: Of the arithmetic that it is for.
+    """
+    completes, stands = solver.tightened is not None, stands_on_limits(chain)
+    follows_seed = _follows_seed(chain, solver)
+    checks, joints = _checks_again(solver), _choosable(solver)
     return Policy(
-        retries=chooses_again(solver),
+        retries=_chooses_again(solver),
         checks=checks,
-        keeps_limits=bool(joints) and any(joint.limits for joint in joints_alone(module)),
+        keeps_limits=bool(joints) and any(joint.limits for joint in joints_alone(chain)),
         completes=completes,
         adds_others=completes and checks and solver.rows > 1,
         ascends=finds_roots(solver) and len(solver.axes) == 1,
         equations_end_all=tells_regular(solver),
         root_turns=solver.turning if completes and finds_roots(solver) else (),
-        merges=follows_seed and roots_in_a_row(solver) > 1,
+        merges=follows_seed and _roots_in_a_row(solver) > 1,
         refines=solver.led is not None,
-        clamps=stands_on_limits(module),
-        clamped=module.precision.tolerances.clamped,
-        clamped_again=_clamped_again(module),
-        clamps_far=stands_on_limits(module) and tells_regular(solver),
-        winds=stands_on_limits(module) and _widest_turn(module) > NEARLY_A_TURN,
+        clamps=stands,
+        clamped=tolerances.clamped,
+        clamped_again=_clamped_again(solver, tolerances),
+        clamps_far=stands and tells_regular(solver),
+        winds=stands and _widest_turn(chain) > NEARLY_A_TURN,
         follows_seed=follows_seed,
         choosable=_places(joints),
-        together=() if completes else _places(lost_together(solver)),
+        together=() if completes else _places(_lost_together(solver)),
         cuts=GOLDEN_CUTS if checks else HALVINGS,
     )
 
 
-def fan_steps(module: SolverModule) -> tuple[float, ...]:
-    """From one value of a free joint that is tried to the next: half a fan is enough.
-
-    Angles are tried in a whole turn, slides to both sides as far as their stroke, or where that
-    is endless as in a turn of the arm.
-    """
-    lengths = (
-        joint.limits[1] - joint.limits[0] if joint.limits else math.pi * module.chain.size
-        for joint in module.chain.joints
-    )
-    return tuple(
-        2.0 * (math.pi if turns else length) / FAN
-        for turns, length in zip(module.chain.turning, lengths, strict=True)
-    )
-
-
-def _clamped_again(module: SolverModule) -> float:
+def _clamped_again(solver: Program, tolerances: Tolerances) -> float:
     """By how much more a pose may be missed by rows that are clamped where none is inside limits.
 
     Where solutions are found without branches, nearer ones than `polished` are one anyway.
     """
-    tolerances = module.precision.tolerances
-    return tolerances.clamped if whole_arm(module.solver) is None else tolerances.polished
+    return tolerances.clamped if whole_arm(solver) is None else tolerances.polished
 
 
-def _follows_seed(module: SolverModule) -> bool:
+def _follows_seed(chain: Chain, solver: Program) -> bool:
     """Whether an arm has poses that rounding says little about, and rows for its branches.
 
     Where whole turns of drives move others, a seed may be a turn of a row that looks unlike it.
     """
-    chain, turning = module.chain, any(module.chain.turning)
-    return (
-        turning and turns_alone(module) and not chain.arm_angle and whole_arm(module.solver) is None
-    )
+    alone = any(chain.turning) and turns_alone(chain)
+    return alone and not chain.arm_angle and whole_arm(solver) is None
 
 
-def _widest_turn(module: SolverModule) -> float:
+def _widest_turn(chain: Chain) -> float:
     """How far apart limits of an angle are at most."""
-    joints = zip(joints_alone(module), module.chain.turning, strict=True)
+    joints = zip(joints_alone(chain), chain.turning, strict=True)
     ranges = (
         joint.limits[1] - joint.limits[0] for joint, turns in joints if turns and joint.limits
     )
     return max(ranges, default=0.0)
+
+
+def _roots_in_a_row(program: Program) -> int:
+    """How many roots, of squares or of polynomials, may meet."""
+    return sum(
+        isinstance(each, Roots)
+        or (isinstance(each, Guard) and each.failure is Failure.REACH and each.margin is not None)
+        for each in program.body
+    )
+
+
+def _chooses_again(program: Program) -> bool:
+    """Whether the choice of a free joint decides on a later guard."""
+    return any(
+        isinstance(statement, Guard) and statement.chosen and statement.margin is not None
+        for statement in program.body
+    )
+
+
+def _lost_together(program: Program) -> tuple[int, ...]:
+    """The joints, from 1, that may be free at the same time and decide on one guard.
+
+    The one that is noted for a lost row, the last of those that are free, stands behind the others.
+    """
+    guards = (statement for statement in program.body if isinstance(statement, Guard))
+    lost = ([c.joint for c in guard.chosen if c.value is None] for guard in guards if guard.margin)
+    return tuple(dict.fromkeys(joint for joints in lost if len(joints) > 1 for joint in joints))
+
+
+def _choosable(program: Program) -> tuple[int, ...]:
+    """The joints, from 1, that a branch may choose freely, the last first."""
+    return tuple(sorted({joint for joint, _ in program.free if joint}, reverse=True))
+
+
+def _checks_again(program: Program) -> bool:
+    """Whether the choice of a free joint decides on whether the arm can take the pose."""
+    guards = (statement for statement in program.body if isinstance(statement, Guard))
+    return any(guard.failure is Failure.INCONSISTENT and guard.chosen for guard in guards)
 
 
 def _places(numbers: tuple[int, ...]) -> tuple[int, ...]:
