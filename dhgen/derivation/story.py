@@ -177,9 +177,9 @@ class Story:
 
     def sign_of(self, step: int) -> Formula:
         """The branch sign that a step brings in; 1 when it has one value."""
-        for place, axis in enumerate(self.program.axes):
+        for axis in self.program.axes:
             if axis.step == step:
-                return branch_sign(place)
+                return branch_sign(self.steps[step - 1])
         return ONE
 
     def frame_of(self, point: Point) -> int:

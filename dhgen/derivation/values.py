@@ -147,10 +147,10 @@ def _of_the_pose(story: Story) -> dict[str, Polynomial]:
 def signs_of_row(story: Story, row: int) -> dict[str, float]:
     """The branch signs of a row, from 0, by their spelling in a terminal."""
     signs: dict[str, float] = {}
-    for place, axis in reversed(list(enumerate(story.program.axes))):
+    for axis in reversed(story.program.axes):
         row, chosen = divmod(row, axis.count)
         if axis.count == 2:
-            signs[branch_sign(place).text] = -1.0 if chosen else 1.0
+            signs[branch_sign(story.steps[axis.step - 1]).text] = -1.0 if chosen else 1.0
     return signs
 
 

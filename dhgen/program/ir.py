@@ -60,7 +60,8 @@ class Axis:
     """What multiplies the number of branches: a sign, or the choice of a root of a polynomial.
 
     Attributes:
-        name: e1, e2, ... for signs; the name of the root's angle for polynomials.
+        name: e1, e3, ... for signs, by the joint that the step gives; the name of the root's angle
+            for polynomials.
         meaning: What its values are called, for signs + first: ("left", "right").
         step: The number of the derivation's step that brings it in, from 1.
         factors: Positions of other signs: the word goes by the product with these.

@@ -35,7 +35,7 @@ def test_every_word_of_a_branch_is_explained(name: str) -> None:
 def test_the_words_of_an_arm_with_an_elbow() -> None:
     told = legend("puma560")
     signs = r"right is $\varepsilon_1 = 1$ and left is $\varepsilon_1 = -1$ in step 1"
-    assert rf"{signs}, which gives $\theta_1$; down is $\varepsilon_1 \varepsilon_2 = 1$" in told
+    assert rf"{signs}, which gives $\theta_1$; down is $\varepsilon_1 \varepsilon_3 = 1$" in told
     assert "; noflip is" in told
     assert "root1 to root4 are the roots of step 1 for" in legend("cuspidal_3r")
 

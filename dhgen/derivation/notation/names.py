@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Constant
     from dhgen.paul.form import Unknown
+    from dhgen.paul.step import Step
 
 _SUBSCRIPTS = str.maketrans("0123456789-,", "₀₁₂₃₄₅₆₇₈₉₋,")
 _GREEK = {
@@ -106,9 +107,12 @@ def joint_symbol(joint: int) -> Symbol:
     return letter("q", "q", str(joint))
 
 
-def branch_sign(place: int) -> Symbol:
-    """The sign of a branch, from 0."""
-    return letter(r"\varepsilon", "ε", str(place + 1), f"e{place + 1}")
+def branch_sign(step: Step) -> Symbol:
+    """The sign that a step brings in, numbered by the joint that it gives (document 004)."""
+    unknown = next((each for each in step.unknowns if isinstance(each, AngleSum)), None)
+    if unknown is None:
+        return letter(r"\varepsilon", "ε", str(step.length.joint), f"e{step.length.joint}")
+    return letter(r"\varepsilon", "ε", joint_index(unknown), f"e{unknown.suffix}")
 
 
 def link(number: int) -> Symbol:

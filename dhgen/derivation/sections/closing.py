@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block, Prose
+    from dhgen.paul.step import Step
     from dhgen.program.count import OperationCount
     from dhgen.program.ir import Axis
 
@@ -155,17 +156,16 @@ def _levels(story: Story) -> list[tuple[tuple[str, ...], str]]:
     """Before each choice and after the last: what may be chosen, and the unknowns that follow."""
     levels: list[tuple[tuple[str, ...], list[str]]] = [((), [])]
     for number, step in enumerate(story.steps, start=1):
-        for place, axis in enumerate(story.program.axes):
-            if axis.step == number:
-                levels.append((_choices(place, axis), []))
+        axes = (axis for axis in story.program.axes if axis.step == number)
+        levels += [(_choices(step, axis), []) for axis in axes]
         levels[-1][1].extend(unknown_symbol(unknown).text for unknown in step.unknowns)
     return [(choices, " ".join(names)) for choices, names in levels]
 
 
-def _choices(place: int, axis: Axis) -> tuple[str, ...]:
+def _choices(step: Step, axis: Axis) -> tuple[str, ...]:
     """The two values of a sign, or the roots of a polynomial."""
     if axis.count == 2:
-        sign = branch_sign(place).text
+        sign = branch_sign(step).text
         return f"{sign} = +1", f"{sign} = −1"
     return tuple(f"root {number}" for number in range(1, axis.count + 1))
 

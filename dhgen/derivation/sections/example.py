@@ -98,9 +98,9 @@ def _steps(story: Story, example: Example, known: Mapping[str, float]) -> list[B
     signs = signs_of_row(story, example.followed)
     letters = {**known, **signs}
     chosen = [
-        equal(branch_sign(place), Symbol(f"{sign:+.0f}", f"{sign:+.0f}".replace("-", "−")))
-        for place in range(len(story.program.axes))
-        if (sign := signs.get(branch_sign(place).text))
+        equal(letter, Symbol(f"{sign:+.0f}", f"{sign:+.0f}".replace("-", "−")))
+        for letter in (branch_sign(story.steps[axis.step - 1]) for axis in story.program.axes)
+        if (sign := signs.get(letter.text))
     ]
     name = story.branch_names[example.followed] if story.has_branch_words else ""
     words = f"Row {example.followed}{f', {name},' if name else ''}"

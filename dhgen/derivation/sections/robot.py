@@ -168,16 +168,17 @@ def _seen(story: Story, axis: Axis) -> str:
 
 
 def _choice(story: Story, place: int, axis: Axis) -> Prose:
-    unknowns = story.steps[axis.step - 1].unknowns
-    unknown = joined([say("{}", unknown_symbol(each)) for each in unknowns])
+    step = story.steps[axis.step - 1]
+    unknown = joined([say("{}", unknown_symbol(each)) for each in step.unknowns])
     if axis.count != 2:
         first, last = axis.meaning[0], axis.meaning[-1]
         return say(f"{first} to {last} are the roots of step {axis.step} for {{}}", unknown)
     plus, opposite = axis.meaning
-    sign = times(*(branch_sign(each) for each in sorted((*axis.factors, place))))
+    axes = (story.program.axes[each] for each in sorted((*axis.factors, place)))
+    sign = times(*(branch_sign(story.steps[each.step - 1]) for each in axes))
     brought = say(f" in step {axis.step}")
     if axis.factors:
-        brought = say(f", where {{}} is the sign of step {axis.step}", branch_sign(place))
+        brought = say(f", where {{}} is the sign of step {axis.step}", branch_sign(step))
     return say(
         f"{plus} is {{}} and {opposite} is {{}}{{}}, which gives {{}}",
         equal(sign, ONE),

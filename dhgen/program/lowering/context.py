@@ -91,9 +91,9 @@ class Lowering:
         self.short: list[Node] = []
         self.steep: Node | None = None
 
-    def new_sign(self) -> Node:
-        """The sign of the step at hand."""
-        return self.builder.sign(("+", "-"), self.step_number)
+    def new_sign(self, suffix: str) -> Node:
+        """The sign of the step at hand, numbered by the joint that it gives (document 004)."""
+        return self.builder.sign(("+", "-"), self.step_number, f"e{suffix}")
 
     def new_root(self, angle: AngleSum, coefficients: tuple[Node, ...]) -> Node:
         """A root of the polynomial of the step at hand, which is an angle."""

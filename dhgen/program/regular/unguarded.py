@@ -104,7 +104,7 @@ class Unguarded:
                 case Tolerance("doubtful", degree):
                     self._slacks[node] = self._exact_and_rounded(degree, c.value)
         for axis in self._program.axes:
-            sign = builder.sign(axis.words, axis.step)
+            sign = builder.sign(axis.words, axis.step, axis.name)
             self._values[axis.name] = Signed(builder.integer(1), frozenset({sign}))
         for statement in self._program.body:
             self._take(statement)

@@ -123,7 +123,7 @@ def _lower_homogeneous(
     free = is_short(context, length, degree, f"free{angle.suffix}")
     if context.mends_roots:
         context.short.append(is_nearly_short(context, square, degree, angle))
-    sign = context.new_sign()
+    sign = context.new_sign(angle.suffix)
     keep_one(context, sign, free)
     factor = over(context, sign, length, free, angle.suffix)
     direction = builder.neg(builder.mul(x, factor)), builder.mul(y, factor)

@@ -22,7 +22,7 @@ def lower_polar(context: Lowering, step: Step) -> None:
     length = builder.apply("sqrt", builder.add(builder.square(u), builder.square(v)))
     length = builder.name(length, f"w{unknown.joint}")
     free = is_short(context, length, 1, f"free{angle.suffix}")
-    sign = context.new_sign()
+    sign = context.new_sign(angle.suffix)
     keep_one(context, sign, free)
     factor = over(context, sign, length, free, angle.suffix)
     finish(context, angle, builder.mul(v, factor), builder.mul(u, factor), free)
