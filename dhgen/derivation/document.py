@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from dhgen.derivation.sections.choosing import choosing_section
 from dhgen.derivation.sections.closing import (
     cost_section,
     singular_section,
@@ -74,6 +75,7 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
         *solutions_section(story),
         *example_section(story),
         *shown.postures,
+        *choosing_section(story),
         *singular_section(places),
         *velocity_section(story, places),
         *cost_section(story),

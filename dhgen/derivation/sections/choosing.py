@@ -1,0 +1,143 @@
+"""Which row to take: limits, whole turns, the shortest motion; the two ways to turn a wrist."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.derivation.notation.names import joint_symbol, single, theta
+from dhgen.derivation.text.blocks import Heading, joined, paragraph, say
+from dhgen.derivation.text.formula import Listing, Symbol, add, minus
+from dhgen.derivation.values import figures
+
+if TYPE_CHECKING:
+    from dhgen.derivation.example import Example
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.blocks import Block
+    from dhgen.kinematics.chain import Chain
+
+TURN = 2.0 * math.pi
+SQUARES = Symbol(r"\sum_i (q_i - q_i^{\mathrm{seed}})^2", "Σᵢ (qᵢ − qᵢ,seed)²")
+HALF = Symbol(r"\pi", "π")
+OTHERS = (
+    " A row in which a joint took the seed's value, because the pose leaves it free, has "
+    "FREE_JOINT; other rows with a solution have OK, and empty rows UNREACHABLE."
+)
+MARKED = (
+    "A row is a solution, whether the arm can stand there or not: one with a joint beyond its "
+    "limits keeps its place and has the status OUT_OF_LIMITS."
+)
+UNMARKED = "No joint has limits, so the arm can take every row that holds a solution."
+
+
+def choosing_section(story: Story) -> list[Block]:
+    """The whole section; nothing where there is one row and no limit."""
+    chain = story.algebra.chain
+    limited = any(joint.limits for joint in chain.joints)
+    if story.program.rows == 1 and not limited:
+        return []
+    return [
+        Heading(2, say("Choosing a row")),
+        paragraph((MARKED if limited else UNMARKED) + OTHERS),
+        *_whole_turns(chain),
+        *_shortest(story),
+        *_flipped(story),
+    ]
+
+
+def _whole_turns(chain: Chain) -> list[Block]:
+    """Joints whose angle has several values with which the arm stands alike."""
+    joints = (each for each, turns in zip(chain.joints, chain.turning, strict=True) if turns)
+    wide = [each.number for each in joints if each.limits and np.ptp(each.limits) > TURN]
+    if not wide:
+        return []
+    some = joined([say("{}", joint_symbol(number)) for number in wide])
+    return [
+        paragraph(
+            "The limits of {} are more than a whole turn apart, so that some angles fit in twice. "
+            "A row holds one of them, with a seed the nearest to it.",
+            some,
+        )
+    ]
+
+
+def _shortest(story: Story) -> list[Block]:
+    """Document 002's choice, and what it is in the example."""
+    chain, example = story.algebra.chain, story.example
+    if story.program.rows == 1:
+        return []
+    units = "" if all(chain.turning) else ", lengths divided by the size of the arm, {}"
+    size = [] if all(chain.turning) else [figures(chain.size)]
+    unit = f" {story.robot.length_unit}" if size else ""
+    blocks: list[Block] = [
+        paragraph(
+            "Document 002 ends with the choice of the row that the arm reaches by the shortest "
+            "motion from where it stands, the seed: the one inside its limits with the least {}"
+            f"{units}{unit}.",
+            SQUARES,
+            *size,
+        )
+    ]
+    if example is None:
+        return blocks
+    row, distance = nearest_to_zero(chain, example)
+    named = f", {story.branch_names[row]}," if story.has_branch_words else ""
+    blocks.append(
+        paragraph(
+            f"In the example, with a seed of zeros, that is row {row}{named} with {{}}.",
+            figures(distance),
+        )
+    )
+    return blocks
+
+
+def nearest_to_zero(chain: Chain, example: Example) -> tuple[int, float]:
+    """The row of an example that is nearest to q = 0 of those inside, and the sum of squares."""
+    rows = [
+        sum(
+            (_nearest(value, joint.limits) if turns else value / chain.size) ** 2
+            for value, joint, turns in zip(q, chain.joints, chain.turning, strict=True)
+        )
+        if inside
+        else math.inf
+        for q, inside in zip(example.rows.tolist(), example.inside, strict=True)
+    ]
+    row = int(np.argmin(rows))
+    return row, rows[row]
+
+
+def _nearest(angle: float, limits: tuple[float, float] | None) -> float:
+    """The copy of an angle by whole turns that is nearest to zero, inside the limits."""
+    copies = [angle + turn * TURN for turn in (-2, -1, 0, 1, 2)]
+    inside = [each for each in copies if limits is None or limits[0] <= each <= limits[1]]
+    return min(inside or copies, key=abs)
+
+
+def _flipped(story: Story) -> list[Block]:
+    """What two rows of a spherical wrist have to do with each other."""
+    if story.wrist is None or not any("flip" in axis.meaning for axis in story.program.axes):
+        return []
+    first, middle, last = story.wrist
+    algebra = story.algebra
+    rotation = story.derivation.problem.spans.product(first - 1, last).rotation
+    turned = {f"{kind}{joint}" for joint in (first, last) for kind in "cs"} | {f"s{middle}"}
+    places = [algebra.ring.gens.index(each) for each in map(algebra.generator, sorted(turned))]
+    odd = (
+        sum(monomial[place] for place in places) % 2
+        for row in rotation
+        for entry in row
+        for monomial in entry
+    )
+    if any(odd):
+        return []
+    one, half, other = (theta(single(joint)) for joint in story.wrist)
+    return [
+        paragraph(
+            "Rows that differ in noflip and flip alone hold the two ways to turn the wrist: where "
+            "one has {}, the other has {}, up to whole turns.",
+            Listing((one, half, other)),
+            Listing((add(one, HALF), minus(half), add(other, HALF))),
+        )
+    ]
