@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.sections.choosing import choosing_section
 from dhgen.derivation.sections.closing import (
-    cost_section,
     singular_section,
     solutions_section,
 )
@@ -78,7 +77,6 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
         *choosing_section(story),
         *singular_section(places),
         *velocity_section(story, places),
-        *cost_section(story),
     ]
 
 

@@ -20,11 +20,6 @@ def made(name: str) -> str:
     return derivation_document(of, f"robots/{of.robot.name}.yaml")
 
 
-def without_cost(text: str) -> str:
-    """A document up to its last section."""
-    return text[: text.index("## Cost")]
-
-
 if __name__ == "__main__":
     for each in NAMES:
-        (FOLDER / f"{each}.md").write_text(without_cost(made(each)), encoding="utf-8")
+        (FOLDER / f"{each}.md").write_text(made(each), encoding="utf-8")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.derivation.notation.names import joint_symbol, single, theta
+from dhgen.derivation.steps import leaves_a_joint_free
 from dhgen.derivation.text.blocks import Heading, joined, paragraph, say
 from dhgen.derivation.text.formula import Listing, Symbol, add, minus
 from dhgen.derivation.values import figures
@@ -21,9 +22,10 @@ if TYPE_CHECKING:
 TURN = 2.0 * math.pi
 SQUARES = Symbol(r"\sum_i (q_i - q_i^{\mathrm{seed}})^2", "Σᵢ (qᵢ − qᵢ,seed)²")
 HALF = Symbol(r"\pi", "π")
-OTHERS = (
+OTHERS = " The status of other rows with a solution is OK, that of empty rows UNREACHABLE."
+FREE = (
     " A row in which a joint took the seed's value, because the pose leaves it free, has "
-    "FREE_JOINT; other rows with a solution have OK, and empty rows UNREACHABLE."
+    "FREE_JOINT."
 )
 MARKED = (
     "A row is a solution, whether the arm can stand there or not: one with a joint beyond its "
@@ -40,9 +42,13 @@ def choosing_section(story: Story) -> list[Block]:
         return []
     return [
         Heading(2, say("Choosing a row")),
-        paragraph((MARKED if limited else UNMARKED) + OTHERS),
+        paragraph(
+            (MARKED if limited else UNMARKED)
+            + (FREE if leaves_a_joint_free(story) else "")
+            + OTHERS
+        ),
         *_whole_turns(chain),
-        *_shortest(story),
+        *_shortest(story, "the one inside its limits" if limited else "the one"),
         *_flipped(story),
     ]
 
@@ -63,7 +69,7 @@ def _whole_turns(chain: Chain) -> list[Block]:
     ]
 
 
-def _shortest(story: Story) -> list[Block]:
+def _shortest(story: Story, which: str) -> list[Block]:
     """Document 002's choice, and what it is in the example."""
     chain, example = story.algebra.chain, story.example
     if story.program.rows == 1:
@@ -74,8 +80,8 @@ def _shortest(story: Story) -> list[Block]:
     blocks: list[Block] = [
         paragraph(
             "Document 002 ends with the choice of the row that the arm reaches by the shortest "
-            "motion from where it stands, the seed: the one inside its limits with the least {}"
-            f"{units}{unit}.",
+            "motion from where it stands, the seed: "
+            f"{which} with the least {{}}{units}{unit}.",
             SQUARES,
             *size,
         )

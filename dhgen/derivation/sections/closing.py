@@ -1,4 +1,4 @@
-"""The last sections: the tree, singular configurations, the cost."""
+"""The last sections: the tree, singular configurations."""
 
 from __future__ import annotations
 
@@ -6,18 +6,15 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.names import branch_sign, unknown_symbol
 from dhgen.derivation.sections.shoulder import PSI
-from dhgen.derivation.steps import has_signed_roots, leaves_a_joint_free
+from dhgen.derivation.steps import has_signed_roots
 from dhgen.derivation.text.blocks import Drawing, Heading, Table, paragraph, say
-from dhgen.program.count import count_operations
-from dhgen.program.regular.regular import regular
 from dhgen.program.walk import finds_roots
 
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
-    from dhgen.derivation.text.blocks import Block, Prose
+    from dhgen.derivation.text.blocks import Block
     from dhgen.paul.step import Step
-    from dhgen.program.count import OperationCount
     from dhgen.program.ir import Axis
 
 
@@ -65,76 +62,6 @@ def singular_section(found: list[Singularity]) -> list[Block]:
         for each in found
     )
     return [*blocks, Table(header, rows)]
-
-
-def cost_section(story: Story) -> list[Block]:
-    """The operations of the program for all rows together, and of that of regular poses."""
-    count = count_operations(story.program)
-    rows = story.program.rows
-    label = "the solution" if rows == 1 else f"all {rows} rows"
-    lines = [_operations(label, count)]
-    made_of = "atan2 and square roots"
-    if finds_roots(story.program):
-        made_of = "atan2, square roots and roots of a quartic"
-    text = (
-        "A value that depends on only some of the signs is computed once for each combination of "
-        f"those. Besides arithmetic, the solutions take only {made_of}"
-        + (_sines(story) if count.sines_cosines else ".")
-    )
-    solver = regular(story.program)
-    if solver is not None:
-        quick = count_operations(solver.program)
-        lines.append(_operations("at a regular pose", quick))
-        text += (
-            " At a regular pose no joint is free and no two branches meet, so neither has to be "
-            "tested; what is odd or even in a sign is computed once for both of its values, and "
-            "additions replace divisions and roots where they can."
-        )
-        if quick.arctangents < count.arctangents:
-            text += (
-                " Where the two values of a sign give angles that differ by half a turn or by "
-                "their own sign, one atan2 serves both."
-            )
-    return [Heading(2, say("Cost")), Table(_COUNTED, tuple(lines)), paragraph(text)]
-
-
-_COUNTED = tuple(
-    say(word)
-    for word in (
-        "",
-        "additions",
-        "multiplications",
-        "divisions",
-        "square roots",
-        "atan2",
-        "sin, cos",
-    )
-)
-
-
-def _operations(label: str, count: OperationCount) -> tuple[Prose, ...]:
-    numbers = (
-        count.additions,
-        count.multiplications,
-        count.divisions,
-        count.square_roots,
-        count.arctangents,
-        count.sines_cosines,
-    )
-    return (say(label), *(say(str(each)) for each in numbers))
-
-
-def _sines(story: Story) -> str:
-    if story.robot.free or story.robot.arm_angle:
-        return "; sines and cosines are taken of values that the caller gives."
-    if finds_roots(story.program):
-        return "; sines and cosines are taken of the roots and, where a joint is free, of the seed."
-    if not leaves_a_joint_free(story):
-        return (
-            ". The counts include the code of all cases, also of those that the numbers of this "
-            "arm exclude; where a joint would be free it takes sines and cosines of the seed."
-        )
-    return "; sines and cosines are taken of the seed only, where a joint is free."
 
 
 def tree_text(story: Story) -> str:

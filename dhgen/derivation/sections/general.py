@@ -21,7 +21,6 @@ from dhgen.kinematics.chain import Slide, Turn
 from dhgen.kinematics.neighbours import EXACT, axis_triples, short_number
 from dhgen.paul.refusal.unsolved import NEARLY_CONCURRENT, NEARLY_PARALLEL
 from dhgen.runtime.plain import plain
-from dhgen.runtime.python.general.tables import SAMPLES
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
@@ -72,7 +71,6 @@ def general_section(
         begin_with_motions=begin_with_motions(kernel, chain),
         or_length=say(" or {}", Symbol("r_i = 0", "rᵢ = 0")) if kernel.loop.slides else say(""),
         singular=equal(Symbol(r"\det J", "det J"), ZERO),
-        samples=SAMPLES,
         size=size_in_words(chain),
         **values,
     )
