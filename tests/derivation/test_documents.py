@@ -55,6 +55,9 @@ def sections_of(name: str) -> list[str]:
     chain = build_chain(load(ROBOTS / f"{name}.yaml"))
     coupled = chain.drives.are_coupled or chain.passive
     missing = {"Coupled drives"} if not coupled else set()
+    robot = load(ROBOTS / f"{name}.yaml")
+    if not any(joint.limits for joint in robot.joints) and "   row 1" not in document(name):
+        missing.add("Choosing a row")
     if "## Velocity\n" not in document(name):  # which arms have it, test_velocity knows
         missing.add("Velocity")
     return [section for section in SECTIONS if section not in missing]

@@ -28,6 +28,32 @@ _SPELLED = (
     ("_j", "ⱼ"),
 )
 
+SIGN = Symbol(r"\varepsilon = \pm 1", "ε = ±1")
+TYPE_2 = (
+    Symbol(
+        r"s_i = \frac{X Z + \varepsilon Y \sqrt{X^2 + Y^2 - Z^2}}{X^2 + Y^2}",
+        "sᵢ = (X Z + ε Y √(X² + Y² − Z²))/(X² + Y²)",
+    ),
+    Symbol(
+        r"c_i = \frac{Y Z - \varepsilon X \sqrt{X^2 + Y^2 - Z^2}}{X^2 + Y^2}",
+        "cᵢ = (Y Z − ε X √(X² + Y² − Z²))/(X² + Y²)",
+    ),
+)
+TYPE_2_BY_ANGLES = (
+    Symbol(
+        r"\theta_i = \varphi - \mathrm{atan2}(Z, \pm \sqrt{X^2 + Y^2 - Z^2})",
+        "θᵢ = φ − atan2(Z, ±√(X² + Y² − Z²))",
+    ),
+    Symbol(r"\varphi = \mathrm{atan2}(Y, -X)", "φ = atan2(Y, −X)"),
+)
+TYPE_8 = (
+    Symbol(r"c_j = \frac{Z_1^2 + Z_2^2 - X^2 - Y^2}{2 X Y}", "cⱼ = (Z₁² + Z₂² − X² − Y²)/(2 X Y)"),
+    Symbol(r"s_i = \frac{B_1 Z_2 - B_2 Z_1}{B_1^2 + B_2^2}", "sᵢ = (B₁ Z₂ − B₂ Z₁)/(B₁² + B₂²)"),
+    Symbol(r"c_i = \frac{B_1 Z_1 + B_2 Z_2}{B_1^2 + B_2^2}", "cᵢ = (B₁ Z₁ + B₂ Z₂)/(B₁² + B₂²)"),
+    Symbol("B_1 = X + Y c_j", "B₁ = X + Y cⱼ"),
+    Symbol("B_2 = Y s_j", "B₂ = Y sⱼ"),
+)
+
 
 def types_table(story: Story) -> list[Block]:
     """A line for every type that a step is of."""
@@ -57,7 +83,35 @@ def types_table(story: Story) -> list[Block]:
     letters = *slides, Symbol("c_i", "cᵢ"), Symbol("s_i", "sᵢ")
     capitals = [joined([say("{}", Symbol(each, each)) for each in own])] if own else []
     apart = [Symbol("Z", "Z")] if frame else []
-    return [paragraph(text, *letters, *capitals, *apart), Table(header, rows)]
+    head = paragraph(text, *letters, *capitals, *apart)
+    return [head, Table(header, rows), *_in_the_course(story)]
+
+
+def _in_the_course(story: Story) -> list[Block]:
+    """How the courses write solutions that look otherwise here."""
+    told: list[Block] = []
+    if any(step.kind is Kind.ANGLE and step.coefficient("Z") for step in story.steps):
+        told.append(
+            paragraph(
+                "Khalil and Dombre write the solution of type 2 as {}, with {}. The steps leave "
+                "out the divisor, a positive factor that both share and atan2 takes no notice of. "
+                "Document 002 has the same angle as {} with {}.",
+                Listing(TYPE_2),
+                SIGN,
+                *TYPE_2_BY_ANGLES,
+            )
+        )
+    if any(step.kind is Kind.ANGLE_AND_SUM for step in story.steps):
+        told.append(
+            paragraph(
+                "Khalil and Dombre solve both angles of type 8 together: {}, then {} with {}. Here "
+                "the second angle has a step of its own, of type 3, from the same two equations.",
+                TYPE_8[0],
+                Listing(TYPE_8[1:3]),
+                Listing(TYPE_8[3:]),
+            )
+        )
+    return told
 
 
 def _steps(story: Story) -> list[Block]:

@@ -1,0 +1,59 @@
+"""What documents say of the courses' formulas: put into the equations of the types they hold."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+from dhgen.derivation.sections.types_table import TYPE_2, TYPE_2_BY_ANGLES, TYPE_8
+from tests.derivation.stories import document
+
+RNG = np.random.default_rng(5)
+
+
+def worth(formula: str, **letters: float) -> float:
+    """The right side of a formula as a terminal prints it."""
+    right = formula.split("=", 1)[1]
+    right = re.sub(r"√", "sqrt", right.replace("²", "**2").replace("−", "-"))
+    right = re.sub(r"(?<=[\w₁₂)]) (?=[A-Zε√cs(0-9])", "*", right.strip())
+    right = right.translate(str.maketrans("₁₂ⱼ", "12j"))
+    return float(eval(right, {"sqrt": math.sqrt, **letters}))  # noqa: S307  our own text
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_type_2(sign: float) -> None:
+    for X, Y, share in RNG.uniform(-1.0, 1.0, (20, 3)):
+        Z = share * math.hypot(X, Y)
+        s, c = (worth(each.text, X=X, Y=Y, Z=Z, ε=sign) for each in TYPE_2)
+        assert math.hypot(s, c) == pytest.approx(1.0)
+        assert X * s + Y * c == pytest.approx(Z)
+        root = sign * math.sqrt(X * X + Y * Y - Z * Z)
+        found = {math.atan2(Y, -X) - math.atan2(Z, each) for each in (root, -root)}
+        off = [math.remainder(each - math.atan2(s, c), 2.0 * math.pi) for each in found]
+        assert min(map(abs, off)) < 1e-7
+    assert TYPE_2_BY_ANGLES[1].text == "φ = atan2(Y, −X)"
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_type_8(sign: float) -> None:
+    for X, Y, one, other in RNG.uniform(0.1, 3.0, (20, 4)):
+        Z1 = X * math.cos(one) + Y * math.cos(one + other)
+        Z2 = X * math.sin(one) + Y * math.sin(one + other)
+        letters = {"X": X, "Y": Y, "Z1": Z1, "Z2": Z2}
+        cj = worth(TYPE_8[0].text, **letters)
+        letters |= {"cj": cj, "sj": sign * math.sqrt(max(1.0 - cj * cj, 0.0))}
+        B1, B2 = (worth(each.text, **letters) for each in TYPE_8[3:])
+        s, c = (worth(each.text, **letters, B1=B1, B2=B2) for each in TYPE_8[1:3])
+        first, sum_ = math.atan2(s, c), math.atan2(s, c) + math.atan2(letters["sj"], cj)
+        assert X * math.cos(first) + Y * math.cos(sum_) == pytest.approx(Z1)
+        assert X * math.sin(first) + Y * math.sin(sum_) == pytest.approx(Z2)
+
+
+def test_they_stand_where_such_steps_are() -> None:
+    assert "of type 8 together" in document("planar_rr")
+    assert "of type 8 together" not in document("puma560")
+    assert "the solution of type 2 as" in document("spherical_offset")
+    assert "the solution of type 2 as" not in document("arm_6r")
