@@ -13,6 +13,7 @@ from dhgen.runtime.python import pose, tolerances, velocities
 from dhgen.runtime.python.numerical import (
     descent,
     other_values,
+    pairs,
     refine_rows,
     search_lost_rows,
     solutions,
@@ -105,10 +106,15 @@ IN_DESCENTS = {
     "NEIGHBOURS": solutions.NEIGHBOURS,
     "STEPS_ASIDE": solutions.STEPS_ASIDE,
     "STAYING_PART": solutions.STAYS,
+    "SAME_BETWEEN": solutions.SAME_BETWEEN,
     "SINGULAR_LENGTH": solutions.SINGULAR,
     "FEELER": solutions.FEELER,
     "FELT": solutions.FELT,
     "ROW_TIE": solutions.TIE,
+    "SLOWEST_REGULAR": pairs.SLOWEST_REGULAR,
+    "STILL": pairs.STILL,
+    "BEND_STEP": pairs.BEND_STEP,
+    "FARTHEST_OTHER": pairs.FARTHEST_OTHER,
 }
 
 
@@ -141,7 +147,7 @@ def test_completed_rows_are_alike_in_python() -> None:
 def test_descents_are_alike_in_python() -> None:
     files = c_runtime_files()
     found = table(DOUBLE)
-    for name in ("descent", "pull", "solutions", "family", "keep"):
+    for name in ("descent", "pull", "solutions", "family", "keep", "pairs"):
         found |= defined(files[f"dhgen/numerical/{name}.h"])
     assert {name: found[name] for name in IN_DESCENTS} == pytest.approx(IN_DESCENTS, abs=0.0)
     turns_in_c = [found[f"ANY_TURN_{axis}"] for axis in "XYZ"]

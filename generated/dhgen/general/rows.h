@@ -5,7 +5,7 @@
 #define DHGEN_GENERAL_ROWS_H
 
 #include "../general.h"
-#include "../numerical/keep.h"
+#include "../numerical/pairs.h"
 #include "search.h"
 
 /* Descents beside what the algorithm found, where that is not certainly everything. */
@@ -112,6 +112,8 @@ DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
         if (dhgen_descend(&d, u) <= arm->residual)
             dhgen_keep(&d, &kept, u);
     }
+    if (doubtful)
+        dhgen_complete_pairs(&d, &kept);
     dhgen_sort_rows(&d, &kept, q, found, chosen);
 }
 

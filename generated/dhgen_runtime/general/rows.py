@@ -17,6 +17,7 @@ from ..numerical.descent import descend, start_of, wrap_angles
 from ..numerical.forward import take
 from ..numerical.goal import NO_ARM_ANGLE, given_joints, goal_of, in_units
 from ..numerical.keep import keep
+from ..numerical.pairs import complete_pairs
 from ..numerical.places import (
     CHECKED,
     DOF,
@@ -174,6 +175,8 @@ def all_joints(
         start_of(arm, k, near, u)
         if descend(arm, goal, joints, u) <= arm[RESIDUAL]:
             count = keep(arm, goal, joints, near, kept, kinds, count, u)
+    if not certain:
+        count = complete_pairs(arm, goal, joints, near, kept, kinds, count)
     sort_rows(arm, kept, kinds, count, joints, q, found, chosen)
     return q, found, chosen
 

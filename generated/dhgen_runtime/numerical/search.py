@@ -13,6 +13,7 @@ from .descent import descend, descend_towards, start_of, wrap_angles
 from .forward import take
 from .goal import GOAL, NO_ARM_ANGLE, given_joints, goal_of, in_units, take_units
 from .keep import keep
+from .pairs import complete_pairs
 from .places import (
     DOF,
     HIGHEST,
@@ -112,6 +113,7 @@ def all_joints(
         start_of(arm, k, near, u)
         if descend(arm, goal, joints, u) <= arm[RESIDUAL]:
             count = keep(arm, goal, joints, near, kept, kinds, count, u)
+    count = complete_pairs(arm, goal, joints, near, kept, kinds, count)
     sort_rows(arm, kept, kinds, count, joints, q, found, chosen)
     return q, found, chosen
 

@@ -44,38 +44,15 @@ NEIGHBOURS = 0.1
 BETWEEN = (0.25, 0.5, 0.75)
 STEPS_ASIDE = 4
 STAYS = 1 / 16
+# Between solutions that are one the pose is missed by no more than this, or than twice what they
+# miss it by [arm sizes, rad]: a hundred times rounding.
+SAME_BETWEEN = 1e-13
 # What is left of a generic direction when all that moves the tool is taken away [of its length]: by
 # less it is what damping leaves at a regular solution.
 SINGULAR = 1e-4
 FEELER = 0.05  # how far a continuum is looked for in that direction [rad, arm sizes]
 FELT = 0.01  # how far from where it began, and from the other side, a solution must then be
 TIE = 1e-9  # values closer than this don't decide which of two rows comes first [rad or length]
-
-
-@apart(f"int64(float64[::1], {GOAL}, float64[::1], float64[::1], float64)")
-def continuum(arm: Floats, goal: Goal, q: Floats, u: Floats, enough: float) -> int:
-    """Returns whether u is one of a continuum of solutions: 1 if there are others to both sides.
-
-    They miss the pose by no more than `enough`. 0 if it is a singular solution that stands alone,
-    -1 if it is a regular one.
-    """
-    solved = int(arm[SOLVED])
-    e, A = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), solved))
-    along, end, other = np.empty(solved), np.empty(solved), np.full(solved, np.inf)
-    measure_miss(arm, goal, q, u, e, A)
-    if sideways(arm, A, along) <= SINGULAR:
-        return -1
-    for side in (1.0, -1.0):
-        gap = across = 0.0
-        for j in range(solved):
-            end[j] = u[j] + side * FEELER * along[j]
-        miss = descend(arm, goal, q, end)
-        for j in range(solved):
-            gap, across = max(gap, abs(end[j] - u[j])), max(across, abs(end[j] - other[j]))
-        if miss > enough or min(gap, across) <= FELT:
-            return 0
-        take(other, end)
-    return 1
 
 
 @apart(f"float64(float64[::1], {GOAL}, float64[::1], float64[::1])")
@@ -94,11 +71,17 @@ def _solves_between(
     """Whether solutions lie all along the way from one to another.
 
     Where many roots meet, joint values beside the solution miss the pose by next to nothing.
+    Between two that nearly meet the pose is missed by next to nothing, too, but by more than at
+    both.
     """
     solved = int(arm[SOLVED])
     e, A = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), solved))
     end, step = np.empty(solved), np.empty(solved)
     enough = enough_beside(arm, goal, q, u)
+    for j in range(solved):
+        end[j] = u[j] + way[j]
+    ends = max(measure_miss(arm, goal, q, u, e, A), measure_miss(arm, goal, q, end, e, A))
+    enough = min(enough, max(SAME_BETWEEN, 2.0 * ends))
     for part in BETWEEN:
         for j in range(solved):
             end[j] = u[j] + part * way[j]
@@ -115,6 +98,40 @@ def _solves_between(
             if abs(u[j] + part * way[j] - end[j]) > STAYS * length:
                 return False
     return True
+
+
+@apart(f"int64(float64[::1], {GOAL}, float64[::1], float64[::1], float64)")
+def continuum(arm: Floats, goal: Goal, q: Floats, u: Floats, enough: float) -> int:
+    """Returns whether u is one of a continuum of solutions: 1 if it goes on to both sides.
+
+    These miss the pose by no more than `enough`. 0 if it is a singular solution that stands alone,
+    as where three nearly meet, -1 if it is a regular one.
+    """
+    solved = int(arm[SOLVED])
+    e, A = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), solved))
+    along, ends, gaps, across = np.empty(solved), np.empty((2, solved)), np.zeros(2), 0.0
+    measure_miss(arm, goal, q, u, e, A)
+    if sideways(arm, A, along) <= SINGULAR:
+        return -1
+    for side in range(2):
+        for j in range(solved):
+            ends[side, j] = u[j] + (1 - 2 * side) * FEELER * along[j]
+        if descend(arm, goal, q, ends[side]) > enough:
+            return 0
+        for j in range(solved):
+            gaps[side] = max(gaps[side], abs(ends[side, j] - u[j]))
+        if gaps[side] <= FELT:
+            return 0
+    for j in range(solved):
+        across = max(across, abs(ends[0, j] - ends[1, j]))
+    if across <= FELT:
+        return 0
+    for side in range(2):
+        for j in range(solved):
+            along[j] = ends[side, j] - u[j]
+        if not _solves_between(arm, goal, q, u, along, gaps[side]):
+            return 0
+    return 1
 
 
 @apart(f"boolean(float64[::1], {GOAL}, float64[::1], float64[::1], float64[::1], boolean)")

@@ -5,7 +5,7 @@
 #define DHGEN_NUMERICAL_SEARCH_H
 
 #include "../numerical.h"
-#include "keep.h"
+#include "pairs.h"
 
 /* Starts of all rounds together; the search ends with the first round that finds nothing new. */
 #define DHGEN_MOST_STARTS 384
@@ -70,6 +70,7 @@ DHGEN_API void dhgen_numerical_rows(const struct dhgen_numerical_arm *arm, const
         if (dhgen_descend(&d, u) <= arm->residual)
             dhgen_keep(&d, &kept, u);
     }
+    dhgen_complete_pairs(&d, &kept);
     dhgen_sort_rows(&d, &kept, q, found, chosen);
 }
 

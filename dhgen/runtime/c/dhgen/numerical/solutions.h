@@ -16,6 +16,9 @@
 #define DHGEN_NEIGHBOURS 0.1
 #define DHGEN_STEPS_ASIDE 4
 #define DHGEN_STAYING_PART 0.0625
+/* Between solutions that are one the pose is missed by no more than this, or than twice what they
+ * miss it by [arm sizes, rad]: a hundred times rounding. */
+#define DHGEN_SAME_BETWEEN 1e-13
 /* Values closer than this don't decide which of two rows comes first [rad or length]. */
 #define DHGEN_ROW_TIE 1e-09
 
@@ -38,9 +41,50 @@ DHGEN_FN double dhgen_units_apart(
     return most;
 }
 
-/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
- * pose by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a
- * regular one. */
+/* What others may miss beside a solution: where the task names more than the joints can choose, an
+ * exact one is left for exact ones only. */
+DHGEN_FN double dhgen_enough_beside(struct dhgen_descent *d, const double *u)
+{
+    if (!d->arm->checked)
+        return d->arm->residual;
+    dhgen_measure_miss(d, u);
+    return d->length <= DHGEN_SOLUTION ? DHGEN_SOLUTION : d->arm->residual;
+}
+
+/* Whether solutions lie all along the way from one to another: where many roots meet, joint values
+ * beside the solution miss the pose by next to nothing. Between two that nearly meet the pose is
+ * missed by next to nothing, too, but by more than at both. */
+DHGEN_FN int dhgen_solves_between(
+    struct dhgen_descent *d, const double *u, const double *way, double length)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    double other[DHGEN_JOINTS], enough = dhgen_enough_beside(d, u);
+    for (int j = 0; j < arm->solved; j++)
+        other[j] = u[j] + way[j];
+    dhgen_measure_miss(d, other);
+    const double ends = d->length;
+    dhgen_measure_miss(d, u);
+    enough = fmin(enough, fmax(DHGEN_SAME_BETWEEN, 2.0 * fmax(ends, d->length)));
+    for (int i = 0; i < 3; i++) {
+        double start[DHGEN_JOINTS], end[DHGEN_JOINTS], step[DHGEN_JOINTS];
+        for (int j = 0; j < arm->solved; j++)
+            start[j] = end[j] = u[j] + dhgen_between[i] * way[j];
+        dhgen_measure_miss(d, end);
+        for (int k = 0; k < DHGEN_STEPS_ASIDE && d->length > enough; k++) {
+            dhgen_damped_step(d, d->e, d->length, DHGEN_DAMPING_FLOOR, step);
+            for (int j = 0; j < arm->solved; j++)
+                end[j] += step[j];
+            dhgen_measure_miss(d, end);
+        }
+        if (d->length > enough || dhgen_units_apart(arm, start, end) > DHGEN_STAYING_PART * length)
+            return 0;
+    }
+    return 1;
+}
+
+/* Whether u is one of a continuum of solutions: 1 if it goes on to both sides, with solutions that
+ * miss the pose by no more than `enough`, 0 if it is a singular solution that stands alone, as
+ * where three nearly meet, -1 if it is a regular one. */
 DHGEN_FN int dhgen_is_continuum(struct dhgen_descent *d, const double *u, double enough)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
@@ -55,38 +99,12 @@ DHGEN_FN int dhgen_is_continuum(struct dhgen_descent *d, const double *u, double
             || dhgen_units_apart(arm, end[side], u) <= DHGEN_FELT)
             return 0;
     }
-    return dhgen_units_apart(arm, end[0], end[1]) > DHGEN_FELT;
-}
-
-/* What others may miss beside a solution: where the task names more than the joints can choose, an
- * exact one is left for exact ones only. */
-DHGEN_FN double dhgen_enough_beside(struct dhgen_descent *d, const double *u)
-{
-    if (!d->arm->checked)
-        return d->arm->residual;
-    dhgen_measure_miss(d, u);
-    return d->length <= DHGEN_SOLUTION ? DHGEN_SOLUTION : d->arm->residual;
-}
-
-/* Whether solutions lie all along the way from one to another: where many roots meet, joint values
- * beside the solution miss the pose by next to nothing. */
-DHGEN_FN int dhgen_solves_between(
-    struct dhgen_descent *d, const double *u, const double *way, double length)
-{
-    const struct dhgen_numerical_arm *const arm = d->arm;
-    const double enough = dhgen_enough_beside(d, u);
-    for (int i = 0; i < 3; i++) {
-        double start[DHGEN_JOINTS], end[DHGEN_JOINTS], step[DHGEN_JOINTS];
+    if (dhgen_units_apart(arm, end[0], end[1]) <= DHGEN_FELT)
+        return 0;
+    for (int side = 0; side < 2; side++) {
         for (int j = 0; j < arm->solved; j++)
-            start[j] = end[j] = u[j] + dhgen_between[i] * way[j];
-        dhgen_measure_miss(d, end);
-        for (int k = 0; k < DHGEN_STEPS_ASIDE && d->length > enough; k++) {
-            dhgen_damped_step(d, d->e, d->length, DHGEN_DAMPING_FLOOR, step);
-            for (int j = 0; j < arm->solved; j++)
-                end[j] += step[j];
-            dhgen_measure_miss(d, end);
-        }
-        if (d->length > enough || dhgen_units_apart(arm, start, end) > DHGEN_STAYING_PART * length)
+            along[j] = end[side][j] - u[j];
+        if (!dhgen_solves_between(d, u, along, dhgen_units_apart(arm, end[side], u)))
             return 0;
     }
     return 1;
