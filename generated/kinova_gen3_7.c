@@ -9,6 +9,12 @@
  */
 #include "kinova_gen3_7.h"
 
+#if defined(KINOVA_GEN3_7_SCALAR) && !defined(DHGEN_SCALAR)
+#define DHGEN_SCALAR
+#endif
+#if defined(KINOVA_GEN3_7_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
 #define DHGEN_DOF 7
 #define DHGEN_ROWS 16
 #define DHGEN_TRAITS 0x0u /* what the arm needs of it */
@@ -19,6 +25,10 @@
 #include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
+#include "dhgen/general/near.h"
+#ifndef KINOVA_GEN3_7_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -38,6 +48,12 @@ static const double
     offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
     offset6 = 3.141592653589793, /* offset of joint 6 [rad] */
     offset7 = 3.141592653589793; /* offset of joint 7 [rad] */
+
+/* Entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const kinova_gen3_7_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
@@ -246,6 +262,322 @@ void kinova_gen3_7_jacobian(const double q[7], double J[42])
     J[35] = -1.0; J[36] = 0.0; J[37] = c2; J[38] = -v9; J[39] = -v12; J[40] = z5_z; J[41] = z6_z;
 }
 
+#ifndef KINOVA_GEN3_7_PLAIN
+/* The nearest arm with a structure: what follows is its closed form. A pose at which one of its
+ * branches may end by what the two arms differ is left to the general algorithm. */
+static const double
+    near_angle = 1e-10, /* the two arms' tools are turned by no more */
+    near_length = 0.0003500001, /* and no farther apart [m] */
+    near_offset3 = 3.141592653589793, /* offset of joint 3 [rad] */
+    near_d2 = -0.01175, /* joint offset 2 [m] */
+    near_d5 = -0.31436, /* joint offset 5 [m] */
+    near_d3 = -0.42076, /* joint offset 3 [m] */
+    /* square of a length that fixes no angle [m^4] */
+    near_doubt_limit_squared4 = 3.329550167458499e-09,
+    near_d4 = -0.01275, /* joint offset 4 [m] */
+    /* nearer to that boundary two branches are one [m^2] */
+    near_merge_slack2 = 5.770225443999999e-15,
+    /* square of a length that fixes no angle [m^2] */
+    near_doubt_limit_squared2 = 5.770225443999999e-09,
+    /* the same where they follow an angle that is good to few digits [m] */
+    near_blur_slack1 = 7.596199999999999e-12,
+    near_k1 = 0.2645402272, /* 2 * near_d5 * near_d3 [m^2] */
+    near_k2 = 0.06998153180702761, /* near_k1^2 [m^4] */
+    near_k3 = 0.000299625, /* 2 * near_d4 * near_d2 [m^2] */
+    near_k4 = 0.2761618122, /* near_d2^2 + (near_d3^2 + (near_d4^2 + near_d5^2)) [m^2] */
+    near_k5 = 1.7330345403398768, /* 1 / arm_size2 [m^-2] */
+    near_m1 = 5.7702254439999985e-12, /* 1000 * near_merge_slack2 [m^2] */
+    near_m3 = 7.596199999999998e-11, /* 10 * near_blur_slack1 [m] */
+    near_m4 = 3.3295501674584984e-17, /* near_doubt_limit_squared2^2 [m^4] */
+    near_m5 = 9.999999999999999e-09, /* doubt_limit^2 */
+    near1 = 0.5; /* 1 / 2 */
+/* coefficients */
+static const double near_m2 = 0.2645402272;
+
+/* What one pose and many compute alike: values without signs of branches, with the first, with
+ * all that are in lanes. */
+#define KNOWN(number) \
+    const dhgen_##number v1 = near_offset3 + free_joints[0], c3 = dhgen_cos_##number(v1), \
+        s3 = dhgen_sin_##number(v1); \
+    /* theta4 */ \
+    const dhgen_##number X4 = near_d5 * (near_d2 * s3) * 2.0, N4 = near_k2 + X4 * X4, \
+        v2 = T14 * T14, v3 = T24 * T24, Z4 = near_k3 * c3 + (v2 + (v3 + (T34 * T34 - near_k4))), \
+        D4 = N4 - Z4 * Z4, w4 = dhgen_sqrt_##number(D4), inverse4 = 1.0 / N4, v4 = X4 * Z4, \
+        v5 = inverse4 * v4, v7 = inverse4 * (near_k1 * Z4); \
+    /* theta1 */ \
+    const dhgen_##number N1 = v2 + v3, v10 = near_d5 * s3, v11 = near_d4 * c3 - near_d2, \
+        v12 = near_k5 * w4, inverse1 = 1.0 / N1; \
+    /* theta2 */ \
+    const dhgen_##number v23 = near_d5 * c3, v24 = near_d4 * s3, \
+        v26 = v24 + inverse4 * (v4 * v23), v27 = T34 * v26; \
+    /* theta5 */ \
+    const dhgen_##number v37 = c3 * T13, v39 = c3 * T23, v44 = c3 * T33, \
+        v46 = T24 * T13 - T14 * T23, v55 = s3 * T33; \
+    /* theta7 */ \
+    const dhgen_##number v65 = s3 * T32, v67 = c3 * T12, v69 = c3 * T22, v74 = c3 * T32, \
+        v76 = s3 * T31, v78 = c3 * T11, v80 = c3 * T21, v85 = c3 * T31; \
+    /* joint values */ \
+    const dhgen_##number v87 = free_joints[0] + (w4 - w4), v88 = dhgen_abs_##number(D4), \
+        v89 = 2.0 * dhgen_abs_##number(Z4), v90 = near_merge_slack2 + v89, \
+        v91 = dhgen_abs_##number(T14), v92 = near_length * (near_length + 2.0 * v91), \
+        v93 = dhgen_abs_##number(T24), v94 = near_length * (near_length + 2.0 * v93), \
+        v95 = v92 + v94, v96 = dhgen_abs_##number(T34), \
+        v97 = v92 + (v94 + near_length * (near_length + 2.0 * v96)), \
+        v98 = v97 * dhgen_abs_##number(X4), v99 = dhgen_abs_##number(v23), \
+        v100 = dhgen_abs_##number(inverse4), v101 = v100 * (v98 * v99), \
+        v102 = v96 * v101 + near_length * (v101 + dhgen_abs_##number(v26)), \
+        v103 = v97 * (v89 + v97), v104 = v103 / D4, v105 = v104 * (1.0 + v104) * (near1 * w4), \
+        v107 = dhgen_abs_##number(w4), v109 = v98 * v100, v111 = dhgen_abs_##number(v10), \
+        v116 = v100 * (near_k1 * v97), v132 = dhgen_abs_##number(N1), \
+        v137 = dhgen_abs_##number(inverse1), v138 = v95 * v137 / (v132 - v95), \
+        v149 = near_angle + dhgen_abs_##number(T13), v159 = near_angle + dhgen_abs_##number(T23), \
+        v163 = dhgen_abs_##number(c3), v164 = near_angle * v163, \
+        v166 = v164 + dhgen_abs_##number(v44), v169 = near_angle + dhgen_abs_##number(T33), \
+        v171 = v164 + dhgen_abs_##number(v37), v174 = v164 + dhgen_abs_##number(v39), \
+        v180 = near_angle * v93 + near_length * v149 + (near_angle * v91 + near_length * v159), \
+        v181 = dhgen_abs_##number(s3), v192 = near_angle * v181, \
+        v193 = v192 + dhgen_abs_##number(v55)
+#define SIGNED(number, signs) \
+    /* theta4 */ \
+    const dhgen_##number v6 = near_m2 * (e1 * inverse4), s4 = v5 - w4 * v6, \
+        v8 = inverse4 * (e1 * X4), v9 = v7 + w4 * v8; \
+    /* theta1 */ \
+    const dhgen_##number Z1 = v11 - s4 * v10, D1 = N1 - Z1 * Z1, w1 = dhgen_sqrt_##number(D1), \
+        v13 = w1 - w1, v14 = dhgen_abs_##number(Z1), v15 = 2.0 * v14, \
+        v16 = near_blur_slack1 + v15, v17 = T14 * Z1, v18 = T24 * Z1, v20 = inverse1 * v18, \
+        v22 = inverse1 * v17; \
+    /* theta2 */ \
+    const dhgen_##number v25 = near_d3 + near_d5 * v9, \
+        v28 = near_m2 * (inverse4 * (v23 * (e1 * T34))), v29 = v27 - w4 * v28, v30 = w1 * v25, \
+        v31 = T34 * v25, v32 = v24 + s4 * v23, v33 = w1 * v32; \
+    /* theta5 */ \
+    const dhgen_##number v38 = v9 * v37, v40 = v9 * v39, v41 = s4 * T33, v42 = s4 * T13, \
+        v43 = s4 * T23, v45 = v9 * v44, v49 = s3 * (v17 * T13 + v18 * T23), v50 = inverse1 * v49; \
+    /* theta6 */ \
+    const dhgen_##number v59 = s4 * v37, v60 = s4 * v39, v61 = v9 * T33, v62 = v9 * T13, \
+        v63 = v9 * T23, v64 = s4 * v44; \
+    /* theta7 */ \
+    const dhgen_##number v68 = v9 * v67, v70 = v9 * v69, v71 = s4 * T32, v72 = s4 * T12, \
+        v73 = s4 * T22, v75 = v9 * v74, v79 = v9 * v78, v81 = v9 * v80, v82 = s4 * T31, \
+        v83 = s4 * T11, v84 = s4 * T21, v86 = v9 * v85; \
+    /* joint values */ \
+    const dhgen_##number q3_p = v13 + v87, v110 = v109 + v105 * dhgen_abs_##number(v6), \
+        v112 = v110 * v111, v113 = v95 + v112 * (v15 + v112), v114 = v113 / D1, \
+        v115 = v114 * (1.0 + v114) * (near1 * w1), v117 = v116 + v105 * dhgen_abs_##number(v8), \
+        v118 = dhgen_abs_##number(v9), v119 = near_d5 * v117, v120 = dhgen_abs_##number(w1), \
+        v121 = dhgen_abs_##number(v25) - v119, v122 = v115 * v121 - v119 * v120, \
+        v126 = v99 * v110, v127 = v120 * v126 + v115 * (v126 + dhgen_abs_##number(v32)), \
+        v128 = near_length * v121 - v96 * v119, v139 = near_length * (v14 + v112), \
+        v140 = v139 + v93 * v112, v141 = dhgen_abs_##number(v18), \
+        v142 = v137 * v140 + v138 * (v140 + v141), v148 = near_angle * dhgen_abs_##number(s4), \
+        v150 = v148 + v110 * v149, v152 = v150 + dhgen_abs_##number(v42), \
+        v155 = v139 + v91 * v112, v156 = dhgen_abs_##number(v17), \
+        v157 = v137 * v155 + v138 * (v155 + v156), v160 = v148 + v110 * v159, \
+        v162 = v160 + dhgen_abs_##number(v43), v165 = v118 * v164, v167 = v165 + v117 * v166, \
+        v170 = v148 + v110 * v169, v172 = v165 + v117 * v171, \
+        v173 = v172 + dhgen_abs_##number(v38), v175 = v165 + v117 * v174, \
+        v176 = v175 + dhgen_abs_##number(v40), \
+        v185 = v181 * (near_angle * v156 + v149 * v155 + (near_angle * v141 + v140 * v159)), \
+        v186 = v137 * v185 + v138 * (v185 + dhgen_abs_##number(v49))
+#define SIGNED_TWICE(number, signs) \
+    /* theta1 */ \
+    const dhgen_##number v19 = inverse1 * (e2 * T14), c1 = v20 + w1 * v19, \
+        v21 = inverse1 * (e2 * T24), s1 = w1 * v21 - v22; \
+    /* theta2 */ \
+    const dhgen_##number S2 = v29 + e2 * v30, C2 = e2 * v33 - v31, v34 = S2 * S2 + C2 * C2, \
+        v35 = dhgen_sqrt_##number(v34), v36 = 1.0 / v34, factor2 = v35 * v36; \
+    /* theta5 */ \
+    const dhgen_##number v47 = s3 * (e2 * v46), v48 = inverse1 * v47, v51 = w1 * v48 - v50, \
+        v52 = c1 * v42 + s1 * v43 - v45, v53 = v41 + (c1 * v38 + s1 * v40), \
+        v54 = S2 * v52 - C2 * v53, c5 = factor2 * v54 - v9 * v51, \
+        v56 = s3 * (c1 * T13 + s1 * T23), v57 = C2 * v56 + S2 * v55, \
+        Y5 = factor2 * v57 - c3 * (s1 * T13 - c1 * T23), v58 = c5 * c5 + Y5 * Y5; \
+    /* theta7 */ \
+    const dhgen_##number v66 = s1 * T12 - c1 * T22, v77 = s1 * T11 - c1 * T21, \
+        s7 = c5 * (c3 * v77 - factor2 * (C2 * (s3 * (c1 * T11 + s1 * T21)) + S2 * v76)) + Y5 * \
+            (factor2 * (S2 * (c1 * v83 + s1 * v84 - v86) - C2 * (v82 + (c1 * v79 + s1 * v81))) - \
+            v9 * (s3 * v77)); \
+    /* joint values */ \
+    const dhgen_##number v125 = dhgen_abs_##number(S2), v130 = dhgen_abs_##number(C2), \
+        v133 = dhgen_abs_##number(v34), v134 = dhgen_abs_##number(v36), \
+        v151 = dhgen_abs_##number(c1), v161 = dhgen_abs_##number(s1), \
+        v179 = dhgen_abs_##number(factor2), v189 = near_angle * v151, v190 = near_angle * v161
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+DHGEN_INLINE dhgen_wide_mask solve_wide(
+    const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
+{
+    ENTRIES(dhgen_wide);
+    dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11] + free_joints[0])
+        <= DHGEN_ORTHONORMAL) == 0;
+    KNOWN(wide);
+    left |= (dhgen_abs_wide(N4) <= 0.0) | (v88 <= v103) | (v132 <= v95) | (v107 <= v105) |
+        (dhgen_abs_wide(v90) <= 2.0 * v97) | (N1 <= near_doubt_limit_squared2) | (v88 <= near_m1 *
+        v90) | (N4 <= near_doubt_limit_squared4);
+
+    for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
+        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        SIGNED(wide, double);
+
+        /* joint values */
+        const dhgen_wide angle6 = dhgen_atan2_wide(s4, -v9), q4_p = v13 + angle6,
+            v106 = near_m2 * (v100 * (v99 * (near_length * fabs(e1)))),
+            v108 = v102 + (v106 * v107 + v105 * (v106 + dhgen_abs_wide(v28)));
+        left |= (dhgen_abs_wide(D1) <= v113) | (dhgen_abs_wide(v16) <= 2.0 * v112) |
+            (dhgen_abs_wide(D1 * v12) <= near_m3 * v16);
+
+        for (int i2 = 0; i2 < 2; i2++) { /* shoulder+, shoulder- */
+            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            SIGNED_TWICE(wide, double);
+
+            /* theta1 */
+            const dhgen_wide angle1 = dhgen_atan2_wide(s1, c1);
+
+            /* theta2 */
+            const dhgen_wide angle2 = dhgen_atan2_wide(S2, C2);
+
+            /* theta5 */
+            const dhgen_wide angle3 = dhgen_atan2_wide(Y5, c5);
+
+            /* theta6 */
+            const dhgen_wide angle4 = dhgen_atan2_wide(dhgen_sqrt_wide(v58), -(s4 * v51 + factor2 *
+                (C2 * (c1 * v59 + s1 * v60 - v61) + S2 * (v64 + (c1 * v62 + s1 * v63)))));
+
+            /* theta7 */
+            const dhgen_wide angle5 = dhgen_atan2_wide(s7, c5 * (c3 * v66 - factor2 * (C2 * (s3 *
+                (c1 * T12 + s1 * T22)) + S2 * v65)) + Y5 * (factor2 * (S2 * (c1 * v72 + s1 * v73 -
+                v75) - C2 * (v71 + (c1 * v68 + s1 * v70))) - v9 * (s3 * v66)));
+
+            /* joint values */
+            const double v123 = fabs(e2);
+            const dhgen_wide v124 = v108 + v122 * v123, v129 = v128 + v123 * v127,
+                v131 = v124 * (v124 + 2.0 * v125) + v129 * (v129 + 2.0 * v130),
+                v135 = v131 * v134 / (v133 - v131),
+                v136 = v135 * dhgen_abs_wide(v35) + (v124 + v129) * (v134 + v135);
+            const double v143 = near_length * v123;
+            const dhgen_wide v144 = v137 * v143, v145 = v144 + v138 * (v91 + v143),
+                v146 = v145 + dhgen_abs_wide(v19), v147 = v142 + (v120 * v145 + v115 * v146),
+                v153 = v144 + v138 * (v93 + v143), v154 = v153 + dhgen_abs_wide(v21),
+                v158 = v157 + (v120 * v153 + v115 * v154),
+                v168 = v167 + (v150 * v151 + v147 * v152 + (v160 * v161 + v158 * v162)),
+                v177 = v170 + (v151 * v172 + v147 * v173 + (v161 * v175 + v158 * v176)),
+                v178 = v125 * v168 + v124 * (v168 + dhgen_abs_wide(v52)) + (v130 * v177 + v129 *
+                    (v177 + dhgen_abs_wide(v53))), v182 = v181 * (v123 * v180),
+                v183 = v137 * v182 + v138 * (v182 + dhgen_abs_wide(v47)),
+                v184 = v183 + dhgen_abs_wide(v48), v187 = v186 + (v120 * v183 + v115 * v184),
+                v188 = v178 * v179 + v136 * (v178 + dhgen_abs_wide(v54)) + (v118 * v187 + v117 *
+                    (v187 + dhgen_abs_wide(v51))),
+                v191 = v181 * (v189 + v147 * v149 + (v190 + v158 * v159)),
+                v194 = v130 * v191 + v129 * (v191 + dhgen_abs_wide(v56)) + (v125 * v192 + v124 *
+                    v193),
+                v195 = v179 * v194 + v136 * (v194 + dhgen_abs_wide(v57)) + v163 * (v190 + v149 *
+                    v158 + (v189 + v147 * v159));
+            const int row = 4 * i1 + 2 * i2;
+            q[7 * row] = angle1; q[7 * row + 1] = angle2; q[7 * row + 2] = q3_p;
+            q[7 * row + 3] = q4_p; q[7 * row + 4] = angle3; q[7 * row + 5] = angle4;
+            q[7 * row + 6] = angle5;
+            kind[row] = dhgen_kind_wide(q[7 * row]);
+            q[7 * row + 7] = angle1; q[7 * row + 8] = angle2; q[7 * row + 9] = q3_p;
+            q[7 * row + 10] = q4_p;
+            q[7 * row + 11] = angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, Y5);
+            q[7 * row + 12] = -angle4;
+            q[7 * row + 13] = angle5 - dhgen_signed_wide(DHGEN_HALF_TURN, s7);
+            kind[row + 1] = dhgen_kind_wide(q[7 * row + 7]);
+            left |= (dhgen_abs_wide(v58) <= v188 * v188 + v195 * v195) | (v133 <= v131) | (v58 <=
+                near_m5) | (v34 <= near_m4);
+        }
+    }
+    return left;
+}
+
+#if DHGEN_LANES > 1
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+DHGEN_ALWAYS
+DHGEN_INLINE int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    ENTRIES(double);
+    KNOWN(double);
+    SIGNED(four, four);
+    SIGNED_TWICE(four, four);
+
+    /* joint values */
+    const dhgen_four v106 = near_m2 * (v100 * (v99 * (near_length * dhgen_abs_four(e1)))),
+        v108 = v102 + (v106 * v107 + v105 * (v106 + dhgen_abs_four(v28))),
+        v123 = dhgen_abs_four(e2), v124 = v108 + v122 * v123, v129 = v128 + v123 * v127,
+        v131 = v124 * (v124 + 2.0 * v125) + v129 * (v129 + 2.0 * v130),
+        v135 = v131 * v134 / (v133 - v131),
+        v136 = v135 * dhgen_abs_four(v35) + (v124 + v129) * (v134 + v135),
+        v143 = near_length * v123, v144 = v137 * v143, v145 = v144 + v138 * (v91 + v143),
+        v146 = v145 + dhgen_abs_four(v19), v147 = v142 + (v120 * v145 + v115 * v146),
+        v153 = v144 + v138 * (v93 + v143), v154 = v153 + dhgen_abs_four(v21),
+        v158 = v157 + (v120 * v153 + v115 * v154),
+        v168 = v167 + (v150 * v151 + v147 * v152 + (v160 * v161 + v158 * v162)),
+        v177 = v170 + (v151 * v172 + v147 * v173 + (v161 * v175 + v158 * v176)),
+        v178 = v125 * v168 + v124 * (v168 + dhgen_abs_four(v52)) + (v130 * v177 + v129 * (v177 +
+            dhgen_abs_four(v53))), v182 = v181 * (v123 * v180),
+        v183 = v137 * v182 + v138 * (v182 + dhgen_abs_four(v47)), v184 = v183 + dhgen_abs_four(v48),
+        v187 = v186 + (v120 * v183 + v115 * v184),
+        v188 = v178 * v179 + v136 * (v178 + dhgen_abs_four(v54)) + (v118 * v187 + v117 * (v187 +
+            dhgen_abs_four(v51))), v191 = v181 * (v189 + v147 * v149 + (v190 + v158 * v159)),
+        v194 = v130 * v191 + v129 * (v191 + dhgen_abs_four(v56)) + (v125 * v192 + v124 * v193),
+        v195 = v179 * v194 + v136 * (v194 + dhgen_abs_four(v57)) + v163 * (v190 + v149 * v158 +
+            (v189 + v147 * v159));
+
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) + 0.0 * (free_joints[0]) <= DHGEN_ORTHONORMAL)
+        == 0) | ((dhgen_abs_four(D1) <= v113) | (dhgen_abs_four(v16) <= 2.0 * v112) |
+        (dhgen_abs_four(D1 * v12) <= near_m3 * v16)) | ((dhgen_abs_four(v58) <= v188 * v188 + v195 *
+        v195) | (v133 <= v131) | (v58 <= near_m5) | (v34 <= near_m4))) | (unsigned)((fabs(N4) <=
+        0.0) | (v88 <= v103) | (v132 <= v95) | (v107 <= v105) | (fabs(v90) <= 2.0 * v97) | (N1 <=
+        near_doubt_limit_squared2) | (v88 <= near_m1 * v90) | (N4 <= near_doubt_limit_squared4)))
+        return -1;
+
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(s4, -v9),
+        ratio2 = dhgen_ratio_four(s1, c1), ratio3 = dhgen_ratio_four(S2, C2),
+        ratio4 = dhgen_ratio_four(Y5, c5),
+        ratio5 = dhgen_ratio_four(s7, c5 * (c3 * v66 - factor2 * (C2 * (s3 * (c1 * T12 + s1 * T22))
+            + S2 * v65)) + Y5 * (factor2 * (S2 * (c1 * v72 + s1 * v73 - v75) - C2 * (v71 + (c1 * v68
+            + s1 * v70))) - v9 * (s3 * v66))),
+        ratio6 = dhgen_ratio_four(dhgen_sqrt_four(v58), -(s4 * v51 + factor2 * (C2 * (c1 * v59 + s1
+            * v60 - v61) + S2 * (v64 + (c1 * v62 + s1 * v63)))));
+    const dhgen_four packed1 = dhgen_angle_four(ratio1),
+        angle6 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2), angle1 = dhgen_angle_four(ratio2),
+        angle2 = dhgen_angle_four(ratio3), angle3 = dhgen_angle_four(ratio4),
+        angle5 = dhgen_angle_four(ratio5), angle4 = dhgen_angle_four(ratio6);
+    const dhgen_four q5_m = angle3 - dhgen_signed_four(DHGEN_HALF_TURN, Y5),
+        q7_m = angle5 - dhgen_signed_four(DHGEN_HALF_TURN, s7), q4_p = v13 + angle6;
+
+    dhgen_store_4(q, q + 14, q + 28, q + 42, angle1, angle2, q3_p, q4_p);
+    dhgen_store_4(q + 3, q + 17, q + 31, q + 45, q4_p, angle3, angle4, angle5);
+    dhgen_store_4(q + 7, q + 21, q + 35, q + 49, angle1, angle2, q3_p, q4_p);
+    dhgen_store_4(q + 10, q + 24, q + 38, q + 52, q4_p, q5_m, -angle4, q7_m);
+    const unsigned long long none1 = (dhgen_bits_four(angle1 != angle1) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long kind1 = none1 * DHGEN_UNREACHABLE;
+    __builtin_memcpy(status, &kind1, 8);
+    return __builtin_popcountll(0x101010101010101ull & ~none1);
+}
+#else
+static int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    return dhgen_solve_branches(solve_wide, 8, T, free_joints, q, status);
+}
+#endif
+
+DHGEN_TABLE dhgen_nearest_arm nearest_arm = {
+    8, /* rows */
+    { 1.0, 0.0, 0.0, -0.0, 0.0, -1.0, 0.0, -0.0, 0.0, 0.0, -1.0, 0.28481 },
+    { 1.0, 0.0, 0.0, -0.0, -0.0, 1.0, 0.0, -0.0, 0.0, -0.0, 1.0, 0.10593 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 0, 1, 3, 4, 5, 6 },
+};
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
@@ -253,8 +585,13 @@ static void solve(
 {
     double (*const q)[7] = (double (*)[7])rows;
     (void)moved;
-    double (*const nearby)[6] = NULL; /* no nearest arm is tried first */
+    double nearby[16][6];
+#ifdef KINOVA_GEN3_7_PLAIN
     const int nearby_count = 0;
+#else
+    const int nearby_count = dhgen_near_solutions(&nearest_arm, solve_regular, T, free_joints,
+        nearby);
+#endif
 
     /* all joints: the general 6R loop */
     double solution_roots[16][7];

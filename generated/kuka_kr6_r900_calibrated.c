@@ -296,25 +296,25 @@ void kuka_kr6_r900_calibrated_jacobian(const double q[6], double J[36])
 /* The nearest arm with a structure: what follows is its closed form. A pose at which one of its
  * branches may end by what the two arms differ is left to the general algorithm. */
 static const double
-    near_angle = 0.00020858106163514678, /* the two arms' tools are turned by no more */
-    near_length = 0.00042452765781439774, /* and no farther apart [m] */
-    near_a1 = -0.0249902543613046, /* link length 1 [m] */
-    near_longest3 = 0.7672956440619847, /* square of the longest reach [m^2] */
-    near_shortest3 = 0.0011771681110991723, /* square of the shortest reach [m^2] */
-    near_k3 = 0.38423640608654197, /* near_a2^2 + (near_a3^2 + near_d4^2) [m^2] */
-    near_turn1 = -1.6302952771128645, /* a constant angle [rad] */
-    near_m1 = 8.560383958636412e-09, /* doubt_limit1^2 [m^2] */
+    near_angle = 0.0001900018, /* the two arms' tools are turned by no more */
+    near_length = 0.0002999173, /* and no farther apart [m] */
+    near_a1 = -0.024977, /* link length 1 [m] */
+    near_longest3 = 0.7672753622269508, /* square of the longest reach [m^2] */
+    near_shortest3 = 0.001175080249049243, /* square of the shortest reach [m^2] */
+    near_k3 = 0.384225221238, /* near_a2^2 + (near_a3^2 + near_d4^2) [m^2] */
+    near_turn1 = -1.6303303533892188, /* a constant angle [rad] */
+    near_m1 = 8.560190953689999e-09, /* doubt_limit1^2 [m^2] */
     /* 1000 * (near_longest3 - longest3_apart) * (longest3_apart - near_shortest3) [m^4] */
-    near_m3 = 1.2333154388075147e-11,
+    near_m3 = 1.2417915714465629e-11,
     near_m10 = 9.999999999999999e-09, /* doubt_limit^2 */
-    near1 = 0.0008490553156287955, /* near_length + near_length [m] */
+    near1 = 0.0005998346, /* near_length + near_length [m] */
     near2 = 0.5, /* 1 / 2 */
-    h1 = 0.0005634976270440423, /* near3 + near_m7 * near1 [m] */
-    h2 = 0.0010370140677873427; /* near4 + near_m6 * near1 [m] */
+    h1 = 0.0003981111103254805, /* near3 + near_m7 * near1 [m] */
+    h2 = 0.0007326169419092472; /* near4 + near_m6 * near1 [m] */
 /* coefficients */
-static const double near_m4 = 1.0985823686287224, near_m5 = 0.03301666744569898,
-near_m6 = 1.1860479764791851, near_m7 = 0.07065200161829532, near_m8 = 0.002123367085088002,
-near_m9 = 0.035645348707841674;
+static const double near_m4 = 1.0986330807209672, near_m5 = 0.032988461500600814,
+near_m6 = 1.1860189164290886, near_m7 = 0.07069201936857687, near_m8 = 0.0021226567816523957,
+near_m9 = 0.03561238055741952;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -396,45 +396,43 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         q1_mpp = angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, T24) + (w3_m - w3_m),
         v59 = dhgen_abs_wide(T14), v60 = dhgen_abs_wide(T24),
         v61 = near_length * (near_length + 2.0 * v59) + near_length * (near_length + 2.0 * v60),
-        v62 = dhgen_abs_wide(v1), v63 = dhgen_abs_wide(T34),
-        v64 = near_length * (near_length + 2.0 * v63), v65 = dhgen_abs_wide(w1),
-        v66 = dhgen_abs_wide(Z2_3_p), v67 = dhgen_abs_wide(v3),
-        v68 = v64 + near1 * (near1 + 2.0 * v66), v69 = v64 + near1 * (near1 + 2.0 * v67),
-        v70 = dhgen_abs_wide(v5), v71 = dhgen_abs_wide(v6), v72 = dhgen_abs_wide(v7),
-        v73 = dhgen_abs_wide(v8), v74 = dhgen_abs_wide(N3_p), v75 = dhgen_abs_wide(N3_m),
-        v76 = dhgen_abs_wide(v2), v77 = v61 * v76 / (v62 - v61), v78 = near_angle * v60,
-        v79 = near_length * (near_angle + dhgen_abs_wide(T13)), v80 = near_angle * v59,
-        v81 = near_length * (near_angle + dhgen_abs_wide(T23)), v82 = v78 + v79 + (v80 + v81),
-        v83 = v76 * v82 + v77 * (v82 + dhgen_abs_wide(v44)),
-        v84 = v65 * v83 + near1 * (v83 + dhgen_abs_wide(v45)),
-        v85 = v84 * (v84 + 2.0 * dhgen_abs_wide(Y4)), v86 = dhgen_abs_wide(factor2_p),
-        v87 = dhgen_abs_wide(factor2_m), v88 = v68 * v86 / (v74 - v68),
-        v89 = v69 * v87 / (v75 - v69), v90 = near_m9 * v88, v91 = near_m9 * v89,
-        v92 = near_m8 * v88, v93 = near_m8 * v89, v94 = v92 + dhgen_abs_wide(v22),
-        v95 = v93 + dhgen_abs_wide(v23),
-        v96 = v67 * v91 + near1 * (v91 + dhgen_abs_wide(-v25)) + (v63 * v93 + near_length * v95),
-        v97 = (v68 * v70 + v68 * (v68 + v72)) / D3_p, v98 = (v69 * v71 + v69 * (v69 + v73)) / D3_m,
-        v99 = v97 * (1.0 + v97) * (near2 * w3_p), v100 = v98 * (1.0 + v98) * (near2 * w3_m),
-        v101 = v86 * h1 + v88 * (h1 + dhgen_abs_wide(v33)),
-        v102 = v87 * h1 + v89 * (h1 + dhgen_abs_wide(v34)), v103 = dhgen_abs_wide(w3_p),
-        v104 = dhgen_abs_wide(w3_m), v105 = near_angle + dhgen_abs_wide(T33),
-        v106 = v66 * v92 + near1 * v94 + (v63 * v90 + near_length * (v90 + dhgen_abs_wide(v24))),
-        v107 = v86 * h2 + v88 * (h2 + dhgen_abs_wide(v20)),
-        v108 = v87 * h2 + v89 * (h2 + dhgen_abs_wide(v21)), v109 = v79 + v80 + (v78 + v81),
-        v110 = v76 * v109 + v77 * (v109 + dhgen_abs_wide(v41)),
-        v111 = v65 * v110 + near1 * (v110 + dhgen_abs_wide(v42)), v112 = v111 + dhgen_abs_wide(v43),
-        v113 = v105 * (v66 * v90 + near1 * (v90 + dhgen_abs_wide(-v24)) + (v63 * v92 + near_length *
-            v94) + (v101 * v103 + v99 * (v101 + dhgen_abs_wide(v37)))), v114 = v103 * v107,
-        v115 = near_angle * dhgen_abs_wide(s23_pp) + v113 + (v111 * dhgen_abs_wide(c23_pp) + v112 *
-            (v106 + (v114 + v99 * (v107 + dhgen_abs_wide(v28))))),
-        v116 = v113 + near_angle * dhgen_abs_wide(s23_pm) + (v111 * dhgen_abs_wide(c23_pm) + v112 *
-            (v106 + (v114 + v99 * (v107 + dhgen_abs_wide(v29))))), v117 = v102 * v104,
-        v118 = v112 * (v67 * v93 + near1 * v95 + (v63 * v91 + near_length * (v91 +
-            dhgen_abs_wide(v25))) + (v104 * v108 + v100 * (v108 + dhgen_abs_wide(v30)))),
-        v119 = near_angle * dhgen_abs_wide(s23_mp) + v105 * (v96 + (v117 + v100 * (v102 +
-            dhgen_abs_wide(v38)))) + (v111 * dhgen_abs_wide(c23_mp) + v118),
-        v120 = near_angle * dhgen_abs_wide(s23_mm) + v105 * (v96 + (v117 + v100 * (v102 +
-            dhgen_abs_wide(v39)))) + (v118 + v111 * dhgen_abs_wide(c23_mm));
+        v62 = dhgen_abs_wide(T34), v63 = near_length * (near_length + 2.0 * v62),
+        v64 = dhgen_abs_wide(w1), v65 = dhgen_abs_wide(Z2_3_p), v66 = dhgen_abs_wide(v3),
+        v67 = v63 + near1 * (near1 + 2.0 * v65), v68 = v63 + near1 * (near1 + 2.0 * v66),
+        v69 = dhgen_abs_wide(v1), v70 = dhgen_abs_wide(v5), v71 = dhgen_abs_wide(v6),
+        v72 = dhgen_abs_wide(v7), v73 = dhgen_abs_wide(v8), v74 = dhgen_abs_wide(N3_p),
+        v75 = dhgen_abs_wide(N3_m), v76 = dhgen_abs_wide(v2), v77 = v61 * v76 / (v69 - v61),
+        v78 = near_angle * v60, v79 = near_length * (near_angle + dhgen_abs_wide(T13)),
+        v80 = near_angle * v59, v81 = near_length * (near_angle + dhgen_abs_wide(T23)),
+        v82 = v78 + v79 + (v80 + v81), v83 = v76 * v82 + v77 * (v82 + dhgen_abs_wide(v44)),
+        v84 = v64 * v83 + near1 * (v83 + dhgen_abs_wide(v45)), v85 = dhgen_abs_wide(factor2_p),
+        v86 = dhgen_abs_wide(factor2_m), v87 = v67 * v85 / (v74 - v67),
+        v88 = v68 * v86 / (v75 - v68), v89 = near_m9 * v87, v90 = near_m9 * v88,
+        v91 = near_m8 * v87, v92 = near_m8 * v88, v93 = v91 + dhgen_abs_wide(v22),
+        v94 = v92 + dhgen_abs_wide(v23),
+        v95 = v66 * v90 + near1 * (v90 + dhgen_abs_wide(-v25)) + (v62 * v92 + near_length * v94),
+        v96 = (v67 * v70 + v67 * (v67 + v72)) / D3_p, v97 = (v68 * v71 + v68 * (v68 + v73)) / D3_m,
+        v98 = v96 * (1.0 + v96) * (near2 * w3_p), v99 = v97 * (1.0 + v97) * (near2 * w3_m),
+        v100 = v85 * h1 + v87 * (h1 + dhgen_abs_wide(v33)),
+        v101 = v86 * h1 + v88 * (h1 + dhgen_abs_wide(v34)), v102 = dhgen_abs_wide(w3_p),
+        v103 = dhgen_abs_wide(w3_m), v104 = near_angle + dhgen_abs_wide(T33),
+        v105 = v65 * v91 + near1 * v93 + (v62 * v89 + near_length * (v89 + dhgen_abs_wide(v24))),
+        v106 = v85 * h2 + v87 * (h2 + dhgen_abs_wide(v20)),
+        v107 = v86 * h2 + v88 * (h2 + dhgen_abs_wide(v21)), v108 = v79 + v80 + (v78 + v81),
+        v109 = v76 * v108 + v77 * (v108 + dhgen_abs_wide(v41)),
+        v110 = v64 * v109 + near1 * (v109 + dhgen_abs_wide(v42)), v111 = v110 + dhgen_abs_wide(v43),
+        v112 = v104 * (v65 * v89 + near1 * (v89 + dhgen_abs_wide(-v24)) + (v62 * v91 + near_length *
+            v93) + (v100 * v102 + v98 * (v100 + dhgen_abs_wide(v37)))), v113 = v102 * v106,
+        v114 = near_angle * dhgen_abs_wide(s23_pp) + v112 + (v110 * dhgen_abs_wide(c23_pp) + v111 *
+            (v105 + (v113 + v98 * (v106 + dhgen_abs_wide(v28))))),
+        v115 = v112 + near_angle * dhgen_abs_wide(s23_pm) + (v110 * dhgen_abs_wide(c23_pm) + v111 *
+            (v105 + (v113 + v98 * (v106 + dhgen_abs_wide(v29))))), v116 = v101 * v103,
+        v117 = v111 * (v66 * v92 + near1 * v94 + (v62 * v90 + near_length * (v90 +
+            dhgen_abs_wide(v25))) + (v103 * v107 + v99 * (v107 + dhgen_abs_wide(v30)))),
+        v118 = near_angle * dhgen_abs_wide(s23_mp) + v104 * (v95 + (v116 + v99 * (v101 +
+            dhgen_abs_wide(v38)))) + (v110 * dhgen_abs_wide(c23_mp) + v117),
+        v119 = near_angle * dhgen_abs_wide(s23_mm) + v104 * (v95 + (v116 + v99 * (v101 +
+            dhgen_abs_wide(v39)))) + (v117 + v110 * dhgen_abs_wide(c23_mm)), v120 = v84 * v84;
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = dhgen_kind_wide(q[0]);
@@ -463,21 +461,19 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_wide(q[42]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v71 <= v69) | (dhgen_abs_wide(D3_m) <= near_m3) | (v70 <= v68) |
-        (dhgen_abs_wide(D3_p) <= near_m3) | (v73 <= v69) | (v72 <= v68) | (dhgen_abs_wide(v50) <=
-        v85 + v120 * (v120 + 2.0 * dhgen_abs_wide(c4_mm))) | (v50 <= near_m10) |
-        (dhgen_abs_wide(v49) <= v85 + v119 * (v119 + 2.0 * dhgen_abs_wide(c4_mp))) | (v49 <=
-        near_m10) | (dhgen_abs_wide(v48) <= v85 + v116 * (v116 + 2.0 * dhgen_abs_wide(c4_pm))) |
-        (v48 <= near_m10) | (dhgen_abs_wide(v47) <= v85 + v115 * (v115 + 2.0 *
-        dhgen_abs_wide(c4_pp))) | (v47 <= near_m10) | (v75 <= v69) | (v1 <= near_m1) | (v62 <= v61)
-        | (v74 <= v68));
+    return (exact == 0) | ((v71 <= v68) | (dhgen_abs_wide(D3_m) <= near_m3) | (v70 <= v67) |
+        (dhgen_abs_wide(D3_p) <= near_m3) | (v73 <= v68) | (v72 <= v67) | (dhgen_abs_wide(v50) <=
+        v120 + v119 * v119) | (v50 <= near_m10) | (dhgen_abs_wide(v49) <= v120 + v118 * v118) | (v49
+        <= near_m10) | (dhgen_abs_wide(v48) <= v120 + v115 * v115) | (v48 <= near_m10) |
+        (dhgen_abs_wide(v47) <= v120 + v114 * v114) | (v47 <= near_m10) | (v75 <= v68) | (v1 <=
+        near_m1) | (v69 <= v61) | (v74 <= v67));
 }
 
 #if DHGEN_LANES > 1
 static const double
     near_m2 = 0.5, /* 1 / 2 */
-    near3 = 0.0005035101695102143, /* near_m6 * near_length [m] */
-    near4 = 2.999372876691395e-05; /* near_m7 * near_length [m] */
+    near3 = 0.00035570759116433794, /* near_m6 * near_length [m] */
+    near4 = 2.1201759580571282e-05; /* near_m7 * near_length [m] */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 DHGEN_ALWAYS
@@ -526,37 +522,37 @@ DHGEN_INLINE int solve_regular(
     /* joint values */
     const double v34 = fabs(T14), v35 = fabs(T24),
         v36 = near_length * (near_length + 2.0 * v34) + near_length * (near_length + 2.0 * v35),
-        v37 = fabs(v1), v38 = fabs(T34), v39 = near_length * (near_length + 2.0 * v38);
-    const dhgen_four v40 = dhgen_abs_four(e1);
-    const double v41 = fabs(w1);
-    const dhgen_four v42 = near1 * v40, v43 = dhgen_abs_four(Z2_3),
-        v44 = v39 + v42 * (v42 + 2.0 * v43), v45 = dhgen_abs_four(v5), v46 = dhgen_abs_four(v6),
-        v47 = dhgen_abs_four(N3);
-    const double v48 = fabs(v2), v49 = v36 * v48 / (v37 - v36), v50 = near_angle * v35,
+        v37 = fabs(T34), v38 = near_length * (near_length + 2.0 * v37);
+    const dhgen_four v39 = dhgen_abs_four(e1);
+    const double v40 = fabs(w1);
+    const dhgen_four v41 = near1 * v39, v42 = dhgen_abs_four(Z2_3),
+        v43 = v38 + v41 * (v41 + 2.0 * v42);
+    const double v44 = fabs(v1);
+    const dhgen_four v45 = dhgen_abs_four(v5), v46 = dhgen_abs_four(v6), v47 = dhgen_abs_four(N3);
+    const double v48 = fabs(v2), v49 = v36 * v48 / (v44 - v36), v50 = near_angle * v35,
         v51 = near_length * (near_angle + fabs(T13)), v52 = near_angle * v34,
         v53 = near_length * (near_angle + fabs(T23)), v54 = v50 + v51 + (v52 + v53),
-        v55 = v48 * v54 + v49 * (v54 + fabs(v23)), v56 = v41 * v55 + near1 * (v55 + fabs(v24)),
-        v57 = v56 * (v56 + 2.0 * fabs(Y4));
-    const dhgen_four v58 = dhgen_abs_four(factor2), v59 = v44 * v58 / (v47 - v44),
-        v60 = near_m9 * v59, v61 = near_m8 * v59, v62 = v61 + dhgen_abs_four(v12),
-        v63 = v43 * v60 + v42 * (v60 + dhgen_abs_four(-v13)) + (v38 * v61 + near_length * v62),
-        v64 = (v44 * v45 + v44 * (v44 + v46)) / D3, v65 = v64 * (1.0 + v64) * (near2 * w3),
-        v66 = near3 + near_m7 * v42, v67 = dhgen_abs_four(e2), v68 = dhgen_abs_four(v17),
-        v69 = v66 * v67, v70 = v58 * v69 + v59 * (v68 + v69), v71 = dhgen_abs_four(w3);
-    const double v72 = near_angle + fabs(T33);
-    const dhgen_four v73 = v43 * v61 + v42 * v62 + (v38 * v60 + near_length * (v60 +
-        dhgen_abs_four(v13))), v74 = near4 + near_m6 * v42, v75 = dhgen_abs_four(v11),
-        v76 = v67 * v74, v77 = v58 * v76 + v59 * (v75 + v76);
-    const double v78 = v51 + v52 + (v50 + v53), v79 = v48 * v78 + v49 * (v78 + fabs(v20)),
-        v80 = v41 * v79 + near1 * (v79 + fabs(v21)), v81 = v80 + fabs(v22);
-    const dhgen_four v82 = near_angle * dhgen_abs_four(s23) + v72 * (v63 + (v70 * v71 + v65 * (v70 +
-        dhgen_abs_four(v19)))) + v40 * (v80 * dhgen_abs_four(c23) + v81 * (v73 + (v71 * v77 + v65 *
-        (v77 + dhgen_abs_four(v15)))));
+        v55 = v48 * v54 + v49 * (v54 + fabs(v23)), v56 = v40 * v55 + near1 * (v55 + fabs(v24));
+    const dhgen_four v57 = dhgen_abs_four(factor2), v58 = v43 * v57 / (v47 - v43),
+        v59 = near_m9 * v58, v60 = near_m8 * v58, v61 = v60 + dhgen_abs_four(v12),
+        v62 = v42 * v59 + v41 * (v59 + dhgen_abs_four(-v13)) + (v37 * v60 + near_length * v61),
+        v63 = (v43 * v45 + v43 * (v43 + v46)) / D3, v64 = v63 * (1.0 + v63) * (near2 * w3),
+        v65 = near3 + near_m7 * v41, v66 = dhgen_abs_four(e2), v67 = dhgen_abs_four(v17),
+        v68 = v65 * v66, v69 = v57 * v68 + v58 * (v67 + v68), v70 = dhgen_abs_four(w3);
+    const double v71 = near_angle + fabs(T33);
+    const dhgen_four v72 = v42 * v60 + v41 * v61 + (v37 * v59 + near_length * (v59 +
+        dhgen_abs_four(v13))), v73 = near4 + near_m6 * v41, v74 = dhgen_abs_four(v11),
+        v75 = v66 * v73, v76 = v57 * v75 + v58 * (v74 + v75);
+    const double v77 = v51 + v52 + (v50 + v53), v78 = v48 * v77 + v49 * (v77 + fabs(v20)),
+        v79 = v40 * v78 + near1 * (v78 + fabs(v21)), v80 = v79 + fabs(v22);
+    const dhgen_four v81 = near_angle * dhgen_abs_four(s23) + v71 * (v62 + (v69 * v70 + v64 * (v69 +
+        dhgen_abs_four(v19)))) + v39 * (v79 * dhgen_abs_four(c23) + v80 * (v72 + (v70 * v76 + v64 *
+        (v76 + dhgen_abs_four(v15)))));
+    const double v82 = v56 * v56;
 
-    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v45 <= v44) |
-        (dhgen_abs_four(D3) <= near_m3) | (v47 <= v44) | (v46 <= v44)) | ((v26 <= near_m10) |
-        (dhgen_abs_four(v26) <= v57 + v82 * (v82 + 2.0 * dhgen_abs_four(c4))))) | (unsigned)((v1 <=
-        near_m1) | (v37 <= v36)))
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v45 <= v43) |
+        (dhgen_abs_four(D3) <= near_m3) | (v47 <= v43) | (v46 <= v43)) | ((v26 <= near_m10) |
+        (dhgen_abs_four(v26) <= v82 + v81 * v81))) | (unsigned)((v1 <= near_m1) | (v44 <= v36)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(T24), 0,
@@ -594,13 +590,12 @@ static int solve_regular(
 
 DHGEN_TABLE dhgen_nearest_arm nearest_arm = {
     8, /* rows */
-    { -0.9999999999856042, -2.187099999941616e-06, 4.899807670089163e-06, -1.0931610788780578e-05,
-        2.1871171835274114e-06, -0.9999999999914588, 3.50698928353327e-06, -7.811829986720641e-07,
-        4.8997999999110515e-06, 3.5069999999363358e-06, 0.9999999999818465, -0.4000589983509601 },
-    { 0.9999999999920743, 1.0949999962521926e-07, -3.979906402059875e-06, -4.673952923314556e-05,
-        -1.0973244507502108e-07, 0.9999999982944339, -5.840479956295076e-05, -3.576380226674501e-05,
-        3.97989999994635e-06, 5.84047999992127e-05, 0.9999999982865199, -0.08999590232900284 },
-    { 0.0, 3.141611286189793, -3.141617954789793, 3.141587322389793, -4.7776e-06, 0.0 },
+    { -0.9999999999999449, -3.321999999999817e-07, 0.0, -0.0, 3.321999999999817e-07,
+        -0.9999999999999449, 0.0, -0.0, 0.0, 0.0, 1.0, -0.400051 },
+    { 1.0, -0.0, 0.0, -5.2e-05, 0.0, 0.9999999979520001, -6.3999999996928e-05,
+        5.759779999723332e-06, 0.0, 6.3999999996928e-05, 0.9999999979520001, -0.08999499981568386 },
+    { 0.0, 3.141592651689793, -3.141592651689793, 3.1415926548897932, 0.0, 0.0 },
+    { 0, 1, 2, 3, 4, 5 },
 };
 #endif
 
@@ -616,7 +611,7 @@ static void solve(
 #ifdef KUKA_KR6_R900_CALIBRATED_PLAIN
     const int nearby_count = 0;
 #else
-    const int nearby_count = dhgen_near_solutions(&nearest_arm, solve_regular, T, nearby);
+    const int nearby_count = dhgen_near_solutions(&nearest_arm, solve_regular, T, NULL, nearby);
 #endif
 
     /* all joints: the general 6R loop */

@@ -106,27 +106,27 @@ offset6 = 3.1e-05  # offset of joint 6 [rad]
 f1 = -6.719999998872699e-10  # ca1 * d2 [m]
 f2 = 1.343999999379404e-09  # ca1 * sa2
 f3 = 3.1999999966407905e-05  # ca1 * ca2
-near_angle = 0.00020858106163514678  # the two arms' tools are turned by no more
-near_length = 0.00042452765781439774  # and no farther apart [m]
-near_a1 = -0.0249902543613046  # link length 1 [m]
-near_longest3 = 0.7672956440619847  # square of the longest reach [m^2]
-near_shortest3 = 0.0011771681110991723  # square of the shortest reach [m^2]
-near_k3 = 0.38423640608654197  # near_a2^2 + (near_a3^2 + near_d4^2) [m^2]
-near_turn1 = -1.6302952771128645  # a constant angle [rad]
-near_m1 = 8.560383958636412e-09  # doubt_limit1^2 [m^2]
+near_angle = 0.0001900018  # the two arms' tools are turned by no more
+near_length = 0.0002999173  # and no farther apart [m]
+near_a1 = -0.024977  # link length 1 [m]
+near_longest3 = 0.7672753622269508  # square of the longest reach [m^2]
+near_shortest3 = 0.001175080249049243  # square of the shortest reach [m^2]
+near_k3 = 0.384225221238  # near_a2^2 + (near_a3^2 + near_d4^2) [m^2]
+near_turn1 = -1.6303303533892188  # a constant angle [rad]
+near_m1 = 8.560190953689999e-09  # doubt_limit1^2 [m^2]
 # 1000 * (near_longest3 - longest3_apart) * (longest3_apart - near_shortest3) [m^4]
-near_m3 = 1.2333154388075147e-11
-near_m4 = 1.0985823686287224  # a coefficient of X1_2
-near_m5 = 0.03301666744569898  # a coefficient of X1_2
-near_m6 = 1.1860479764791851  # a coefficient of c23
-near_m7 = 0.07065200161829532  # a coefficient of c23
-near_m8 = 0.002123367085088002  # a coefficient of c23
-near_m9 = 0.035645348707841674  # a coefficient of c23
+near_m3 = 1.2417915714465629e-11
+near_m4 = 1.0986330807209672  # a coefficient of X1_2
+near_m5 = 0.032988461500600814  # a coefficient of X1_2
+near_m6 = 1.1860189164290886  # a coefficient of c23
+near_m7 = 0.07069201936857687  # a coefficient of c23
+near_m8 = 0.0021226567816523957  # a coefficient of c23
+near_m9 = 0.03561238055741952  # a coefficient of c23
 near_m10 = 9.999999999999999e-09  # doubt_limit^2
-near1 = 0.0008490553156287955  # near_length + near_length [m]
+near1 = 0.0005998346  # near_length + near_length [m]
 near2 = 0.5  # 1 / 2
-h1 = 0.0005634976270440423  # near3 + near_m7 * near1 [m]
-h2 = 0.0010370140677873427  # near4 + near_m6 * near1 [m]
+h1 = 0.0003981111103254805  # near3 + near_m7 * near1 [m]
+h2 = 0.0007326169419092472  # near4 + near_m6 * near1 [m]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -636,14 +636,14 @@ def _formulas(kept, turns, rows, w):
         v59 = abs(T14)
         v60 = abs(T24)
         v61 = near_length * (near_length + 2.0 * v59) + near_length * (near_length + 2.0 * v60)
-        v62 = abs(v1)
-        v63 = abs(T34)
-        v64 = near_length * (near_length + 2.0 * v63)
-        v65 = abs(w1)
-        v66 = abs(Z2_3_p)
-        v67 = abs(v3)
-        v68 = v64 + near1 * (near1 + 2.0 * v66)
-        v69 = v64 + near1 * (near1 + 2.0 * v67)
+        v62 = abs(T34)
+        v63 = near_length * (near_length + 2.0 * v62)
+        v64 = abs(w1)
+        v65 = abs(Z2_3_p)
+        v66 = abs(v3)
+        v67 = v63 + near1 * (near1 + 2.0 * v65)
+        v68 = v63 + near1 * (near1 + 2.0 * v66)
+        v69 = abs(v1)
         v70 = abs(v5)
         v71 = abs(v6)
         v72 = abs(v7)
@@ -651,77 +651,76 @@ def _formulas(kept, turns, rows, w):
         v74 = abs(N3_p)
         v75 = abs(N3_m)
         v76 = abs(v2)
-        v77 = v61 * v76 / (v62 - v61)
+        v77 = v61 * v76 / (v69 - v61)
         v78 = near_angle * v60
         v79 = near_length * (near_angle + abs(T13))
         v80 = near_angle * v59
         v81 = near_length * (near_angle + abs(T23))
         v82 = v78 + v79 + (v80 + v81)
         v83 = v76 * v82 + v77 * (v82 + abs(v44))
-        v84 = v65 * v83 + near1 * (v83 + abs(v45))
-        v85 = v84 * (v84 + 2.0 * abs(Y4))
-        v86 = abs(factor2_p)
-        v87 = abs(factor2_m)
-        v88 = v68 * v86 / (v74 - v68)
-        v89 = v69 * v87 / (v75 - v69)
+        v84 = v64 * v83 + near1 * (v83 + abs(v45))
+        v85 = abs(factor2_p)
+        v86 = abs(factor2_m)
+        v87 = v67 * v85 / (v74 - v67)
+        v88 = v68 * v86 / (v75 - v68)
+        v89 = near_m9 * v87
         v90 = near_m9 * v88
-        v91 = near_m9 * v89
+        v91 = near_m8 * v87
         v92 = near_m8 * v88
-        v93 = near_m8 * v89
-        v94 = v92 + abs(v22)
-        v95 = v93 + abs(v23)
-        v96 = v67 * v91 + near1 * (v91 + abs(-v25)) + (v63 * v93 + near_length * v95)
-        v97 = (v68 * v70 + v68 * (v68 + v72)) / D3_p
-        v98 = (v69 * v71 + v69 * (v69 + v73)) / D3_m
-        v99 = v97 * (1.0 + v97) * (near2 * w3_p)
-        v100 = v98 * (1.0 + v98) * (near2 * w3_m)
-        v101 = v86 * h1 + v88 * (h1 + abs(v33))
-        v102 = v87 * h1 + v89 * (h1 + abs(v34))
-        v103 = abs(w3_p)
-        v104 = abs(w3_m)
-        v105 = near_angle + abs(T33)
-        v106 = v66 * v92 + near1 * v94 + (v63 * v90 + near_length * (v90 + abs(v24)))
-        v107 = v86 * h2 + v88 * (h2 + abs(v20))
-        v108 = v87 * h2 + v89 * (h2 + abs(v21))
-        v109 = v79 + v80 + (v78 + v81)
-        v110 = v76 * v109 + v77 * (v109 + abs(v41))
-        v111 = v65 * v110 + near1 * (v110 + abs(v42))
-        v112 = v111 + abs(v43)
-        v113 = (
-            v105 * (v66 * v90 + near1 * (v90 + abs(-v24)) + (v63 * v92 + near_length * v94) + (v101
-            * v103 + v99 * (v101 + abs(v37))))
+        v93 = v91 + abs(v22)
+        v94 = v92 + abs(v23)
+        v95 = v66 * v90 + near1 * (v90 + abs(-v25)) + (v62 * v92 + near_length * v94)
+        v96 = (v67 * v70 + v67 * (v67 + v72)) / D3_p
+        v97 = (v68 * v71 + v68 * (v68 + v73)) / D3_m
+        v98 = v96 * (1.0 + v96) * (near2 * w3_p)
+        v99 = v97 * (1.0 + v97) * (near2 * w3_m)
+        v100 = v85 * h1 + v87 * (h1 + abs(v33))
+        v101 = v86 * h1 + v88 * (h1 + abs(v34))
+        v102 = abs(w3_p)
+        v103 = abs(w3_m)
+        v104 = near_angle + abs(T33)
+        v105 = v65 * v91 + near1 * v93 + (v62 * v89 + near_length * (v89 + abs(v24)))
+        v106 = v85 * h2 + v87 * (h2 + abs(v20))
+        v107 = v86 * h2 + v88 * (h2 + abs(v21))
+        v108 = v79 + v80 + (v78 + v81)
+        v109 = v76 * v108 + v77 * (v108 + abs(v41))
+        v110 = v64 * v109 + near1 * (v109 + abs(v42))
+        v111 = v110 + abs(v43)
+        v112 = (
+            v104 * (v65 * v89 + near1 * (v89 + abs(-v24)) + (v62 * v91 + near_length * v93) + (v100
+            * v102 + v98 * (v100 + abs(v37))))
         )
-        v114 = v103 * v107
+        v113 = v102 * v106
+        v114 = (
+            near_angle * abs(s23_pp) + v112 + (v110 * abs(c23_pp) + v111 * (v105 + (v113 + v98 *
+            (v106 + abs(v28)))))
+        )
         v115 = (
-            near_angle * abs(s23_pp) + v113 + (v111 * abs(c23_pp) + v112 * (v106 + (v114 + v99 *
-            (v107 + abs(v28)))))
+            v112 + near_angle * abs(s23_pm) + (v110 * abs(c23_pm) + v111 * (v105 + (v113 + v98 *
+            (v106 + abs(v29)))))
         )
-        v116 = (
-            v113 + near_angle * abs(s23_pm) + (v111 * abs(c23_pm) + v112 * (v106 + (v114 + v99 *
-            (v107 + abs(v29)))))
+        v116 = v101 * v103
+        v117 = (
+            v111 * (v66 * v92 + near1 * v94 + (v62 * v90 + near_length * (v90 + abs(v25))) + (v103 *
+            v107 + v99 * (v107 + abs(v30))))
         )
-        v117 = v102 * v104
         v118 = (
-            v112 * (v67 * v93 + near1 * v95 + (v63 * v91 + near_length * (v91 + abs(v25))) + (v104 *
-            v108 + v100 * (v108 + abs(v30))))
+            near_angle * abs(s23_mp) + v104 * (v95 + (v116 + v99 * (v101 + abs(v38)))) + (v110 *
+            abs(c23_mp) + v117)
         )
         v119 = (
-            near_angle * abs(s23_mp) + v105 * (v96 + (v117 + v100 * (v102 + abs(v38)))) + (v111 *
-            abs(c23_mp) + v118)
+            near_angle * abs(s23_mm) + v104 * (v95 + (v116 + v99 * (v101 + abs(v39)))) + (v117 +
+            v110 * abs(c23_mm))
         )
-        v120 = (
-            near_angle * abs(s23_mm) + v105 * (v96 + (v117 + v100 * (v102 + abs(v39)))) + (v118 +
-            v111 * abs(c23_mm))
-        )
+        v120 = v84 * v84
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if v71 <= v69 or abs(D3_m) <= near_m3 or v70 <= v68 or abs(D3_p) <= near_m3 or v73
-            <= v69 or v72 <= v68 or abs(v50) <= v85 + v120 * (v120 + 2.0 * abs(c4_mm)) or v50 <=
-            near_m10 or abs(v49) <= v85 + v119 * (v119 + 2.0 * abs(c4_mp)) or v49 <= near_m10 or
-            abs(v48) <= v85 + v116 * (v116 + 2.0 * abs(c4_pm)) or v48 <= near_m10 or abs(v47) <= v85
-            + v115 * (v115 + 2.0 * abs(c4_pp)) or v47 <= near_m10 or v75 <= v69 or v1 <= near_m1 or
-            v62 <= v61 or v74 <= v68 else kept[16 * w + k]
+            1.0 if v71 <= v68 or abs(D3_m) <= near_m3 or v70 <= v67 or abs(D3_p) <= near_m3 or v73
+            <= v68 or v72 <= v67 or abs(v50) <= v120 + v119 * v119 or v50 <= near_m10 or abs(v49) <=
+            v120 + v118 * v118 or v49 <= near_m10 or abs(v48) <= v120 + v115 * v115 or v48 <=
+            near_m10 or abs(v47) <= v120 + v114 * v114 or v47 <= near_m10 or v75 <= v68 or v1 <=
+            near_m1 or v69 <= v61 or v74 <= v67 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3_p, w3_m, c23_mp
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = c23_mm, s23_mp, s23_mm
@@ -834,26 +833,28 @@ _PLACES = np.array([
     [17, 26, 27, 31, 32, 33],
 ])
 
-# What makes of a pose this arm's, before and behind it, and what its angles are more.
-_LEFT, _RIGHT = np.array((-0.9999999999856042, -2.187099999941616e-06, 4.899807670089163e-06, -1.0931610788780578e-05, 2.1871171835274114e-06, -0.9999999999914588, 3.50698928353327e-06, -7.811829986720641e-07, 4.8997999999110515e-06, 3.5069999999363358e-06, 0.9999999999818465, -0.4000589983509601)), np.array((0.9999999999920743, 1.0949999962521926e-07, -3.979906402059875e-06, -4.673952923314556e-05, -1.0973244507502108e-07, 0.9999999982944339, -5.840479956295076e-05, -3.576380226674501e-05, 3.97989999994635e-06, 5.84047999992127e-05, 0.9999999982865199, -0.08999590232900284))
-_OFFSETS = np.array((0.0, 3.141611286189793, -3.141617954789793, 3.141587322389793, -4.7776e-06, 0.0))
+# What makes of a pose this arm's, before and behind it, and what its angles are more; where in rows
+# these are.
+_LEFT, _RIGHT = np.array((-0.9999999999999449, -3.321999999999817e-07, 0.0, -0.0, 3.321999999999817e-07, -0.9999999999999449, 0.0, -0.0, 0.0, 0.0, 1.0, -0.400051)), np.array((1.0, -0.0, 0.0, -5.2e-05, 0.0, 0.9999999979520001, -6.3999999996928e-05, 5.759779999723332e-06, 0.0, 6.3999999996928e-05, 0.9999999979520001, -0.08999499981568386))
+_OFFSETS = np.array((0.0, 3.141592651689793, -3.141592651689793, 3.1415926548897932, 0.0, 0.0))
+_ANGLES = np.ascontiguousarray(_PLACES[:, (0, 1, 2, 3, 4, 5)])
 
 
 @_HOW.merged
-def _nearby(pose):
+def _nearby(pose, q_free):
     """Joint values near which all solutions are, one near each; none where that is not certain."""
     kept, turns, rows = np.zeros(32), np.zeros(48), np.zeros(42)
     _nearest.near_pose(pose, _LEFT, _RIGHT, kept)
     _formulas(kept, turns, rows, len(kept) // 32)
     if kept[16] != 0.0:
         return np.empty((0, 6))
-    return _nearest.near_solutions(rows, _PLACES, _OFFSETS)
+    return _nearest.near_solutions(rows, _ANGLES, _OFFSETS)
 
 
 @_HOW.apart(_arms.SOLVES)
 def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    nearby = _nearby(pose) if _COMPILED else np.empty((0, 6))
+    nearby = _nearby(pose, q_free) if _COMPILED else np.empty((0, 6))
     # all joints: the general 6R loop
     solution_roots, solution_found, solution_chosen = _all_joints(
         _NUMBERS, pose, _NO_FREE, seed, nearby

@@ -196,6 +196,11 @@ class Chain:
         """The joints that are asked for: all but those whose values the caller gives."""
         return tuple(joint for joint in self.joints if joint.number not in self.free)
 
+    @property
+    def solved_places(self) -> tuple[int, ...]:
+        """The places of these joints, from 0."""
+        return tuple(joint.number - 1 for joint in self.solved)
+
 
 def arm_size(lengths: Iterable[float], joints: Sequence[ChainJoint]) -> float:
     """The sum of all lengths, or the farthest limit of a slide where that is more; 1 without any.

@@ -1,17 +1,19 @@
 """The regular program of the nearest arm, with what shows that its rows are all an arm's rows.
 
-Whatever joint values the arm takes to T, the nearest arm takes them to a pose T' that is no farther
-from T than the two arms differ. So T' is in a ball around T, and what the program computes there is
-in an interval around what it computes at T: the centre is the program's value, the radius is worked
-out beside it (arithmetic of intervals by centre and radius; R. E. Moore 1966). Where no interval of
-a root's square, of a divisor, or of what else a branch ends at holds zero, every branch of the
-nearest arm has a solution all over the ball, or none anywhere in it.
+Whatever joint values the arm takes to T, those that the caller gives among them, the nearest arm
+takes them to a pose T' that is no farther from T than the two arms differ. So T' is in a ball
+around T, and what the program computes there is in an interval around what it computes at T: the
+centre is the program's value, the radius is worked out beside it (arithmetic of intervals by centre
+and radius; R. E. Moore 1966). What depends on given values alone is the same at both. Where no
+interval of a root's square, of a divisor, or of what else a branch ends at holds zero, every branch
+of the nearest arm has a solution all over the ball, or none anywhere in it.
 """
 
 from __future__ import annotations
 
 import re
 from dataclasses import replace
+from functools import reduce
 from typing import TYPE_CHECKING
 
 from dhgen.program.building.builder import Builder
@@ -78,6 +80,7 @@ class _Certificate:
         )
         self._values: dict[str, Node] = {}
         self._radii: dict[Node, Node | None] = {}
+        self._divisors: set[Node] = set()
 
     def run(self) -> Regular:
         builder, program = self._builder, self._solver.program
@@ -124,17 +127,25 @@ class _Certificate:
                 return self._builder.pose(row, column)
             case Apply(operator, operands):
                 return self._builder.simplified(operator, [self._value(each) for each in operands])
+            case Joint(number, "free"):
+                return self._builder.given(number)
             case Joint():
                 raise NoBoundError
 
     def _ends(self, results: list[Node], doubts: list[Node]) -> list[Node]:
-        """What must not vanish: under roots, divided by, compared; each factor by itself."""
+        """What must not vanish: under roots, divided by, compared; each factor by itself.
+
+        But what is divided by as a whole, as the bound of a quotient wants it.
+        """
         found: list[Node] = []
         for entry in map(self._entry, self._reached(results)):
             if entry.operator == "sqrt":
                 found += self._factors(entry.operands[0])
             elif entry.operator == "div":
-                found += self._factors(entry.operands[1])
+                divisor = entry.operands[1]
+                self._divisors.add(divisor)
+                is_exact = self._radius(divisor) is None
+                found += self._factors(divisor) if is_exact else [divisor]
         for entry in map(self._entry, self._reached(doubts)):
             if entry.operator in COMPARISONS:
                 found += [factor for each in entry.operands for factor in self._factors(each)]
@@ -161,9 +172,19 @@ class _Certificate:
             yield node
 
     def _may_vanish(self, node: Node) -> Node:
-        """Whether a value may be zero within the deviation."""
+        """Whether a value may be zero within the deviation.
+
+        A sum of squares is where all that is squared is zero, and so no larger than the sum of the
+        radii's squares. What is divided by has to be larger than its radius all the same.
+        """
         builder, radius = self._builder, self._radius(node)
+        parts = list(self._squared(node))
         limit = builder.integer(0) if radius is None else radius
+        if len(parts) > 1 and node not in self._divisors:
+            radii = [self._radius(part) for part in parts if part is not None]
+            if len(radii) == len(parts) and radius is not None:
+                squares = [builder.square(each) for each in radii if each is not None]
+                limit = reduce(builder.add, squares)
         return builder.apply("at_most", builder.absolute(node), limit)
 
     def _entry(self, node: Node) -> Entry:

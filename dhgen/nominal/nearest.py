@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -11,16 +12,16 @@ from dhgen.kinematics.neighbours import EXACT
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.kinematics.rigid import inverse, orthonormal
 from dhgen.nominal.deviation import most_deviation
-from dhgen.nominal.fit import DIGITS, JOINTS, fitted
+from dhgen.nominal.fit import DIGITS, Fit, fitted
 from dhgen.nominal.lines import neighbours
 from dhgen.nominal.table import rounded_table
+from dhgen.robot.angles import twelfths
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.rigid import Matrix, Vector
     from dhgen.nominal.deviation import Deviation
-    from dhgen.nominal.fit import Fit
     from dhgen.nominal.lines import Neighbours
     from dhgen.nominal.table import Table
 
@@ -48,33 +49,47 @@ def nearest_arm(chain: Chain) -> Nearest | None:
     """The nearest arm with a structure; None where nothing is missed by little.
 
     Args:
-        chain: An arm of six joints that turn.
+        chain: An arm of joints that turn.
     """
-    arm = numeric_arm(chain)
-
-    def pose(angles: FloatArray) -> FloatArray:
-        return arm.pose(np.stack(chain.drives.back(list(np.moveaxis(angles, -1, 0))), axis=-1))
-
-    still = np.zeros(JOINTS)
-    directions, points = arm.axes(np.array(chain.drives.back(list(still))))
+    arm, drives = numeric_arm(chain), chain.drives
+    still = np.array(drives.back(list(np.zeros(chain.dof))))
+    directions, points = arm.axes(still)
     found = neighbours(directions, points)
     if found is None:
         return None
     table = rounded_table(found, chain.size)
     if not _is_missed(table, found):
         return None
-    tool = pose(still)
-    fit = fitted(table, _start(table, found, directions, tool), pose, chain.size)
-    feet = np.array([points[0], *(each.foot for each in found)])
-    ours, theirs = (directions, feet, tool), (*_axes(fit), fit.pose(still))
+    frames, tool = _frames(found, directions), arm.pose(still)
+    wanted = np.linalg.inv(np.array([np.eye(4), *frames])) @ np.array([*frames, tool])
+    fit = fitted(_start(table, found, frames, tool), wanted, chain.size)
+    fit = replace(fit, offsets=np.array(_as_read(chain, fit.offsets)))
     a, d = table.filled(fit.lengths)
     return Nearest(
         replace(table, a=tuple(a), d=tuple(d)),
         inverse(_rigid(fit.base)),
         inverse(_rigid(fit.tool)),
         (0.0, *map(float, fit.offsets), 0.0),
-        most_deviation(ours, theirs),
+        most_deviation(wanted, fit.constants),
     )
+
+
+def _as_read(chain: Chain, offsets: FloatArray) -> list[float]:
+    """The offsets of angles 2 to n - 1, of given joints as a robot file is read.
+
+    Their values go into the closed form as they are, so that its robot file has the offsets; and
+    nearly exact angles are taken as exact there.
+    """
+    inner = chain.joints[1:-1]
+    return [
+        _exact(joint.offset + more) - joint.offset if joint.number in chain.free else more
+        for joint, more in zip(inner, map(float, offsets), strict=True)
+    ]
+
+
+def _exact(angle: float) -> float:
+    k = twelfths(angle)
+    return angle if k is None else k * math.pi / 12
 
 
 def _is_missed(table: Table, found: tuple[Neighbours, ...]) -> bool:
@@ -88,33 +103,35 @@ def _numbers(found: tuple[Neighbours, ...]) -> list[float]:
     return [number for column in (*columns, [each.d for each in found]) for number in column]
 
 
+def _frames(found: tuple[Neighbours, ...], directions: FloatArray) -> FloatArray:
+    """A frame on each axis, all angles zero: z along it, x along a common normal, (n, 4, 4)."""
+    normals = [found[0].normal, *(each.normal for each in found)]
+    feet = [found[0].foot - found[0].a * found[0].normal, *(each.foot for each in found)]
+    frames = np.zeros((len(feet), 4, 4))
+    for frame, z, normal, foot in zip(frames, directions, normals, feet, strict=True):
+        x = normal - (normal @ z) * z
+        x /= np.linalg.norm(x)
+        frame[:3, 0], frame[:3, 1], frame[:3, 2], frame[:3, 3] = x, np.cross(z, x), z, foot
+        frame[3, 3] = 1.0
+    return frames
+
+
 def _start(
-    table: Table, found: tuple[Neighbours, ...], directions: FloatArray, tool: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
+    table: Table, found: tuple[Neighbours, ...], frames: FloatArray, tool: FloatArray
+) -> Fit:
     """The base, the tool and the offsets with which the axes lie nearly where the arm has them."""
     normals = [each.normal for each in found]
-    offsets = [
-        float(np.arctan2(np.cross(one, other) @ z, one @ other))
-        for one, other, z in zip(normals, normals[1:], directions[1:], strict=False)
-    ]
-    base = np.eye(4)
-    x = normals[0] - (normals[0] @ directions[0]) * directions[0]
-    base[:3, 0] = x / np.linalg.norm(x)
-    base[:3, 2] = directions[0]
-    base[:3, 1] = np.cross(base[:3, 2], base[:3, 0])
-    base[:3, 3] = found[0].foot - found[0].a * normals[0]
-    last = base
-    for link in table.links(table.lengths, np.array(offsets)):
+    offsets = np.array(
+        [
+            float(np.arctan2(np.cross(one, other) @ frame[:3, 2], one @ other))
+            for one, other, frame in zip(normals, normals[1:], frames[1:], strict=False)
+        ]
+    )
+    last = base = frames[0]
+    for link in table.links(table.lengths, offsets):
         last = last @ link
-    return base, np.linalg.inv(last) @ tool, np.array(offsets)
-
-
-def _axes(fit: Fit) -> tuple[FloatArray, FloatArray]:
-    """Directions and points of the axes, all angles zero."""
-    frames = [fit.base]
-    for link in fit.links:
-        frames.append(frames[-1] @ link)
-    return np.array([each[:3, 2] for each in frames]), np.array([each[:3, 3] for each in frames])
+    still = np.zeros(table.joints)
+    return Fit(table, base, np.linalg.inv(last) @ tool, table.lengths, offsets, still, still)
 
 
 def _rigid(frame: FloatArray) -> Matrix:

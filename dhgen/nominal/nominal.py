@@ -12,7 +12,6 @@ from dhgen.kinematics.neighbours import EXACT, axis_triples
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.method import Method
 from dhgen.nominal.certificate import certified
-from dhgen.nominal.fit import JOINTS
 from dhgen.nominal.nearest import nearest_arm
 from dhgen.paul.derive import derive
 from dhgen.program.interpret import outputs
@@ -25,7 +24,6 @@ from dhgen.tolerances import TOLERANCES
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
     from dhgen.nominal.nearest import Nearest
-    from dhgen.nominal.table import Table
     from dhgen.program.ir import Program
     from dhgen.program.regular.unguarded import Regular
     from dhgen.program.reserved import Reserved
@@ -33,6 +31,7 @@ if TYPE_CHECKING:
 NAME = "nearest"
 TWISTS = ("0", "pi/2", "pi")
 POSES = 1000
+JOINTS = 6
 WORTH = 0.5  # of poses have to be certain: solving the nearest arm takes time that others lose
 
 
@@ -67,7 +66,7 @@ def nominal_arm(chain: Chain, reserved: Reserved) -> Nominal | None:
     nearest = nearest_arm(chain)
     if nearest is None:
         return None
-    near = build_chain(load_text(_robot_file(nearest.table), NAME))
+    near = build_chain(load_text(_robot_file(chain, nearest), NAME))
     if not _has_structure(near):
         return None
     derivation = derive(near)
@@ -84,10 +83,10 @@ def nominal_arm(chain: Chain, reserved: Reserved) -> Nominal | None:
 
 
 def _is_asked_alone(chain: Chain) -> bool:
-    """Whether a pose asks for six joints that turn, each with a drive of its own."""
-    turns = chain.dof == JOINTS and all(chain.turning)
-    asked = chain.task.kind is TaskKind.POSE and not chain.given
-    return turns and asked and not chain.drives.are_coupled
+    """Whether a pose asks for six joints, and all turn, each with a drive of its own."""
+    turns = len(chain.solved) == JOINTS and all(chain.turning)
+    asked = chain.task.kind is TaskKind.POSE and not chain.arm_angle
+    return turns and asked and not chain.is_coupled
 
 
 def _has_structure(chain: Chain) -> bool:
@@ -95,22 +94,35 @@ def _has_structure(chain: Chain) -> bool:
     return any(min(t.tilt, t.miss / chain.size) < EXACT for t in axis_triples(chain))
 
 
-def _robot_file(table: Table) -> str:
+def _robot_file(chain: Chain, nearest: Nearest) -> str:
+    table = nearest.table
     twists = [
         repr(alpha) if quarter is None else TWISTS[quarter]
         for quarter, alpha in zip(table.quarters, table.alpha, strict=True)
     ]
-    rows = zip(table.d, table.a, twists, strict=True)
-    links = [f"  - {{theta: q, d: {d!r}, a: {a!r}, alpha: {alpha}}}" for d, a, alpha in rows]
-    last = "  - {theta: q, d: 0, a: 0, alpha: 0}"
+    cells = zip(
+        _thetas(chain, nearest), (*table.d, 0.0), (*table.a, 0.0), (*twists, "0"), strict=True
+    )
+    links = [f"  - {{theta: {q}, d: {d!r}, a: {a!r}, alpha: {alpha}}}" for q, d, a, alpha in cells]
     head = f"name: {NAME}\ntitle: {NAME}\nsource: computed\nconvention: standard\njoints:"
-    return "\n".join([head, *links, last, "task: pose", ""])
+    free = [f"free: {list(chain.free)}"] if chain.free else []
+    return "\n".join([head, *links, *free, "task: pose", ""])
+
+
+def _thetas(chain: Chain, nearest: Nearest) -> list[str]:
+    """What the table's joints are: angles, those of given joints by the values that come in."""
+    return [
+        f"{'-' if joint.sign < 0 else ''}q + ({joint.offset + more!r})"
+        if joint.number in chain.free
+        else "q"
+        for joint, more in zip(chain.joints, nearest.offsets, strict=True)
+    ]
 
 
 def _certain(chain: Chain, nearest: Nearest, solver: Regular) -> float:
     """At which part of random poses no branch may end near by."""
-    angles = np.random.default_rng(0).uniform(-np.pi, np.pi, (POSES, JOINTS))
-    poses = numeric_arm(chain).pose(angles)
-    found = outputs(solver.program, np.array(nearest.left) @ poses @ np.array(nearest.right))
+    q = np.random.default_rng(0).uniform(-np.pi, np.pi, (POSES, chain.dof))
+    poses = np.array(nearest.left) @ numeric_arm(chain).pose(q) @ np.array(nearest.right)
+    found = outputs(solver.program, poses, free=q[:, [number - 1 for number in chain.free]])
     doubts = [np.any(each.reshape(POSES, -1), axis=1) for each in found[len(solver.joints) :]]
     return float(1.0 - np.mean(np.any(doubts, axis=0)))

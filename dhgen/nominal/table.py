@@ -19,7 +19,7 @@ QUARTER = 0.5 * math.pi
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """The links between six axes, first to last: T_z(d) T_x(a) R_x(alpha).
+    """The links between axes, first to last: T_z(d) T_x(a) R_x(alpha).
 
     Attributes:
         quarters: Each twist as a multiple of a right angle; None where it is neither.
@@ -34,11 +34,11 @@ class Table:
     d: tuple[float, ...]
 
     def links(self, lengths: FloatArray, offsets: FloatArray) -> FloatArray:
-        """What stands between the joints, (5, 4, 4).
+        """What stands between the joints, (n - 1, 4, 4).
 
         Args:
             lengths: In the place of all that are not zero: of a, then of d.
-            offsets: What each angle but the first and the last is more, (4,).
+            offsets: What each angle but the first and the last is more, (n - 2,).
         """
         a, d = self.filled(lengths)
         return np.array(
@@ -47,6 +47,11 @@ class Table:
                 for k, offset in enumerate([0.0, *map(float, offsets)])
             ]
         )
+
+    @property
+    def joints(self) -> int:
+        """The number of axes."""
+        return len(self.alpha) + 1
 
     @property
     def lengths(self) -> FloatArray:

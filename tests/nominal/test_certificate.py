@@ -11,7 +11,7 @@ from dhgen.nominal.nominal import Nominal, nominal_arm
 from dhgen.program.interpret import outputs
 from dhgen.robot.load import load_text
 from dhgen.targets.reserved import RESERVED
-from tests.nominal.twins import twin
+from tests.nominal.twins import seven, twin
 
 POSES = 3000
 
@@ -26,24 +26,35 @@ def rotations(rng: np.random.Generator, angle: float, count: int) -> np.ndarray:
     return np.asarray(np.eye(3) + np.sin(angle) * K + (1.0 - np.cos(angle)) * (K @ K))
 
 
-def solved(nominal: Nominal, poses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def solved(nominal: Nominal, poses: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Which rows there are, (N, rows), and at which poses they are said to be all."""
-    found = outputs(nominal.regular.program, poses)
-    rows = np.broadcast_arrays(*found[:6])
+    found = outputs(nominal.regular.program, poses, free=free)
+    dof = nominal.chain.dof
+    rows = np.broadcast_arrays(*found[:dof])
     exists = ~np.isnan(np.array(rows)).any(axis=0).reshape(len(poses), -1)
-    doubts = [each.reshape(len(poses), -1).any(axis=1) for each in found[6:]]
+    doubts = [each.reshape(len(poses), -1).any(axis=1) for each in found[dof:]]
     return exists, ~np.any(doubts, axis=0)
 
 
-@pytest.mark.parametrize(("name", "noise"), [("ur5e", 1e-4), ("puma560", 3e-4)])
-def test_rows_are_the_same_all_around(name: str, noise: float) -> None:
-    chain = build_chain(load_text(twin(name, noise), "twin.yaml"))
+@pytest.mark.parametrize(
+    "text",
+    [
+        twin("ur5e", 1e-4),
+        twin("puma560", 3e-4),
+        seven("shoulder_missed"),
+        seven("wrist_missed"),
+    ],
+    ids=["ur5e", "puma560", "shoulder", "wrist"],
+)
+def test_rows_are_the_same_all_around(text: str) -> None:
+    chain = build_chain(load_text(text, "twin.yaml"))
     nominal = nominal_arm(chain, RESERVED)
     assert nominal is not None
     rng, nearest = np.random.default_rng(3), nominal.nearest
-    q = rng.uniform(-np.pi, np.pi, (POSES, 6))
+    q = rng.uniform(-np.pi, np.pi, (POSES, chain.dof))
+    free = q[:, [number - 1 for number in chain.free]]
     T = np.array(nearest.left) @ numeric_arm(chain).pose(q) @ np.array(nearest.right)
-    exists, certain = solved(nominal, T)
+    exists, certain = solved(nominal, T, free)
     assert 0.5 < certain.mean() < 0.97
     differs = np.zeros(POSES, bool)
     for _ in range(20):
@@ -52,6 +63,6 @@ def test_rows_are_the_same_all_around(name: str, noise: float) -> None:
         way = rng.normal(size=(POSES, 3))
         way *= nearest.deviation.length / np.linalg.norm(way, axis=1)[:, None]
         other[:, :3, 3] += way
-        differs |= (solved(nominal, other)[0] != exists).any(axis=1)
+        differs |= (solved(nominal, other, free)[0] != exists).any(axis=1)
     assert not differs[certain].any()
     assert differs[~certain].sum() > 5  # poses at which branches end near by are found at all

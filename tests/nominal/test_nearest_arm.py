@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -11,7 +12,10 @@ from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.nominal.nearest import Nearest, nearest_arm
 from dhgen.robot.load import load, load_text
-from tests.nominal.twins import ROBOTS, twin
+from tests.nominal.twins import ROBOTS, seven, twin
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
 
 
 def turn(angle: float, axis: str) -> np.ndarray:
@@ -34,7 +38,20 @@ def pose(nearest: Nearest, q: np.ndarray) -> np.ndarray:
     angles = q + np.array(nearest.offsets)
     for angle, d, a, alpha in zip(angles, table.d, table.a, table.alpha, strict=False):
         T = T @ turn(angle, "z") @ moved(a, d) @ turn(alpha, "x")
-    return np.asarray(T @ turn(angles[5], "z") @ np.linalg.inv(np.array(nearest.right)))
+    return np.asarray(T @ turn(angles[-1], "z") @ np.linalg.inv(np.array(nearest.right)))
+
+
+def most_apart(chain: Chain, nearest: Nearest) -> np.ndarray:
+    """The most that the tools are turned and moved by [rad, length] at random joint values."""
+    rng, most, arm = np.random.default_rng(2), np.zeros(2), numeric_arm(chain)
+    for _ in range(300):
+        angles = rng.uniform(-np.pi, np.pi, chain.dof)
+        T = arm.pose(np.array(chain.drives.back(list(angles))))
+        off = pose(nearest, angles)
+        chord = np.linalg.norm(T[:3, :3] - off[:3, :3]) / math.sqrt(2.0)
+        angle = 2.0 * math.asin(0.5 * chord)
+        most = np.maximum(most, np.array([angle, np.linalg.norm(T[:3, 3] - off[:3, 3])]))
+    return most
 
 
 @pytest.mark.parametrize("noise", [1e-6, 1e-4, 1e-3])
@@ -42,20 +59,26 @@ def pose(nearest: Nearest, q: np.ndarray) -> np.ndarray:
 def test_no_pose_is_farther_away(name: str, noise: float) -> None:
     """Offsets of the joints are nobody's: q counts from where the arm's angles are zero."""
     chain = build_chain(load_text(twin(name, noise), "twin.yaml"))
-    nearest, arm = nearest_arm(chain), numeric_arm(chain)
+    nearest = nearest_arm(chain)
     assert nearest is not None
-    rng, most = np.random.default_rng(2), np.zeros(2)
-    for _ in range(300):
-        angles = rng.uniform(-np.pi, np.pi, 6)
-        T = arm.pose(np.array(chain.drives.back(list(angles))))
-        off = pose(nearest, angles)
-        chord = np.linalg.norm(T[:3, :3] - off[:3, :3]) / math.sqrt(2.0)
-        angle = 2.0 * math.asin(0.5 * chord)
-        most = np.maximum(most, np.array([angle, np.linalg.norm(T[:3, 3] - off[:3, 3])]))
+    most = most_apart(chain, nearest)
     bound = np.array([nearest.deviation.angle, nearest.deviation.length])
     assert (most < bound).all()
     assert (most > 0.2 * bound).all()  # the bound is not an idle one
     assert (bound < 10.0 * noise).all()
+
+
+@pytest.mark.parametrize(
+    ("name", "missed"), [("shoulder_missed", 0.00088), ("wrist_missed", 0.0003)]
+)
+def test_what_lengths_miss_a_point_by_adds_up(name: str, missed: float) -> None:
+    """Lengths that differ, and nothing else, move the tool by their sum at most."""
+    chain = build_chain(load_text(seven(name), "seven.yaml"))
+    nearest = nearest_arm(chain)
+    assert nearest is not None
+    assert nearest.deviation.length == pytest.approx(missed, abs=2e-9)
+    assert nearest.deviation.angle == pytest.approx(0.0, abs=2e-9)
+    assert 0.8 * missed < most_apart(chain, nearest)[1] < nearest.deviation.length
 
 
 def test_structures() -> None:

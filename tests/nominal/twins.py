@@ -12,6 +12,32 @@ from dhgen.robot.load import load
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 
 
+# An iiwa 14 whose axes 1, 2 and 3, or 5, 6 and 7, miss one point; joint 3, which counts backwards
+# from an odd angle, is given.
+SEVEN = """\
+name: {name}
+title: seven joints
+source: made up
+joints:
+  - {{theta: q, d: 0.36, a: {shoulder}, alpha: -pi/2}}
+  - {{theta: q, d: 0, a: 0, alpha: pi/2}}
+  - {{theta: -q + 0.3, d: 0.42, a: {shoulder}, alpha: pi/2}}
+  - {{theta: q, d: 0, a: 0, alpha: -pi/2}}
+  - {{theta: q, d: 0.4, a: {wrist}, alpha: -pi/2}}
+  - {{theta: q, d: 0, a: 0, alpha: pi/2}}
+  - {{theta: q, d: 0.126, a: 0, alpha: 0}}
+free: [3]
+task: pose
+"""
+MISSED = {"shoulder_missed": (0.00044, 0.0), "wrist_missed": (0.0, 0.0003)}
+
+
+def seven(name: str) -> str:
+    """The robot file of an arm of seven joints that misses a structure."""
+    shoulder, wrist = MISSED[name]
+    return SEVEN.format(name=name, shoulder=shoulder, wrist=wrist)
+
+
 def twin(name: str, noise: float, seed: int = 1) -> str:
     """The robot file of an arm whose table has normal errors [rad, file's unit]."""
     table = link_table(load(ROBOTS / f"{name}.yaml"))

@@ -35,6 +35,7 @@ def nearest_blocks(nominal: Nominal | None, unit: str) -> list[Block]:
         table=[_table(nominal.nearest)],
         length=f"{short_number(nominal.nearest.deviation.length, 2)} {unit}",
         angle=f"{short_number(nominal.nearest.deviation.angle, 2)} rad",
+        given=", those that the caller gives among them," if nominal.chain.free else "",
         order=_order(nominal),
         rows=nominal.solver.rows,
         last=f"{plain('general.correct').LAST_CORRECTION:.0e}".replace("e-0", "e-"),
@@ -67,7 +68,11 @@ def _table(nearest: Nearest) -> Table:
         )
         for place in range(len(table.alpha))
     ]
-    last = (say("6"), *_cells(5, 0.0, 0.0), say("{}", Symbol("0", "0")))
+    last = (
+        say(f"{table.joints}"),
+        *_cells(table.joints - 1, 0.0, 0.0),
+        say("{}", Symbol("0", "0")),
+    )
     header = (say("joint"), *(say("{}", Symbol(*column)) for column in _COLUMNS))
     return Table(header, (*rows, last))
 

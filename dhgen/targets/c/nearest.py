@@ -22,6 +22,7 @@ class CNearest:
         left: What stands before a pose to make it this arm's.
         right: What stands behind it.
         offsets: What its angles are more than those of the loop.
+        places: Of the joints that are solved for among all.
     """
 
     regular: CRegular
@@ -29,6 +30,7 @@ class CNearest:
     left: str
     right: str
     offsets: str
+    places: str
 
 
 def nearest_module(module: SolverModule) -> SolverModule | None:
@@ -64,5 +66,6 @@ def c_nearest(module: SolverModule, flats: Flats | None) -> CNearest | None:
         rows=own.solver.rows,
         left=rigid(nearest.left),
         right=rigid(nearest.right),
-        offsets=row(nearest.offsets),
+        offsets=row([nearest.offsets[place] for place in own.chain.solved_places]),
+        places=", ".join(map(str, own.chain.solved_places)),
     )

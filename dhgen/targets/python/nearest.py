@@ -20,29 +20,36 @@ class PythonNearest:
     Attributes:
         formulas: Its regular poses.
         filled: How many numbers these fill in: the joints' values, and a status for each row.
+        given: How many values the caller gives.
         left: What stands before a pose to make it this arm's.
         right: What stands behind it.
         offsets: What its angles are more than those of the loop.
+        solved: The places of the joints that are solved for.
     """
 
     formulas: Formulas
     filled: int
+    given: int
     left: str
     right: str
     offsets: str
+    solved: str
 
 
 def python_nearest(module: SolverModule, flat: Flat) -> PythonNearest:
     """What the templates name of it."""
     assert module.nominal is not None
-    nearest, formulas = module.nominal.nearest, formulas_of(flat, 0)
+    nearest, chain = module.nominal.nearest, module.nominal.chain
+    formulas, solved = formulas_of(flat, chain.given), chain.solved_places
     values = {value for group in flat.groups for value in group}
     return PythonNearest(
         formulas=formulas,
         filled=len(values) + len(flat.choices),
+        given=chain.given,
         left=repr(_twelve(nearest.left)),
         right=repr(_twelve(nearest.right)),
-        offsets=repr(nearest.offsets),
+        offsets=repr(tuple(nearest.offsets[place] for place in solved)),
+        solved=repr(solved),
     )
 
 

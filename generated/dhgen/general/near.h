@@ -8,10 +8,12 @@
 #include "loop.h"
 
 /* The nearest arm with a structure: what stands before and behind a pose T to make it this arm's,
- * three rows of four, and what its angles are more than those of the loop. */
+ * three rows of four, and what its angles are more than those of the loop; which of its joints are
+ * those of the loop. */
 typedef struct {
     int rows;
     double left[12], right[12], offsets[6];
+    int place[6];
 } dhgen_nearest_arm;
 
 /* Its rows at a pose; negative where a branch may end between there and the arm's pose. */
@@ -20,10 +22,10 @@ typedef int dhgen_nearest_rows(
 
 /* Angles of the loop near which all solutions are, one near each. Returns how many; 0 where that is
  * not certain. */
-DHGEN_FN int dhgen_near_solutions(
-    const dhgen_nearest_arm *arm, dhgen_nearest_rows *solve, const double *T, double (*nearby)[6])
+DHGEN_FN int dhgen_near_solutions(const dhgen_nearest_arm *arm, dhgen_nearest_rows *solve,
+    const double *T, const double *free_joints, double (*nearby)[6])
 {
-    double pose[16], q[16][6];
+    double pose[16], q[16][DHGEN_DOF];
     unsigned char status[16];
     int count = 0;
     dhgen_compose(arm->left, T, pose);
@@ -31,13 +33,13 @@ DHGEN_FN int dhgen_near_solutions(
     for (int i = 12; i < 16; i++) {
         pose[i] = T[i];
     }
-    if (solve(pose, NULL, q[0], status) <= 0) {
+    if (solve(pose, free_joints, q[0], status) <= 0) {
         return 0;
     }
     for (int row = 0; row < arm->rows; row++) {
         if (status[row] == DHGEN_OK) {
             for (int i = 0; i < 6; i++) {
-                nearby[count][i] = q[row][i] - arm->offsets[i];
+                nearby[count][i] = q[row][arm->place[i]] - arm->offsets[i];
             }
             count++;
         }

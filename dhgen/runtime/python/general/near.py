@@ -35,7 +35,7 @@ def near_solutions(filled: Floats, places: Ints, offsets: Floats) -> Floats:
 
     Args:
         filled: What the formulas of regular poses fill in: joints' values, then statuses.
-        places: Of the joints' values of each row, (rows, 6).
+        places: Of the values of the loop's joints in each row, (rows, 6).
         offsets: What angles of the nearest arm are more than those of the loop.
     """
     rows, count = len(places), 0
