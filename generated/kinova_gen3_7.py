@@ -1112,7 +1112,7 @@ def _nearby(pose, q_free):
     """Joint values near which all solutions are, one near each; none where that is not certain."""
     kept, turns, rows = np.zeros(51), np.zeros(50), np.zeros(44)
     _nearest.near_pose(pose, _LEFT, _RIGHT, kept)
-    kept[16:17] = q_free
+    kept[16:17] = q_free[:1]
     _formulas(kept, turns, rows, len(kept) // 51)
     if kept[17] != 0.0:
         return np.empty((0, 6))
