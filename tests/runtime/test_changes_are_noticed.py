@@ -9,6 +9,7 @@ import json
 import os
 import subprocess
 import sys
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,7 +18,7 @@ import pytest
 from tests.compiling import written
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
 ROOT = Path(__file__).resolve().parents[2]
 PLANAR = ROOT / "robots" / "planar_rr.yaml"
@@ -58,37 +59,41 @@ def ask(folder: Path, name: str) -> Mapping[str, float]:
     return answer
 
 
-def change(path: Path, right: str, wrong: str) -> None:
+@contextmanager
+def changed(path: Path, right: str, wrong: str) -> Iterator[None]:
     text = path.read_text(encoding="utf-8")
     assert text.count(right) == 1
     path.write_text(text.replace(right, wrong), encoding="utf-8")
+    yield
+    path.write_text(text, encoding="utf-8")
 
 
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    """A robot and the runtime, with numba's cache filled."""
-    written(PLANAR, tmp_path)
-    first = ask(tmp_path, "planar_rr")
+@pytest.fixture(scope="module")
+def asked(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Mapping[str, float]]:
+    """A robot and the runtime, with numba's cache filled; and what it answers."""
+    folder = tmp_path_factory.mktemp("asked")
+    written(PLANAR, folder)
+    first = ask(folder, "planar_rr")
     assert first["compiled"] > 0
     assert first["reached"] == pytest.approx(0.4)
     assert first["first"] == pytest.approx(40.0, abs=3.2)
-    again = ask(tmp_path, "under_another_name")
+    again = ask(folder, "under_another_name")
     assert again == {**first, "compiled": 0}
-    return tmp_path
+    return folder, first
 
 
-def test_a_tolerance_of_the_runtime(folder: Path) -> None:
+def test_a_tolerance_of_the_runtime(asked: tuple[Path, Mapping[str, float]]) -> None:
     """Angles are not moved near to a seed that is farther away than this."""
-    change(folder / "dhgen_runtime" / "tolerances.py", "FAR_ANGLE = 1e5\n", "FAR_ANGLE = 1e1\n")
-    for name in ("planar_rr", "under_another_name"):
-        answer = ask(folder, name)
-        assert abs(answer["first"]) < 3.2
-        assert answer["reached"] == pytest.approx(0.4)
+    tolerances = asked[0] / "dhgen_runtime" / "tolerances.py"
+    with changed(tolerances, "FAR_ANGLE = 1e5\n", "FAR_ANGLE = 1e1\n"):
+        for name in ("planar_rr", "under_another_name"):
+            answer = ask(asked[0], name)
+            assert abs(answer["first"]) < 3.2
+            assert answer["reached"] == pytest.approx(0.4)
 
 
-def test_a_constant_of_a_robot(folder: Path) -> None:
-    elbow = ask(folder, "planar_rr")["elbow"]
-    change(folder / "planar_rr.py", "\nk1 = 0.25 ", "\nk1 = 0.26 ")
-    for name in ("planar_rr", "under_another_name"):
-        answer = ask(folder, name)
-        assert abs(answer["elbow"] - elbow) > 1e-3
+def test_a_constant_of_a_robot(asked: tuple[Path, Mapping[str, float]]) -> None:
+    folder, first = asked
+    with changed(folder / "planar_rr.py", "\nk1 = 0.25 ", "\nk1 = 0.26 "):
+        for name in ("planar_rr", "under_another_name"):
+            assert abs(ask(folder, name)["elbow"] - first["elbow"]) > 1e-3
