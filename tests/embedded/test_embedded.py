@@ -13,7 +13,7 @@ from dhgen.atomic_write import write_files
 from dhgen.status import HELD, Status
 from dhgen.tolerances import SINGLE
 from tests.embedded.board import CORTEX_M4, CORTEX_M7, MISSING, answers, compiled
-from tests.targets.made import NAMES, apart, made, poses_of, residual, robot
+from tests.targets.made import NAMES, apart, folder, made, poses_of, residual, robot
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -73,35 +73,36 @@ def test_solves_on_the_board(name: str, board: str, real: type, tmp_path: Path) 
         np.testing.assert_allclose(answer.T, pose, atol=10 * miss)
 
 
+@cache
+def object_of(name: str, suffix: str) -> Path:
+    """For a Cortex-M4; in single precision nothing may become double by itself."""
+    source = folder() / f"{made(name).module.name}{suffix}.c"
+    warnings = ("-Wdouble-promotion", "-Wfloat-conversion") if suffix else ()
+    return compiled(CORTEX_M4, source, source.with_suffix(".m4.o"), "-O2", *warnings)
+
+
 @pytest.mark.parametrize("name", SMALL)
-def test_needs_nothing_but_libm(name: str, tmp_path: Path) -> None:
+def test_needs_nothing_but_libm(name: str) -> None:
     """What the object leaves undefined is libm's, the compiler's arithmetic, or copying."""
-    written(name, tmp_path)
     for suffix, functions in (("", LIBM), (SINGLE.suffix, {f"{each}f" for each in LIBM})):
-        made_object = compiled(CORTEX_M4, tmp_path / f"{name}{suffix}.c", tmp_path / "x.o", "-O2")
-        wanted = undefined(made_object)
+        wanted = undefined(object_of(name, suffix))
         arithmetic = {each for each in wanted if each.startswith("__aeabi_")}
         assert wanted - functions - COPYING <= arithmetic
         assert functions & wanted
 
 
 @pytest.mark.parametrize("name", SMALL)
-def test_single_precision_never_becomes_double(name: str, tmp_path: Path) -> None:
+def test_single_precision_never_becomes_double(name: str) -> None:
     """No soft arithmetic of doubles where the processor has none."""
-    written(name, tmp_path)
-    source = tmp_path / f"{name}{SINGLE.suffix}.c"
-    flags = ("-O2", "-Wdouble-promotion", "-Wfloat-conversion")
-    made_object = compiled(CORTEX_M4, source, tmp_path / "x.o", *flags)
-    assert [each for each in undefined(made_object) if each.startswith("__aeabi_d")] == []
+    wanted = undefined(object_of(name, SINGLE.suffix))
+    assert [each for each in wanted if each.startswith("__aeabi_d")] == []
 
 
 @pytest.mark.parametrize("name", SMALL)
-def test_uses_no_static_memory(name: str, tmp_path: Path) -> None:
+def test_uses_no_static_memory(name: str) -> None:
     """Constants lie with the code; nothing that could be written to is kept between calls."""
-    written(name, tmp_path)
     for suffix in ("", SINGLE.suffix):
-        source = tmp_path / f"{name}{suffix}.c"
-        sizes = sections(compiled(CORTEX_M4, source, tmp_path / "x.o", "-O2"))
+        sizes = sections(object_of(name, suffix))
         assert sizes[".text"] > 0
         assert {each: size for each, size in sizes.items() if each in STATIC and size} == {}
 
