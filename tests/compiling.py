@@ -10,9 +10,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from unittest.mock import patch
 
+import numba
+
 import dhgen.compiler
 from dhgen.atomic_write import write_files
-from dhgen.compiler import Compilation, compile_loaded
+from dhgen.compiler import Compilation, compile_loaded, worked_out
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import runtime_files
 from dhgen.verify.native import (
@@ -23,20 +25,41 @@ from dhgen.verify.native import (
     c_compiler,
     compile_solver,
 )
+from tests.derived import derived
 from tests.headers import VECTORS, read_before
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    import pytest
+
     from dhgen.targets.module import SolverModule
 
+# What a test demands of a command or of the library it demands of any poses: that verification sees
+# what is wrong is shown in tests/verify, with as many as there always are.
+FEW = 4
+PLAIN_C = Build("plain", ("-O0",))  # in place of the build for this machine, at a fifth of its time
 RUNTIME = Path(__file__).resolve().parents[1] / "generated" / "dhgen"
 _KEPT: list[tempfile.TemporaryDirectory[str]] = []
 
 
+def verify_little(patch: pytest.MonkeyPatch) -> None:
+    """Verification in plain Python, with few poses, and C that is compiled in no time."""
+    patch.setattr(numba.config, "DISABLE_JIT", True)
+    patch.setattr("dhgen.verify.verify.COUNT", FEW)
+    patch.setattr("dhgen.verify.verify.NATIVE", PLAIN_C)
+
+
 def compile_file(path: Path) -> Compilation:
     """What the compiler makes of a robot file."""
-    return compile_loaded(RobotFile.read(path))
+    with patch.object(dhgen.compiler, "derive", derived):
+        return compile_loaded(RobotFile.read(path))
+
+
+def module_of(path: Path) -> SolverModule:
+    """The programs alone, of which no text is made."""
+    with patch.object(dhgen.compiler, "derive", derived):
+        return worked_out(RobotFile.read(path))[1]
 
 
 def written(path: Path, folder: Path) -> Compilation:
@@ -68,7 +91,9 @@ def sharing(source: Path, build: Build) -> Build:
     build = with_vectors(build)
     if '#include "dhgen/general.h"' not in source.read_text("utf-8"):
         return build
-    return replace(build, flags=(*build.flags, "-DDHGEN_SHARED", *_runtime(build)))
+    alike = tuple(flag for flag in build.flags if not flag.startswith("-D"))  # but for the robot's
+    runtime = _runtime(replace(build, flags=alike))
+    return replace(build, flags=(*build.flags, "-DDHGEN_SHARED", *runtime))
 
 
 def with_vectors(build: Build) -> Build:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from dhgen.derivation import derivation_document
 from dhgen.derivation.story import Story
 from dhgen.kinematics.build import build_chain
-from dhgen.paul.derive import derive
 from dhgen.program.lowering.lower import lower
+from tests.derived import derived
 from tests.kinematics.values import table
 
 if TYPE_CHECKING:
@@ -22,5 +22,5 @@ def made_of(*rows: str, **sections: str) -> str:
 
 def made_for(robot: Robot) -> str:
     """The derivation of a robot."""
-    derivation = derive(build_chain(robot))
+    derivation = derived(build_chain(robot))
     return derivation_document(Story(robot, derivation, lower(derivation)), "robots/x.yaml")

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.story import Story
 from dhgen.kinematics.build import build_chain
-from dhgen.paul.derive import derive
 from dhgen.program.lowering.lower import lower
 from dhgen.robot.load import load
 from dhgen.targets.reserved import RESERVED
+from tests.derived import derived
 from tests.structures import STRUCTURES
 
 if TYPE_CHECKING:
@@ -51,5 +51,5 @@ def story(name: str) -> Story:
 
 def story_of(robot: Robot) -> Story:
     """The same of a robot that has no file."""
-    derivation = derive(build_chain(robot), numerical=robot.numerical)
+    derivation = derived(build_chain(robot), numerical=robot.numerical)
     return Story(robot, derivation, lower(derivation, reserved=RESERVED))

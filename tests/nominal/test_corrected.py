@@ -10,7 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.nominal.nominal import nominal_arm
+from dhgen.robot.load import load_text
+from dhgen.targets.reserved import RESERVED
 from dhgen.verify.native import C_FLAGS, PORTABLE, c_compiler
 from tests.compiling import library, written
 from tests.nominal.twins import seven, twin
@@ -78,16 +82,21 @@ joints:
 """
 
 
+@pytest.fixture(scope="module")
+def named(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with what is made of that file."""
+    folder = tmp_path_factory.mktemp("named")
+    (folder / "named.yaml").write_text(NAMED, encoding="utf-8")
+    assert written(folder / "named.yaml", folder).module.nominal is not None
+    return folder
+
+
 @pytest.mark.parametrize("flags", [(), ("-DNAMED_SCALAR",), ("-DNAMED_PLAIN",)])
-def test_numbers_of_both_arms_have_names_of_their_own(
-    flags: tuple[str, ...], tmp_path: Path
-) -> None:
-    (tmp_path / "named.yaml").write_text(NAMED, encoding="utf-8")
-    assert written(tmp_path / "named.yaml", tmp_path).module.nominal is not None
+def test_numbers_of_both_arms_have_names_of_their_own(flags: tuple[str, ...], named: Path) -> None:
     command = [str(c_compiler()), *C_FLAGS, "-Wshadow", *flags, "-c", "named.c", "-o", "named.o"]
-    subprocess.run(command, cwd=tmp_path, check=True)
+    subprocess.run(command, cwd=named, check=True)
 
 
-def test_arms_far_from_a_structure_have_no_nearest_one(tmp_path: Path) -> None:
+def test_arms_far_from_a_structure_have_no_nearest_one() -> None:
     """At errors of a millimetre hardly any pose of a UR5e is certain: that takes only time."""
-    assert compiled(twin("ur5e", 1e-3), tmp_path).module.nominal is None
+    assert nominal_arm(build_chain(load_text(twin("ur5e", 1e-3), "twin.yaml")), RESERVED) is None

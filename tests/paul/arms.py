@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.build import build_chain
-from dhgen.paul.derive import derive
 from dhgen.paul.equation import Equation, Origin
 from dhgen.paul.form_reader import FormReader
 from dhgen.paul.knowledge import initial_knowledge
@@ -19,6 +18,7 @@ from dhgen.paul.step import View
 from dhgen.paul.witness import build_witnesses
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.poses import random_joints
+from tests.derived import derived
 from tests.kinematics.values import algebra_of, constant_values, joint_values, matrix, number
 from tests.robots.cases import robot
 
@@ -39,7 +39,7 @@ Values = dict[str, float]
 @cache
 def derivation(name: str) -> Derivation:
     """The derivation of a robot in robots/."""
-    return derive(build_chain(robot(name)))
+    return derived(build_chain(robot(name)))
 
 
 def values_of(arm: Robot, pool: Pool, q: FloatArray) -> Values:

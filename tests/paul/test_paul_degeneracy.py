@@ -19,6 +19,7 @@ from dhgen.paul.types import CLOSED, QUARTIC
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import lower
 from dhgen.survey.oracle.search import solve
+from tests.derived import derived
 from tests.kinematics.values import table
 from tests.robots.cases import robot
 
@@ -68,9 +69,8 @@ EXACT = 1e-9
 CONSISTENT = 1e-5
 
 
-@cache
 def derivation(name: str) -> Derivation:
-    return derive(chain_of(name))
+    return derived(chain_of(name))
 
 
 @cache

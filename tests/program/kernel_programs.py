@@ -14,7 +14,6 @@ import numpy as np
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import Derivation
-from dhgen.paul.derive import derive
 from dhgen.paul.form import Length
 from dhgen.paul.kind import Kind
 from dhgen.paul.step import Step
@@ -25,6 +24,7 @@ from dhgen.program.lowering.types import KERNELS
 from dhgen.robot.load import load
 from dhgen.tolerances import TOLERANCES
 from tests.derivation.stories import ROBOTS
+from tests.derived import derived
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -41,7 +41,7 @@ PLACES = [f"t{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3)]
 @cache
 def pool() -> Pool:
     """Of the Stanford arm: it has turning joints and a sliding one."""
-    return derive(build_chain(load(ROBOTS / "stanford.yaml"))).pool
+    return derived(build_chain(load(ROBOTS / "stanford.yaml"))).pool
 
 
 def slide() -> Length:

@@ -15,7 +15,7 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.status import Status
 from dhgen.verify.demands import Demands
 from dhgen.verify.languages import Languages
-from tests.compiling import compile_file
+from tests.compiling import module_of
 from tests.general.files import without_derivation
 from tests.kinematics.values import table
 from tests.targets.made import ROBOTS
@@ -30,7 +30,7 @@ STRETCHED = np.array([0.3, 0.0])
 
 @cache
 def module() -> SolverModule:
-    return compile_file(ROBOTS / "planar_rr.yaml").module
+    return module_of(ROBOTS / "planar_rr.yaml")
 
 
 def compared(python: FloatArray, c: FloatArray, q: FloatArray, *, singular: bool) -> None:
@@ -73,7 +73,7 @@ def test_a_row_that_stands_alone_has_to_be_a_solution() -> None:
 
 def test_of_joint_values_that_are_one_each_language_may_give_its_own() -> None:
     """A Panda with its elbow folded: axes 3 and 5 are one line, and only q3 + q5 is fixed."""
-    demands = Demands(compile_file(ROBOTS / "franka_panda.yaml").module)
+    demands = Demands(module_of(ROBOTS / "franka_panda.yaml"))
     third, fourth, fifth = np.eye(7)[2:5]
     folded = np.array([0.2, 0.7, 0.9, 0.0, 2.6, 1.3, 0.4])
     bent = folded - fourth
