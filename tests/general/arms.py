@@ -6,18 +6,18 @@ import ctypes
 import math
 import subprocess
 import tempfile
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen import runtime
 from dhgen.atomic_write import write_files
 from dhgen.general.links import Link
 from dhgen.general.setup import setup
-from dhgen.runtime import c_runtime_files
 from dhgen.targets.c.general import general_sizes, general_source
-from tests.general.solved import solve
+from tests.general.solved import solve, solve_slowly
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -29,10 +29,20 @@ Row = tuple[float, float, float, float]  # theta [quarter turns, or rad], d, a, 
 Answer = tuple[np.ndarray, np.ndarray, bool]  # q (k, 6), residual (k,), certain
 
 QUARTER = {-1: (0.0, -1.0), 0: (1.0, 0.0), 1: (0.0, 1.0), 2: (-1.0, 0.0)}
+C_RUNTIME = Path(runtime.__file__).parent / "c"
 # -O1: compiling takes the time of these tests; test_silent_c and the generated arms have more.
+FLAGS = ("-std=c99", "-O1", "-march=native", "-fno-math-errno", "-fno-trapping-math", "-fPIC")
+COMMAND = ("gcc", *FLAGS, f"-I{C_RUNTIME}")
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
-SLOW_POSES = 3  # in plain Python
-FLAGS = ("-std=c99", "-O1", "-march=native", "-fno-math-errno", "-fno-trapping-math")
+NOWHERE = np.empty((0, 6))
+RUN = """
+int run(const double *T, double *nearby, int count, double *q, double *residual);
+int run(const double *T, double *nearby, int count, double *q, double *residual)
+{
+    double (*const starts)[6] = (double (*)[6])nearby, (*const rows)[6] = (double (*)[6])q;
+    return dhgen_general_solutions(&general, T, 0, starts, count, rows, residual);
+}
+"""
 
 # Angles that are integers count quarter turns.
 TABLES: dict[str, tuple[Row, ...]] = {
@@ -121,50 +131,63 @@ def gap(q: np.ndarray, other: np.ndarray) -> np.ndarray:
 
 
 @cache
-def compiled(name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
+def compiled(name: str, *flags: str) -> Callable[..., Answer]:
     """The C kernel of an arm."""
     return in_c(kernel(name), name, *flags)
 
 
-def in_c(known: GeneralKernel, name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
-    """The same of any kernel."""
+def in_c(known: GeneralKernel, name: str, *flags: str) -> Callable[..., Answer]:
+    """The same of any kernel, with what its traits leave of the runtime.
+
+    Called with a pose, and with joint values that are said to be near all solutions.
+    """
     sizes = ["#define DHGEN_DOF 6", f"#define DHGEN_ROWS {known.rows}"]
     sizes += general_sizes(name.upper(), known)
-    text = (
-        "\n".join([*sizes, '#include "dhgen/general.h"', general_source(known), ""])
-        + "int run(const double *T, double *q, double *residual);\n"
-        "int run(const double *T, double *q, double *residual)\n"
-        "{\n    double (*const rows)[6] = (double (*)[6])q;\n"
-        "    return dhgen_general_solutions(&general, T, 0, 0, 0, rows, residual);\n}\n"
-    )
+    text = "\n".join([*sizes, '#include "dhgen/general.h"', general_source(known), RUN])
     folder = Path(tempfile.mkdtemp())
-    write_files(folder, {"arm.c": text, **c_runtime_files()})
-    library = folder / "arm.so"
-    command = ["gcc", *FLAGS, *flags, "-shared", "-fPIC", "arm.c", "-o", str(library), "-lm"]
+    write_files(folder, {"arm.c": text})
+    command = [*COMMAND, *STRICT, *flags, "-shared", "arm.c", "-o", "arm.so", "-lm"]
     subprocess.run(command, check=True, cwd=folder)
-    run = ctypes.CDLL(str(library)).run
-    return lambda T: _answer(lambda *a: run(*(x.ctypes.data_as(ctypes.c_void_p) for x in a)), T)
+    return partial(_answer, ctypes.CDLL(str(folder / "arm.so")).run)
+
+
+def one_by_one(known: GeneralKernel) -> Callable[..., Answer]:
+    """The same without lanes, by a runtime that is compiled once for all kernels."""
+    return in_c(known, "arm", "-DDHGEN_SHARED", *_runtime_without_lanes())
+
+
+@cache
+def _runtime_without_lanes() -> tuple[str, ...]:
+    folder = Path(tempfile.mkdtemp())
+    objects = [str(folder / f"{name}.o") for name in ("dhgen", "general")]
+    for path in objects:
+        source = C_RUNTIME / "dhgen" / f"{Path(path).stem}.c"
+        flags = ("-DDHGEN_SHARED", "-DDHGEN_GENERAL_LANES=1", "-c", str(source), "-o", path)
+        subprocess.run([*COMMAND, *flags], check=True)
+    return tuple(objects)
 
 
 def doubtful_in_all_languages(known: GeneralKernel, poses: Sequence[np.ndarray]) -> int:
     """Of how many poses it is not certain that these are all solutions; C has the same as Python.
 
-    In lanes and one by one; in Python for the first poses.
+    In lanes and one by one; by numba, and in plain Python for the first pose.
     """
-    in_lanes, one_by_one = in_c(known, "arm", *STRICT), in_c(known, "arm", "-DARM_LANES=1")
-    doubtful = 0
+    in_lanes, alone, doubtful = in_c(known, "arm"), one_by_one(known), 0
     for number, T in enumerate(poses):
         q, residual, certain = in_lanes(T)
         assert (residual < 1e-10).all()
         doubtful += not certain
-        np.testing.assert_allclose(one_by_one(T)[0], q, atol=1e-8)
-        if number < SLOW_POSES:
-            np.testing.assert_allclose(solve(T, known).q, q, atol=1e-8)
+        np.testing.assert_allclose(alone(T)[0], q, atol=1e-8)
+        np.testing.assert_allclose(solve(T, known).q, q, atol=1e-8)
+        if number == 0:
+            np.testing.assert_allclose(solve_slowly(T, known).q, q, atol=1e-8)
     return doubtful
 
 
-def _answer(function: Callable[..., int], T: np.ndarray) -> Answer:
+def _answer(run: Callable[..., int], T: np.ndarray, nearby: np.ndarray = NOWHERE) -> Answer:
     q, residual = np.empty((16, 6)), np.empty(16)
-    count = function(np.ascontiguousarray(T, dtype=float), q, residual)
+    arrays = np.ascontiguousarray(T, dtype=float), np.ascontiguousarray(nearby), q, residual
+    pose, starts, *rows = (ctypes.c_void_p(each.ctypes.data) for each in arrays)
+    count = run(pose, starts, len(nearby), *rows)
     found = count if count >= 0 else -1 - count
     return q[:found], residual[:found], count >= 0

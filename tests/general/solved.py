@@ -1,4 +1,4 @@
-"""The loop's solutions for a kernel, by the runtime in plain Python."""
+"""The loop's solutions for a kernel, by the runtime as numba compiles it once for all arms."""
 
 from __future__ import annotations
 
@@ -11,16 +11,23 @@ from dhgen.general.runtime_loop import runtime_loop
 from dhgen.kinematics.rigid import IDENTITY
 from dhgen.numerical.runtime_arm import twelve
 from dhgen.runtime.plain import plain
+from dhgen.runtime.python.general import search
 from dhgen.runtime.python.general.arm import general_numbers
+from dhgen.runtime.python.general.candidates import PLACES
+from dhgen.runtime.python.general.loop import close, vanishing
 from dhgen.runtime.python.general.tables import SAMPLE_C, SAMPLE_S
+from dhgen.runtime.python.jit import of_file
 from dhgen.runtime.python.numerical.arm import Arm, ChainJoint, Joint
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from dhgen.arrays import FloatArray
     from dhgen.general.kernel import GeneralKernel
     from dhgen.kinematics.chain import Chain
+
+OWN = of_file(__file__)
+solve_loop, from_nearby, attempt = search.solve_loop, search._from_nearby, search._try
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,28 +91,68 @@ def numbers(kernel: GeneralKernel) -> FloatArray:
 
 def solve(T: np.ndarray, kernel: GeneralKernel, free: Sequence[float] = ()) -> Solved:
     """All solutions of T = C0 J1(q1) C1 ... J6(q6) C6."""
-    flat, given = _pose(T, kernel), np.array(free, dtype=float)
-    q, residual = np.empty((kernel.rows, 6)), np.empty(kernel.rows)
+    return _solved(T, kernel, free, np.empty((0, 6)), _solve_loop)
+
+
+def solve_slowly(
+    T: np.ndarray,
+    kernel: GeneralKernel,
+    free: Sequence[float] = (),
+    nearby: FloatArray | None = None,
+) -> Solved:
+    """The same in plain Python, as the compiler itself runs it.
+
+    Args:
+        T: The pose.
+        kernel: The arm.
+        free: Values of joints that are given.
+        nearby: Joint values (k, 6) that are said to be near all solutions, one near each.
+    """
+    starts = np.empty((0, 6)) if nearby is None else np.ascontiguousarray(nearby)
     with np.errstate(divide="ignore", invalid="ignore"):  # as compiled code divides
-        count = plain("general.search").solve_loop(
-            numbers(kernel), flat, given, np.empty((0, 6)), q, residual
-        )
+        return _solved(T, kernel, free, starts, plain("general.search").solve_loop)
+
+
+def _solved(
+    T: np.ndarray,
+    kernel: GeneralKernel,
+    free: Sequence[float],
+    nearby: FloatArray,
+    solve_loop: Callable[..., int],
+) -> Solved:
+    q, residual = np.empty((kernel.rows, 6)), np.empty(kernel.rows)
+    given = np.array(free, dtype=float)
+    count = solve_loop(numbers(kernel), _pose(T, kernel), given, nearby, q, residual)
     found = count if count >= 0 else -1 - count
     return Solved(q[:found], residual[:found], count >= 0)
 
 
 def is_complete(T: np.ndarray, kernel: GeneralKernel, free: Sequence[float] = ()) -> bool:
     """Whether a certificate, or poses close by, show all solutions, be some of them singular."""
-    search, arm, given = plain("general.search"), numbers(kernel), np.array(free, dtype=float)
-    places = search.PLACES
-    useless = plain("general.loop").vanishing(arm, given)
-    closed = plain("general.loop").close(arm, _pose(T, kernel), given)
-    q, residual, marks = np.empty((places, 6)), np.empty(places), np.zeros(places, np.int64)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        complete, count = search._try(arm, closed, useless, q, residual, marks, np.zeros(1, int))
-        if not complete:
-            complete, _ = search._from_nearby(arm, closed, useless, q, residual, marks, count)
-    return bool(complete)
+    return bool(_is_complete(numbers(kernel), _pose(T, kernel), np.array(free, dtype=float)))
+
+
+@OWN.jit
+def _solve_loop(
+    arm: FloatArray,
+    T: FloatArray,
+    free: FloatArray,
+    nearby: FloatArray,
+    q: FloatArray,
+    residual: FloatArray,
+) -> int:
+    return solve_loop(arm, T, free, nearby, q, residual)
+
+
+@OWN.jit
+def _is_complete(arm: FloatArray, T: FloatArray, free: FloatArray) -> bool:
+    useless, closed = vanishing(arm, free), close(arm, T, free)
+    q, residual, marks = np.empty((PLACES, 6)), np.empty(PLACES), np.zeros(PLACES, np.int64)
+    doubles = np.zeros(1, np.int64)
+    complete, count = attempt(arm, closed, useless, q, residual, marks, doubles)
+    if not complete:
+        complete, count = from_nearby(arm, closed, useless, q, residual, marks, count)
+    return complete
 
 
 def _pose(T: np.ndarray, kernel: GeneralKernel) -> FloatArray:

@@ -2,83 +2,47 @@
 
 from __future__ import annotations
 
-import ctypes
-import subprocess
-import tempfile
-from functools import cache
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
 
-from dhgen.atomic_write import write_files
-from dhgen.runtime import c_runtime_files
-from dhgen.runtime.plain import plain
-from dhgen.targets.c.general import general_sizes, general_source
-from tests.general.arms import FLAGS, STRICT, compiled, gap, kernel, poses
-from tests.general.solved import numbers
+from tests.general.arms import compiled, gap, kernel, one_by_one, poses
+from tests.general.solved import solve_slowly
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.general.arms import Answer
 
 ARMS = ("general", "xarm6", "manseur_doty")
 OFF = 1e-3
-DRIVER = """
-int run(const double *T, double *nearby, int count, double *q, double *residual);
-int run(const double *T, double *nearby, int count, double *q, double *residual)
-{
-    double (*const starts)[6] = (double (*)[6])nearby, (*const rows)[6] = (double (*)[6])q;
-    return dhgen_general_solutions(&general, T, 0, starts, count, rows, residual);
-}
-"""
 
 
-@cache
-def library(name: str, *flags: str) -> ctypes.CDLL:
-    known = kernel(name)
-    sizes = ["#define DHGEN_DOF 6", f"#define DHGEN_ROWS {known.rows}"]
-    sizes += general_sizes("ARM", known)
-    text = "\n".join([*sizes, '#include "dhgen/general.h"', general_source(known), DRIVER])
-    folder = Path(tempfile.mkdtemp())
-    write_files(folder, {"arm.c": text, **c_runtime_files()})
-    command = ["gcc", *FLAGS, *flags, "-shared", "-fPIC", "arm.c", "-o", "arm.so", "-lm"]
-    subprocess.run(command, check=True, cwd=folder)
-    return ctypes.CDLL(str(folder / "arm.so"))
+def solver(name: str, how: str) -> Callable[..., Answer]:
+    return compiled(name) if how == "lanes" else one_by_one(kernel(name))
 
 
-def in_c(name: str, T: np.ndarray, nearby: np.ndarray, *flags: str) -> tuple[np.ndarray, int]:
-    q, residual = np.empty((16, 6)), np.empty(16)
-    T, nearby = np.ascontiguousarray(T), np.ascontiguousarray(nearby)
-    pointers = [ctypes.c_void_p(each.ctypes.data) for each in (T, nearby, q, residual)]
-    count = library(name, *flags).run(*pointers[:2], len(nearby), *pointers[2:])
-    return q[: count if count >= 0 else -1 - count], count
-
-
-def in_python(name: str, T: np.ndarray, nearby: np.ndarray) -> tuple[np.ndarray, int]:
-    q, residual = np.empty((16, 6)), np.empty(16)
-    arm, flat = numbers(kernel(name)), np.ascontiguousarray(T[:3]).ravel()
-    with np.errstate(divide="ignore", invalid="ignore"):  # as compiled code divides
-        count = plain("general.search").solve_loop(
-            arm, flat, np.zeros(0), np.ascontiguousarray(nearby), q, residual
-        )
-    return q[: count if count >= 0 else -1 - count], count
-
-
-@pytest.mark.parametrize("flags", [STRICT, ("-DARM_LANES=1",)], ids=["lanes", "one"])
+@pytest.mark.parametrize("how", ["lanes", "one"])
 @pytest.mark.parametrize("name", ARMS)
-def test_from_near_all(name: str, flags: tuple[str, ...]) -> None:
+def test_from_near_all(name: str, how: str) -> None:
     """Those that the elimination finds; but for rounding these are other numbers."""
-    rng, moved = np.random.default_rng(1), 0
+    rng, moved, solve = np.random.default_rng(1), 0, solver(name, how)
     for number, (_, T) in enumerate(poses(name, 40)):
         wanted, _, certain = compiled(name)(T)
         if not certain:
             continue
         nearby = wanted + rng.uniform(-OFF, OFF, wanted.shape)
-        found, count = in_c(name, T, nearby, *flags)
-        assert count == len(wanted)
+        found, _, certain = solve(T, nearby)
+        assert certain
+        assert len(found) == len(wanted)
         np.testing.assert_allclose(gap(found, wanted), 0.0, atol=1e-9)
         moved += not np.array_equal(found, wanted)
-        if number < 3:
-            slowly, count = in_python(name, T, nearby)
-            assert count == len(wanted)
-            np.testing.assert_allclose(gap(slowly, found), 0.0, atol=1e-10)
+        if number < 3 and how == "lanes":
+            slowly = solve_slowly(T, kernel(name), (), nearby)
+            assert slowly.certain
+            assert len(slowly.q) == len(wanted)
+            np.testing.assert_allclose(gap(slowly.q, found), 0.0, atol=1e-10)
     assert moved > 20
 
 
@@ -91,12 +55,12 @@ def test_two_that_lead_to_one_are_not_all(name: str) -> None:
             continue
         nearby = wanted + OFF
         nearby[1] = wanted[0] - OFF
-        found, count = in_c(name, T, nearby)
+        found, _, sure = compiled(name)(T, nearby)
         np.testing.assert_array_equal(found, wanted)
-        assert (count >= 0) == certain
+        assert sure == certain
         if number < 2:
-            slowly, _ = in_python(name, T, nearby)
-            np.testing.assert_allclose(gap(slowly, wanted), 0.0, atol=1e-8)
+            slowly = solve_slowly(T, kernel(name), (), nearby)
+            np.testing.assert_allclose(gap(slowly.q, wanted), 0.0, atol=1e-8)
 
 
 @pytest.mark.parametrize("name", ARMS)
@@ -107,5 +71,5 @@ def test_what_leads_nowhere(name: str) -> None:
         wanted, _, _ = compiled(name)(T)
         starts = np.full((1, 6), np.nan), rng.uniform(-np.pi, np.pi, (16, 6))
         for nearby in starts:
-            found, _ = in_c(name, T, nearby)
+            found, _, _ = compiled(name)(T, nearby)
             np.testing.assert_array_equal(found, wanted)

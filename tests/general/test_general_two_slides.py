@@ -17,7 +17,7 @@ from dhgen.paul.derive import derive
 from dhgen.program.interpret import interpret
 from dhgen.robot.load import load
 from dhgen.status import Status
-from tests.general.arms import STRICT, doubtful_in_all_languages, in_c
+from tests.general.arms import doubtful_in_all_languages, in_c
 from tests.general.files import (
     assert_all_solutions,
     compiled,
@@ -202,7 +202,7 @@ def test_beside_parallel_slides_there_are_solutions(tmp_path: Path) -> None:
     """
     chain = build_chain(written(tmp_path, list(FOLDING)))
     kernel, arm = known(chain), numeric_arm(chain)
-    compiled = in_c(kernel, "arm", *STRICT)
+    compiled = in_c(kernel, "arm")
     random = np.random.default_rng(6)
     for distance in (1e-6, 1e-5):
         for number, q in enumerate(random.uniform(-2.5, 2.5, (20, 6))):
