@@ -45,8 +45,12 @@ def test_a_folder_answers_as_itself(capsys: pytest.CaptureFixture[str]) -> None:
 
 @pytest.mark.parametrize("way", [(), pytest.param(("--python",), marks=pytest.mark.slow)])
 def test_a_changed_constant_is_noticed(
-    way: tuple[str, ...], changed: Path, capsys: pytest.CaptureFixture[str]
+    way: tuple[str, ...],
+    changed: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr("benchmarks.compare.__main__.PLAIN_POSES", 2)  # below numba's are asked for
     assert main([str(GENERATED), str(changed), "scara", *FEW, *way]) == 1
     told = capsys.readouterr().out
     for call in ("fk", "jacobian", "ik, without a seed", "ik_nearest, any seed", "ik_batch"):
