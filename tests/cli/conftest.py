@@ -6,11 +6,11 @@ import shutil
 import subprocess
 from typing import TYPE_CHECKING
 
-import numba
 import pytest
 
 from dhgen.cli import main
 from tests.cli.commands import PLANAR, dhgen
+from tests.compiling import verify_little
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -20,15 +20,14 @@ if TYPE_CHECKING:
 
 @pytest.fixture
 def run(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Run:
-    """The command in a folder, in this process; some poses are verified, in plain Python."""
+    """The command in a folder, in this process; few poses are verified, in plain Python."""
 
     def done(*words: str | Path, folder: Path) -> subprocess.CompletedProcess[str]:
         monkeypatch.chdir(folder)
         code = main(list(map(str, words)))
         return subprocess.CompletedProcess(words, code, *capfd.readouterr())
 
-    monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
-    monkeypatch.setattr("dhgen.verify.verify.COUNT", 20)
+    verify_little(monkeypatch)
     return done
 
 

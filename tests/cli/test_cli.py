@@ -9,7 +9,6 @@ import shutil
 from pathlib import Path
 from typing import NoReturn
 
-import numba
 import pytest
 
 from dhgen.cli import main
@@ -24,6 +23,7 @@ from tests.cli.commands import (
     full_disk,
     names,
 )
+from tests.compiling import verify_little
 
 
 def test_what_is_written(written: Path) -> None:
@@ -167,7 +167,7 @@ def test_what_fails_verification_is_not_written(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("dhgen.verify.demands.RESIDUAL", 1e-30)
-    monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
+    verify_little(monkeypatch)
     assert main([str(PLANAR)]) == 1
     told = capsys.readouterr().err
     assert "a row misses the pose" in told
@@ -196,7 +196,7 @@ def test_a_note_may_be_why_verification_fails(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("dhgen.verify.demands.RESIDUAL", 1e-30)
-    monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
+    verify_little(monkeypatch)
     Path("noted.yaml").write_text(
         PLANAR.read_text().replace("parameters: {", "parameters: {x: 1, ")
     )

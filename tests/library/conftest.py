@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numba
 import pytest
 
 import dhgen
+from tests.compiling import verify_little
 from tests.library.arms import PLANAR
 
 if TYPE_CHECKING:
@@ -40,8 +40,7 @@ def arm() -> dhgen.Arm:
 def solver(cache: Path, arm: dhgen.Arm, told: list[str]) -> dhgen.Solver:
     """A solver, kept for all tests."""
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(numba.config, "DISABLE_JIT", True)
-        patched.setattr("dhgen.verify.verify.COUNT", 20)
+        verify_little(patched)
         patched.setenv("DHGEN_CACHE_DIR", str(cache))
         return arm.build(progress=told.append)
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import numba
 import pytest
 
+from tests.compiling import verify_little
 from tests.library.notebook import cells, kept_outputs, outputs
 
 NOTEBOOKS = sorted((Path(__file__).resolve().parents[2] / "docs").glob("*.ipynb"))
@@ -26,6 +26,5 @@ def test_all_cells_were_run_in_their_order(path: Path) -> None:
 @pytest.mark.usefixtures("empty_cache")
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_cells_show_what_the_notebook_says(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
-    monkeypatch.setattr("dhgen.verify.verify.COUNT", 20)
+    verify_little(monkeypatch)
     assert outputs(path) == kept_outputs(path)
