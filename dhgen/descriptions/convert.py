@@ -10,11 +10,12 @@ from dhgen.descriptions.chain import choose_chain
 from dhgen.descriptions.compare import difference
 from dhgen.descriptions.free_joints import free_joints
 from dhgen.descriptions.lines import arm_of
-from dhgen.descriptions.mimic import demand_followed
+from dhgen.descriptions.mimic import demand_followed, with_followers_limits
 from dhgen.descriptions.misses import misses_note
 from dhgen.descriptions.snap import DEFAULT, LEAST, LITTLE, snap
 from dhgen.descriptions.table import cheapest_table, farthest_offset
 from dhgen.descriptions.write import (
+    MOST_TURNS,
     Heading,
     axes_text,
     identifier,
@@ -91,7 +92,8 @@ def convert(description: Description, wishes: Wishes) -> Import:
     if isinstance(wishes.free, tuple):
         _demand_joints(description, chain, wishes.free)
     near, little = (DEFAULT, LITTLE) if wishes.snap is None else (max(wishes.snap, LEAST),) * 2
-    snapped = snap(chain.joints, near, little)
+    joints, narrowed = with_followers_limits(chain.joints)
+    snapped = snap(joints, near, little)
     arm = arm_of(snapped.joints, near, little)
     demand_followed(description, chain.joints, arm.axes)
     heading = _heading(description, chain, free_joints(arm) if wishes.free is None else wishes.free)
@@ -104,6 +106,7 @@ def convert(description: Description, wishes: Wishes) -> Import:
     told = [
         *chain.notes,
         *_limit_notes(chain.actuated),
+        *narrowed,
         *_unit_notes(arm),
         *([] if off.is_rounding else [_snap_note(snapped, off, near)]),
         *filter(None, [misses_note(arm)]),
@@ -190,7 +193,10 @@ def _limit_notes(joints: tuple[Joint, ...]) -> list[str]:
     missing = [joint.name for joint in bounded if joint.limits is None or not any(joint.limits)]
     still = [j.name for j in bounded if j.limits and j.limits[0] == j.limits[1] != 0.0]
     swapped = [j.name for j in bounded if j.limits and j.limits[0] > j.limits[1]]
+    endless = [j.name for j in bounded if j.limits and _ends_once(j.limits)]
     notes = []
+    if endless:
+        notes.append(f"the limits of {', '.join(endless)} end on one side only: written without")
     if missing:
         notes.append(f"no limits are given for {', '.join(missing)}: written without")
     if still:
@@ -198,3 +204,9 @@ def _limit_notes(joints: tuple[Joint, ...]) -> list[str]:
     if swapped:
         notes.append(f"the limits of {', '.join(swapped)} are in the wrong order: exchanged")
     return notes
+
+
+def _ends_once(limits: tuple[float, float]) -> bool:
+    """Whether one of both ends is so far away that it is none, and the other is not."""
+    least, most = sorted(map(abs, limits))
+    return least <= MOST_TURNS < most

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
+from math import inf
 from typing import TYPE_CHECKING
 
+from dhgen.descriptions.model import Motion
 from dhgen.errors import RobotFileError
 from dhgen.robot.couplings import LARGEST_WHOLE
 from dhgen.robot.passive import MOST_TIMES
@@ -66,6 +69,52 @@ def _why_not(joint: Joint, axes: Sequence[Axis], places: dict[str, int]) -> str:
     if not factor.is_integer() or not 0.0 < factor <= MOST_TIMES:
         return f"{factor:g} times: a stage of a telescope follows another a whole number of times"
     return ""
+
+
+def with_followers_limits(joints: Sequence[Joint]) -> tuple[tuple[Joint, ...], list[str]]:
+    """The joints, drives inside the limits of what follows them too, and notes where that is less.
+
+    A joint that follows another one has no variable whose limits a file could hold, but what it may
+    do is what its drive may do, times a factor.
+
+    Args:
+        joints: From base to tip.
+    """
+    limits = {joint.name: _ends(joint) for joint in joints if joint.is_driven}
+    narrowed: dict[str, list[str]] = {}
+    notes = []
+    for joint in joints:
+        mimics = joint.mimics
+        if mimics is None or mimics.joint not in limits or not mimics.multiplier:
+            continue
+        ends = sorted((end - mimics.offset) / mimics.multiplier for end in _ends(joint))
+        low, high = limits[mimics.joint]
+        least, most = max(low, ends[0]), min(high, ends[1])
+        if least >= most:
+            notes.append(
+                f"the limits of {joint.name} exclude those of {mimics.joint}, which it follows "
+                "(mimic): left out"
+            )
+        elif (least, most) != (low, high):
+            limits[mimics.joint] = least, most
+            narrowed.setdefault(mimics.joint, []).append(joint.name)
+    inside = tuple(
+        replace(joint, limits=limits[joint.name]) if joint.name in narrowed else joint
+        for joint in joints
+    )
+    notes += [
+        f"the limits of {name} are narrower than its own: {' and '.join(followers)} "
+        f"follow{'s' * (len(followers) == 1)} it (mimic)"
+        for name, followers in narrowed.items()
+    ]
+    return inside, notes
+
+
+def _ends(joint: Joint) -> tuple[float, float]:
+    """Limits as they count, endless without any."""
+    low, high = sorted(joint.limits or (0.0, 0.0))
+    is_bounded = low < high and joint.motion is not Motion.CONTINUOUS
+    return (low, high) if is_bounded else (-inf, inf)
 
 
 def share_text(factor: float, row: int) -> str:

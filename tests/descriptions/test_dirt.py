@@ -134,6 +134,7 @@ def test_axes_nearly_parallel_become_axes_and_no_table() -> None:
         ('<limit lower="0.2" upper="0.2"/>', "are one for panda_joint1", None),
         ('<limit lower="-1e9" upper="1e9"/>', "", None),
         ('<limit lower="-inf" upper="inf"/>', "", None),
+        ('<limit lower="-inf" upper="2"/>', "panda_joint1 end on one side only", None),
         ('<limit upper="2"/>', "", "0, 2"),
         ('<limit lower="-1.5707963267948966" upper="2"/>', "", "-1.5707963267948966, 2"),
         ('<limit lower="-1.5707963267948966" upper="0"/>', "", "-90 deg, 0"),

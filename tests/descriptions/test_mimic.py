@@ -114,6 +114,38 @@ def test_gears_about_one_axis_are_ratios() -> None:
     assert made.difference.is_rounding
 
 
+def test_a_drive_keeps_the_limits_of_what_follows_it() -> None:
+    """The follower turns by 0.1 - 2 q: in -1 ... 1.5 for q in -0.7 ... 0.55."""
+    narrow = joint("gear", "l2", "l3", "xyz=0.5 0 0", mimic='"upper" multiplier="-2" offset="0.1"')
+    chain = (
+        joint("turn", "l0", "l1", "axis=0 0 1"),
+        joint("upper", "l1", "l2"),
+        narrow.replace('lower="-2" upper="2"', 'lower="-1" upper="1.5"'),
+        joint("fore", "l3", "l4"),
+        joint("end", "l4", "l5", "type=fixed,xyz=0.4 0 0"),
+    )
+    made = imported(*chain, tip="l5")
+    assert made.difference.is_rounding
+    limits = [each.limits for each in made.robot.joints]
+    np.testing.assert_allclose(np.array(limits, float), [[-2, 2], [-0.7, 0.55], [-2, 2]])
+    (note,) = (each for each in made.notes if "mimic" in each)
+    assert note == "the limits of upper are narrower than its own: gear follows it (mimic)"
+
+
+def test_limits_of_followers_that_exclude_those_of_the_drive_are_no_limits() -> None:
+    apart = 'lower="5" upper="6"'
+    gear = joint("gear", "l1", "l2", "xyz=0.5 0 0", mimic='"upper"')
+    made = imported(
+        joint("upper", "l0", "l1"),
+        gear.replace('lower="-2" upper="2"', apart),
+        joint("fore", "l2", "l3"),
+        joint("end", "l3", "l4", "type=fixed,xyz=0.4 0 0"),
+        tip="l4",
+    )
+    assert [each.limits for each in made.robot.joints] == [(-2.0, 2.0)] * 2
+    assert any(each.startswith("the limits of gear exclude those of upper") for each in made.notes)
+
+
 @pytest.mark.parametrize(
     ("mimic", "words", "reason"),
     [
