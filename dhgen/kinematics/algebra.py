@@ -12,9 +12,10 @@ from sympy.polys.rings import PolyRing
 
 from dhgen.kinematics.chain import Chain, Fixed, Slide, parallel_groups
 from dhgen.kinematics.normal import NormalForm, normal_form
-from dhgen.kinematics.passive import demand_sums
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from dhgen.kinematics.chain import Element
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
@@ -62,6 +63,16 @@ def _suffix(terms: tuple[tuple[int, int], ...]) -> str:
     )
 
 
+def _ways(angle: AngleSum) -> tuple[tuple[tuple[int, int], ...], tuple[tuple[int, int], ...]]:
+    """The terms of a sum, and those of what is opposite to it."""
+    return angle.terms, tuple((joint, -sign) for joint, sign in angle.terms)
+
+
+def _is_in(terms: tuple[tuple[int, int], ...], left: Mapping[int, int]) -> bool:
+    """Whether angles are among those that are left of a sum."""
+    return all(left.get(joint, 0) * sign > 0 for joint, sign in terms)
+
+
 @dataclass(frozen=True, slots=True)
 class Algebra:
     """A chain with its ring.
@@ -90,11 +101,41 @@ class Algebra:
         return self.ring.gens[self.index[name]]
 
     def cosine_sine(self, terms: tuple[tuple[int, int], ...]) -> tuple[Polynomial, Polynomial]:
-        """Cosine and sine of a signed sum of joint angles, in any order and with any first sign."""
-        ordered = tuple(sorted(terms))
-        sign = ordered[0][1]
-        angle = AngleSum(tuple((joint, sign * each) for joint, each in ordered))
+        """Cosine and sine of a signed sum of joint angles, in any order and with any first sign.
+
+        One that is no sum of consecutive parallel axes, as passive rows leave it, is written with
+        those of such sums.
+        """
+        first, *others = self._sums_in(terms)
+        cosine, sine = self._cosine_sine(first)
+        for each in others:
+            c, s = self._cosine_sine(each)
+            cosine, sine = (
+                self.normal(cosine * c - sine * s),
+                self.normal(sine * c + cosine * s),
+            )
+        return cosine, sine
+
+    def _cosine_sine(self, terms: tuple[tuple[int, int], ...]) -> tuple[Polynomial, Polynomial]:
+        sign = terms[0][1]
+        angle = AngleSum(tuple((joint, sign * each) for joint, each in terms))
         return self.generator(angle.cosine), sign * self.generator(angle.sine)
+
+    def _sums_in(self, terms: tuple[tuple[int, int], ...]) -> list[tuple[tuple[int, int], ...]]:
+        """The terms of a sum in as few sums of consecutive parallel axes as it is made of."""
+        ordered = tuple(sorted(terms))
+        angle = AngleSum(tuple((joint, ordered[0][1] * each) for joint, each in ordered))
+        if angle.cosine in self.index:
+            return [ordered]
+        left, found = dict(terms), []
+        longest = sorted(self.angles, key=lambda each: -len(each.terms))
+        while any(left.values()):
+            found.append(
+                next(part for each in longest for part in _ways(each) if _is_in(part, left))
+            )
+            for joint, sign in found[-1]:
+                left[joint] -= sign
+        return found
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -132,24 +173,22 @@ class Algebra:
 
 
 def build_algebra(chain: Chain) -> Algebra:
-    """The ring of an arm.
-
-    Raises:
-        UnsolvedError: Passive rows leave angles in the equations that no ring here has.
-    """
-    demand_sums(chain)
+    """The ring of an arm."""
     angles = tuple(
         AngleSum(tuple((joint, sign * run[start][1]) for joint, sign in run[start : end + 1]))
         for run in parallel_groups(chain)
         for start in range(len(run))
         for end in range(start, len(run))
     )
+    apart = [each for each in chain.passive if each.apart]
+    angles += tuple(AngleSum(each.terms) for each in apart if each.turns)
     slides = {
         element.joint: f"r{element.joint}"
         for link in chain.links
         for element in link
         if isinstance(element, Slide)
     }
+    slides |= {each.terms[0][0]: f"r{each.label}" for each in apart if not each.turns}
     trig = [name for angle in angles for name in (angle.cosine, angle.sine)]
     constants = [symbol.name for symbol in chain.ring.symbols]
     shoulder = [name for row in SHOULDER_NAMES for name in row] if chain.arm_angle else []

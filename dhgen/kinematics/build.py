@@ -29,13 +29,15 @@ from dhgen.kinematics.transform import (
     translation,
 )
 from dhgen.robot.expression import ZERO, evaluate, to_text
-from dhgen.robot.passive import followed
+from dhgen.robot.passive import followed, why_apart
 from dhgen.robot.robot import Convention, DhTable, JointKind
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
-    from dhgen.robot.passive import Followed
+    from dhgen.robot.expression import Expression
     from dhgen.robot.robot import DhRow, Frame, Robot
     from dhgen.robot.robot import SumLimit as SumOfFile
 
@@ -97,7 +99,10 @@ def _read(
     robot: Robot, geometry: DhTable, table: ConstantTable
 ) -> tuple[list[_RowCells], Transform, Transform]:
     rows = zip(geometry.labels, geometry.rows, strict=True)
-    cells = [_row_cells(label, row, geometry.driven, table) for label, row in rows]
+    cells = [
+        _row_cells(label, row, _offset(place, geometry.rows), table)
+        for place, (label, row) in enumerate(rows)
+    ]
     base = read_frame(robot.base, table, "z", "base frame")
     tool = read_frame(robot.tool, table, "e", "tool frame")
     return cells, base, tool
@@ -111,34 +116,52 @@ def _links(
     links: list[tuple[Element, ...]] = []
     waiting: tuple[Element, ...] = ()
     passive = 0
-    for label, row, row_cells in zip(geometry.labels, geometry.rows, cells, strict=True):
+    rows = enumerate(zip(geometry.labels, geometry.rows, cells, strict=True))
+    for place, (label, row, row_cells) in rows:
         if row.sign:
             number = len(links) + 1
             move = Turn(number) if row.kind is JointKind.REVOLUTE else Slide(number)
             links.append((*waiting, *_link(move, row_cells, geometry.convention, normal)))
             waiting = ()
             continue
-        motion = _passive(passive, label, followed(row, geometry.driven), row, parameters)
+        motion = _passive(passive, label, (place, geometry), parameters)
         passive += 1
         waiting = (*waiting, *_link(motion, row_cells, geometry.convention, normal))
-        if not modified or len(links) == len(geometry.driven):
+        if links and (not modified or len(links) == len(geometry.driven)):
             links[-1], waiting = (*links[-1], *waiting), ()
     return tuple(links)
 
 
 def _passive(
-    place: int, label: str, found: Followed, row: DhRow, parameters: dict[str, float]
+    number: int, label: str, of: tuple[int, DhTable], parameters: dict[str, float]
 ) -> Passive:
+    """A passive row by its place in a table."""
+    place, geometry = of
+    row, apart = geometry.rows[place], why_apart(place, geometry.rows)
+    turns = row.kind is JointKind.REVOLUTE
+    if apart:
+        own = len(geometry.driven) + 1 + number
+        offset = evaluate(row.offset, parameters)
+        return Passive(number, label, ((own, 1),), turns, _shares(row), offset, apart=apart)
+    found = followed(row, geometry.driven)
     terms = tuple((joint, int(times)) for joint, times in found.terms)
     constant = evaluate(row.offset, parameters) - evaluate(found.offset, parameters)
-    return Passive(place, label, terms, row.kind is JointKind.REVOLUTE, _shares(row), constant)
+    return Passive(number, label, terms, turns, _shares(row), constant)
 
 
-def _row_cells(
-    label: str, row: DhRow, driven: tuple[DhRow, ...], table: ConstantTable
-) -> _RowCells:
+def _offset(place: int, rows: Sequence[DhRow]) -> Expression:
+    """What is constant of a passive row's angle or length, and stands in its link.
+
+    A joint's offset is the joint's own; so is that of a row which is no sum of joints' values.
+    """
+    row = rows[place]
+    if row.sign or why_apart(place, rows):
+        return ZERO
+    return followed(row, [each for each in rows if each.sign]).offset
+
+
+def _row_cells(label: str, row: DhRow, offset: Expression, table: ConstantTable) -> _RowCells:
     revolute = row.kind is JointKind.REVOLUTE
-    offset = ZERO if row.sign else followed(row, driven).offset  # of a joint it is the joint's own
     still = offset if revolute else row.theta
     fixed = row.d if revolute else offset
     return _RowCells(

@@ -55,11 +55,13 @@ class Passive:
     Attributes:
         place: Which passive row of the chain it is, from zero.
         label: What it is called: 3p behind joint 3.
-        terms: The joints whose angles or lengths add up to its own, each with a whole number.
+        terms: The joints whose angles or lengths add up to its own, each with a whole number; a
+            number of its own, behind those of the joints, where it is `apart`.
         turns: Whether it turns.
         shares: What the drives add to it.
         offset: What is added to these shares, so that they are the sum of the terms.
         sign: What all that is multiplied by: -1 on the way back.
+        apart: Why its angle or length is no such sum, so that only least squares take it.
     """
 
     place: int
@@ -69,6 +71,7 @@ class Passive:
     shares: tuple[Share, ...]
     offset: float
     sign: int = 1
+    apart: str = ""
 
     @property
     def signed(self) -> tuple[tuple[int, int], ...]:
@@ -230,22 +233,26 @@ def parallel_groups(chain: Chain) -> tuple[tuple[tuple[int, int], ...], ...]:
 def turning_runs(chain: Chain) -> tuple[tuple[tuple[Turn | Passive, int], ...], ...]:
     """All that turns, in runs of axes that are always parallel, with directions.
 
-    The direction is +1 or -1, relative to the first axis of the run.
+    The direction is +1 or -1, relative to the first axis of the run. What is no sum of joints'
+    angles is a run of its own.
     """
     normal = normal_form(chain.ring, chain.constants, {})
     runs: list[list[tuple[Turn | Passive, int]]] = []
     since_first = still = identity(chain.ring)
+    ends = False
     for element in (element for link in chain.links for element in link):
         if isinstance(element, Fixed):
             turned = Transform(element.transform.rotation, still.translation)
             since_first = compose(since_first, turned, normal)
         elif isinstance(element, Turn) or (isinstance(element, Passive) and element.turns):
+            alone = isinstance(element, Passive) and bool(element.apart)
             facing = turn_between(since_first.rotation)
-            if facing and runs:
+            if facing and runs and not alone and not ends:
                 runs[-1].append((element, facing))
             else:
                 runs.append([(element, 1)])
                 since_first = still
+            ends = alone
     return tuple(tuple(run) for run in runs)
 
 

@@ -96,6 +96,7 @@ class _Scan:
     def _begin(self, terms: tuple[tuple[int, int], ...]) -> None:
         still = identity(self._algebra.ring)
         self._terms = terms
+        self._ends = False
         self._after = still.rotation
         self._origin = still.translation
 
@@ -106,6 +107,8 @@ class _Scan:
                 self._turn(((joint, sign),))
             case Slide(joint, sign):
                 self._slide(((joint, sign),))
+            case Passive() if element.apart and element.turns:
+                self._begin_alone(element.signed)
             case Passive():
                 (self._turn if element.turns else self._slide)(element.signed)
             case Fixed(transform):
@@ -116,12 +119,18 @@ class _Scan:
                 self._after = compose(turned, constant, self._algebra.normal).rotation
 
     def _turn(self, terms: tuple[tuple[int, int], ...]) -> None:
-        facing = turn_between(self._after)
+        facing = 0 if self._ends else turn_between(self._after)
         if not facing:
             self._prefix = self.result()
             self._begin(terms)
         else:
             self._terms = added_up((*self._terms, *((j, sign * facing) for j, sign in terms)))
+
+    def _begin_alone(self, terms: tuple[tuple[int, int], ...]) -> None:
+        """An angle with a letter of its own, which is added to no other."""
+        self._prefix = self.result()
+        self._begin(terms)
+        self._ends = True
 
     def _slide(self, terms: tuple[tuple[int, int], ...]) -> None:
         zero = self._algebra.ring.zero

@@ -5,13 +5,13 @@ from __future__ import annotations
 from math import inf
 from typing import TYPE_CHECKING
 
-from dhgen.errors import UnsolvedError
 from dhgen.kinematics.rigid import IDENTITY, multiply
 from dhgen.robot.robot import JointKind
 from dhgen.runtime.python.numerical.arm import Arm, ChainJoint, Joint
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
+    from dhgen.kinematics.chain import Chain, Passive
     from dhgen.kinematics.chain import ChainJoint as OwnJoint
     from dhgen.kinematics.numeric import NumericArm
     from dhgen.kinematics.rigid import Matrix
@@ -19,19 +19,10 @@ if TYPE_CHECKING:
 
 
 def runtime_arm(kernel: NumericalKernel) -> Arm:
-    """The arm of a kernel.
-
-    Raises:
-        UnsolvedError: Rows are passive, which the runtime's least squares know nothing of.
-    """
+    """The arm of a kernel."""
     chain = kernel.arm.chain
-    if chain.passive:
-        raise UnsolvedError(
-            "rows of this arm would have to be refined by least squares, which do not take passive "
-            "rows (those without q): ask for as much as the arm can choose, with equations in "
-            "closed form"
-        )
     base, *behind = _between_joints(kernel.arm)
+    rows = [element for element in kernel.arm.elements if isinstance(element, int)]
     return Arm(
         rows=kernel.rows,
         size=chain.size,
@@ -40,21 +31,36 @@ def runtime_arm(kernel: NumericalKernel) -> Arm:
         joints=tuple(map(_joint, chain.solved)),
         base=twelve(base),
         chain=tuple(
-            ChainJoint(
-                twelve(after),
-                _turns(joint),
-                float(joint.sign),
-                float(joint.offset),
-                tuple((share.drive - 1, share.factor) for share in joint.shares),
-            )
-            for joint, after in zip(chain.joints, behind, strict=True)
+            _link(chain, number, after) for number, after in zip(rows, behind, strict=True)
         ),
-        order=tuple(joint - 1 for joint in chain.drives.order) if chain.drives.are_coupled else (),
+        order=tuple(map(rows.index, _order(chain))),
         free=tuple(number - 1 for number in chain.free),
         redundant=kernel.redundant,
         checked=kernel.checked,
         arm_angle=kernel.elbow,
     )
+
+
+def _order(chain: Chain) -> list[int]:
+    """The numbers of joints and passive rows that drives of others move, as shares are added up."""
+    passive = [chain.dof + 1 + each.place for each in chain.passive]
+    return [*(chain.drives.order if chain.drives.are_coupled else ()), *passive]
+
+
+def _link(chain: Chain, number: int, after: Matrix) -> ChainJoint:
+    """A joint of the forward model; those beyond the last are passive rows."""
+    if number > chain.dof:
+        passive = chain.passive[number - chain.dof - 1]
+        return ChainJoint(
+            twelve(after), passive.turns, 0.0, float(passive.offset), _shares(passive)
+        )
+    joint = chain.joints[number - 1]
+    sign, offset = float(joint.sign), float(joint.offset)
+    return ChainJoint(twelve(after), _turns(joint), sign, offset, _shares(joint))
+
+
+def _shares(moved: OwnJoint | Passive) -> tuple[tuple[int, float], ...]:
+    return tuple((share.drive - 1, share.factor) for share in moved.shares)
 
 
 def twelve(K: Matrix) -> tuple[float, ...]:

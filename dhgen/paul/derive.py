@@ -17,6 +17,12 @@ from dhgen.paul.further_forms import with_arm_plane, with_inverse_forms
 from dhgen.paul.mobility import open_from_the_start, surplus
 from dhgen.paul.pool import Pool, build_pool
 from dhgen.paul.problem import build_problem
+from dhgen.paul.refusal.drives import (
+    demand_given_alone,
+    demand_sums,
+    demand_whole_turns,
+    is_given_alone,
+)
 from dhgen.paul.refusal.free_joint_advice import free_joint_advice
 from dhgen.paul.refusal.redundancy import redundant
 from dhgen.paul.refusal.size_limits import (
@@ -32,7 +38,6 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.kinematics.chain import Chain
-    from dhgen.numerical.kernel import NumericalKernel
     from dhgen.paul.step import EquationType
 
 ROWS, ROWS_OF_CHECKED = 8, 2
@@ -56,11 +61,16 @@ def derive(chain: Chain, *, numerical: bool = False, steps: Sequence[int] = ()) 
     if spare.count and not numerical:  # before its products, which of many joints fill the memory
         start = open_from_the_start(chain, spare)
         raise UnsolvedError(redundant(chain, spare, start, free_joint_advice(*start, derive)))
-    if not numerical:
+    if numerical:
+        demand_whole_turns(chain)
+    else:
         demand_few_given(chain)
+        demand_given_alone(chain)
+        demand_sums(chain)
     problem = build_problem(build_algebra(chain))
-    if spare.count or are_too_many_given(chain.given):
-        kernel = _numerical(chain, redundant=bool(spare.count))
+    apart = not is_given_alone(chain) or any(row.apart for row in chain.passive)
+    if apart or spare.count or are_too_many_given(chain.given):
+        kernel = numerical_kernel(chain, redundant=bool(spare.count))
         return Derivation(Pool(problem, (), ()), (), (), kernel)
     pool = build_pool(problem)
     if chain.arm_angle:
@@ -75,7 +85,7 @@ def derive(chain: Chain, *, numerical: bool = False, steps: Sequence[int] = ()) 
         other = _by_steps(Search(both, CLOSED), both)
         found = other if other is not None and _is_better(other, found) else found
     if found is None and numerical:
-        found = Derivation(pool, (), (), _numerical(chain, redundant=False))
+        found = Derivation(pool, (), (), numerical_kernel(chain, redundant=False))
     if found is not None:
         return _as_chosen(found, types, steps) if steps else found
     raise UnsolvedError(refusal(closed, chain))
@@ -88,17 +98,6 @@ def _demand_a_question(chain: Chain) -> None:
     if chain.arm_angle:
         demand_arm_angle(chain)
     demand_few_directions(chain)
-
-
-def _numerical(chain: Chain, *, redundant: bool) -> NumericalKernel:
-    """The kernel of the numerical solver.
-
-    Raises:
-        UnsolvedError: Rows are passive.
-    """
-    if chain.passive:
-        raise UnsolvedError("the numerical solver does not take passive rows (those without q)")
-    return numerical_kernel(chain, redundant=redundant)
 
 
 def _by_steps(search: Search, pool: Pool) -> Derivation | None:

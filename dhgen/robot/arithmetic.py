@@ -158,7 +158,7 @@ class _Parser:
         if "q" in self.values and _VARIABLE.fullmatch(name):
             end = self._variable(name)
         elif _NUMBERED.fullmatch(name) and any(map(_NUMBERED.fullmatch, self.values)):
-            end = f": there is no joint {int(name[1:])}"
+            end = self._numbered(name)
         error = self._error(node, f"unknown name {quoted(name)}{end}")
         raise UnknownNameError(name, error.message, error.span)
 
@@ -166,12 +166,25 @@ class _Parser:
         """The end of a message about a joint variable that is called otherwise, or that is none."""
         number = re.sub(r"\D", "", name)
         others = [each for each in self.values if _NUMBERED.fullmatch(each)]
+        if _NUMBERED.fullmatch(name) and self._is_passed(int(number)):
+            return self._numbered(name)
         if f"q{number}" in others:
             return f": the variable of joint {number} is called q{number}"
         named = set(_VARIABLE.findall(self.body)) - (self.values.keys() - {"q"})
         if len(named) == 1 or not number or 1 <= int(number) <= len(others) + 1:
             return ": in every row the joint's own variable is called q"
         return f": there is no joint {int(number)}"
+
+    def _numbered(self, name: str) -> str:
+        """The end of a message about the variable of a row that has none."""
+        number = int(name[1:])
+        passed = f": row {number} has no q, and so no variable"
+        return passed if self._is_passed(number) else f": there is no joint {number}"
+
+    def _is_passed(self, number: int) -> bool:
+        """Whether variables have lower and higher numbers, and none this one."""
+        numbers = [int(each[1:]) for each in self.values if _NUMBERED.fullmatch(each)]
+        return number >= 1 and number not in numbers and number < max(numbers, default=0)
 
     def _binary(self, node: ast.BinOp, operator: Operator, depth: int) -> _Part:
         left = self.part(node.left, depth + 1)

@@ -16,7 +16,7 @@ from dhgen.robot.robot import Convention, DhTable, Parameter, ReferenceAxes, Rob
 from dhgen.robot.schema import AxisRow, FrameEntry, JointRow, SumEntry, Units
 from dhgen.robot.shape import Shape
 from dhgen.robot.source import quoted
-from dhgen.robot.sums import read_sum
+from dhgen.robot.sums import check_once, read_sum
 from dhgen.robot.task import ANGLES, ARM_ANGLE, COORDINATES, Task, TaskKind
 
 if TYPE_CHECKING:
@@ -54,7 +54,6 @@ class _Assembly:
         self._check_names()
         sums = self._sums(geometry)
         free = self._free(len(self._numbers()))
-        self._check_free(geometry, len(sums))
         for name in self.cells.used.unused():
             message = f"no cell uses the parameter '{name}': remove it, or use it in a cell"
             self.report.notice_at_key(("parameters", name), message)
@@ -139,7 +138,7 @@ class _Assembly:
         right = check_couplings(self.cells, "joints", rows, numbers)
         if right and numbers == tuple(n for n, row in enumerate(rows, start=1) if row.sign):
             for place in set(range(len(rows))) - {number - 1 for number in numbers}:
-                check_passive(self.cells, ("joints", place), place, rows)
+                check_passive(self.cells, ("joints", place), rows[place])
 
     def _numbers(self) -> dict[int, int]:
         """The joints' numbers by those of their rows, of which passive ones have no q."""
@@ -159,19 +158,15 @@ class _Assembly:
         kinds, numbers = [row.kind for row in rows], self._numbers()
         if len(kinds) < len(numbers):
             return ()  # a row that could not be read is told already
-        found = (
-            read_sum(self.cells, path, entry, kinds, numbers)
-            for path in [("limits", i) for i in range(self._count("limits"))]
-            if (entry := self.shape.section(path, SumEntry))
-        )
-        return tuple(each for each in found if each is not None)
-
-    def _check_free(self, geometry: DhTable | ReferenceAxes | None, sums: int) -> None:
-        """What the caller gives has to be the value of a joint alone."""
-        rows = geometry.rows if isinstance(geometry, DhTable) else ()
-        if self.document.has("free") and (sums or any(row.couplings for row in rows)):
-            message = "arms with coupled drives, or limits on sums, have no free joints"
-            self.report.error_at_key(("free",), message)
+        found: list[SumLimit] = []
+        for path in [("limits", i) for i in range(self._count("limits"))]:
+            entry = self.shape.section(path, SumEntry)
+            read = read_sum(self.cells, path, entry, kinds, numbers) if entry else None
+            if read is not None:
+                limits = [row.limits for row in rows]
+                check_once(self.cells, path, read, (found, limits))
+                found.append(read)
+        return tuple(found)
 
     def _axes(self) -> ReferenceAxes:
         if self.document.has("convention"):
@@ -217,6 +212,8 @@ class _Assembly:
             number = int(entry)
             if not 1 <= number <= joints:
                 message = f"there is no joint {number}: joints are numbered from 1 to {joints}"
+                if joints < number <= self._count("joints"):
+                    message += "; rows without q are none"
                 self.report.error(path, message)
             elif free and number <= free[-1]:
                 self.report.error(path, "list free joints in ascending order, each once")

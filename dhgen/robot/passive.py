@@ -107,45 +107,41 @@ def _ratio(coupling: Coupling) -> Fraction:
     return Fraction(coupling.value).limit_denominator(LARGEST_WHOLE)
 
 
-def check_passive(cells: Cells, path: Path, place: int, rows: Sequence[DhRow]) -> None:
-    """Reports what makes the equations of a passive row others than those of joints.
+def check_passive(cells: Cells, path: Path, row: DhRow) -> None:
+    """Reports a passive row that does not move.
 
     Args:
         cells: Reports.
         path: The place of the row.
+        row: The row.
+    """
+    if not row.couplings:
+        cell = (*path, "theta" if row.kind is JointKind.REVOLUTE else "d")
+        cells.report.error(cell, "this row does not move: what it follows is taken zero times")
+
+
+def why_apart(place: int, rows: Sequence[DhRow]) -> str:
+    """What makes the equations of a passive row others than those of joints; empty if nothing does.
+
+    Args:
         place: Which row it is, from zero.
         rows: All rows, none of which hangs on itself.
     """
     row, driven = rows[place], [each for each in rows if each.sign]
-    cell = (*path, "theta" if row.kind is JointKind.REVOLUTE else "d")
-    if not row.couplings:
-        cells.report.error(cell, "this row does not move: what it follows is taken zero times")
-        return
-    kinds = {driven[each.joint - 1].kind for each in row.couplings}
-    if kinds != {row.kind}:
-        what = "an angle that follows a length" if kinds != {JointKind.REVOLUTE} else ""
-        what = what or "a length that follows an angle"
-        message = f"{what} makes the equations transcendental where it has no q of its own"
-        cells.report.error(cell, message)
-        return
+    turns = row.kind is JointKind.REVOLUTE
+    if {driven[each.joint - 1].kind for each in row.couplings} != {row.kind}:
+        what = "an angle that follows a length" if turns else "a length that follows an angle"
+        return f"{what} makes the equations transcendental where it has no q of its own"
     found = followed(row, driven)
     before = sum(bool(each.sign) for each in rows[:place])
-    late = [joint for joint, _ in found.terms if joint > before]
-    if late:
-        message = "a row without q follows joints before it, and this one follows a joint behind it"
-        cells.report.error(cell, message)
-    _check_times(cells, cell, row, found)
-
-
-def _check_times(cells: Cells, cell: Path, row: DhRow, found: Followed) -> None:
-    turns = row.kind is JointKind.REVOLUTE
+    if any(joint > before for joint, _ in found.terms):
+        return "a row without q follows joints before it, and this one follows a joint behind it"
     most = 1 if turns else MOST_TIMES
     for _, times in found.terms:
         if times.denominator > 1 or abs(times) > most:
             what = "angle" if turns else "length"
             reason = "makes the equations of another degree" if turns else "is out of proportion"
-            message = (
+            return (
                 f"without q the {what} follows that of another joint {times} times, which {reason}"
             )
-            cells.report.error(cell, message)
-            return
+    return ""

@@ -144,7 +144,7 @@ class DhTable:
         joints = 0
         for row in self.rows:
             joints += bool(row.sign)
-            found.append(str(joints) if row.sign else f"{found[-1]}p")
+            found.append(str(joints) if row.sign else f"{found[-1] if found else 0}p")
         return tuple(found)
 
     @property

@@ -58,6 +58,35 @@ def read_sum(
     return SumLimit(terms, (low, high), kind)
 
 
+def check_once(
+    cells: Cells,
+    path: Path,
+    limit: SumLimit,
+    others: tuple[Sequence[SumLimit], Sequence[tuple[float, float] | None]],
+) -> None:
+    """Reports limits of what has some already: the same sum, or a single drive in its row.
+
+    Args:
+        cells: Reports.
+        path: The place of the entry.
+        limit: What it says.
+        others: The sums before it, and the limits in the joints' rows.
+    """
+    sums, rows = others
+    terms = _values(limit)
+    if any(_values(each) == terms for each in sums):
+        cells.report.error(
+            (*path, "of"), "this sum has limits in an entry above: leave one of both"
+        )
+    elif len(terms) == 1 and rows[limit.of[0].joint - 1] is not None:
+        message = "a single variable has its limits in its row, and this one has some there"
+        cells.report.error((*path, "of"), message)
+
+
+def _values(limit: SumLimit) -> set[tuple[int, float]]:
+    return {(term.joint, term.value) for term in limit.of}
+
+
 def _terms(cells: Cells, path: Path, text: str, numbers: Mapping[int, int]) -> tuple[Coupling, ...]:
     names = [f"q{row}" for row in numbers]
     expression = cells.parse(path, text, more=dict.fromkeys(names, math.nan))

@@ -23,17 +23,29 @@ if TYPE_CHECKING:
 NAMES = (
     "abb_irb2400",
     "dobot_magician",
+    "fanuc_on_a_rail",
     "fanuc_lrmate200id_j23",
     "geared_3r",
+    "given_forearm",
     "kuka_kr40pa_drives",
     "kuka_kr40pa_level",
     "level_modified",
     "level_palletizer",
+    "level_pose",
     "scara_ball_screw",
+    "screw_four_turns",
     "summed_prrr",
     "telescope_stages",
+    "turned_back",
 )
-PASSIVE = ("kuka_kr40pa_level", "level_modified", "level_palletizer", "telescope_stages")
+GIVEN = ("fanuc_on_a_rail", "given_forearm", "screw_four_turns")  # by the caller: a drive's value
+PASSIVE = (
+    "kuka_kr40pa_level",
+    "level_modified",
+    "level_palletizer",
+    "telescope_stages",
+    "turned_back",
+)
 POSES, AT_ONCE = 10_000, 1_000
 TURNS = (-2, -1, 0, 1, 2)
 CLEAR = 1e-6  # [rad, length] what is as far inside limits is so whatever rounding does
@@ -101,6 +113,12 @@ def drawn(name: str, count: int, seed: int = 3) -> FloatArray:
     return found
 
 
+def given(name: str, q: FloatArray) -> tuple[FloatArray, ...]:
+    """The values (..., k) of drives that the caller gives, where he gives any."""
+    free = [joint - 1 for joint in robot(name).free]
+    return (np.ascontiguousarray(q[..., free]),) if free else ()
+
+
 def gaps(name: str, rows: FloatArray, q: FloatArray) -> FloatArray:
     """The largest difference of the joints' angles and lengths, whole turns aside, (...)."""
     off = (rows - q) @ shares(name).T
@@ -115,7 +133,7 @@ def test_own_values_are_found_and_rows_keep_limits_where_a_copy_does(name: str) 
     for start in range(0, POSES, AT_ONCE):
         some = q[start : start + AT_ONCE]
         T = poses_of(name, some)
-        rows, status = solver.batch(T)
+        rows, status = solver.batch(T, *given(name, some))
         held = np.isin(status, HELD)
         solved = held & (status != np.uint8(3))
         # what made the pose is among the rows that keep limits, to rounding over what fixes it
@@ -132,20 +150,22 @@ def test_own_values_are_found_and_rows_keep_limits_where_a_copy_does(name: str) 
 @pytest.mark.parametrize("name", NAMES)
 def test_some_rows_are_beyond_limits_and_some_need_turns(name: str) -> None:
     """The test above would say nothing otherwise."""
-    rows, status = in_c(name).batch(poses_of(name, drawn(name, 500)))
+    q = drawn(name, 500)
+    rows, status = in_c(name).batch(poses_of(name, q), *given(name, q))
     assert (status == OK).any()
     assert (status == np.uint8(3)).any()
     assert np.isfinite(rows).any()
 
 
-@pytest.mark.parametrize("name", PASSIVE)
+@pytest.mark.parametrize("name", [*PASSIVE, *GIVEN])
 def test_an_independent_search_finds_the_rows(name: str) -> None:
     """Of arms with passive rows it looks for the drives' values, not for the joints'."""
-    T = poses_of(name, drawn(name, 3))
-    rows, status = in_c(name).batch(T)
-    for pose, row, kind in zip(T, rows, status, strict=True):
-        held = row[np.isin(kind, HELD)]
-        found = solve(robot(name), pose).regular
+    q = drawn(name, 3)
+    T, values = poses_of(name, q), given(name, q)
+    rows, status = in_c(name).batch(T, *values)
+    for k, pose in enumerate(T):
+        held = rows[k][np.isin(status[k], HELD)]
+        found = solve(robot(name), pose, *(each[k].tolist() for each in values)).regular
         assert len(found) == len(held) >= 2
         assert gaps(name, found[:, None], held).min(axis=1).max() < 1e-6
 
@@ -160,15 +180,27 @@ def test_the_nearest_row_is_the_nearest_of_all_copies(name: str, language: str) 
     seeds = drawn(name, count, seed=5)
     for q, seed in zip(drawn(name, count), seeds, strict=True):
         T = poses_of(name, q)
-        result, found = solver.nearest(T, seed)
+        values = given(name, q)
+        result, found = solver.nearest(T, seed, *values)
         assert result == OK
         assert is_inside(name, found, -SLACK)
-        rows, status = solver.all(T)
+        rows, status = solver.all(T, None, *values)
         every = all_copies(name, rows[status == OK])
         inside = every[is_inside(name, every, CLEAR)]
         least = ((inside - seed) ** 2 @ weights).min()
         assert (found - seed) ** 2 @ weights <= least + 1e-9
-        assert np.abs(solver.nearest(T, q)[1] - q).max() < 1e-6
+        assert np.abs(solver.nearest(T, q, *values)[1] - q).max() < 1e-6
+
+
+@pytest.mark.parametrize("name", GIVEN)
+def test_the_seed_gives_what_the_caller_leaves_out(name: str) -> None:
+    """And where its value has no row inside the limits, of sums too, the nearest that has one."""
+    for q, seed in zip(drawn(name, 6), drawn(name, 6, seed=5), strict=True):
+        T, module = poses_of(name, q), in_python(name)
+        np.testing.assert_allclose(module.ik(T, q_seed=q), q, atol=1e-6)
+        found = module.ik(T, q_seed=seed)
+        np.testing.assert_allclose(poses_of(name, found)[:3], T[:3], atol=1e-9)
+        assert is_inside(name, found, -SLACK)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -201,11 +233,11 @@ def test_frames_are_of_the_drives_values(name: str) -> None:
 def test_c_and_python_are_alike(name: str) -> None:
     q = drawn(name, 40)
     T = poses_of(name, q)
-    rows, status = in_c(name).batch(T)
-    others, other_status = in_python(name).ik_batch(T)
+    rows, status = in_c(name).batch(T, *given(name, q))
+    others, other_status = in_python(name).ik_batch(T, *given(name, q))
     np.testing.assert_array_equal(status, other_status)
     np.testing.assert_allclose(rows, others, atol=1e-9)
-    one, kinds = in_python(name).ik_all(T[0])
+    one, kinds = in_python(name).ik_all(T[0], *given(name, q[0]))
     np.testing.assert_array_equal(kinds, status[0])
     np.testing.assert_allclose(one, rows[0], atol=1e-9)
 

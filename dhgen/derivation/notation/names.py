@@ -161,6 +161,14 @@ def symbols(algebra: Algebra) -> dict[str, Symbol]:
         table[angle.sine] = sine(angle)
     for joint, name in algebra.slides.items():
         table[name] = letter("r", "r", str(joint), name)
+    for each in (passive for passive in algebra.chain.passive if passive.apart):
+        if each.turns:
+            angle = AngleSum(each.terms)
+            table[angle.cosine] = letter("c", "c", each.label, angle.cosine)
+            table[angle.sine] = letter("s", "s", each.label, angle.sine)
+        else:
+            name = algebra.slides[each.terms[0][0]]
+            table[name] = letter("r", "r", each.label, name)
     for constant in algebra.chain.constants:
         table[constant.name] = constant_symbol(constant, algebra.chain.constants)
     return table

@@ -89,12 +89,12 @@ def _passive(story: Story) -> list[Block]:
                 continue
             row = rows[each.label]
             cell = variable_symbol(0, 0, row.offset, row.couplings)
-            by_joints = _followed(story, followed(row, geometry.driven))
             what = "angle" if each.turns else "length"
             text = _PASSIVE.format(label=each.label, what=what, link="{}")
             sides = [passive_value(each), cell]
-            if show(by_joints, PLAIN) != cell.text:
-                sides.append(by_joints)
+            if not each.apart:
+                by_joints = _followed(story, followed(row, geometry.driven))
+                sides += [by_joints] if show(by_joints, PLAIN) != cell.text else []
             blocks += [paragraph(text, link(number)), display(equal(*sides))]
     return blocks
 

@@ -48,7 +48,8 @@ def _of_kinds(story: Story) -> str:
 def jacobian_blocks(story: Story) -> list[Block]:
     """The formula of a column, and the matrix when it is narrow enough."""
     blocks = jacobian_columns(story)
-    if any(not factor.is_integer() for factor in _factors(story.algebra)):
+    apart = any(row.apart for row in story.algebra.chain.passive)
+    if apart or any(not factor.is_integer() for factor in _factors(story.algebra)):
         return blocks
     rows = _rows(story.algebra)
     if sum(len(entry) for row in rows for entry in row) > WIDTH:  # a term is a character at least

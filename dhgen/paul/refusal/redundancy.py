@@ -40,11 +40,10 @@ def redundant(
     if whole.count == len(start.solved):
         lines.append("no joint is left to solve for: `task` must name something that the arm moves")
         return "\n".join(lines)
-    ways = [[] if chain.is_coupled else _given(chain, before, choices), _other_task(chain)]
+    ways = [_given(chain, before, choices), _other_task(chain)]
     for way in reversed(ways) if still else ways:
         lines += way
-    if not chain.passive:
-        lines.append("--numerical would give the solution near a seed, by damped least squares")
+    lines.append("--numerical would give the solution near a seed, by damped least squares")
     return "\n".join(lines)
 
 

@@ -44,7 +44,7 @@ def refusal(search: Search, chain: Chain) -> str:
         *_nearest(search, state),
         *missed_structure(chain),
         *([COUPLED] if is_general(chain) and chain.drives.are_coupled else []),
-        *([] if chain.passive else [NUMERICAL]),
+        NUMERICAL,
     ]
     return "\n".join(lines)
 

@@ -37,7 +37,7 @@ REGULAR = 1e-7  # least singular value of the task's Jacobian at an isolated, si
 def descend(problem: Problem, q: FloatArray) -> FloatArray:
     """Follow every start (N, n) downhill; those (M, n) that reached the pose, or nearly."""
     ends = q.copy()
-    if problem.elbow is not None or problem.model.has_passive:
+    if problem.elbow is not None or problem.model.is_coupled:
         return _damped(problem, ends)
     squares = follow(
         *problem.tables,

@@ -89,19 +89,22 @@ def state(robot: Robot, T: FloatArray, q_free: Sequence[float]) -> Problem:
     free = [joint - 1 for joint in robot.free]
     q = np.zeros(len(robot.joints))
     elbow = None
+    one_by_one = _are_one_by_one(model, free)
     if robot.arm_angle:
         place = elbow_of(robot, T, float(q_free[0])) / unit_length
         elbow = elbow_in_link(robot).divided_by(unit_length), place
     else:
         q[free] = np.asarray(q_free, dtype=float)
+    if one_by_one:
+        q = model.shares @ q
     q /= np.where(model.revolute, 1.0, unit_length)
     target = T[:3].copy()
     target[:, 3] /= unit_length
     entries = task_entries(robot.task)
     moving = np.setdiff1d(np.arange(len(q)), free)
-    # joints are solved for one by one, whatever drives have shares in them; passive rows are none
-    one_by_one = model if model.has_passive else replace(model, shares=np.eye(len(q)))
-    scaled = one_by_one.divided_by(unit_length)
+    scaled = (replace(model, shares=np.eye(len(q))) if one_by_one else model).divided_by(
+        unit_length
+    )
     return Problem(
         model=scaled,
         unit_length=unit_length,
@@ -110,9 +113,20 @@ def state(robot: Robot, T: FloatArray, q_free: Sequence[float]) -> Problem:
         moving=moving,
         q=q,
         tables=_link_tables(scaled),
-        drives=np.linalg.inv(model.shares) if model.is_coupled and not model.has_passive else None,
+        drives=np.linalg.inv(model.shares) if model.is_coupled and one_by_one else None,
         elbow=elbow,
     )
+
+
+def _are_one_by_one(model: Arm, free: list[int]) -> bool:
+    """Whether joints are solved for, whatever drives have shares in them; else drives are.
+
+    Passive rows are no joints, and a given drive is no given joint where others move that, too.
+    """
+    if model.has_passive:
+        return False
+    others = np.delete(model.shares[free], free, axis=1)
+    return not others.any()
 
 
 def _link_tables(model: Arm) -> tuple[FloatArray, FloatArray]:

@@ -25,6 +25,7 @@ ARM_ANGLE = 15  # whether the caller gives it: the last equation
 # Where the lists begin
 FREE = 16  # places of the joints whose values the caller gives
 CHAIN = 17  # the forward model
+LINKS = 18  # how many records that has: of joints and, without a value of their own, passive rows
 
 LOOP = 20
 JOINTS = 100
@@ -44,13 +45,14 @@ MEASURE = JOINTS + 8  # what a unit moves, in arm sizes
 FACING = JOINTS + 9  # the joint's sign in the loop of the general algorithm
 ZERO = JOINTS + 10  # and what is added to its value there
 
-# The forward model: a rigid transform (twelve numbers), then for each joint its record
+# The forward model: a rigid transform (twelve numbers), then a record a joint or passive row
 BASE = 12
 CHAIN_RECORD = 15
 JOINT_TURNS = 0  # 1 where it turns, 0 where it slides
-JOINT_SIGN = 1  # of its value
+JOINT_SIGN = 1  # of its value; 0 for a passive row, which has none
 JOINT_OFFSET = 2  # what is added to that
 JOINT_AFTER = 3  # the rigid transform behind it
 # Behind the records: how many shares there are of joints' values in others, and for each its record
 SHARE_RECORD = 3
-SHARE_OF, SHARE_FROM, SHARE_FACTOR = 0, 1, 2  # the joint that is moved, whose value moves it, by it
+# The place of the record that is moved, the joint whose value moves it, and the factor.
+SHARE_OF, SHARE_FROM, SHARE_FACTOR = 0, 1, 2

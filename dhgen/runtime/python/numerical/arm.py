@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..places import NAMES
-from .places import JOINTS, LOOP
+from .places import JOINTS, LINKS, LOOP
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -49,12 +49,12 @@ class Joint:
 
 @dataclass(frozen=True, slots=True)
 class ChainJoint:
-    """A joint of the forward model, and what stands behind it.
+    """A joint or a passive row of the forward model, and what stands behind it.
 
     Attributes:
         after: The rigid transform behind it, twelve numbers.
         turns: Whether it turns; else it slides.
-        sign: Of its value.
+        sign: Of its value; 0 for a passive row, which has none.
         offset: What is added to that.
         shares: What other joints' values add: their places, from 0, and factors.
     """
@@ -77,8 +77,8 @@ class Arm:
         directions: What else it names: one of `places.NAMES`.
         joints: Those that are solved for.
         base: The rigid transform before the first joint, twelve numbers.
-        chain: All joints.
-        order: Places of the joints, each behind those that have a share in it; empty where none
+        chain: All joints and passive rows.
+        order: Places in it, each behind those of joints that have a share in it; empty where none
             has.
         free: Places of the joints whose values the caller gives.
         redundant: Whether every pose has infinitely many solutions.
@@ -147,15 +147,18 @@ def arm_numbers(
     shares = [(place, *share) for place in arm.order for share in arm.chain[place].shares]
     chain += [float(len(shares)), *(float(x) for share in shares for x in share)]
     limited = any(j.lowest > -math.inf or j.highest < math.inf for j in arm.joints)
+    dof = sum(link.sign != 0.0 for link in arm.chain)
     entries = len(arm.coordinates) + MISSES[arm.directions] + arm.arm_angle
     head = [
-        *(len(arm.chain), len(arm.joints), entries, arm.rows, len(arm.free), arm.size),
+        *(dof, len(arm.joints), entries, arm.rows, len(arm.free), arm.size),
         ROUNDED_RESIDUAL if arm.checked else RESIDUAL,
         *(len(arm.coordinates), *arm.coordinates, *[0] * (3 - len(arm.coordinates))),
         NAMES.index(arm.directions),
         *(arm.redundant, limited, arm.checked, arm.arm_angle),
     ]
-    return _joined(head, joints, [[*map(float, arm.free)], chain], loop, lists)
+    numbers = _joined(head, joints, [[*map(float, arm.free)], chain], loop, lists)
+    numbers[LINKS] = len(arm.chain)
+    return numbers
 
 
 def _joint(arm: Arm, joint: Joint, stride: float) -> tuple[float, ...]:
