@@ -15,16 +15,14 @@ if TYPE_CHECKING:
 
 ARM = """
 name: chain
-title: Planar arm with four links
+title: Planar arm with two links
 source: made up
 convention: standard
 parameters: {{length: {length}}}
 joints:
   - {{theta: q, d: 0, a: length, alpha: 0}}
   - {{theta: q, d: 0, a: length, alpha: 0}}
-  - {{theta: q, d: 0, a: length, alpha: 0}}
 task: [x, y]
-numerical: true
 """
 
 # A function that keeps what it calls in its cache, as users' do.
@@ -49,8 +47,8 @@ def reach(module, answer):
 
 T = np.eye(4)
 T[:2, 3] = 0.7, 0.4
-q, status = np.empty((1, 3)), np.empty(1, np.uint8)
-assert caller.call(T, q, status) == 1
+q, status = np.empty((2, 2)), np.empty(2, np.uint8)
+assert caller.call(T, q, status) == 2
 assert reach(chain, (q, status)) < 1e-9
 assert reach(chain, chain.ik_all(T)) < 1e-9
 asked = caller.call, chain._CALLS["unseeded"]
@@ -106,10 +104,10 @@ T = np.eye(4)
 T[:2, 3] = 0.7, 0.4
 with event.install_recorder("numba:compile") as compiled:
     chain.ik(T, chain.ik_all(T)[0][0])
-    chain.ik_all(T, np.ones(3))
+    chain.ik_all(T, np.ones(2))
     chain.ik_batch(T[np.newaxis])
-    chain.ik_into(T, np.empty((1, 3)), np.empty(1, np.uint8))
-    chain.jacobian(np.zeros(3))
+    chain.ik_into(T, np.empty((2, 2)), np.empty(2, np.uint8))
+    chain.jacobian(np.zeros(2))
 print([each.data["dispatcher"].py_func.__name__ for _, each in compiled.buffer])
 """
 
@@ -160,7 +158,7 @@ CALL_BOTH = """
 import numpy as np
 import calls_fk, calls_jacobian
 
-print(calls_fk.call(np.zeros(3)).shape, calls_jacobian.call(np.zeros(3)).shape)
+print(calls_fk.call(np.zeros(2)).shape, calls_jacobian.call(np.zeros(2)).shape)
 """
 
 
@@ -168,9 +166,9 @@ def test_callers_out_of_the_cache_call_what_they_were_made_for(folder: Path) -> 
     """Code of one name, made in two processes, numba takes for the same."""
     for name in ("fk", "jacobian"):
         (folder / f"calls_{name}.py").write_text(CACHED.format(name=name), encoding="utf-8")
-        made = run(f"import numpy, calls_{name}\ncalls_{name}.call(numpy.zeros(3))", folder)
+        made = run(f"import numpy, calls_{name}\ncalls_{name}.call(numpy.zeros(2))", folder)
         assert not made.returncode, made.stderr
-    assert run(CALL_BOTH, folder).stdout == "(4, 4) (6, 3)\n"
+    assert run(CALL_BOTH, folder).stdout == "(4, 4) (6, 2)\n"
 
 
 def test_callers_that_hold_an_old_text_say_so(folder: Path) -> None:
