@@ -62,10 +62,15 @@ def module_of(path: Path) -> SolverModule:
         return worked_out(RobotFile.read(path))[1]
 
 
-def written(path: Path, folder: Path) -> Compilation:
-    """Its solvers in a folder, without the derivation, which takes a third of the time."""
+def solvers_of(path: Path) -> Compilation:
+    """The same without the derivation, which takes a third of the time."""
     with patch.object(dhgen.compiler, "derivation_files", lambda *_: {}):
-        compilation = compile_file(path)
+        return compile_file(path)
+
+
+def written(path: Path, folder: Path) -> Compilation:
+    """Its solvers in a folder."""
+    compilation = solvers_of(path)
     write_new(folder, compilation.files)
     return compilation
 
@@ -88,12 +93,25 @@ def library(module: SolverModule, folder: Path, build: Build = PORTABLE) -> Comp
 
 def sharing(source: Path, build: Build) -> Build:
     """A build in which arms share what takes longer than they: vectors, the general runtime."""
+    return with_vectors(build) if _parts(source) == ("dhgen",) else shared(source, build)
+
+
+def shared(source: Path, build: Build) -> Build:
+    """The same in which closed forms share their runtime, too."""
     build = with_vectors(build)
-    if '#include "dhgen/general.h"' not in source.read_text("utf-8"):
-        return build
-    alike = tuple(flag for flag in build.flags if not flag.startswith("-D"))  # but for the robot's
-    runtime = _runtime(replace(build, flags=alike))
-    return replace(build, flags=(*build.flags, "-DDHGEN_SHARED", *runtime))
+    compiler = build.compiler or c_compiler()
+    assert compiler is not None, "the tests need a C compiler"
+    # What is defined for the robot alone says nothing to the runtime.
+    alike = tuple(each for each in build.flags if not each.startswith("-D") or "-DDHGEN" in each)
+    objects = (_runtime(part, compiler, alike) for part in _parts(source))
+    return replace(build, flags=(*build.flags, "-DDHGEN_SHARED", *objects))
+
+
+def _parts(source: Path) -> tuple[str, ...]:
+    """The files of the runtime that a robot's C needs where it is shared."""
+    text = source.read_text("utf-8")
+    more = any(f'#include "dhgen/{name}.h"' in text for name in ("general", "numerical"))
+    return ("dhgen", "general") if more else ("dhgen",)
 
 
 def with_vectors(build: Build) -> Build:
@@ -107,14 +125,11 @@ def with_vectors(build: Build) -> Build:
 
 
 @cache
-def _runtime(build: Build) -> tuple[str, ...]:
-    """The runtime, compiled once in this process."""
+def _runtime(part: str, compiler: str, flags: tuple[str, ...]) -> str:
+    """A part of the runtime, compiled once in this process."""
     kept = tempfile.TemporaryDirectory(prefix="dhgen-runtime-")
     _KEPT.append(kept)
-    objects = []
-    for name in ("dhgen", "general"):
-        objects.append(f"{kept.name}/{name}.o")
-        flags = ("-std=c99", *build.flags, "-fPIC", "-DDHGEN_SHARED", "-c", "-o", objects[-1])
-        compiler = build.compiler or c_compiler()
-        subprocess.run([str(compiler), *flags, str(RUNTIME / f"{name}.c")], check=True)
-    return tuple(objects)
+    made = f"{kept.name}/{part}.o"
+    own = ("-std=c99", *flags, "-fPIC", "-DDHGEN_SHARED", "-c", "-o", made)
+    subprocess.run([compiler, *own, str(RUNTIME / f"{part}.c")], check=True)
+    return made

@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING, Any
 from dhgen.robot.load import load
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.verify.native import PORTABLE, CompiledSolver, compile_solver
-from tests.compiling import sharing
+from tests.compiling import shared
+from tests.structures import COMPILED
+from tests.targets.made import without_numba
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -47,12 +49,20 @@ def module(name: str) -> Any:
 
 
 @cache
+def short_module(name: str) -> Any:
+    """The module as numba makes it of few arms, of others as it is written: numba takes long."""
+    if name in COMPILED:
+        return module(name)
+    return without_numba((GENERATED / f"{name}.py").read_text(encoding="utf-8"), name)
+
+
+@cache
 def library(name: str) -> CompiledSolver:
-    """The C, compiled with warnings as errors."""
+    """The C, compiled with warnings as errors; its runtime once for all."""
     python, count = module(name), len(robot(name).free) + robot(name).arm_angle
     source = GENERATED / f"{name}.c"
     shape = python.DOF, python.MAX_SOLUTIONS, count
-    compiled = compile_solver(source, folder(), name, *shape, sharing(source, PORTABLE))
+    compiled = compile_solver(source, folder(), name, *shape, shared(source, PORTABLE))
     assert compiled is not None, "the tests need a C compiler"
     return compiled
 

@@ -11,7 +11,7 @@ import pytest
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.singular import singular_sets, task_jacobian
 from tests.generated.asking import trial
-from tests.generated.solvers import library, module, robot
+from tests.generated.solvers import library, module, robot, short_module
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -52,7 +52,7 @@ def samples(name: str, count: int) -> FloatArray:
 @pytest.mark.parametrize("name", NAMES)
 def test_a_step_along_them_moves_the_tool_by_the_twist(name: str) -> None:
     """Against the pose of another implementation, a little before and after."""
-    python, regular = module(name), 0
+    python, regular = short_module(name), 0
     for q in samples(name, 60):
         J, unit = rates(name, q)
         if np.linalg.svd(J, compute_uv=False)[-1] < 1.5 * BEGINS:
@@ -80,7 +80,7 @@ def test_c_finds_what_python_finds(name: str) -> None:
     random = np.random.default_rng(11)
     for q in samples(name, 60):
         twist = random.normal(size=6)
-        found = module(name).joint_velocities(q, twist)
+        found = short_module(name).joint_velocities(q, twist)
         scale = max(1.0, float(np.abs(found).max()))
         np.testing.assert_allclose(
             library(name).joint_velocities(q, twist), found, atol=1e-10 * scale
@@ -100,8 +100,8 @@ def test_at_singular_poses_they_are_bounded_and_lose_only_what_the_arm_lost(name
             seen += 1
             clear = V[:-1].T @ np.random.default_rng(3).normal(size=len(V) - 1)
             for wanted, still in ((clear, False), (V[-1], True)):
-                twist = module(name).jacobian(q) @ (unit * wanted)
-                found = module(name).joint_velocities(q, twist) / unit
+                twist = short_module(name).jacobian(q) @ (unit * wanted)
+                found = short_module(name).joint_velocities(q, twist) / unit
                 bound = (1.0 + ROUNDED) * np.linalg.norm(J @ wanted) / BEGINS
                 assert np.linalg.norm(found) <= bound
                 if still:

@@ -18,8 +18,7 @@ import pytest
 from dhgen.survey.oracle.arm import arm
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.poses import random_joints
-from tests.generated.solvers import GENERATED, folder, given, module, robot
-from tests.targets.made import without_numba
+from tests.generated.solvers import GENERATED, folder, given, module, robot, short_module
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -29,7 +28,6 @@ if TYPE_CHECKING:
 
 
 ARMS = ["scara", "scorbot_pointing", "kuka_iiwa14_arm_angle", "fanuc_crx10ia"]
-UNCOMPILED = ("kuka_iiwa14_arm_angle",)  # in plain Python: numba would take half a minute
 
 
 @cache
@@ -47,30 +45,23 @@ def poses(name: str, count: int) -> tuple[FloatArray, FloatArray]:
     return q, np.ascontiguousarray(forward(arm(robot(name)), q), dtype=float)
 
 
-@cache
-def meant(name: str) -> Any:
-    """The Python, as numba makes it or as it is written."""
-    if name not in UNCOMPILED:
-        return module(name)
-    return without_numba((GENERATED / f"{name}.py").read_text(encoding="utf-8"), name)
-
-
 @pytest.mark.parametrize("name", ARMS)
 def test_answers_are_those_of_python(name: str) -> None:
+    python = short_module(name)
     q, T = poses(name, 12)
     T[3, 0, 3] += 50.0
     T[4] *= 2.0
     for k, (joints, pose) in enumerate(zip(q, T, strict=True)):
         free = [each[k] for each in given(name, q)]
         rows, status = native(name).ik_all(pose, *free, joints)
-        expected, kinds = meant(name).ik_all(pose, *free, joints)
+        expected, kinds = python.ik_all(pose, *free, joints)
         np.testing.assert_array_equal(status, kinds)
         np.testing.assert_allclose(rows, expected, atol=1e-7)
-        np.testing.assert_allclose(native(name).fk(joints), meant(name).fk(joints), atol=1e-14)
-        jacobians = native(name).jacobian(joints), meant(name).jacobian(joints)
-        np.testing.assert_allclose(*jacobians, atol=1e-14)
+        for function in ("fk", "jacobian"):
+            found, wanted = (getattr(each, function)(joints) for each in (native(name), python))
+            np.testing.assert_allclose(found, wanted, atol=1e-14)
     rows, status = native(name).ik_batch(T, *given(name, q))
-    expected, kinds = meant(name).ik_batch(T, *given(name, q))
+    expected, kinds = python.ik_batch(T, *given(name, q))
     np.testing.assert_array_equal(status, kinds)
     np.testing.assert_allclose(rows, expected, atol=1e-7)
 

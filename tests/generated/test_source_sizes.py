@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.compiling import compile_file
+from tests.compiling import solvers_of
 from tests.robots.cases import ROBOTS
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def test_c_of_closed_forms() -> None:
 def size_of(text: str, folder: Path, name: str) -> int:
     """Bytes of C that a robot file leads to."""
     (folder / f"{name}.yaml").write_text(text, encoding="utf-8")
-    made = compile_file(folder / f"{name}.yaml")
+    made = solvers_of(folder / f"{name}.yaml")
     assert made.derivation.method.value == "closed form"
     return len(made.files[f"{name}.c"])
 

@@ -10,7 +10,7 @@ import pytest
 from dhgen.errors import UnsolvedError
 from dhgen.survey.oracle.poses import random_joints
 from dhgen.survey.oracle.search import solve
-from tests.compiling import compile_file
+from tests.compiling import solvers_of
 from tests.targets.calling import FREE_JOINT, INVALID_POSE, OK, OUT_OF_LIMITS, UNREACHABLE, Solver
 from tests.targets.made import apart, entries, in_c, in_python, poses_of, residual, robot
 
@@ -201,4 +201,4 @@ def test_an_arm_that_tilts_its_tool_has_no_yaw_to_be_asked_for(tmp_path: Path) -
     joints = "".join(f"  - {row}\n" for row in (*rows, "{theta: q, a: 0.1}"))
     path.write_text(f"name: arm\njoints:\n{joints}task: [x, y, z, yaw]\n", encoding="utf-8")
     with pytest.raises(UnsolvedError, match="keeps the tool's x axis level"):
-        compile_file(path)
+        solvers_of(path)

@@ -22,7 +22,7 @@ from dhgen.targets.c.single_precision import in_single_precision
 from dhgen.tolerances import SINGLE
 from dhgen.verify.native import c_compiler
 from dhgen.verify.single import RESIDUAL, verify_single
-from tests.compiling import compile_file, library, written
+from tests.compiling import compile_file, library, solvers_of, written
 from tests.targets.made import ROBOTS, made, robot_path
 
 if TYPE_CHECKING:
@@ -157,14 +157,14 @@ def test_roots_of_polynomials_are_refused(name: str, tmp_path: Path) -> None:
     path = tmp_path / f"{name}.yaml"
     path.write_text(source.read_text(encoding="utf-8") + "float32: true\n", encoding="utf-8")
     with pytest.raises(PrecisionError, match="closed form"):
-        compile_file(path)
+        solvers_of(path)
 
 
 def test_without_asking_there_is_none(tmp_path: Path) -> None:
     path = tmp_path / f"{SCARA}.yaml"
     text = (ROBOTS / path.name).read_text(encoding="utf-8")
     path.write_text(re.sub(r"float32:.*\n", "", text), encoding="utf-8")
-    compilation = compile_file(path)
+    compilation = solvers_of(path)
     assert compilation.single is None
     assert [name for name in compilation.files if SINGLE.suffix in name] == []
 
@@ -172,7 +172,7 @@ def test_without_asking_there_is_none(tmp_path: Path) -> None:
 def test_files_that_are_no_longer_asked_for_are_found(tmp_path: Path) -> None:
     """Checking one robot says nothing of its neighbours' files, but of its own."""
     own, other = ROBOTS / "scara.yaml", ROBOTS / "ur5.yaml"
-    write_files(tmp_path, {**compile_file(own).files, **compile_file(other).files})
+    write_files(tmp_path, {**compile_file(own).files, **solvers_of(other).files})
     assert compare(load_all([own]), tmp_path).exit_code == 0
     copies = tmp_path / "robots"
     copies.mkdir()
