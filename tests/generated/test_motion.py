@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -53,11 +51,14 @@ def least(asked: Trial, q: FloatArray) -> FloatArray:
     return np.asarray(np.linalg.svd(J, compute_uv=False)[..., -1])
 
 
-def row_of(asked: Trial, T: FloatArray, q: FloatArray, given: FloatArray | None) -> int:
-    rows, _ = asked.solver.ik(T, q, given)
-    gaps = asked.apart(rows, q)
-    assert np.nanmin(gaps) < SAME, q
-    return int(np.nanargmin(gaps))
+def rows_of(
+    asked: Trial, T: FloatArray, q: FloatArray, given: list[FloatArray | None]
+) -> NDArray[np.intp]:
+    """Which row holds each of the joint values (N, n) that are the seeds, too."""
+    rows = np.array([asked.solver.ik(*each)[0] for each in zip(T, q, given, strict=True)])
+    gaps = asked.apart(rows, q[:, None])
+    assert (np.nanmin(gaps, axis=1) < SAME).all(), q[np.nanmin(gaps, axis=1).argmax()]
+    return np.asarray(np.nanargmin(gaps, axis=1))
 
 
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in POLYNOMIAL])
@@ -75,11 +76,10 @@ def test_a_branch_keeps_its_row(name: str) -> None:
     compared = 0
     for q in motions(name, within_limits=False):
         regular = crossed_nothing(asked, q)
-        rows = list(map(partial(row_of, asked), asked.poses(q), q, given_along(asked, q)))
-        for step, (before, row) in enumerate(pairwise(rows), start=1):
-            if regular[step - 1]:
-                assert row == before, (step, q[step].tolist())
-                compared += 1
+        rows = rows_of(asked, asked.poses(q), q, given_along(asked, q))
+        left = np.flatnonzero(regular & (rows[1:] != rows[:-1]))
+        assert not left.size, q[left + 1].tolist()
+        compared += int(regular.sum())
     assert compared > 20
 
 
@@ -97,7 +97,7 @@ def is_square(asked: Trial) -> bool:
 def crossed_nothing(asked: Trial, q: FloatArray) -> NDArray[np.bool_]:
     """Whether no singular place lies between one step and the next, (STEPS - 1,)."""
     far = least(asked, q)
-    moved = np.array([asked.apart(one, other) for one, other in pairwise(q)])
+    moved = asked.apart(q[1:], q[:-1])
     return np.asarray(np.minimum(far[1:], far[:-1]) > np.maximum(STEEPEST * moved, REGULAR))
 
 
@@ -121,13 +121,14 @@ def test_the_nearest_solution_follows_a_motion(name: str) -> None:
         far = (least(asked, q) > 30 * REGULAR) & keep_sums(name, q)
         T, given = asked.poses(q), given_along(asked, q)
         rows, status = asked.solver.batch(T, asked.given(q))
-        for step in range(1, STEPS):
-            if far[step] and far[step - 1]:
-                found = asked.solver.nearest(T[step], q[step - 1], given[step])
-                moved = asked.apart(q[step], q[step - 1])
-                rivals = asked.apart(rows[step][np.isin(status[step], HELD)], q[step])
-                if rivals[rivals > SAME].min(initial=np.inf) < 10 * moved:
-                    continue  # another solution passes by: which is nearer is a matter of norms
-                assert asked.apart(found, q[step]) < SAME, (step, q[step].tolist())
-                followed += 1
+        moved = asked.apart(q[1:], q[:-1])
+        rivals = asked.apart(rows, q[:, None])
+        rivals = np.where(np.isin(status, HELD) & (rivals > SAME), rivals, np.inf).min(axis=1)
+        # where another solution passes by, which is nearer is a matter of norms
+        clear = np.flatnonzero(far[1:] & far[:-1] & (rivals[1:] >= 10 * moved)) + 1
+        found = [asked.solver.nearest(T[k], q[k - 1], given[k]) for k in clear]
+        if found:
+            off = ~(asked.apart(np.array(found), q[clear]) < SAME)
+            assert not off.any(), (clear[off], q[clear[off]].tolist())
+        followed += len(found)
     assert followed > 20

@@ -13,7 +13,7 @@ import numpy as np
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.runtime import runtime_files
-from dhgen.survey.oracle.arm import arm_size
+from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.problem import task_entries
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.compiler import Compilation
     from dhgen.robot.robot import Robot
+    from dhgen.survey.oracle.arm import Arm
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 # Which of a family of solutions damped least squares find, rounding decides: see tests/numerical.
@@ -62,6 +63,18 @@ def robot_path(name: str) -> Path:
 def robot(name: str) -> Robot:
     """What the file says."""
     return load(robot_path(name))
+
+
+@cache
+def model(name: str) -> Arm:
+    """Its numbers: worked out for each call they took longer than what is asked of them."""
+    return arm(robot(name))
+
+
+@cache
+def size(name: str) -> float:
+    """How large it is."""
+    return arm_size(robot(name))
 
 
 @cache
@@ -136,7 +149,7 @@ _SOLVING: dict[tuple[str, str], Any] = {}  # what was compiled, by the text of t
 
 def poses_of(name: str, q: FloatArray) -> FloatArray:
     """The poses of joint vectors by the oracle, which shares nothing with the compiler."""
-    return np.asarray(forward(robot(name), q), dtype=float)
+    return np.asarray(forward(model(name), q), dtype=float)
 
 
 def given(name: str, q: FloatArray) -> list[FloatArray]:
@@ -145,11 +158,13 @@ def given(name: str, q: FloatArray) -> list[FloatArray]:
     return [values] if values.shape[-1] else []
 
 
+@cache
 def entries(name: str) -> NDArray[np.bool_]:
     """Which of the upper three rows of a pose the task names, (3, 4)."""
     return task_entries(robot(name).task).reshape(3, 4)
 
 
+@cache
 def turning(name: str) -> NDArray[np.bool_]:
     """Which joints turn, (n,)."""
     return np.array([joint.kind is JointKind.REVOLUTE for joint in robot(name).joints])
@@ -159,11 +174,11 @@ def apart(name: str, rows: FloatArray, others: FloatArray) -> FloatArray:
     """Differences of joint values, whole turns aside, lengths in arm sizes."""
     miss = np.abs(rows - others)
     turned = np.abs(miss - 2 * np.pi * np.round(miss / (2 * np.pi)))
-    return np.where(turning(name), turned, miss / arm_size(robot(name)))
+    return np.where(turning(name), turned, miss / size(name))
 
 
 def residual(name: str, rows: FloatArray, T: FloatArray) -> float:
     """The largest miss of a pose by joint vectors (N, n), lengths in arm sizes."""
     miss = np.abs(poses_of(name, rows) - T)[:, :3]
-    miss[..., 3] /= arm_size(robot(name))
+    miss[..., 3] /= size(name)
     return float(miss[:, entries(name)].max(initial=0.0))
