@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen import status as statuses
-from tests.targets.made import in_c, in_python, made, single_in_c
+from tests.targets.made import in_c, in_python, robot, single_in_c
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -76,7 +76,7 @@ class Solver:
         if self.language == "Python":
             q, status = in_python(self.name).ik_all(T, *given, seed)
             return q, status
-        zeros = np.zeros(made(self.name).module.chain.dof)
+        zeros = np.zeros(len(robot(self.name).joints))
         return in_c(self.name).ik(T, zeros if seed is None else seed, *given)
 
     def batch(self, T: FloatArray, free: FloatArray) -> tuple[FloatArray, NDArray[np.uint8]]:

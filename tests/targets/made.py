@@ -1,7 +1,12 @@
-"""Solvers made in the tests: compiled robots, their C as a library, their Python without numba."""
+"""Solvers made in the tests: compiled robots, their C as a library, their Python without numba.
+
+Those of structures and of robots made up for the tests are made by the compiler as it is; of the
+project's other robots the written files serve, which it takes seconds to make anew.
+"""
 
 from __future__ import annotations
 
+import re
 import sys
 import tempfile
 from functools import cache
@@ -17,8 +22,8 @@ from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.problem import task_entries
-from dhgen.verify.native import PORTABLE, Build, CompiledSolver, import_module
-from tests.compiling import library, write_new, written
+from dhgen.verify.native import PORTABLE, Build, CompiledSolver, compile_solver, import_module
+from tests.compiling import library, sharing, write_new, written
 from tests.structures import STRUCTURES
 
 if TYPE_CHECKING:
@@ -32,6 +37,7 @@ if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import Arm
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
+GENERATED = ROBOTS.parent / "generated"
 # Which of a family of solutions damped least squares find, rounding decides: see tests/numerical.
 NAMES = [name for name in STRUCTURES if not load(ROBOTS / f"{name}.yaml").numerical]
 MADE_UP = Path(__file__).parent / "robots"
@@ -101,9 +107,23 @@ _MADE_UP: dict[str, tuple[str, Compilation]] = {}  # whose files lie in the fold
 
 
 @cache
+def is_written(name: str) -> bool:
+    """Whether the files in `generated/` serve."""
+    return (ROBOTS / f"{name}.yaml").exists() and name not in STRUCTURES
+
+
+@cache
 def in_c(name: str, build: Build = PORTABLE) -> CompiledSolver:
     """Its C, compiled."""
-    return library(made(name).module, folder(), build)
+    if not is_written(name):
+        return library(made(name).module, folder(), build)
+    source, robot_of = GENERATED / f"{name}.c", robot(name)
+    rows = re.search(rf"{name.upper()}_ROWS = (\d+)", source.with_suffix(".h").read_text())
+    assert rows is not None
+    shape = len(robot_of.joints), int(rows[1]), len(robot_of.free) + robot_of.arm_angle
+    solver = compile_solver(source, folder(), name, *shape, sharing(source, build))
+    assert solver is not None, "the tests need a C compiler"
+    return solver
 
 
 @cache
@@ -117,6 +137,8 @@ def single_in_c(name: str) -> CompiledSolver:
 @cache
 def in_python(name: str) -> Any:
     """Its Python, run where numba is absent."""
+    if is_written(name):
+        return without_numba((GENERATED / f"{name}.py").read_text(encoding="utf-8"), name)
     return without_numba(made(name).files[f"{name}.py"], name)
 
 

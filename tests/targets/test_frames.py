@@ -12,7 +12,7 @@ from dhgen.robot.expression import evaluate
 from dhgen.robot.robot import Convention, DhTable, JointKind, ReferenceAxes
 from dhgen.survey.oracle.arm import base_frame
 from dhgen.survey.oracle.forward import forward
-from tests.targets.made import in_c, in_python, made, robot
+from tests.targets.made import in_c, in_python, robot
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -65,7 +65,6 @@ def row_values(table: DhTable, q: FloatArray) -> FloatArray:
 
 def in_both(name: str, q: FloatArray) -> list[FloatArray]:
     """The frames of Python and of C."""
-    made(name)
     frames, values = np.empty((len(q) + 2, 4, 4)), np.ascontiguousarray(q)
     pointers = (each.ctypes.data_as(ctypes.c_void_p) for each in (values, frames))
     in_c(name).library[f"{name}_frames"](*pointers)

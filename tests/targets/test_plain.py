@@ -10,7 +10,7 @@ from dhgen.survey.oracle.poses import random_joints, right_angles
 from dhgen.verify.native import Build
 from tests.compiling import library
 from tests.oracle.sets import out_of_reach
-from tests.targets.made import apart, folder, given, in_c, made, made_up, poses_of, robot
+from tests.targets.made import apart, folder, given, in_c, made_up, poses_of, robot
 
 ARMS = ["cartesian", "franka_panda", "kuka_kr6_r900", "scara", "scorbot_pointing", "ur5"]
 ZERO = np.zeros(2)
@@ -21,7 +21,7 @@ RANDOM = 200
 @pytest.mark.parametrize("name", ARMS)
 def test_it_gives_the_same_answers(name: str) -> None:
     """Singular poses get the very same, as they go through the same code."""
-    arm, dof = robot(name), made(name).module.chain.dof
+    arm, dof = robot(name), len(robot(name).joints)
     q = np.concatenate([random_joints(arm, RANDOM), right_angles(arm, 100)])
     T = np.concatenate([poses_of(name, q), out_of_reach(arm, 20)])
     q = np.concatenate([q, np.zeros((len(T) - len(q), dof))])
