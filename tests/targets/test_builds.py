@@ -23,9 +23,9 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.program.interpret import Rows
 
-EVERYWHERE = ["ur5", "scara"]
+EVERYWHERE = ["ur5"]
 NATIVELY = [
-    *("kuka_kr6_r900", "kuka_iiwa14", "kuka_youbot", "scorbot_pointing", "wrist_oblique"),
+    *("scara", "kuka_kr6_r900", "kuka_iiwa14", "kuka_youbot", "scorbot_pointing", "wrist_oblique"),
     "cartesian",
 ]
 CLANG = shutil.which("clang")

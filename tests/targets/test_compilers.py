@@ -144,10 +144,12 @@ def test_all_headers_together_are_read_by_cpp(compiler: str) -> None:
     assert in_cpp(compiler, sorted(path.stem for path in ROBOTS.glob("*.yaml"))) == ""
 
 
-@pytest.mark.parametrize("compiler", CPP)
+@pytest.mark.skipif(not CPP, reason="no C++ compiler")
 @pytest.mark.parametrize("name", MADE_UP_NAMES)
-def test_headers_are_read_by_cpp(name: str, compiler: str) -> None:
+def test_headers_are_read_by_cpp(name: str) -> None:
+    """By the other compiler than their sources."""
     made(name)
+    compiler = CPP[(MADE_UP_NAMES.index(name) + 1) % len(CPP)]
     assert in_cpp(compiler, [name]) == ""
 
 
