@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.forward import forward, jacobian
+from dhgen.survey.oracle.forward import jacobian
 from tests.targets.calling import HELD, LANGUAGES, UNREACHABLE, Solver, gap
-from tests.targets.made import made, robot
+from tests.targets.made import made, model, poses_of, robot
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -28,9 +28,9 @@ def size(name: str) -> float:
 
 
 def weighted_jacobian(name: str, q: FloatArray) -> FloatArray:
-    """Lengths count in arm sizes."""
-    J = np.array(jacobian(robot(name), q))
-    J[:3] /= size(name)
+    """Lengths count in arm sizes, (..., 6, n)."""
+    J = np.array(jacobian(model(name), q))
+    J[..., :3, :] /= size(name)
     return J
 
 
@@ -39,8 +39,8 @@ def regular(name: str, count: int, least: float) -> FloatArray:
     limits = np.array([joint.limits for joint in robot(name).joints], np.float64)
     source = np.random.default_rng(7)
     tried = source.uniform(limits[:, 0], limits[:, 1], (2 * count, len(limits)))
-    J = np.array([weighted_jacobian(name, q) for q in tried])
-    return np.asarray(tried[np.linalg.svd(J, compute_uv=False)[:, -1] > least][:count])
+    least_of_each = np.linalg.svd(weighted_jacobian(name, tried), compute_uv=False)[:, -1]
+    return np.asarray(tried[least_of_each > least][:count])
 
 
 @pytest.mark.parametrize("name", ARMS)
@@ -49,7 +49,7 @@ def test_own_values_are_found(name: str, digits: int | None) -> None:
     """As far off at most as the pose is rounded, over the smallest singular value."""
     solver, lost = Solver(name, "C"), []
     for q in regular(name, 400, 0.05):
-        T = np.array(forward(robot(name), q))
+        T = poses_of(name, q)
         T = T.astype(np.float32).astype(float) if digits is None else np.round(T, digits)
         rows, status = solver.all(T)
         if not np.any((gap(rows, q) < 1e-3) & np.isin(status, HELD)):
@@ -79,7 +79,7 @@ def test_rounding_below_a_root_loses_no_solution(name: str, language: str) -> No
     for values in BELOW_ZERO[name]:
         q = np.array(values)
         assert np.linalg.svd(weighted_jacobian(name, q), compute_uv=False)[-1] > 0.01
-        T = np.round(np.array(forward(robot(name), q)), 6)
+        T = np.round(poses_of(name, q), 6)
         rows, status = Solver(name, language).all(T)
         assert np.any((gap(rows, q) < 1e-3) & np.isin(status, HELD)), q
 
@@ -101,7 +101,7 @@ def test_a_reported_pose(language: str) -> None:
         rows, status = Solver("so101_pose", language).all(moved)
         held = np.isin(status, HELD)
         assert held.any()
-        reached = np.array([forward(robot("so101_pose"), q) for q in rows[held]])
+        reached = poses_of("so101_pose", rows[held])
         assert np.abs(reached[:, :3] - moved[:3]).max() < 1e-5
 
 
@@ -112,9 +112,9 @@ def test_rows_miss_a_rounded_pose_by_no_more_than_it_may_be_rounded_by(
 ) -> None:
     solver = Solver(name, language)
     for q in regular(name, 20, 0.1):
-        T = np.round(np.array(forward(robot(name), q)), 6)
+        T = np.round(poses_of(name, q), 6)
         rows, status = solver.all(T)
-        reached = np.array([forward(robot(name), row) for row in rows[np.isin(status, HELD)]])
+        reached = poses_of(name, rows[np.isin(status, HELD)])
         off = np.abs(reached - T)
         off[:, :3, 3] /= size(name)
         assert off.max() < 1e-5 + 1e-6  # the pose's own rotation is not quite one
@@ -126,7 +126,7 @@ def test_what_is_farther_off_than_rounding_is_out_of_reach(name: str) -> None:
     solver = Solver(name, "C")
     for q in regular(name, 100, 0.1):
         left = np.linalg.svd(weighted_jacobian(name, q))[0][:, -1]
-        T = np.array(forward(robot(name), q))
+        T = poses_of(name, q)
         T[:3, 3] += 1e-3 * size(name) * left[:3]
         cross = np.array([np.cross(1e-3 * left[3:], column) for column in T[:3, :3].T]).T
         u, _, v = np.linalg.svd(T[:3, :3] + cross)
