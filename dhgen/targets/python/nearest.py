@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.targets.python.formulas import Formulas, formulas_of
+from dhgen.targets.python.formulas import ENTRIES, Formulas, formulas_of
 
 if TYPE_CHECKING:
     from dhgen.kinematics.rigid import Matrix
@@ -21,6 +21,7 @@ class PythonNearest:
         formulas: Its regular poses.
         filled: How many numbers these fill in: the joints' values, and a status for each row.
         given: How many values the caller gives.
+        doubt: Where it is kept whether a pose is left to the general algorithm.
         left: What stands before a pose to make it this arm's.
         right: What stands behind it.
         offsets: What its angles are more than those of the loop.
@@ -30,6 +31,7 @@ class PythonNearest:
     formulas: Formulas
     filled: int
     given: int
+    doubt: int
     left: str
     right: str
     offsets: str
@@ -46,6 +48,7 @@ def python_nearest(module: SolverModule, flat: Flat) -> PythonNearest:
         formulas=formulas,
         filled=len(values) + len(flat.choices),
         given=chain.given,
+        doubt=len(ENTRIES) + chain.given,
         left=repr(_twelve(nearest.left)),
         right=repr(_twelve(nearest.right)),
         offsets=repr(tuple(nearest.offsets[place] for place in solved)),
