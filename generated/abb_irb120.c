@@ -202,10 +202,10 @@ static void solve(
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double root3 = w3 * e3;
             const double s3 = (k2 * root3 - v3) * k4, c3 = k4 * (v4 + k1 * root3);
             const double q3 = atan2(s3, c3);
 
@@ -236,14 +236,14 @@ static void solve(
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : v7 * factor4,
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
-                const double s5 = w4 * e3;
+                const double s5 = w4 * e4;
 
                 /* theta6 */
                 const double c6 = c4 * v9 + s4 * v11, s6 = c4 * v12 - s4 * v14;
@@ -267,10 +267,13 @@ static const double
     m1 = 1.0080160000000003e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 3.884373725055392e-12,
+    m3 = 1.3488473906354537, /* k2 * k4 [m^-2] */
+    m4 = 0.9834871790128595, /* k1 * k3 * k4 */
+    m5 = 5.819313028170099, /* k1 * k4 [m^-2] */
+    m6 = 0.22796060440695423, /* k2 * k3 * k4 */
+    m7 = 1.8518518518518516, /* k4 * (d4 * k1 + a3 * k2) [m^-1] */
+    m8 = 0.04297037037037035, /* d4 * k1 * k3 * k4 + a3 * k2 * k3 * k4 - a2 [m] */
     m9 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 1.3488473906354537, m4 = 0.9834871790128595, m5 = 5.819313028170099,
-m6 = 0.22796060440695423, m7 = 1.8518518518518516, m8 = 0.04297037037037035;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -422,7 +425,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -432,13 +435,13 @@ DHGEN_INLINE int solve_regular(
     /* theta3 */
     const double Z1_3 = T34 - d6 * T31 - d1, N3 = v1 + Z1_3 * Z1_3,
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v3 = w3 - w3, v4 = m4 - m5 * N3;
-    const dhgen_four s3 = v4 + w3 * (m3 * e2);
+    const dhgen_four s3 = v4 + w3 * (m3 * e3);
     const double v5 = m3 * N3 - m6;
-    const dhgen_four c3 = v5 + w3 * (m5 * e2);
+    const dhgen_four c3 = v5 + w3 * (m5 * e3);
 
     /* theta2 */
     const double X1_2 = m7 * N3 - m8, v6 = Z1_3 * X1_2;
-    const dhgen_four S2 = v6 - w3 * (m7 * (w1 * (e1 * e2))), v7 = w3 * (m7 * (e2 * Z1_3)),
+    const dhgen_four S2 = v6 - w3 * (m7 * (w1 * (e1 * e3))), v7 = w3 * (m7 * (e3 * Z1_3)),
         v8 = w1 * (e1 * X1_2), C2 = v7 + v8;
     const double factor2 = 1.0 / N3;
 
@@ -472,7 +475,7 @@ DHGEN_INLINE int solve_regular(
         angle4 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle5 = dhgen_angle_four(ratio2),
         angle2 = dhgen_angle_four(ratio3), angle3 = dhgen_angle_four(ratio4),
         angle6 = dhgen_angle_four(ratio5);
-    const dhgen_four q3_ = e2 * angle1 - turn1, q4_m = angle2 - v14,
+    const dhgen_four q3_ = e3 * angle1 - turn1, q4_m = angle2 - v14,
         q6_m = angle3 - dhgen_signed_four(DHGEN_HALF_TURN, v19),
         v21 = angle4 + v20 * (m10 * (e1 - 1.0)) - offset1, q1_ = dhgen_raised_four(v21),
         v22 = angle5 - offset2, q2_p = dhgen_raised_four(v22), v23 = angle6 - offset5,

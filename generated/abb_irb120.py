@@ -96,12 +96,12 @@ graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.0080160000000003e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 3.884373725055392e-12
-m3 = 1.3488473906354537  # a coefficient of s3
-m4 = 0.9834871790128595  # a coefficient of s3
-m5 = 5.819313028170099  # a coefficient of s3
-m6 = 0.22796060440695423  # a coefficient of c3
-m7 = 1.8518518518518516  # a coefficient of X1_2
-m8 = 0.04297037037037035  # a coefficient of X1_2
+m3 = 1.3488473906354537  # k2 * k4 [m^-2]
+m4 = 0.9834871790128595  # k1 * k3 * k4
+m5 = 5.819313028170099  # k1 * k4 [m^-2]
+m6 = 0.22796060440695423  # k2 * k3 * k4
+m7 = 1.8518518518518516  # k4 * (d4 * k1 + a3 * k2) [m^-1]
+m8 = 0.04297037037037035  # d4 * k1 * k3 * k4 + a3 * k2 * k3 * k4 - a2 [m]
 m9 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -356,11 +356,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         q1 = _wrap(_atan2(s1, c1) - offset1)
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e2
+            root3 = w3 * e3
             s3 = (k2 * root3 - v3) * k4
             c3 = k4 * (v4 + k1 * root3)
             q3 = _atan2(s3, c3)
@@ -395,15 +395,15 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _wrap(_atan2(s2, c2) - offset2)
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else v7 * factor4
                 s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = _atan2(s4, c4)
-                s5 = w4 * e3
+                s5 = w4 * e4
 
                 # theta6
                 c6 = c4 * v9 + s4 * v11

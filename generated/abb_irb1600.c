@@ -206,10 +206,10 @@ static void solve(
             v16 = T11 * s1 - T21 * c1, v17 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double v3 = k3 * (k1 * (w3 * e2));
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double v3 = k3 * (k1 * (w3 * e3));
 
             /* theta2 */
             const double v4 = d4 * v3;
@@ -240,13 +240,13 @@ static void solve(
             const double q3 = dhgen_wrap(atan2(s3, -v3) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(v12) : -(X4 * factor4),
                     s4 = free4 ? sin(v12) : Y4 * factor4;
-                const double s5 = w4 * e3;
+                const double s5 = w4 * e4;
 
                 /* theta6 */
                 const double c6 = c4 * v13 - s4 * v15, s6 = c4 * v16 - s4 * v18;
@@ -270,10 +270,12 @@ static const double
     m1 = 4.006002249999999e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 8.729017508812558e-11,
+    m4 = 0.7142857142857144, /* d4 * k1 * k3 [m^-1] */
+    m5 = 0.09285714285714279, /* a2 - d4 * k1 * k2 * k3 [m] */
+    m6 = 0.8333333333333335, /* a2 * k1 * k3 [m^-1] */
+    /* k1 * k3 * (a2 * k2 + d4 * longest3 * shortest3 * k1 * k3 - d4 * k1 * k2^2 * k3) [m] */
+    m7 = 0.10833333333333327,
     m8 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 0.7142857142857144, m5 = 0.09285714285714279, m6 = 0.8333333333333335,
-m7 = 0.10833333333333327;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -405,7 +407,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -421,7 +423,7 @@ DHGEN_INLINE int solve_regular(
         w3 = dhgen_sqrt_four(D3), v7 = k1 * (N3 - k2);
 
     /* theta2 */
-    const dhgen_four v8 = m5 + m4 * N3, v9 = Z1_3 * v8, v10 = m4 * (e2 * Z1_3), v11 = v5 * v8,
+    const dhgen_four v8 = m5 + m4 * N3, v9 = Z1_3 * v8, v10 = m4 * (e3 * Z1_3), v11 = v5 * v8,
         factor2 = 1.0 / N3;
 
     /* theta4 */
@@ -430,7 +432,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v14 = e1 * v5;
     const double v15 = T33 * Z1_3;
     const dhgen_four v16 = v15 - v13 * v14, v17 = Z1_3 * (e1 * v12), v18 = T33 * v12,
-        v19 = v13 * v17 + v5 * v18, X4 = v19 + w3 * (m6 * (e2 * v16));
+        v19 = v13 * v17 + v5 * v18, X4 = v19 + w3 * (m6 * (e3 * v16));
     const double v20 = w1 * (v2 * (T13 * Y1 + wx * T23)), v21 = v20 * v20;
     const dhgen_four v22 = factor2 * X4, v23 = v21 + factor2 * (X4 * v22);
 
@@ -445,10 +447,10 @@ DHGEN_INLINE int solve_regular(
     const double v31 = w1 * (v2 * (wx * T21 + Y1 * T11)), v32 = s1 * T21 - v3 * T11,
         v33 = Z1_3 * T31;
     const dhgen_four v34 = v33 - v14 * v32, v35 = v17 * v32 + v5 * (v12 * T31),
-        v36 = e1 * (v20 * (v35 + w3 * (m6 * (e2 * v34))) - X4 * v31);
+        v36 = e1 * (v20 * (v35 + w3 * (m6 * (e3 * v34))) - X4 * v31);
 
     /* joint values */
-    const dhgen_four v38 = dhgen_signed_four(DHGEN_HALF_TURN, v7), v39 = m2 * (1.0 - e2),
+    const dhgen_four v38 = dhgen_signed_four(DHGEN_HALF_TURN, v7), v39 = m2 * (1.0 - e3),
         v41 = dhgen_signed_four(DHGEN_HALF_TURN, -(e1 * v20));
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
@@ -457,10 +459,10 @@ DHGEN_INLINE int solve_regular(
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(v7, dhgen_all_four(Y1), 0, 5,
         2, 3), dhgen_shuffle(-(k1 * w3), dhgen_all_four(-wx), 0, 5, 2, 3)),
-        ratio2 = dhgen_ratio_four(w3 * (m4 * (e2 * v5)) - v9, -(v11 + w3 * v10)),
+        ratio2 = dhgen_ratio_four(w3 * (m4 * (e3 * v5)) - v9, -(v11 + w3 * v10)),
         ratio3 = dhgen_ratio_four(-(e1 * v20), -v22),
-        ratio4 = dhgen_ratio_four(v36, e1 * (v20 * (v30 + w3 * (m6 * (e2 * v29))) - X4 * v26)),
-        ratio5 = dhgen_ratio_four(dhgen_sqrt_four(v23), factor2 * (v25 - w3 * (m6 * (e2 * v24))));
+        ratio4 = dhgen_ratio_four(v36, e1 * (v20 * (v30 + w3 * (m6 * (e3 * v29))) - X4 * v26)),
+        ratio5 = dhgen_ratio_four(dhgen_sqrt_four(v23), factor2 * (v25 - w3 * (m6 * (e3 * v24))));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle4 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = dhgen_angle_four(ratio2),
@@ -468,7 +470,7 @@ DHGEN_INLINE int solve_regular(
         angle6 = dhgen_angle_four(ratio5);
     const dhgen_four q6_m = angle2 - dhgen_signed_four(DHGEN_HALF_TURN, v36),
         v37 = angle3 - offset2, q2_p = dhgen_lowered_four(v37),
-        v40 = e2 * angle4 + v38 * v39 - offset3, q3_p = dhgen_raised_four(v40),
+        v40 = e3 * angle4 + v38 * v39 - offset3, q3_p = dhgen_raised_four(v40),
         v42 = angle5 - offset4, v43 = angle5 - v41 - offset4, q4_p = dhgen_raised_four(v42),
         q4_m = dhgen_raised_four(v43), v44 = angle6 - offset5, v45 = offset5 + angle6,
         q5_p = dhgen_raised_four(v44),

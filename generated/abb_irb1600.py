@@ -89,10 +89,11 @@ k3 = 1.4172335600907033  # 1 / (k1^2) [m^-4]
 m1 = 4.006002249999999e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 8.729017508812558e-11
-m4 = 0.7142857142857144  # a coefficient of S2
-m5 = 0.09285714285714279  # a coefficient of S2
-m6 = 0.8333333333333335  # a coefficient of v9
-m7 = 0.10833333333333327  # a coefficient of v9
+m4 = 0.7142857142857144  # d4 * k1 * k3 [m^-1]
+m5 = 0.09285714285714279  # a2 - d4 * k1 * k2 * k3 [m]
+m6 = 0.8333333333333335  # a2 * k1 * k3 [m^-1]
+# k1 * k3 * (a2 * k2 + d4 * longest3 * shortest3 * k1 * k3 - d4 * k1 * k2^2 * k3) [m]
+m7 = 0.10833333333333327
 m8 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -345,11 +346,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v17 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            v3 = k3 * (k1 * (w3 * e2))
+            v3 = k3 * (k1 * (w3 * e3))
 
             # theta2
             v4 = d4 * v3
@@ -381,14 +382,14 @@ def _solve(pose, q_free, seed, moved, q, status):
             q3 = _wrap(_atan2(s3, -v3) - offset3)
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(v12) if free4 else -(X4 * factor4)
                 s4 = math.sin(v12) if free4 else Y4 * factor4
-                s5 = w4 * e3
+                s5 = w4 * e4
 
                 # theta6
                 c6 = c4 * v13 - s4 * v15

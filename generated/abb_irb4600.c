@@ -194,10 +194,10 @@ static void solve(
             v12 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double root3 = w3 * e3;
             const double s3 = (k2 * root3 - v3) * k4, c3 = k4 * (v4 + k1 * root3);
             const double q3 = atan2(s3, c3);
 
@@ -227,14 +227,14 @@ static void solve(
             const double v10 = T32 * c23 + s23 * v9, v13 = T31 * c23 + s23 * v12;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
-                const double s5 = w4 * e3;
+                const double s5 = w4 * e4;
 
                 /* theta5 */
                 const double q5 = atan2(s5, c5);
@@ -258,10 +258,17 @@ static const double
     m1 = 1.0240152378064056e-07, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 8.528223923621197e-10,
+    m4 = 0.4566210045662101, /* k4 * (d4 * k1 + a3 * k2) [m^-1] */
+    m5 = 0.20296803652968054, /* d4 * k1 * k3 * k4 + a3 * k2 * k3 * k4 - a2 [m] */
+    m6 = 0.3863646734914285, /* a2 * k1 * k4 [m^-1] */
+    m7 = 0.053239226662204715, /* a2 * k2 * k4 [m^-1] */
+    /* k2 * k4 * (d4 * k1 * k3^2 * k4 + a3 * k2 * k3^2 * k4 - a2 * k3 - d4 * longest3 * shortest3 *
+     * k1 * k4 - a3 * longest3 * shortest3 * k2 * k4) [m] */
+    m8 = 0.023664836251350022,
+    /* k1 * k4 * (d4 * k1 * k3^2 * k4 + a3 * k2 * k3^2 * k4 - a2 * k3 - d4 * longest3 * shortest3 *
+     * k1 * k4 - a3 * longest3 * shortest3 * k2 * k4) [m] */
+    m9 = 0.17173909736694015,
     m10 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 0.4566210045662101, m5 = 0.20296803652968054, m6 = 0.3863646734914285,
-m7 = 0.053239226662204715, m8 = 0.023664836251350022, m9 = 0.17173909736694015;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -411,7 +418,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -426,16 +433,16 @@ DHGEN_INLINE int solve_regular(
         w3 = dhgen_sqrt_four(D3);
 
     /* theta2 */
-    const dhgen_four X1_2 = m4 * N3 - m5, v6 = v4 * X1_2, v7 = m4 * (e2 * Z1_3), v8 = Z1_3 * X1_2,
+    const dhgen_four X1_2 = m4 * N3 - m5, v6 = v4 * X1_2, v7 = m4 * (e3 * Z1_3), v8 = Z1_3 * X1_2,
         factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v9 = m6 * Z1_3;
     const dhgen_four v10 = v9 + m7 * v4, v11 = m7 + m8 * factor2, v12 = m6 + m9 * factor2,
-        v13 = Z1_3 * v11 - v4 * v12, c23 = v13 + w3 * (factor2 * (e2 * v10));
+        v13 = Z1_3 * v11 - v4 * v12, c23 = v13 + w3 * (factor2 * (e3 * v10));
     const double v14 = m7 * Z1_3;
     const dhgen_four v15 = v14 - m6 * v4, v16 = Z1_3 * v12 + v4 * v11,
-        s23 = w3 * (factor2 * (e2 * v15)) - v16;
+        s23 = w3 * (factor2 * (e3 * v15)) - v16;
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * t14));
     const dhgen_four X4 = T33 * c23 + e1 * (s23 * v17);
     const double v18 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v19 = v18 * v18;
@@ -452,7 +459,7 @@ DHGEN_INLINE int solve_regular(
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(Y1), 0, 5,
         2, 3), dhgen_shuffle(N3 - k3, dhgen_all_four(-t14), 0, 5, 2, 3)),
-        ratio2 = dhgen_ratio_four(-(v6 + w3 * v7), v8 - w3 * (m4 * (e2 * v4))),
+        ratio2 = dhgen_ratio_four(-(v6 + w3 * v7), v8 - w3 * (m4 * (e3 * v4))),
         ratio3 = dhgen_ratio_four(-(e1 * v18), -X4),
         ratio4 = dhgen_ratio_four(v26, e1 * (X4 * v22 - v18 * (c23 * T32 + e1 * (s23 * v23)))),
         ratio5 = dhgen_ratio_four(dhgen_sqrt_four(v20), e1 * (c23 * v17) - T33 * s23);
@@ -461,7 +468,7 @@ DHGEN_INLINE int solve_regular(
         angle1 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = dhgen_angle_four(ratio2),
         angle4 = dhgen_angle_four(ratio3), angle6 = dhgen_angle_four(ratio4),
         angle5 = dhgen_angle_four(ratio5);
-    const dhgen_four q3_ = e2 * angle2 - turn1, q4_m = angle4 - v21,
+    const dhgen_four q3_ = e3 * angle2 - turn1, q4_m = angle4 - v21,
         q6_m = angle6 - dhgen_signed_four(DHGEN_HALF_TURN, v26), v27 = dhgen_raised_four(q3_),
         v28 = v27 - dhgen_only_four(dhgen_high(joints + 2) < v27, DHGEN_TURN),
         v29 = dhgen_beyond_four(v28, joints + 2), v30 = v27 - dhgen_high(joints + 2),

@@ -94,12 +94,16 @@ graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.0240152378064056e-07  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 8.528223923621197e-10
-m4 = 0.4566210045662101  # a coefficient of X1_2
-m5 = 0.20296803652968054  # a coefficient of X1_2
-m6 = 0.3863646734914285  # a coefficient of c23
-m7 = 0.053239226662204715  # a coefficient of c23
-m8 = 0.023664836251350022  # a coefficient of c23
-m9 = 0.17173909736694015  # a coefficient of c23
+m4 = 0.4566210045662101  # k4 * (d4 * k1 + a3 * k2) [m^-1]
+m5 = 0.20296803652968054  # d4 * k1 * k3 * k4 + a3 * k2 * k3 * k4 - a2 [m]
+m6 = 0.3863646734914285  # a2 * k1 * k4 [m^-1]
+m7 = 0.053239226662204715  # a2 * k2 * k4 [m^-1]
+# k2 * k4 * (d4 * k1 * k3^2 * k4 + a3 * k2 * k3^2 * k4 - a2 * k3 - d4 * longest3 * shortest3 * k1 *
+# k4 - a3 * longest3 * shortest3 * k2 * k4) [m]
+m8 = 0.023664836251350022
+# k1 * k4 * (d4 * k1 * k3^2 * k4 + a3 * k2 * k3^2 * k4 - a2 * k3 - d4 * longest3 * shortest3 * k1 *
+# k4 - a3 * longest3 * shortest3 * k2 * k4) [m]
+m9 = 0.17173909736694015
 m10 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -344,11 +348,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v12 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e2
+            root3 = w3 * e3
             s3 = (k2 * root3 - v3) * k4
             c3 = k4 * (v4 + k1 * root3)
             q3 = _atan2(s3, c3)
@@ -381,15 +385,15 @@ def _solve(pose, q_free, seed, moved, q, status):
             v13 = T31 * c23 + s23 * v12
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
                 s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = _atan2(s4, c4)
-                s5 = w4 * e3
+                s5 = w4 * e4
 
                 # theta5
                 q5 = _atan2(s5, c5)

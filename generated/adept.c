@@ -145,11 +145,11 @@ static void solve(
 #ifndef ADEPT_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 static const double
+    m1 = 330000.0, /* l1 * l2 [mm^2] */
+    m2 = 600.0, /* l1 [mm] */
     m3 = 331776.0, /* doubt_limit2^2 [mm^4] */
     m4 = 0.000576, /* pose_slack1^2 [mm^2] */
     m5 = 1.0000000000000002e-10; /* pose_slack^2 */
-/* coefficients */
-static const double m1 = 330000.0, m2 = 600.0;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */

@@ -144,10 +144,10 @@ static void solve(
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e2 = i1 == 0 ? 1.0 : -1.0;
         /* theta2 */
-        if (e1 < 0.0 && !apart2) continue; /* both signs give the same */
-        const double s2 = w2 * e1 * k2;
+        if (e2 < 0.0 && !apart2) continue; /* both signs give the same */
+        const double s2 = w2 * e2 * k2;
         const double q2 = atan2(s2, c2);
 
         /* theta1 */
@@ -180,10 +180,10 @@ static void solve(
 static const double
     /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
     m1 = 4.2270353883820664e-12,
+    m2 = 1.5384615384615385, /* a2 * k2 [m^-1] */
+    m3 = 0.04615384615384612, /* a1 - a2 * k1 * k2 [m] */
     m4 = 9.74169e-11, /* pose_slack1^2 [m^2] */
     m5 = 1.0000000000000002e-10; /* pose_slack^2 */
-/* coefficients */
-static const double m2 = 1.5384615384615385, m3 = 0.04615384615384612;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -233,7 +233,7 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* r3 */
@@ -256,14 +256,14 @@ DHGEN_INLINE int solve_regular(
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(v2 - w2 * (m2 *
-        (e1 * T14)), dhgen_all_four(T21), 0, 1, 6, 3), dhgen_all_four(w2), 0, 1, 2, 7),
-        dhgen_shuffle(dhgen_shuffle(v3 + w2 * (m2 * (e1 * T24)), dhgen_all_four(T11), 0, 1, 6, 3),
+        (e2 * T14)), dhgen_all_four(T21), 0, 1, 6, 3), dhgen_all_four(w2), 0, 1, 2, 7),
+        dhgen_shuffle(dhgen_shuffle(v3 + w2 * (m2 * (e2 * T24)), dhgen_all_four(T11), 0, 1, 6, 3),
         dhgen_all_four(N2 - k1), 0, 1, 2, 7));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle3 = dhgen_shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2),
         angle2 = dhgen_shuffle(packed1, packed1, 3, 3, 3, 3);
-    const dhgen_four q2 = e1 * angle2, v7 = angle3 + q2 - angle1, q4 = dhgen_centred_four(v7);
+    const dhgen_four q2 = e2 * angle2, v7 = angle3 + q2 - angle1, q4 = dhgen_centred_four(v7);
 
     dhgen_store_4(q, q + 4, q, q + 4, angle3, q2, dhgen_all_four(q3), q4);
     const unsigned long long none1 = (dhgen_bits_four(angle3 != angle3) * 0x81ull & 0x101ull);

@@ -74,8 +74,8 @@ k1 = 0.18125000000000002  # a1^2 + a2^2 [m^2]
 k2 = 5.594405594405594  # 1 / (2 * a2 * a1) [m^-2]
 # 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
 m1 = 4.2270353883820664e-12
-m2 = 1.5384615384615385  # a coefficient of S1
-m3 = 0.04615384615384612  # a coefficient of S1
+m2 = 1.5384615384615385  # a2 * k2 [m^-1]
+m3 = 0.04615384615384612  # a1 - a2 * k1 * k2 [m]
 m4 = 9.74169e-11  # pose_slack1^2 [m^2]
 m5 = 1.0000000000000002e-10  # pose_slack^2
 turn = 2.0 * math.pi  # [rad]
@@ -211,11 +211,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # the arm can't take this pose
 
     for i1 in range(2):  # right, left
-        e1 = 1.0 - 2.0 * i1
+        e2 = 1.0 - 2.0 * i1
         # theta2
-        if e1 < 0.0 and not apart2:
+        if e2 < 0.0 and not apart2:
             continue  # both signs give the same
-        s2 = w2 * e1 * k2
+        s2 = w2 * e2 * k2
         q2 = _atan2(s2, c2)
 
         # theta1

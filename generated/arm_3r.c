@@ -148,10 +148,10 @@ static void solve(
         const double v4 = Z1_3 * Y1_2, v5 = root1 * Y1_2;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double c3 = k3 * (k1 * (w3 * e2));
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double c3 = k3 * (k1 * (w3 * e3));
             const double q3 = atan2(-v2, c3);
 
             /* theta2 */
@@ -177,9 +177,9 @@ static const double
     m1 = 1.3224999999999998e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 9.698908343125067e-12,
+    m4 = 1.2499999999999998, /* d4 * k1 * k3 [m^-1] */
+    m5 = 0.04687500000000003, /* a2 - d4 * k1 * k2 * k3 [m] */
     m6 = 1.749006249999999e-16; /* doubt_limit_squared2^2 [m^4] */
-/* coefficients */
-static const double m4 = 1.2499999999999998, m5 = 0.04687500000000003;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -232,7 +232,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -244,7 +244,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double v5 = m5 + m4 * N3, v6 = Z1_3 * v5;
-    const dhgen_four S2 = w3 * (m4 * (w1 * (e1 * e2))) - v6, v7 = w3 * (m4 * (e2 * Z1_3)),
+    const dhgen_four S2 = w3 * (m4 * (w1 * (e1 * e3))) - v6, v7 = w3 * (m4 * (e3 * Z1_3)),
         v8 = w1 * (e1 * v5), v9 = v7 + v8;
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7] + T[11])) <= DHGEN_ORTHONORMAL) == 0) |
@@ -256,7 +256,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0),
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = dhgen_angle_four(ratio2);
-    const dhgen_four q3 = e2 * angle2 + v4 * (m2 * (1.0 - e2)),
+    const dhgen_four q3 = e3 * angle2 + v4 * (m2 * (1.0 - e3)),
         q1 = v3 + (angle1 + v2 * (m2 * (e1 - 1.0)));
 
     dhgen_store_2(q, q + 3, q + 6, q + 9, q1, angle3);

@@ -73,8 +73,8 @@ k3 = 12.755102040816327  # 1 / (k1^2) [m^-4]
 m1 = 1.3224999999999998e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 9.698908343125067e-12
-m4 = 1.2499999999999998  # a coefficient of S2
-m5 = 0.04687500000000003  # a coefficient of S2
+m4 = 1.2499999999999998  # d4 * k1 * k3 [m^-1]
+m5 = 0.04687500000000003  # a2 - d4 * k1 * k2 * k3 [m]
 m6 = 1.749006249999999e-16  # doubt_limit_squared2^2 [m^4]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -229,11 +229,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v5 = root1 * Y1_2
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            c3 = k3 * (k1 * (w3 * e2))
+            c3 = k3 * (k1 * (w3 * e3))
             q3 = _atan2(-v2, c3)
 
             # theta2

@@ -190,10 +190,10 @@ static void solve(
             v13 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double c3 = k3 * (k1 * (w3 * e2));
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double c3 = k3 * (k1 * (w3 * e3));
             const double q3 = atan2(-v2, c3);
 
             /* theta2 */
@@ -218,16 +218,16 @@ static void solve(
             const double v11 = c23 * v10 - T32 * s23, v14 = c23 * v13 - T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
                 /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-                const double q5 = atan2(-(w4 * e3), -(T33 * c23 + s23 * v7));
+                const double q5 = atan2(-(w4 * e4), -(T33 * c23 + s23 * v7));
 
                 /* theta6 */
                 const double q6 = atan2(-(c4 * v12 + s4 * v14), -(c4 * v9 + s4 * v11));
@@ -246,10 +246,10 @@ static const double
     m1 = 1.5625e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.050715070505213e-11,
+    m4 = 1.2499999999999998, /* d4 * k1 * k3 [m^-1] */
+    m5 = 0.04687500000000003, /* a2 - d4 * k1 * k2 * k3 [m] */
     m6 = 2.44140625e-16, /* doubt_limit_squared2^2 [m^4] */
     m7 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 1.2499999999999998, m5 = 0.04687500000000003;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -361,7 +361,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -375,16 +375,16 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double v9 = d4 * c3, Y1_2 = a2 + d4 * v6, v10 = Z1_3 * Y1_2, v11 = w1 * v9;
-    const dhgen_four v12 = e1 * e2, v13 = v11 * v12 - v10;
+    const dhgen_four v12 = e1 * e3, v13 = v11 * v12 - v10;
     const double v14 = m5 + m4 * N3, v15 = Z1_3 * v14;
     const dhgen_four S2 = w3 * (m4 * (w1 * v12)) - v15;
     const double v16 = w1 * Y1_2, v17 = Z1_3 * v9;
-    const dhgen_four v18 = e2 * v17, v19 = e1 * v16, v20 = v18 + v19, v21 = w3 * (m4 * (e2 * Z1_3)),
+    const dhgen_four v18 = e3 * v17, v19 = e1 * v16, v20 = v18 + v19, v21 = w3 * (m4 * (e3 * Z1_3)),
         v22 = w1 * (e1 * v14), v23 = v21 + v22, v24 = S2 * S2 + v23 * v23,
         w2 = dhgen_sqrt_four(v24), v25 = 1.0 / v24;
 
     /* theta4 */
-    const dhgen_four v26 = e2 * c3, c23 = w2 * (v25 * (v6 * v13 - v20 * v26)),
+    const dhgen_four v26 = e3 * c3, c23 = w2 * (v25 * (v6 * v13 - v20 * v26)),
         s23 = w2 * (v25 * (v13 * v26 + v6 * v20));
     const double v27 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const dhgen_four X4 = T33 * s23 - e1 * (c23 * v27);
@@ -411,7 +411,7 @@ DHGEN_INLINE int solve_regular(
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = dhgen_angle_four(ratio2),
         angle4 = dhgen_angle_four(ratio3), angle6 = dhgen_angle_four(ratio4),
         angle5 = dhgen_angle_four(ratio5);
-    const dhgen_four q3_p = e2 * angle2 + v8 * (m2 * (1.0 - e2)), q4_m = angle4 - v31,
+    const dhgen_four q3_p = e3 * angle2 + v8 * (m2 * (1.0 - e3)), q4_m = angle4 - v31,
         q6_m = angle6 - dhgen_signed_four(DHGEN_HALF_TURN, v36),
         q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
 

@@ -82,8 +82,8 @@ k3 = 12.755102040816327  # 1 / (k1^2) [m^-4]
 m1 = 1.5625e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.050715070505213e-11
-m4 = 1.2499999999999998  # a coefficient of S2
-m5 = 0.04687500000000003  # a coefficient of S2
+m4 = 1.2499999999999998  # d4 * k1 * k3 [m^-1]
+m5 = 0.04687500000000003  # a2 - d4 * k1 * k2 * k3 [m]
 m6 = 2.44140625e-16  # doubt_limit_squared2^2 [m^4]
 m7 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
@@ -321,11 +321,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v13 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            c3 = k3 * (k1 * (w3 * e2))
+            c3 = k3 * (k1 * (w3 * e3))
             q3 = _atan2(-v2, c3)
 
             # theta2
@@ -352,17 +352,17 @@ def _solve(pose, q_free, seed, moved, q, status):
             v14 = c23 * v13 - T31 * s23
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
                 s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = _atan2(s4, c4)
 
                 # theta5, type 3: U4[2, 3] and U4[1, 3]
-                q5 = _atan2(-(w4 * e3), -(T33 * c23 + s23 * v7))
+                q5 = _atan2(-(w4 * e4), -(T33 * c23 + s23 * v7))
 
                 # theta6
                 q6 = _atan2(-(c4 * v12 + s4 * v14), -(c4 * v9 + s4 * v11))

@@ -215,10 +215,10 @@ static void solve(
             v14 = T21 * c1 + T11 * s1, v15 = T11 * c1 - T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double root3 = w3 * e3;
             const double s3 = (v5 + k6 * root3) * k8, c3 = k8 * (v6 - k5 * root3);
 
             /* theta2 */
@@ -250,10 +250,10 @@ static void solve(
             const double q3 = dhgen_wrap(atan2(s3, c3) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(v10) : -(X4 * factor4),
                     s4 = free4 ? sin(v10) : Y4 * factor4;
 
@@ -262,7 +262,7 @@ static void solve(
 
                 /* joint values */
                 const double q4 = dhgen_wrap(atan2(s4, c4) - offset4);
-                const double q5 = dhgen_wrap(atan2(-(w4 * e3), c5) - offset5);
+                const double q5 = dhgen_wrap(atan2(-(w4 * e4), c5) - offset5);
                 const double q6 = dhgen_wrap(atan2(s6, c6) - offset6);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
@@ -281,10 +281,17 @@ static const double
     m1 = 7.540515999999996e-25, /* 1000 * k3 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 1.355568761630017e-10,
+    m3 = 0.7142857142857144, /* k8 * (d4 * k5 + a3 * k6) [m^-1] */
+    m4 = 0.047427857142857084, /* a2 - d4 * k5 * k7 * k8 - a3 * k6 * k7 * k8 [m] */
+    m5 = 0.21836586788038748, /* a2 * k6 * k8 [m^-1] */
+    m6 = 0.7365421705803339, /* a2 * k5 * k8 [m^-1] */
+    /* k5 * k8 * (a2 * k7 + d4 * longest3 * shortest3 * k5 * k8 + a3 * longest3 * shortest3 * k6 *
+     * k8 - d4 * k5 * k7^2 * k8 - a3 * k6 * k7^2 * k8) [m] */
+    m7 = 0.04890566358436353,
+    /* k6 * k8 * (a2 * k7 + d4 * longest3 * shortest3 * k5 * k8 + a3 * longest3 * shortest3 * k6 *
+     * k8 - d4 * k5 * k7^2 * k8 - a3 * k6 * k7^2 * k8) [m] */
+    m8 = 0.01449927526138983,
     m9 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 0.7142857142857144, m4 = 0.047427857142857084, m5 = 0.21836586788038748,
-m6 = 0.7365421705803339, m7 = 0.04890566358436353, m8 = 0.01449927526138983;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -451,7 +458,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -470,16 +477,16 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four w3 = dhgen_sqrt_four(D3);
 
     /* theta2 */
-    const dhgen_four X1_2 = m4 + m3 * N3, v5 = Z1_3 * X1_2, v6 = Z2_3 * X1_2, v7 = m3 * (e2 * Z1_3),
+    const dhgen_four X1_2 = m4 + m3 * N3, v5 = Z1_3 * X1_2, v6 = Z2_3 * X1_2, v7 = m3 * (e3 * Z1_3),
         factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v8 = m5 * Z1_3;
     const dhgen_four v9 = v8 - m6 * Z2_3, v10 = m6 - m7 * factor2, v11 = m5 - m8 * factor2,
-        v12 = Z1_3 * v10 + Z2_3 * v11, c2m3 = v12 + w3 * (factor2 * (e2 * v9));
+        v12 = Z1_3 * v10 + Z2_3 * v11, c2m3 = v12 + w3 * (factor2 * (e3 * v9));
     const double v13 = m6 * Z1_3;
     const dhgen_four v14 = v13 + m5 * Z2_3, v15 = Z1_3 * v11 + Z2_3 * -v10,
-        s2m3 = v15 - w3 * (factor2 * (e2 * v14)), v16 = T13 * c1 - T23 * s1,
+        s2m3 = v15 - w3 * (factor2 * (e3 * v14)), v16 = T13 * c1 - T23 * s1,
         X4 = T33 * s2m3 - c2m3 * v16, Y4 = T23 * c1 + T13 * s1, v17 = Y4 * Y4, v18 = v17 + X4 * X4;
 
     /* theta6 */
@@ -496,7 +503,7 @@ DHGEN_INLINE int solve_regular(
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, w3, 0, 5, 2, 7),
         dhgen_shuffle(c1, N3 - k7, 0, 5, 2, 7)),
-        ratio2 = dhgen_ratio_four(v5 + w3 * (m3 * (e2 * Z2_3)), v6 - w3 * v7),
+        ratio2 = dhgen_ratio_four(v5 + w3 * (m3 * (e3 * Z2_3)), v6 - w3 * v7),
         ratio3 = dhgen_ratio_four(Y4, -X4),
         ratio4 = dhgen_ratio_four(s6, v19 * -X4 - Y4 * (c2m3 * v20 - s2m3 * T32)),
         ratio5 = dhgen_ratio_four(-dhgen_sqrt_four(v18), T33 * c2m3 + s2m3 * v16);
@@ -506,7 +513,7 @@ DHGEN_INLINE int solve_regular(
         angle4 = dhgen_angle_four(ratio3), angle6 = dhgen_angle_four(ratio4),
         angle5 = dhgen_angle_four(ratio5);
     const dhgen_four v23 = angle2 - offset2, q2_p = dhgen_lowered_four(v23),
-        v24 = e2 * angle3 - turn1 - offset3, q3_p = dhgen_raised_four(v24), v26 = angle4 - offset4,
+        v24 = e3 * angle3 - turn1 - offset3, q3_p = dhgen_raised_four(v24), v26 = angle4 - offset4,
         v27 = angle4 - v25 - offset4, q4_p = dhgen_raised_four(v26), q4_m = dhgen_raised_four(v27),
         v28 = angle5 - offset5, v29 = offset5 + angle5, q5_p = dhgen_raised_four(v28),
         q5_m = dhgen_only_four(-v29 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v29, v30 = angle6 - offset6,

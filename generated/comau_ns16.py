@@ -105,12 +105,16 @@ graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 7.540515999999996e-25  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 1.355568761630017e-10
-m3 = 0.7142857142857144  # a coefficient of X1_2
-m4 = 0.047427857142857084  # a coefficient of X1_2
-m5 = 0.21836586788038748  # a coefficient of c2m3
-m6 = 0.7365421705803339  # a coefficient of c2m3
-m7 = 0.04890566358436353  # a coefficient of c2m3
-m8 = 0.01449927526138983  # a coefficient of c2m3
+m3 = 0.7142857142857144  # k8 * (d4 * k5 + a3 * k6) [m^-1]
+m4 = 0.047427857142857084  # a2 - d4 * k5 * k7 * k8 - a3 * k6 * k7 * k8 [m]
+m5 = 0.21836586788038748  # a2 * k6 * k8 [m^-1]
+m6 = 0.7365421705803339  # a2 * k5 * k8 [m^-1]
+# k5 * k8 * (a2 * k7 + d4 * longest3 * shortest3 * k5 * k8 + a3 * longest3 * shortest3 * k6 * k8 -
+# d4 * k5 * k7^2 * k8 - a3 * k6 * k7^2 * k8) [m]
+m7 = 0.04890566358436353
+# k6 * k8 * (a2 * k7 + d4 * longest3 * shortest3 * k5 * k8 + a3 * longest3 * shortest3 * k6 * k8 -
+# d4 * k5 * k7^2 * k8 - a3 * k6 * k7^2 * k8) [m]
+m8 = 0.01449927526138983
 m9 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -378,11 +382,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v15 = T11 * c1 - T21 * s1
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e2
+            root3 = w3 * e3
             s3 = (v5 + k6 * root3) * k8
             c3 = k8 * (v6 - k5 * root3)
 
@@ -417,11 +421,11 @@ def _solve(pose, q_free, seed, moved, q, status):
             q3 = _wrap(_atan2(s3, c3) - offset3)
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(v10) if free4 else -(X4 * factor4)
                 s4 = math.sin(v10) if free4 else Y4 * factor4
 
@@ -431,7 +435,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
-                q5 = _wrap(_atan2(-(w4 * e3), c5) - offset5)
+                q5 = _wrap(_atan2(-(w4 * e4), c5) - offset5)
                 q6 = _wrap(_atan2(s6, c6) - offset6)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1

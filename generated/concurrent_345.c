@@ -361,10 +361,10 @@ static void solve(
         const double v105 = k15 * Z1_4;
 
         for (int i2 = 0; i2 < 2; i2++) { /* elbow+, elbow- */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && free3) continue; /* both signs give the same */
-            const double factor3 = e2 / divisor3;
+            if (e3 < 0.0 && free3) continue; /* both signs give the same */
+            const double factor3 = e3 / divisor3;
             const double c3 = free3 ? cos(seed[2]) : v55 * factor3,
                 s3 = free3 ? sin(seed[2]) : Y3 * factor3;
             const double q3 = atan2(s3, c3);

@@ -589,11 +589,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v105 = k15 * Z1_4
 
         for i2 in range(2):  # elbow+, elbow-
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and free3:
+            if e3 < 0.0 and free3:
                 continue  # both signs give the same
-            factor3 = e2 / divisor3
+            factor3 = e3 / divisor3
             c3 = math.cos(seed[2]) if free3 else v55 * factor3
             s3 = math.sin(seed[2]) if free3 else Y3 * factor3
             q3 = _atan2(s3, c3)

@@ -201,13 +201,14 @@ static void solve(
 static const double
     m1 = 1.414213562373105e-11, /* 1000 * k5 */
     m2 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m3 = 0.7071067811865476, /* k2 */
+    m4 = 0.5, /* a3 * k1 [m] */
+    m5 = 1.4142135623730951, /* a3 * k1 * k7 [m^2] */
     m6 = 8.1e-07, /* doubt_limit2^2 [m^4] */
     m7 = 9.000000000000002e-10, /* pose_slack1^2 [m^2] */
     m8 = 2.7000000000000006e-09, /* 3 * pose_slack1^2 [m^2] */
     m9 = 1.0000000000000002e-10, /* pose_slack^2 */
     m10 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
-/* coefficients */
-static const double m3 = 0.7071067811865476, m4 = 0.5, m5 = 1.4142135623730951;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */

@@ -154,16 +154,16 @@ static void solve(
         const double v3 = T12 * c1 + T22 * s1, v4 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e4 = i2 == 0 ? 1.0 : -1.0;
             /* theta4 */
-            if (e2 < 0.0 && free4) continue; /* both signs give the same */
-            const double factor4 = e2 / divisor4;
+            if (e4 < 0.0 && free4) continue; /* both signs give the same */
+            const double factor4 = e4 / divisor4;
             const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                 s4 = free4 ? sin(seed[3]) : T33 * factor4;
             const double q4 = atan2(s4, c4);
 
             /* theta5 */
-            const double q5 = atan2(-(w4 * e2), c5);
+            const double q5 = atan2(-(w4 * e4), c5);
 
             /* theta6 */
             const double q6 = atan2(-(T31 * c4 + s4 * v4), -(T32 * c4 + s4 * v3));
@@ -235,7 +235,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e4 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* r2 */
@@ -272,8 +272,8 @@ DHGEN_INLINE int solve_regular(
         angle3 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2),
         angle4 = dhgen_shuffle(packed1, packed1, 3, 3, 3, 3);
     const dhgen_four q1 = angle1 + v2 * (m2 * v3), v7 = e1 * angle2,
-        q4 = v7 + v6 * (m2 * (e2 - e1)), q5_ = e1 * angle3 + v8 * (m2 * -v3),
-        q6 = angle4 + v10 * (m2 * (e1 * e2 - 1.0)), q5 = e2 * q5_;
+        q4 = v7 + v6 * (m2 * (e4 - e1)), q5_ = e1 * angle3 + v8 * (m2 * -v3),
+        q6 = angle4 + v10 * (m2 * (e1 * e4 - 1.0)), q5 = e4 * q5_;
 
     dhgen_store_4(q, q + 6, q + 12, q + 18, q1, dhgen_all_four(q2), q3, q4);
     dhgen_store_2(q + 4, q + 10, q + 16, q + 22, q5, q6);

@@ -244,17 +244,17 @@ def _solve(pose, q_free, seed, moved, q, status):
         v4 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # noflip, flip
-            e2 = 1.0 - 2.0 * i2
+            e4 = 1.0 - 2.0 * i2
             # theta4
-            if e2 < 0.0 and free4:
+            if e4 < 0.0 and free4:
                 continue  # both signs give the same
-            factor4 = e2 / divisor4
+            factor4 = e4 / divisor4
             c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
             s4 = math.sin(seed[3]) if free4 else T33 * factor4
             q4 = _atan2(s4, c4)
 
             # theta5
-            q5 = _atan2(-(w4 * e2), c5)
+            q5 = _atan2(-(w4 * e4), c5)
 
             # theta6
             q6 = _atan2(-(T31 * c4 + s4 * v4), -(T32 * c4 + s4 * v3))

@@ -154,10 +154,10 @@ static void solve(
         const double v3 = Z1_3 * Y1_2, v4 = root1 * Y1_2;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double s3 = w3 * e2 * k2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double s3 = w3 * e3 * k2;
 
             /* theta2 */
             const double v2 = a3 * s3;
@@ -185,9 +185,9 @@ static const double
     m1 = 1.77241e-09, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.8837681414751167e-13,
+    m4 = 3.7037037037037037, /* a3 * k2 [m^-1] */
+    m5 = 0.012533333333333329, /* a3 * k1 * k2 - a2 [m] */
     m6 = 3.141437208100001e-18; /* doubt_limit_squared2^2 [m^4] */
-/* coefficients */
-static const double m4 = 3.7037037037037037, m5 = 0.012533333333333329;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -259,7 +259,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -271,7 +271,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double v4 = m5 - m4 * N3, v5 = Z1_3 * v4;
-    const dhgen_four S2 = v5 + w3 * (m4 * (w1 * (e1 * e2))), v6 = w3 * (m4 * (e2 * Z1_3)),
+    const dhgen_four S2 = v5 + w3 * (m4 * (w1 * (e1 * e3))), v6 = w3 * (m4 * (e3 * Z1_3)),
         v7 = w1 * (e1 * -v4), v8 = v6 + v7;
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7] + T[11])) <= DHGEN_ORTHONORMAL) == 0) |
@@ -284,7 +284,7 @@ DHGEN_INLINE int solve_regular(
         angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0),
         angle3 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = dhgen_angle_four(ratio2);
     const dhgen_four q1_ = angle1 + v2 * (m2 * (e1 - 1.0)), v9 = angle2 - offset2,
-        q2 = dhgen_lowered_four(v9), v10 = e2 * angle3 - offset3, q3 = dhgen_wrap_four(q2 + v10),
+        q2 = dhgen_lowered_four(v9), v10 = e3 * angle3 - offset3, q3 = dhgen_wrap_four(q2 + v10),
         v11 = dhgen_exceeds_four(q1_, joints), q1 = q1_ + v3,
         excess = dhgen_maximum_four(dhgen_beyond_four(q3, joints + 2), dhgen_maximum_four(v11,
             dhgen_beyond_four(q2, joints + 1)));

@@ -82,8 +82,8 @@ graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.77241e-09  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.8837681414751167e-13
-m4 = 3.7037037037037037  # a coefficient of S2
-m5 = 0.012533333333333329  # a coefficient of S2
+m4 = 3.7037037037037037  # a3 * k2 [m^-1]
+m5 = 0.012533333333333329  # a3 * k1 * k2 - a2 [m]
 m6 = 3.141437208100001e-18  # doubt_limit_squared2^2 [m^4]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -248,11 +248,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v4 = root1 * Y1_2
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            s3 = w3 * e2 * k2
+            s3 = w3 * e3 * k2
 
             # theta2
             v2 = a3 * s3

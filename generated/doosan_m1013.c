@@ -210,10 +210,10 @@ static void solve(
             v16 = T21 * c1 - T11 * s1, v17 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double v5 = k7 * (k5 * (w3 * e2));
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double v5 = k7 * (k5 * (w3 * e3));
 
             /* theta2 */
             const double Y1_2 = d4 * v5;
@@ -240,13 +240,13 @@ static void solve(
             const double q3 = dhgen_wrap(atan2(s3, -v5) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(v12) : -(X4 * factor4),
                     s4 = free4 ? sin(v12) : Y4 * factor4;
-                const double s5 = w4 * e3;
+                const double s5 = w4 * e4;
 
                 /* theta6 */
                 const double c6 = c4 * v13 + s4 * v15, s6 = c4 * v16 + s4 * v18;
@@ -270,10 +270,10 @@ static const double
     m1 = 1.0260300000002214e-12, /* 1000 * k3 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 4.863633051854654e-11,
+    m3 = 0.8064516129032259, /* d4 * k5 * k7 [m^-1] */
+    m4 = 0.057999193548387, /* a2 - d4 * k5 * k6 * k7 [m] */
     m5 = 4.889268346561e-16, /* doubt_limit_squared2^2 [m^4] */
     m6 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 0.8064516129032259, m4 = 0.057999193548387;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -404,7 +404,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -421,16 +421,16 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double X1_2 = a2 + d4 * s3, Y1_2 = d4 * v8, v9 = Z1_3 * X1_2, v10 = w1 * Y1_2;
-    const dhgen_four v11 = e1 * e2, v12 = v9 - v10 * v11;
+    const dhgen_four v11 = e1 * e3, v12 = v9 - v10 * v11;
     const double v13 = m4 + m3 * N3, v14 = Z1_3 * v13;
     const dhgen_four S2 = v14 - w3 * (m3 * (w1 * v11));
     const double v15 = w1 * X1_2, v16 = Z1_3 * Y1_2;
-    const dhgen_four v17 = e1 * v15, v18 = e2 * v16, v19 = v17 + v18, v20 = w3 * (m3 * (e2 * Z1_3)),
+    const dhgen_four v17 = e1 * v15, v18 = e3 * v16, v19 = v17 + v18, v20 = w3 * (m3 * (e3 * Z1_3)),
         v21 = w1 * (e1 * v13), C2 = v20 + v21, v22 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v22),
         v23 = 1.0 / v22;
 
     /* theta4 */
-    const dhgen_four v24 = e2 * v8, v25 = w2 * (v23 * (v19 * v24 + s3 * v12)),
+    const dhgen_four v24 = e3 * v8, v25 = w2 * (v23 * (v19 * v24 + s3 * v12)),
         s23 = w2 * (v23 * (s3 * v19 - v12 * v24)), v26 = T23 * s1 - T13 * v3,
         X4 = v25 * v26 - T33 * s23, Y4 = T13 * s1 + T23 * v3, v27 = Y4 * Y4, v28 = v27 + X4 * X4;
 
@@ -458,7 +458,7 @@ DHGEN_INLINE int solve_regular(
         angle4 = dhgen_angle_four(ratio3), angle1 = dhgen_angle_four(ratio4),
         angle5 = dhgen_angle_four(ratio5);
     const dhgen_four q6_m = angle1 - dhgen_signed_four(DHGEN_HALF_TURN, s6), v33 = angle2 - offset2,
-        q2_p = dhgen_raised_four(v33), v35 = e2 * angle3 + v34 * (m7 * (1.0 - e2)) - offset3,
+        q2_p = dhgen_raised_four(v33), v35 = e3 * angle3 + v34 * (m7 * (1.0 - e3)) - offset3,
         v37 = angle4 - offset4, v38 = angle4 - v36 - offset4, q4_p = dhgen_raised_four(v37),
         q4_m = dhgen_raised_four(v38), v39 = angle5 - offset5, v40 = offset5 + angle5,
         q5_p = dhgen_raised_four(v39),

@@ -92,8 +92,8 @@ k7 = 2.081291995206794  # 1 / (k5^2) [m^-4]
 m1 = 1.0260300000002214e-12  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 4.863633051854654e-11
-m3 = 0.8064516129032259  # a coefficient of S2
-m4 = 0.057999193548387  # a coefficient of S2
+m3 = 0.8064516129032259  # d4 * k5 * k7 [m^-1]
+m4 = 0.057999193548387  # a2 - d4 * k5 * k6 * k7 [m]
 m5 = 4.889268346561e-16  # doubt_limit_squared2^2 [m^4]
 m6 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
@@ -352,11 +352,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v17 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            v5 = k7 * (k5 * (w3 * e2))
+            v5 = k7 * (k5 * (w3 * e3))
 
             # theta2
             Y1_2 = d4 * v5
@@ -385,14 +385,14 @@ def _solve(pose, q_free, seed, moved, q, status):
             q3 = _wrap(_atan2(s3, -v5) - offset3)
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(v12) if free4 else -(X4 * factor4)
                 s4 = math.sin(v12) if free4 else Y4 * factor4
-                s5 = w4 * e3
+                s5 = w4 * e4
 
                 # theta6
                 c6 = c4 * v13 + s4 * v15

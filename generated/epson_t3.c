@@ -139,10 +139,10 @@ static void solve(
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e2 = i1 == 0 ? 1.0 : -1.0;
         /* theta2 */
-        if (e1 < 0.0 && !apart2) continue; /* both signs give the same */
-        const double s2 = w2 * e1 * k2;
+        if (e2 < 0.0 && !apart2) continue; /* both signs give the same */
+        const double s2 = w2 * e2 * k2;
         const double q2 = atan2(s2, c2);
 
         /* theta1 */
@@ -175,9 +175,9 @@ static void solve(
 static const double
     /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
     m1 = 5.0709436649753e-13,
+    m2 = 2.2222222222222223, /* a2 * k2 [m^-1] */
+    m3 = 0.04444444444444444, /* a1 - a2 * k1 * k2 [m] */
     m4 = 1.0000000000000002e-10; /* pose_slack^2 */
-/* coefficients */
-static const double m2 = 2.2222222222222223, m3 = 0.04444444444444444;
 static const double per_size = 2.5;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -229,7 +229,7 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta2 */
@@ -249,14 +249,14 @@ DHGEN_INLINE int solve_regular(
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(v2 - w2 * (m2 *
-        (e1 * T14)), dhgen_all_four(T21), 0, 1, 6, 3), dhgen_all_four(w2), 0, 1, 2, 7),
-        dhgen_shuffle(dhgen_shuffle(v3 + w2 * (m2 * (e1 * T24)), dhgen_all_four(T11), 0, 1, 6, 3),
+        (e2 * T14)), dhgen_all_four(T21), 0, 1, 6, 3), dhgen_all_four(w2), 0, 1, 2, 7),
+        dhgen_shuffle(dhgen_shuffle(v3 + w2 * (m2 * (e2 * T24)), dhgen_all_four(T11), 0, 1, 6, 3),
         dhgen_all_four(N2 - k1), 0, 1, 2, 7));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle3 = dhgen_shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2),
         angle2 = dhgen_shuffle(packed1, packed1, 3, 3, 3, 3);
-    const dhgen_four q2 = e1 * angle2, v6 = angle3 + q2 - angle1, q4 = dhgen_centred_four(v6),
+    const dhgen_four q2 = e2 * angle2, v6 = angle3 + q2 - angle1, q4 = dhgen_centred_four(v6),
         v7 = dhgen_maximum_four(dhgen_exceeds_four(angle2, joints + 1), dhgen_all_four(per_size *
             dhgen_maximum_double(dhgen_low(joints + 2) - T34, T34 - dhgen_high(joints + 2)))),
         excess = dhgen_maximum_four(v7, dhgen_exceeds_four(angle3, joints));

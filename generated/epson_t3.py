@@ -77,8 +77,8 @@ high3 = 4e-10
 per_size = 2.5
 graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 5.0709436649753e-13  # 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
-m2 = 2.2222222222222223  # a coefficient of S1
-m3 = 0.04444444444444444  # a coefficient of S1
+m2 = 2.2222222222222223  # a2 * k2 [m^-1]
+m3 = 0.04444444444444444  # a1 - a2 * k1 * k2 [m]
 m4 = 1.0000000000000002e-10  # pose_slack^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -212,11 +212,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # the arm can't take this pose
 
     for i1 in range(2):  # right, left
-        e1 = 1.0 - 2.0 * i1
+        e2 = 1.0 - 2.0 * i1
         # theta2
-        if e1 < 0.0 and not apart2:
+        if e2 < 0.0 and not apart2:
             continue  # both signs give the same
-        s2 = w2 * e1 * k2
+        s2 = w2 * e2 * k2
         q2 = _atan2(s2, c2)
 
         # theta1

@@ -366,11 +366,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v13 = T13 * c1 + T23 * s1
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e2
+            root3 = w3 * e3
             s3 = (v3 + k2 * root3) * k4
             c3 = k4 * (v4 - k1 * root3)
 
@@ -405,15 +405,15 @@ def _solve(pose, q_free, seed, moved, q, status):
             q3 = _wrap(_atan2(s3, c3) - q2)
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
                 s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = _atan2(s4, c4)
-                s5 = w4 * e3
+                s5 = w4 * e4
 
                 # theta6
                 c6 = c4 * v9 + s4 * v11

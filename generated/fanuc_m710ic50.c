@@ -200,10 +200,10 @@ static void solve(
             v13 = T13 * c1 + T23 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double root3 = w3 * e3;
             const double s3 = (v3 + k2 * root3) * k4, c3 = k4 * (v4 - k1 * root3);
             const double q3 = atan2(s3, c3);
 
@@ -236,14 +236,14 @@ static void solve(
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
-                const double s5 = w4 * e3;
+                const double s5 = w4 * e4;
 
                 /* theta6 */
                 const double c6 = c4 * v9 + s4 * v11, s6 = c4 * v12 + s4 * v14;
@@ -267,10 +267,17 @@ static const double
     m1 = 8.678915999999997e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 4.011803222351191e-10,
+    m4 = 0.5747126436781609, /* k4 * (d4 * k1 + a3 * k2) [m^-1] */
+    m5 = 0.1748597701149426, /* d4 * k1 * k3 * k4 + a3 * k2 * k3 * k4 - a2 [m] */
+    m6 = 0.0801013234623373, /* a2 * k2 * k4 [m^-1] */
+    m7 = 0.47872320375138055, /* a2 * k1 * k4 [m^-1] */
+    /* k1 * k4 * (d4 * k1 * k3^2 * k4 + a3 * k2 * k3^2 * k4 - a2 * k3 - d4 * longest3 * shortest3 *
+     * k1 * k4 - a3 * longest3 * shortest3 * k2 * k4) [m] */
+    m8 = 0.14565440708058014,
+    /* k2 * k4 * (d4 * k1 * k3^2 * k4 + a3 * k2 * k3^2 * k4 - a2 * k3 - d4 * longest3 * shortest3 *
+     * k1 * k4 - a3 * longest3 * shortest3 * k2 * k4) [m] */
+    m9 = 0.024371308271356914,
     m10 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 0.5747126436781609, m5 = 0.1748597701149426, m6 = 0.0801013234623373,
-m7 = 0.47872320375138055, m8 = 0.14565440708058014, m9 = 0.024371308271356914;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -429,7 +436,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -444,16 +451,16 @@ DHGEN_INLINE int solve_regular(
         w3 = dhgen_sqrt_four(D3);
 
     /* theta2 */
-    const dhgen_four Y1_2 = m4 * N3 - m5, v6 = Z1_3 * Y1_2, v7 = m4 * (e2 * Z1_3), v8 = v4 * -Y1_2,
+    const dhgen_four Y1_2 = m4 * N3 - m5, v6 = Z1_3 * Y1_2, v7 = m4 * (e3 * Z1_3), v8 = v4 * -Y1_2,
         factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v9 = m6 * Z1_3;
     const dhgen_four v10 = m7 * v4 - v9, v11 = m7 + m8 * factor2, v12 = m6 + m9 * factor2,
-        v13 = Z1_3 * v11 + v4 * v12, c2m3 = w3 * (factor2 * (e2 * v10)) - v13;
+        v13 = Z1_3 * v11 + v4 * v12, c2m3 = w3 * (factor2 * (e3 * v10)) - v13;
     const double v14 = m7 * Z1_3;
     const dhgen_four v15 = v14 + m6 * v4, v16 = v4 * v11 - Z1_3 * v12,
-        s2m3 = v16 + w3 * (factor2 * (e2 * v15));
+        s2m3 = v16 + w3 * (factor2 * (e3 * v15));
     const double v17 = w1 * (v2 * (T21 * Y1 - T11 * t14));
     const dhgen_four X4 = e1 * (c2m3 * v17) - T31 * s2m3;
     const double Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21)), v18 = Y4 * Y4;
@@ -471,7 +478,7 @@ DHGEN_INLINE int solve_regular(
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(Y1), 0, 5,
         2, 3), dhgen_shuffle(N3 - k3, dhgen_all_four(-t14), 0, 5, 2, 3)),
-        ratio2 = dhgen_ratio_four(-(v6 + w3 * (m4 * (e2 * v4))), v8 + w3 * v7),
+        ratio2 = dhgen_ratio_four(-(v6 + w3 * (m4 * (e3 * v4))), v8 + w3 * v7),
         ratio3 = dhgen_ratio_four(v20, -X4),
         ratio4 = dhgen_ratio_four(v26, e1 * (Y4 * (s2m3 * T32 - e1 * (c2m3 * v23)) + X4 * v22)),
         ratio5 = dhgen_ratio_four(dhgen_sqrt_four(v19), T31 * c2m3 + e1 * (s2m3 * v17));
@@ -480,7 +487,7 @@ DHGEN_INLINE int solve_regular(
         angle1 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle5 = dhgen_angle_four(ratio2),
         angle3 = dhgen_angle_four(ratio3), angle4 = dhgen_angle_four(ratio4),
         angle6 = dhgen_angle_four(ratio5);
-    const dhgen_four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e2 * angle2 - turn1,
+    const dhgen_four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e3 * angle2 - turn1,
         q4_m = angle3 - v21, q6_m = angle4 - dhgen_signed_four(DHGEN_HALF_TURN, v26),
         v27 = angle5 - offset2, q2_p = dhgen_lowered_four(v27), v28 = angle6 - offset5,
         v29 = offset5 + angle6, q5_p = dhgen_raised_four(v28),

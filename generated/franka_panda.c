@@ -188,10 +188,10 @@ static void solve(
         v42 = c7 * T22 + s7 * T21;
 
     for (int i1 = 0; i1 < 2; i1++) { /* elbow4+, elbow4- */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e4 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
-        if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
-        const double root4 = w4 * e1;
+        if (e4 < 0.0 && !apart4) continue; /* both signs give the same */
+        const double root4 = w4 * e4;
         const double c4 = k6 * (v7 + k1 * root4), s4 = k6 * (k2 * root4 - v6);
         const double q4 = atan2(s4, c4);
 
@@ -223,10 +223,10 @@ static void solve(
             v45 = T23 * s4, v46 = T23 * c4, v47 = s4 * v39, v48 = s5 * (c4 * v42);
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e5 = i2 == 0 ? 1.0 : -1.0;
             /* theta5 */
-            if (e2 < 0.0 && (free5 || !apart5)) continue; /* both signs give the same */
-            const double c5 = free5 ? cos(seed[4]) : -(inverse5 * (-v8 * (w5 * e2)));
+            if (e5 < 0.0 && (free5 || !apart5)) continue; /* both signs give the same */
+            const double c5 = free5 ? cos(seed[4]) : -(inverse5 * (-v8 * (w5 * e5)));
             const double q5 = atan2(s5, c5);
 
             /* theta6 */
@@ -285,13 +285,16 @@ static const double
     doubt_limit_squared2 = 1.940449e-08, /* square of a length that fixes no angle [m^2] */
     turn1 = 0.46700242365301164, /* a constant angle [rad] */
     m1 = 1.940449e-11, /* 1000 * merge_slack2 [m^2] */
+    m2 = 1.754896834873102, /* k1 * k6 [m^-2] */
+    m3 = 3.4805529861209807, /* k2 * k6 [m^-2] */
+    m4 = 1.2446337324912609, /* k6 * (d3 * k2 + a3 * k1) [m^-1] */
+    m5 = 0.0825, /* a4 [m] */
+    m6 = 0.2674017784649193, /* k6 * (d3 * k1 - a3 * k2) [m^-1] */
     m7 = 1.393e-11, /* 1000 * merge_slack1 [m] */
     m8 = 0.5, /* 1 / 2 */
+    m9 = 0.384, /* d5 [m] */
     m10 = 3.765342321601e-16, /* doubt_limit_squared2^2 [m^4] */
     m11 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m2 = 1.754896834873102, m3 = 3.4805529861209807, m4 = 1.2446337324912609,
-m5 = 0.0825, m6 = 0.2674017784649193, m9 = 0.384;
 
 /* What one pose and many compute alike: values without signs of branches, with the first, with
  * all that are in lanes. */
@@ -319,14 +322,14 @@ m5 = 0.0825, m6 = 0.2674017784649193, m9 = 0.384;
     const dhgen_##number v68 = free_joints[0] + (w4 - w4)
 #define SIGNED(number, signs) \
     /* theta4 */ \
-    const dhgen_##number c4 = v5 + w4 * (m2 * e1), s4 = w4 * (m3 * e1) - v6; \
+    const dhgen_##number c4 = v5 + w4 * (m2 * e4), s4 = w4 * (m3 * e4) - v6; \
     /* theta5 */ \
-    const dhgen_##number v7 = a3 * c4 + d3 * s4 - a4, v9 = v8 - w4 * (m4 * e1), N5 = v9 * v9, \
+    const dhgen_##number v7 = a3 * c4 + d3 * s4 - a4, v9 = v8 - w4 * (m4 * e4), N5 = v9 * v9, \
         D5 = N5 - v10, w5 = dhgen_sqrt_##number(D5), v11 = w5 - w5, inverse5 = 1.0 / N5, \
         v13 = v9 * w5, v14 = inverse5 * v13, v15 = v9 * Z5, s5 = inverse5 * v15, \
         v16 = dhgen_signed_##number(DHGEN_HALF_TURN, v15); \
     /* theta6 */ \
-    const dhgen_##number Y1_6 = v18 + w4 * (m6 * e1), v19 = Y1_6 * Z2_6, v22 = w2z * Y1_6; \
+    const dhgen_##number Y1_6 = v18 + w4 * (m6 * e4), v19 = Y1_6 * Z2_6, v22 = w2z * Y1_6; \
     /* theta3 */ \
     const dhgen_##number v26 = c4 * v25, v27 = T33 * s4, v28 = T33 * c4, v29 = s4 * v25, \
         v31 = s5 * (c4 * v30), v32 = v14 * v26, v33 = v14 * v28, v34 = s5 * v25, v35 = T33 * s5, \
@@ -342,17 +345,17 @@ m5 = 0.0825, m6 = 0.2674017784649193, m9 = 0.384;
     const dhgen_##number q7_p = v11 + v68
 #define SIGNED_TWICE(number, signs) \
     /* theta5 */ \
-    const dhgen_##signs v17 = m8 * (1.0 - e2); \
+    const dhgen_##signs v17 = m8 * (1.0 - e5); \
     /* theta6 */ \
-    const dhgen_##number v20 = e2 * w2z, v21 = v19 - w5 * (inverse5 * (v7 * (v9 * v20))), \
-        v23 = e2 * Z2_6, C6 = v22 + w5 * (inverse5 * (v7 * (v9 * v23))), \
+    const dhgen_##number v20 = e5 * w2z, v21 = v19 - w5 * (inverse5 * (v7 * (v9 * v20))), \
+        v23 = e5 * Z2_6, C6 = v22 + w5 * (inverse5 * (v7 * (v9 * v23))), \
         v24 = v21 * v21 + C6 * C6, factor6 = dhgen_sqrt_##number(v24) * (1.0 / v24); \
     /* theta3 */ \
-    const dhgen_##number c3 = v31 + factor6 * (C6 * (v27 - e2 * v32) + v21 * (v29 + e2 * v33)), \
-        v37 = e2 * v36 + factor6 * (C6 * v34 - v21 * v35), v38 = c3 * c3 + v37 * v37; \
+    const dhgen_##number c3 = v31 + factor6 * (C6 * (v27 - e5 * v32) + v21 * (v29 + e5 * v33)), \
+        v37 = e5 * v36 + factor6 * (C6 * v34 - v21 * v35), v38 = c3 * c3 + v37 * v37; \
     /* theta1 */ \
-    const dhgen_##number s1 = v37 * (v49 + factor6 * (C6 * (v47 - e2 * v50) + v21 * (v48 + e2 * \
-        v51))) - c3 * (e2 * v46 + factor6 * (C6 * v43 - v21 * v44))
+    const dhgen_##number s1 = v37 * (v49 + factor6 * (C6 * (v47 - e5 * v50) + v21 * (v48 + e5 * \
+        v51))) - c3 * (e5 * v46 + factor6 * (C6 * v43 - v21 * v44))
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -370,11 +373,11 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         dhgen_exceeds_wide(free_joints[0], joints + 6));
 
     DHGEN_UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* elbow4+, elbow4- */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e4 = i1 == 0 ? 1.0 : -1.0;
         SIGNED(wide, double);
 
         /* theta4 */
-        const dhgen_wide q4_ = e1 * angle1 - turn1;
+        const dhgen_wide q4_ = e4 * angle1 - turn1;
 
         /* theta5 */
         const dhgen_wide angle2 = dhgen_atan2_wide(v15, -v13);
@@ -385,11 +388,11 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         left |= (N5 <= doubt_limit_squared2) | (dhgen_abs_wide(v4 * D5) <= v12);
 
         DHGEN_UNROLLED for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e5 = i2 == 0 ? 1.0 : -1.0;
             SIGNED_TWICE(wide, double);
 
             /* theta5 */
-            const dhgen_wide q5_p = e2 * angle2 + v16 * v17;
+            const dhgen_wide q5_p = e5 * angle2 + v16 * v17;
 
             /* theta6 */
             const dhgen_wide angle3 = dhgen_atan2_wide(-v21, C6);
@@ -400,11 +403,11 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
             /* theta2 */
             const dhgen_wide angle5 = dhgen_atan2_wide(-dhgen_sqrt_wide(v38), v39 + factor6 * (-v21
-                * (v26 - e2 * v41) - C6 * (v28 + e2 * v40)));
+                * (v26 - e5 * v41) - C6 * (v28 + e5 * v40)));
 
             /* theta1 */
-            const dhgen_wide angle6 = dhgen_atan2_wide(s1, c3 * (e2 * v56 + factor6 * (C6 * v53 -
-                v21 * v54)) - v37 * (v59 + factor6 * (C6 * (v57 - e2 * v60) + v21 * (v58 + e2 *
+            const dhgen_wide angle6 = dhgen_atan2_wide(s1, c3 * (e5 * v56 + factor6 * (C6 * v53 -
+                v21 * v54)) - v37 * (v59 + factor6 * (C6 * (v57 - e5 * v60) + v21 * (v58 + e5 *
                 v61)))), q1_m = angle6 - dhgen_signed_wide(DHGEN_HALF_TURN, s1);
 
             /* joint values */
@@ -441,8 +444,8 @@ DHGEN_ALWAYS
 DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e4 = { 1.0, 1.0, -1.0, -1.0 };
+    const dhgen_four e5 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
     KNOWN(double);
     SIGNED(four, four);
@@ -457,16 +460,16 @@ DHGEN_INLINE int solve_regular(
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(v15, dhgen_all_four(w4), 0,
         5, 2, 3), dhgen_shuffle(-v13, dhgen_all_four(Z4), 0, 5, 2, 3)),
         ratio2 = dhgen_ratio_four(-v21, C6), ratio3 = dhgen_ratio_four(-v37, c3),
-        ratio4 = dhgen_ratio_four(s1, c3 * (e2 * v56 + factor6 * (C6 * v53 - v21 * v54)) - v37 *
-            (v59 + factor6 * (C6 * (v57 - e2 * v60) + v21 * (v58 + e2 * v61)))),
-        ratio5 = dhgen_ratio_four(-dhgen_sqrt_four(v38), v39 + factor6 * (-v21 * (v26 - e2 * v41) -
-            C6 * (v28 + e2 * v40)));
+        ratio4 = dhgen_ratio_four(s1, c3 * (e5 * v56 + factor6 * (C6 * v53 - v21 * v54)) - v37 *
+            (v59 + factor6 * (C6 * (v57 - e5 * v60) + v21 * (v58 + e5 * v61)))),
+        ratio5 = dhgen_ratio_four(-dhgen_sqrt_four(v38), v39 + factor6 * (-v21 * (v26 - e5 * v41) -
+            C6 * (v28 + e5 * v40)));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle2 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = dhgen_angle_four(ratio2),
         angle4 = dhgen_angle_four(ratio3), angle6 = dhgen_angle_four(ratio4),
         angle5 = dhgen_angle_four(ratio5);
-    const dhgen_four q4_ = e1 * angle1 - turn1, q5_p = e2 * angle2 + v16 * v17,
+    const dhgen_four q4_ = e4 * angle1 - turn1, q5_p = e5 * angle2 + v16 * v17,
         q3_m = angle4 - dhgen_signed_four(DHGEN_HALF_TURN, -v37),
         q1_m = angle6 - dhgen_signed_four(DHGEN_HALF_TURN, s1), v62 = dhgen_raised_four(q4_),
         v63 = dhgen_beyond_four(v62, joints + 3),

@@ -102,13 +102,13 @@ high6 = 3.752500001
 high7 = 2.897300001
 graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.940449e-11  # 1000 * merge_slack2 [m^2]
-m2 = 1.754896834873102  # a coefficient of c4
-m3 = 3.4805529861209807  # a coefficient of c4
-m4 = 1.2446337324912609  # a coefficient of v8
-m5 = 0.0825  # a coefficient of v8
-m6 = 0.2674017784649193  # a coefficient of v8
+m2 = 1.754896834873102  # k1 * k6 [m^-2]
+m3 = 3.4805529861209807  # k2 * k6 [m^-2]
+m4 = 1.2446337324912609  # k6 * (d3 * k2 + a3 * k1) [m^-1]
+m5 = 0.0825  # a4 [m]
+m6 = 0.2674017784649193  # k6 * (d3 * k1 - a3 * k2) [m^-1]
 m7 = 1.393e-11  # 1000 * merge_slack1 [m]
-m9 = 0.384  # a coefficient of Y1_6
+m9 = 0.384  # d5 [m]
 m10 = 3.765342321601e-16  # doubt_limit_squared2^2 [m^4]
 m11 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
@@ -388,11 +388,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     v42 = c7 * T22 + s7 * T21
 
     for i1 in range(2):  # elbow4+, elbow4-
-        e1 = 1.0 - 2.0 * i1
+        e4 = 1.0 - 2.0 * i1
         # theta4
-        if e1 < 0.0 and not apart4:
+        if e4 < 0.0 and not apart4:
             continue  # both signs give the same
-        root4 = w4 * e1
+        root4 = w4 * e4
         c4 = k6 * (v7 + k1 * root4)
         s4 = k6 * (k2 * root4 - v6)
         q4 = _atan2(s4, c4)
@@ -443,11 +443,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v48 = s5 * (c4 * v42)
 
         for i2 in range(2):  # noflip, flip
-            e2 = 1.0 - 2.0 * i2
+            e5 = 1.0 - 2.0 * i2
             # theta5
-            if e2 < 0.0 and (free5 or not apart5):
+            if e5 < 0.0 and (free5 or not apart5):
                 continue  # both signs give the same
-            c5 = math.cos(seed[4]) if free5 else -(inverse5 * (-v8 * (w5 * e2)))
+            c5 = math.cos(seed[4]) if free5 else -(inverse5 * (-v8 * (w5 * e5)))
             q5 = _atan2(s5, c5)
 
             # theta6

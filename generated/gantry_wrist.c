@@ -124,16 +124,16 @@ static void solve(
     const double divisor4 = free4 ? 1.0 : w4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* noflip, flip */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e4 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
-        if (e1 < 0.0 && free4) continue; /* both signs give the same */
-        const double factor4 = e1 / divisor4;
+        if (e4 < 0.0 && free4) continue; /* both signs give the same */
+        const double factor4 = e4 / divisor4;
         const double c4 = free4 ? cos(seed[3]) : -(T33 * factor4),
             s4 = free4 ? sin(seed[3]) : T23 * factor4;
         const double q4 = atan2(s4, c4);
 
         /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-        const double q5 = atan2(-(w4 * e1), T13);
+        const double q5 = atan2(-(w4 * e4), T13);
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
         const double q6 = atan2(-(T21 * c4 + T31 * s4), -(T22 * c4 + T32 * s4));
@@ -196,7 +196,7 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e4 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* r2 */
@@ -210,7 +210,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta4 */
     const double v1 = T33 * T33 + T23 * T23, v2 = copysign(DHGEN_HALF_TURN, T23);
-    const dhgen_four v3 = m2 * (e1 - 1.0);
+    const dhgen_four v3 = m2 * (e4 - 1.0);
 
     /* theta6 */
     const double v4 = T33 * T21 - T23 * T31, v5 = copysign(DHGEN_HALF_TURN, v4);
@@ -225,7 +225,7 @@ DHGEN_INLINE int solve_regular(
         angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0),
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1),
         angle3 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2);
-    const dhgen_four q4 = angle1 + v2 * v3, q6 = angle3 + v3 * v5, q5 = e1 * angle2;
+    const dhgen_four q4 = angle1 + v2 * v3, q6 = angle3 + v3 * v5, q5 = e4 * angle2;
 
     dhgen_store_4(q, q + 6, q, q + 6, dhgen_all_four(q1), dhgen_all_four(q2), dhgen_all_four(q3),
         q4);

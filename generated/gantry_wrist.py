@@ -193,17 +193,17 @@ def _solve(pose, q_free, seed, moved, q, status):
     divisor4 = 1.0 if free4 else w4
 
     for i1 in range(2):  # noflip, flip
-        e1 = 1.0 - 2.0 * i1
+        e4 = 1.0 - 2.0 * i1
         # theta4
-        if e1 < 0.0 and free4:
+        if e4 < 0.0 and free4:
             continue  # both signs give the same
-        factor4 = e1 / divisor4
+        factor4 = e4 / divisor4
         c4 = math.cos(seed[3]) if free4 else -(T33 * factor4)
         s4 = math.sin(seed[3]) if free4 else T23 * factor4
         q4 = _atan2(s4, c4)
 
         # theta5, type 3: U4[2, 3] and U4[1, 3]
-        q5 = _atan2(-(w4 * e1), T13)
+        q5 = _atan2(-(w4 * e4), T13)
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
         q6 = _atan2(-(T21 * c4 + T31 * s4), -(T22 * c4 + T32 * s4))

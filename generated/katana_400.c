@@ -206,10 +206,10 @@ static void solve(
             continue; /* the arm can't take this pose */
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double s3 = w3 * e2 * k2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double s3 = w3 * e3 * k2;
             const double q3 = atan2(s3, c3);
 
             /* theta2 */
@@ -246,12 +246,14 @@ static const double
     m3 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m4 = 4.706018907896038e-13,
+    m5 = 2.631578947368421, /* a3 * k2 [m^-1] */
+    m6 = 0.04415526315789473, /* a2 - a3 * k1 * k2 [m] */
     m7 = 2.1106015755686554e-17, /* doubt_limit_squared2^2 [m^4] */
+    m8 = 0.19, /* a2 [m] */
+    m9 = 0.139, /* a3 [m] */
     m10 = 1.0000000000000002e-10, /* pose_slack^2 */
     m11 = 4.5941284e-11, /* pose_slack1^2 [m^2] */
     m12 = 1.37823852e-10; /* 3 * pose_slack1^2 [m^2] */
-/* coefficients */
-static const double m5 = 2.631578947368421, m6 = 0.04415526315789473, m8 = 0.19, m9 = 0.139;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -368,7 +370,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -396,16 +398,16 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double X1_2 = a2 + a3 * c3, Y1_2 = a3 * s3, v14 = Z1_3 * X1_2, v15 = Z2_3 * Y1_2;
-    const dhgen_four v16 = e1 * e2, v17 = v14 - v15 * v16;
+    const dhgen_four v16 = e1 * e3, v17 = v14 - v15 * v16;
     const double v18 = m6 + m5 * N3, v19 = Z1_3 * v18;
     const dhgen_four S2 = v19 - w3 * (m5 * (Z2_3 * v16));
     const double v20 = Z2_3 * X1_2, v21 = Z1_3 * Y1_2;
-    const dhgen_four v22 = e1 * v20, v23 = e2 * v21, v24 = v22 + v23, v25 = w3 * (m5 * (e2 * Z1_3)),
+    const dhgen_four v22 = e1 * v20, v23 = e3 * v21, v24 = v22 + v23, v25 = w3 * (m5 * (e3 * Z1_3)),
         v26 = Z2_3 * (e1 * v18), C2 = v25 + v26, v27 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v27),
         v28 = 1.0 / v27;
 
     /* is the pose one that the arm can take? */
-    const dhgen_four v29 = e2 * s3, v30 = e1 * v12;
+    const dhgen_four v29 = e3 * s3, v30 = e1 * v12;
     const double v31 = m8 + m9 * c3;
     const dhgen_four v32 = v30 + w2 * (v28 * (v24 * v31 - m9 * (v17 * v29)));
     const double v33 = d1 + v11, v34 = T33 - T33 * factor234, v35 = T31 - factor234 * (Z2_234 * v8),
@@ -433,7 +435,7 @@ DHGEN_INLINE int solve_regular(
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1),
         angle3 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2),
         angle4 = dhgen_shuffle(packed1, packed1, 3, 3, 3, 3), angle5 = dhgen_angle_four(ratio2);
-    const dhgen_four v44 = e2 * angle4, v45 = e1 * angle2, v46 = v45 - (angle5 + v44) - offset4,
+    const dhgen_four v44 = e3 * angle4, v45 = e1 * angle2, v46 = v45 - (angle5 + v44) - offset4,
         v47 = dhgen_centred_four(v46), v50 = v13 + (angle1 + v3 * v4), q1 = v49 + v50,
         q2 = angle5 + v49, q3 = v44 + v49, q4 = v49 + dhgen_lowered_four(v47),
         v51 = v13 + (angle3 + v4 * v10), q5 = v49 + v51;

@@ -82,11 +82,11 @@ m1 = 4.594128399999999e-09  # doubt_limit1^2 [m^2]
 m3 = 9.999999999999999e-09  # doubt_limit^2
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m4 = 4.706018907896038e-13
-m5 = 2.631578947368421  # a coefficient of S2
-m6 = 0.04415526315789473  # a coefficient of S2
+m5 = 2.631578947368421  # a3 * k2 [m^-1]
+m6 = 0.04415526315789473  # a2 - a3 * k1 * k2 [m]
 m7 = 2.1106015755686554e-17  # doubt_limit_squared2^2 [m^4]
-m8 = 0.19  # a coefficient of v11
-m9 = 0.139  # a coefficient of v11
+m8 = 0.19  # a2 [m]
+m9 = 0.139  # a3 [m]
 m10 = 1.0000000000000002e-10  # pose_slack^2
 m11 = 4.5941284e-11  # pose_slack1^2 [m^2]
 m12 = 1.37823852e-10  # 3 * pose_slack1^2 [m^2]
@@ -332,11 +332,11 @@ def _solve(pose, q_free, seed, moved, q, status):
             continue  # the arm can't take this pose
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            s3 = w3 * e2 * k2
+            s3 = w3 * e3 * k2
             q3 = _atan2(s3, c3)
 
             # theta2

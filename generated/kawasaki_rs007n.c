@@ -207,10 +207,10 @@ static void solve(
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double v3 = k3 * (k1 * (w3 * e2));
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double v3 = k3 * (k1 * (w3 * e3));
 
             /* theta2 */
             const double X2_2 = d4 * v3;
@@ -239,13 +239,13 @@ static void solve(
             const double q3 = dhgen_wrap(atan2(s3, -v3) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(v12) : v9 * factor4,
                     s4 = free4 ? sin(v12) : -(v10 * factor4);
-                const double s5 = w4 * e3;
+                const double s5 = w4 * e4;
 
                 /* theta6 */
                 const double c6 = c4 * v13 + s4 * v15, s6 = c4 * v16 + s4 * v18;
@@ -269,10 +269,10 @@ static const double
     m1 = 1.3642239999999998e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 9.045264537377017e-12,
+    m3 = 1.4084507042253522, /* d4 * k1 * k3 [m^-1] */
+    m4 = 0.020563380281690184, /* d4 * k1 * k2 * k3 - a2 [m] */
     m5 = 1.8611071221759995e-16, /* doubt_limit_squared2^2 [m^4] */
     m6 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 1.4084507042253522, m4 = 0.020563380281690184;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -427,7 +427,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -441,16 +441,16 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double X1_2 = a2 + d4 * s3, X2_2 = d4 * v7, v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
-    const dhgen_four v10 = e1 * e2, v11 = v8 + v9 * v10;
+    const dhgen_four v10 = e1 * e3, v11 = v8 + v9 * v10;
     const double v12 = m3 * N3 - m4, v13 = Z1_3 * v12;
     const dhgen_four S2 = v13 + w3 * (m3 * (w1 * v10));
     const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
-    const dhgen_four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m3 * (e2 * Z1_3)),
+    const dhgen_four v16 = e1 * v14, v17 = e3 * v15, v18 = v16 - v17, v19 = w3 * (m3 * (e3 * Z1_3)),
         v20 = w1 * (e1 * v12), C2 = v20 - v19, v21 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v21),
         v22 = 1.0 / v21;
 
     /* theta4 */
-    const dhgen_four v23 = e2 * v7, c2m3 = w2 * (v22 * (s3 * v11 - v18 * v23)),
+    const dhgen_four v23 = e3 * v7, c2m3 = w2 * (v22 * (s3 * v11 - v18 * v23)),
         v24 = w2 * (v22 * (v11 * v23 + s3 * v18));
     const double v25 = w1 * (v2 * (T13 * X1 + T23 * wy));
     const dhgen_four v26 = T33 * v24 - e1 * (c2m3 * v25);
@@ -483,7 +483,7 @@ DHGEN_INLINE int solve_regular(
         angle4 = dhgen_angle_four(ratio3), angle5 = dhgen_angle_four(ratio4),
         angle6 = dhgen_angle_four(ratio5);
     const dhgen_four v37 = angle1 + v36 * (m7 * (e1 - 1.0)) - offset1, v38 = angle2 - offset2,
-        q2_p = dhgen_lowered_four(v38), v40 = e2 * angle3 + v39 * (m7 * (1.0 - e2)) - offset3,
+        q2_p = dhgen_lowered_four(v38), v40 = e3 * angle3 + v39 * (m7 * (1.0 - e3)) - offset3,
         q3_p = dhgen_raised_four(v40), v42 = angle4 - offset4, v43 = angle4 - v41 - offset4,
         q4_p = dhgen_raised_four(v42), q4_m = dhgen_raised_four(v43), v44 = angle5 - offset5,
         v45 = offset5 + angle5, q5_p = dhgen_raised_four(v44),

@@ -94,8 +94,8 @@ graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.3642239999999998e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 9.045264537377017e-12
-m3 = 1.4084507042253522  # a coefficient of S2
-m4 = 0.020563380281690184  # a coefficient of S2
+m3 = 1.4084507042253522  # d4 * k1 * k3 [m^-1]
+m4 = 0.020563380281690184  # d4 * k1 * k2 * k3 - a2 [m]
 m5 = 1.8611071221759995e-16  # doubt_limit_squared2^2 [m^4]
 m6 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
@@ -359,11 +359,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         q1 = _wrap(_atan2(s1, c1) - offset1)
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            v3 = k3 * (k1 * (w3 * e2))
+            v3 = k3 * (k1 * (w3 * e3))
 
             # theta2
             X2_2 = d4 * v3
@@ -395,14 +395,14 @@ def _solve(pose, q_free, seed, moved, q, status):
             q3 = _wrap(_atan2(s3, -v3) - offset3)
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(v12) if free4 else v9 * factor4
                 s4 = math.sin(v12) if free4 else -(v10 * factor4)
-                s5 = w4 * e3
+                s5 = w4 * e4
 
                 # theta6
                 c6 = c4 * v13 + s4 * v15

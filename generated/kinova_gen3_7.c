@@ -287,12 +287,11 @@ static const double
     near_k4 = 0.2761618122, /* near_d2^2 + (near_d3^2 + (near_d4^2 + near_d5^2)) [m^2] */
     near_k5 = 1.7330345403398768, /* 1 / arm_size2 [m^-2] */
     near_m1 = 5.7702254439999985e-12, /* 1000 * near_merge_slack2 [m^2] */
+    near_m2 = 0.2645402272, /* near_k1 [m^2] */
     near_m3 = 7.596199999999998e-11, /* 10 * near_blur_slack1 [m] */
     near_m4 = 3.3295501674584984e-17, /* near_doubt_limit_squared2^2 [m^4] */
     near_m5 = 9.999999999999999e-09, /* doubt_limit^2 */
     near1 = 0.5; /* 1 / 2 */
-/* coefficients */
-static const double near_m2 = 0.2645402272;
 
 /* What one pose and many compute alike: values without signs of branches, with the first, with
  * all that are in lanes. */
@@ -339,8 +338,8 @@ static const double near_m2 = 0.2645402272;
         v193 = v192 + dhgen_abs_##number(v55)
 #define SIGNED(number, signs) \
     /* theta4 */ \
-    const dhgen_##number v6 = near_m2 * (e1 * inverse4), s4 = v5 - w4 * v6, \
-        v8 = inverse4 * (e1 * X4), v9 = v7 + w4 * v8; \
+    const dhgen_##number v6 = near_m2 * (e4 * inverse4), s4 = v5 - w4 * v6, \
+        v8 = inverse4 * (e4 * X4), v9 = v7 + w4 * v8; \
     /* theta1 */ \
     const dhgen_##number Z1 = v11 - s4 * v10, D1 = N1 - Z1 * Z1, w1 = dhgen_sqrt_##number(D1), \
         v13 = w1 - w1, v14 = dhgen_abs_##number(Z1), v15 = 2.0 * v14, \
@@ -348,7 +347,7 @@ static const double near_m2 = 0.2645402272;
         v22 = inverse1 * v17; \
     /* theta2 */ \
     const dhgen_##number v25 = near_d3 + near_d5 * v9, \
-        v28 = near_m2 * (inverse4 * (v23 * (e1 * T34))), v29 = v27 - w4 * v28, v30 = w1 * v25, \
+        v28 = near_m2 * (inverse4 * (v23 * (e4 * T34))), v29 = v27 - w4 * v28, v30 = w1 * v25, \
         v31 = T34 * v25, v32 = v24 + s4 * v23, v33 = w1 * v32; \
     /* theta5 */ \
     const dhgen_##number v38 = v9 * v37, v40 = v9 * v39, v41 = s4 * T33, v42 = s4 * T13, \
@@ -381,13 +380,13 @@ static const double near_m2 = 0.2645402272;
         v186 = v137 * v185 + v138 * (v185 + dhgen_abs_##number(v49))
 #define SIGNED_TWICE(number, signs) \
     /* theta1 */ \
-    const dhgen_##number v19 = inverse1 * (e2 * T14), c1 = v20 + w1 * v19, \
-        v21 = inverse1 * (e2 * T24), s1 = w1 * v21 - v22; \
+    const dhgen_##number v19 = inverse1 * (e1 * T14), c1 = v20 + w1 * v19, \
+        v21 = inverse1 * (e1 * T24), s1 = w1 * v21 - v22; \
     /* theta2 */ \
-    const dhgen_##number S2 = v29 + e2 * v30, C2 = e2 * v33 - v31, v34 = S2 * S2 + C2 * C2, \
+    const dhgen_##number S2 = v29 + e1 * v30, C2 = e1 * v33 - v31, v34 = S2 * S2 + C2 * C2, \
         v35 = dhgen_sqrt_##number(v34), v36 = 1.0 / v34, factor2 = v35 * v36; \
     /* theta5 */ \
-    const dhgen_##number v47 = s3 * (e2 * v46), v48 = inverse1 * v47, v51 = w1 * v48 - v50, \
+    const dhgen_##number v47 = s3 * (e1 * v46), v48 = inverse1 * v47, v51 = w1 * v48 - v50, \
         v52 = c1 * v42 + s1 * v43 - v45, v53 = v41 + (c1 * v38 + s1 * v40), \
         v54 = S2 * v52 - C2 * v53, c5 = factor2 * v54 - v9 * v51, \
         v56 = s3 * (c1 * T13 + s1 * T23), v57 = C2 * v56 + S2 * v55, \
@@ -417,18 +416,18 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v90) | (N4 <= near_doubt_limit_squared4);
 
     for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e4 = i1 == 0 ? 1.0 : -1.0;
         SIGNED(wide, double);
 
         /* joint values */
         const dhgen_wide angle6 = dhgen_atan2_wide(s4, -v9), q4_p = v13 + angle6,
-            v106 = near_m2 * (v100 * (v99 * (near_length * fabs(e1)))),
+            v106 = near_m2 * (v100 * (v99 * (near_length * fabs(e4)))),
             v108 = v102 + (v106 * v107 + v105 * (v106 + dhgen_abs_wide(v28)));
         left |= (dhgen_abs_wide(D1) <= v113) | (dhgen_abs_wide(v16) <= 2.0 * v112) |
             (dhgen_abs_wide(D1 * v12) <= near_m3 * v16);
 
         for (int i2 = 0; i2 < 2; i2++) { /* shoulder+, shoulder- */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e1 = i2 == 0 ? 1.0 : -1.0;
             SIGNED_TWICE(wide, double);
 
             /* theta1 */
@@ -450,7 +449,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
                 v75) - C2 * (v71 + (c1 * v68 + s1 * v70))) - v9 * (s3 * v66)));
 
             /* joint values */
-            const double v123 = fabs(e2);
+            const double v123 = fabs(e1);
             const dhgen_wide v124 = v108 + v122 * v123, v129 = v128 + v123 * v127,
                 v131 = v124 * (v124 + 2.0 * v125) + v129 * (v129 + 2.0 * v130),
                 v135 = v131 * v134 / (v133 - v131),
@@ -498,17 +497,17 @@ DHGEN_ALWAYS
 DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e4 = { 1.0, 1.0, -1.0, -1.0 };
+    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
     KNOWN(double);
     SIGNED(four, four);
     SIGNED_TWICE(four, four);
 
     /* joint values */
-    const dhgen_four v106 = near_m2 * (v100 * (v99 * (near_length * dhgen_abs_four(e1)))),
+    const dhgen_four v106 = near_m2 * (v100 * (v99 * (near_length * dhgen_abs_four(e4)))),
         v108 = v102 + (v106 * v107 + v105 * (v106 + dhgen_abs_four(v28))),
-        v123 = dhgen_abs_four(e2), v124 = v108 + v122 * v123, v129 = v128 + v123 * v127,
+        v123 = dhgen_abs_four(e1), v124 = v108 + v122 * v123, v129 = v128 + v123 * v127,
         v131 = v124 * (v124 + 2.0 * v125) + v129 * (v129 + 2.0 * v130),
         v135 = v131 * v134 / (v133 - v131),
         v136 = v135 * dhgen_abs_four(v35) + (v124 + v129) * (v134 + v135),

@@ -212,10 +212,10 @@ static void solve(
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double c3 = k8 * (k6 * (w3 * e2));
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double c3 = k8 * (k6 * (w3 * e3));
 
             /* theta2 */
             const double X2_2 = d4 * c3;
@@ -242,16 +242,16 @@ static void solve(
             const double q3 = dhgen_wrap(atan2(-v6, c3) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                     s4 = free4 ? sin(seed[3]) : -(v11 * factor4);
                 const double q4 = atan2(s4, c4);
 
                 /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-                const double q5 = atan2(-(w4 * e3), -(T33 * c2m3 + s2m3 * v10));
+                const double q5 = atan2(-(w4 * e4), -(T33 * c2m3 + s2m3 * v10));
 
                 /* theta6 */
                 const double s6 = c4 * v16 + s4 * v18;
@@ -273,10 +273,10 @@ static const double
     m1 = 2.4956680000016215e-13, /* 1000 * k4 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 9.401396550145706e-12,
+    m3 = 1.2195121951219514, /* d4 * k6 * k8 [m^-1] */
+    m4 = 0.08700963109756096, /* a2 - d4 * k6 * k7 * k8 [m] */
     m5 = 2.628590635164551e-16, /* doubt_limit_squared2^2 [m^4] */
     m6 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 1.2195121951219514, m4 = 0.08700963109756096;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -461,7 +461,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -478,16 +478,16 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double X1_2 = a2 + d4 * v6, X2_2 = d4 * c3, v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
-    const dhgen_four v10 = e1 * e2, v11 = v8 + v9 * v10;
+    const dhgen_four v10 = e1 * e3, v11 = v8 + v9 * v10;
     const double v12 = m4 + m3 * N3, v13 = Z1_3 * v12;
     const dhgen_four S2 = v13 + w3 * (m3 * (w1 * v10));
     const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
-    const dhgen_four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m3 * (e2 * Z1_3)),
+    const dhgen_four v16 = e1 * v14, v17 = e3 * v15, v18 = v16 - v17, v19 = w3 * (m3 * (e3 * Z1_3)),
         v20 = w1 * (e1 * v12), C2 = v20 - v19, v21 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v21),
         v22 = 1.0 / v21;
 
     /* theta4 */
-    const dhgen_four v23 = e2 * c3, c2m3 = w2 * (v22 * (v18 * v23 - v6 * v11)),
+    const dhgen_four v23 = e3 * c3, c2m3 = w2 * (v22 * (v18 * v23 - v6 * v11)),
         s2m3 = w2 * (v22 * (v11 * v23 + v6 * v18)), v24 = T13 * c1 - T23 * s1,
         X4 = T33 * s2m3 - c2m3 * v24, v25 = T23 * c1 + T13 * s1, v26 = v25 * v25,
         v27 = v26 + X4 * X4, v28 = dhgen_signed_four(DHGEN_HALF_TURN, -v25);
@@ -515,7 +515,7 @@ DHGEN_INLINE int solve_regular(
         angle1 = dhgen_angle_four(ratio3), angle6 = dhgen_angle_four(ratio4),
         angle2 = dhgen_angle_four(ratio5);
     const dhgen_four q4_m = angle1 - v28, v33 = angle3 - offset1, v34 = angle4 - offset2,
-        q2_ = dhgen_raised_four(v34), v36 = e2 * angle5 + v35 * (m7 * (1.0 - e2)) - offset3,
+        q2_ = dhgen_raised_four(v34), v36 = e3 * angle5 + v35 * (m7 * (1.0 - e3)) - offset3,
         q3_ = dhgen_raised_four(v36), v37 = angle6 - offset6,
         v38 = angle6 - dhgen_signed_four(DHGEN_HALF_TURN, s6) - offset6,
         q6_p = dhgen_lowered_four(v37), q6_m = dhgen_lowered_four(v38),

@@ -101,8 +101,8 @@ graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 2.4956680000016215e-13  # 1000 * k4 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 9.401396550145706e-12
-m3 = 1.2195121951219514  # a coefficient of S2
-m4 = 0.08700963109756096  # a coefficient of S2
+m3 = 1.2195121951219514  # d4 * k6 * k8 [m^-1]
+m4 = 0.08700963109756096  # a2 - d4 * k6 * k7 * k8 [m]
 m5 = 2.628590635164551e-16  # doubt_limit_squared2^2 [m^4]
 m6 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
@@ -368,11 +368,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         q1 = _wrap(_atan2(s1, c1) - offset1)
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            c3 = k8 * (k6 * (w3 * e2))
+            c3 = k8 * (k6 * (w3 * e3))
 
             # theta2
             X2_2 = d4 * c3
@@ -401,17 +401,17 @@ def _solve(pose, q_free, seed, moved, q, status):
             q3 = _wrap(_atan2(-v6, c3) - offset3)
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
                 s4 = math.sin(seed[3]) if free4 else -(v11 * factor4)
                 q4 = _atan2(s4, c4)
 
                 # theta5, type 3: U4[2, 3] and U4[1, 3]
-                q5 = _atan2(-(w4 * e3), -(T33 * c2m3 + s2m3 * v10))
+                q5 = _atan2(-(w4 * e4), -(T33 * c2m3 + s2m3 * v10))
 
                 # theta6
                 s6 = c4 * v16 + s4 * v18

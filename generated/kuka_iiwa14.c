@@ -194,10 +194,10 @@ static void solve(
         v52 = v3 * (c3 * T31);
 
     for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e4 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
-        if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
-        const double v4 = k4 * (k1 * (w4 * e1));
+        if (e4 < 0.0 && !apart4) continue; /* both signs give the same */
+        const double v4 = k4 * (k1 * (w4 * e4));
 
         /* theta1 */
         const double Z1 = d5 * (s3 * v4);
@@ -226,10 +226,10 @@ static void solve(
         const double q4 = dhgen_wrap(atan2(-v4, -v3) - offset4);
 
         for (int i2 = 0; i2 < 2; i2++) { /* shoulder+, shoulder- */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e1 = i2 == 0 ? 1.0 : -1.0;
             /* theta1 */
-            if (e2 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
-            const double root1 = w1 * e2;
+            if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+            const double root1 = w1 * e1;
             const double c1 = free1 ? cos(v10) : inverse1 * (v9 - -wx * root1),
                 s1 = free1 ? sin(v10) : inverse1 * (v8 + wy * root1);
 
@@ -269,14 +269,14 @@ static void solve(
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e5 = i3 == 0 ? 1.0 : -1.0;
                 /* theta5 */
-                if (e3 < 0.0 && free5) continue; /* both signs give the same */
-                const double factor5 = e3 / divisor5;
+                if (e5 < 0.0 && free5) continue; /* both signs give the same */
+                const double factor5 = e5 / divisor5;
                 const double c5 = free5 ? cos(seed[4]) : -(X5 * factor5),
                     s5 = free5 ? sin(seed[4]) : Y5 * factor5;
                 const double q5 = atan2(s5, c5);
-                const double s6 = w5 * e3;
+                const double s6 = w5 * e5;
 
                 /* theta7 */
                 const double c7 = c5 * v36 + s5 * v43, s7 = c5 * v46 + s5 * v53;
@@ -336,25 +336,25 @@ static const double
     const dhgen_##number q3_p = v6 + (free_joints[0] + (w4 - w4))
 #define SIGNED(number, signs) \
     /* theta1 */ \
-    const dhgen_##number v9 = e1 * v8, v11 = inverse1 * v9, v12 = e1 * v7, v14 = inverse1 * v12; \
+    const dhgen_##number v9 = e4 * v8, v11 = inverse1 * v9, v12 = e4 * v7, v14 = inverse1 * v12; \
     /* theta2 */ \
-    const dhgen_##number v19 = e1 * v16; \
+    const dhgen_##number v19 = e4 * v16; \
     /* theta5 */ \
-    const dhgen_##number v35 = inverse1 * (s3 * (T13 * v12 - T23 * v9)), v37 = e1 * v28; \
+    const dhgen_##number v35 = inverse1 * (s3 * (T13 * v12 - T23 * v9)), v37 = e4 * v28; \
     /* theta6 */ \
-    const dhgen_##number v46 = e1 * v45; \
+    const dhgen_##number v46 = e4 * v45; \
     /* theta7 */ \
-    const dhgen_##number v55 = e1 * v51, v64 = e1 * v60
+    const dhgen_##number v55 = e4 * v51, v64 = e4 * v60
 #define SIGNED_TWICE(number, signs) \
     /* theta1 */ \
-    const dhgen_##number v10 = w1 * (inverse1 * (e2 * -wx)), c1 = v11 - v10, \
-        v13 = w1 * (inverse1 * (e2 * wy)), s1 = v13 + v14; \
+    const dhgen_##number v10 = w1 * (inverse1 * (e1 * -wx)), c1 = v11 - v10, \
+        v13 = w1 * (inverse1 * (e1 * wy)), s1 = v13 + v14; \
     /* theta2 */ \
-    const dhgen_##number v18 = e2 * v17, S2 = v18 - v19, v22 = v20 + v21 * (e1 * e2), \
+    const dhgen_##number v18 = e1 * v17, S2 = v18 - v19, v22 = v20 + v21 * (e4 * e1), \
         v23 = S2 * S2 + v22 * v22, factor2 = dhgen_sqrt_##number(v23) * (1.0 / v23); \
     /* theta5 */ \
-    const dhgen_##number v34 = w1 * (inverse1 * (s3 * (e2 * v33))), v36 = v34 + v35, \
-        X5 = v3 * v36 + factor2 * (v22 * (v37 - (c1 * v25 + s1 * v27)) + S2 * (v32 + e1 * (c1 * \
+    const dhgen_##number v34 = w1 * (inverse1 * (s3 * (e1 * v33))), v36 = v34 + v35, \
+        X5 = v3 * v36 + factor2 * (v22 * (v37 - (c1 * v25 + s1 * v27)) + S2 * (v32 + e4 * (c1 * \
             v29 + s1 * v30))), \
         Y5 = factor2 * (S2 * v38 - v22 * (s3 * (T13 * c1 + T23 * s1))) - c3 * (T13 * s1 - T23 * \
             c1), v39 = X5 * X5 + Y5 * Y5; \
@@ -378,15 +378,15 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         (merge_slack1 + 2.0 * dhgen_abs_wide(Z1)));
 
     DHGEN_UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e4 = i1 == 0 ? 1.0 : -1.0;
         SIGNED(wide, double);
 
         /* joint values */
-        const dhgen_wide v67 = e1 * angle5 - offset4, q4_ = dhgen_raised_wide(v67),
+        const dhgen_wide v67 = e4 * angle5 - offset4, q4_ = dhgen_raised_wide(v67),
             v70 = dhgen_exceeds_wide(q4_, joints + 3), q4_p = v6 + q4_;
 
         DHGEN_UNROLLED for (int i2 = 0; i2 < 2; i2++) { /* shoulder+, shoulder- */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e1 = i2 == 0 ? 1.0 : -1.0;
             SIGNED_TWICE(wide, double);
 
             /* theta5 */
@@ -396,21 +396,21 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             /* theta7 */
             const dhgen_wide angle2 = dhgen_atan2_wide(-(X5 * (c3 * v57 - factor2 * (S2 * v56 - v22
                 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 * (v64 -
-                (c1 * v58 + s1 * v59)) + S2 * (v63 + e1 * (c1 * v61 + s1 * v62))))), -(X5 * (c3 *
+                (c1 * v58 + s1 * v59)) + S2 * (v63 + e4 * (c1 * v61 + s1 * v62))))), -(X5 * (c3 *
                 v48 - factor2 * (S2 * v47 - v22 * (s3 * (c1 * T12 + s1 * T22)))) + Y5 * (v3 * (s3 *
-                v48) + factor2 * (v22 * (v55 - (c1 * v49 + s1 * v50)) + S2 * (v54 + e1 * (c1 * v52 +
+                v48) + factor2 * (v22 * (v55 - (c1 * v49 + s1 * v50)) + S2 * (v54 + e4 * (c1 * v52 +
                 s1 * v53)))))),
                 q7_m = angle2 - dhgen_signed_wide(DHGEN_HALF_TURN, -(X5 * (c3 * v57 - factor2 * (S2
                     * v56 - v22 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 *
-                    (v22 * (v64 - (c1 * v58 + s1 * v59)) + S2 * (v63 + e1 * (c1 * v61 + s1 *
+                    (v22 * (v64 - (c1 * v58 + s1 * v59)) + S2 * (v63 + e4 * (c1 * v61 + s1 *
                     v62))))));
 
             /* joint values */
             const dhgen_wide angle3 = dhgen_atan2_wide(s1, c1), v65 = angle3 - offset1,
                 q1_p = dhgen_raised_wide(v65), angle4 = dhgen_atan2_wide(S2, -v22),
                 v66 = angle4 - offset2, q2_p = dhgen_raised_wide(v66),
-                angle6 = dhgen_atan2_wide(dhgen_sqrt_wide(v39), e1 * (v5 * v36) - factor2 * (S2 *
-                    (c1 * v43 + s1 * v44 - v46) + v22 * (v42 + e1 * (c1 * v40 + s1 * v41)))),
+                angle6 = dhgen_atan2_wide(dhgen_sqrt_wide(v39), e4 * (v5 * v36) - factor2 * (S2 *
+                    (c1 * v43 + s1 * v44 - v46) + v22 * (v42 + e4 * (c1 * v40 + s1 * v41)))),
                 v68 = angle6 - offset6, v69 = offset6 + angle6, q6_p = dhgen_raised_wide(v68),
                 q6_m = dhgen_only_wide(-v69 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v69,
                 v71 = dhgen_maximum_wide(dhgen_exceeds_wide(q2_p, joints + 1),
@@ -443,8 +443,8 @@ DHGEN_ALWAYS
 DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e4 = { 1.0, 1.0, -1.0, -1.0 };
+    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
     KNOWN(double);
     SIGNED(four, four);
@@ -461,11 +461,11 @@ DHGEN_INLINE int solve_regular(
         ratio3 = dhgen_ratio_four(S2, -v22), ratio4 = dhgen_ratio_four(Y5, -X5),
         ratio5 = dhgen_ratio_four(-(X5 * (c3 * v57 - factor2 * (S2 * v56 - v22 * (s3 * (c1 * T11 +
             s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 * (v64 - (c1 * v58 + s1 * v59)) +
-            S2 * (v63 + e1 * (c1 * v61 + s1 * v62))))), -(X5 * (c3 * v48 - factor2 * (S2 * v47 - v22
+            S2 * (v63 + e4 * (c1 * v61 + s1 * v62))))), -(X5 * (c3 * v48 - factor2 * (S2 * v47 - v22
             * (s3 * (c1 * T12 + s1 * T22)))) + Y5 * (v3 * (s3 * v48) + factor2 * (v22 * (v55 - (c1 *
-            v49 + s1 * v50)) + S2 * (v54 + e1 * (c1 * v52 + s1 * v53)))))),
-        ratio6 = dhgen_ratio_four(dhgen_sqrt_four(v39), e1 * (v5 * v36) - factor2 * (S2 * (c1 * v43
-            + s1 * v44 - v46) + v22 * (v42 + e1 * (c1 * v40 + s1 * v41))));
+            v49 + s1 * v50)) + S2 * (v54 + e4 * (c1 * v52 + s1 * v53)))))),
+        ratio6 = dhgen_ratio_four(dhgen_sqrt_four(v39), e4 * (v5 * v36) - factor2 * (S2 * (c1 * v43
+            + s1 * v44 - v46) + v22 * (v42 + e4 * (c1 * v40 + s1 * v41))));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle5 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0), angle3 = dhgen_angle_four(ratio2),
         angle4 = dhgen_angle_four(ratio3), angle1 = dhgen_angle_four(ratio4),
@@ -473,9 +473,9 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four q5_m = angle1 - dhgen_signed_four(DHGEN_HALF_TURN, Y5),
         q7_m = angle2 - dhgen_signed_four(DHGEN_HALF_TURN, -(X5 * (c3 * v57 - factor2 * (S2 * v56 -
             v22 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 * (v64 -
-            (c1 * v58 + s1 * v59)) + S2 * (v63 + e1 * (c1 * v61 + s1 * v62)))))),
+            (c1 * v58 + s1 * v59)) + S2 * (v63 + e4 * (c1 * v61 + s1 * v62)))))),
         v65 = angle3 - offset1, q1_p = dhgen_raised_four(v65), v66 = angle4 - offset2,
-        q2_p = dhgen_raised_four(v66), v67 = e1 * angle5 - offset4, q4_ = dhgen_raised_four(v67),
+        q2_p = dhgen_raised_four(v66), v67 = e4 * angle5 - offset4, q4_ = dhgen_raised_four(v67),
         v68 = angle6 - offset6, v69 = offset6 + angle6, q6_p = dhgen_raised_four(v68),
         q6_m = dhgen_only_four(-v69 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v69,
         v70 = dhgen_exceeds_four(q4_, joints + 3), q4_p = v6 + q4_,

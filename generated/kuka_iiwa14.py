@@ -382,11 +382,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     v52 = v3 * (c3 * T31)
 
     for i1 in range(2):  # elbow+, elbow-
-        e1 = 1.0 - 2.0 * i1
+        e4 = 1.0 - 2.0 * i1
         # theta4
-        if e1 < 0.0 and not apart4:
+        if e4 < 0.0 and not apart4:
             continue  # both signs give the same
-        v4 = k4 * (k1 * (w4 * e1))
+        v4 = k4 * (k1 * (w4 * e4))
 
         # theta1
         Z1 = d5 * (s3 * v4)
@@ -427,11 +427,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         q4 = _wrap(_atan2(-v4, -v3) - offset4)
 
         for i2 in range(2):  # shoulder+, shoulder-
-            e2 = 1.0 - 2.0 * i2
+            e1 = 1.0 - 2.0 * i2
             # theta1
-            if e2 < 0.0 and (free1 or not apart1):
+            if e1 < 0.0 and (free1 or not apart1):
                 continue  # both signs give the same
-            root1 = w1 * e2
+            root1 = w1 * e1
             c1 = math.cos(v10) if free1 else inverse1 * (v9 - -wx * root1)
             s1 = math.sin(v10) if free1 else inverse1 * (v8 + wy * root1)
 
@@ -475,15 +475,15 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _wrap(_atan2(s2, c2) - offset2)
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e5 = 1.0 - 2.0 * i3
                 # theta5
-                if e3 < 0.0 and free5:
+                if e5 < 0.0 and free5:
                     continue  # both signs give the same
-                factor5 = e3 / divisor5
+                factor5 = e5 / divisor5
                 c5 = math.cos(seed[4]) if free5 else -(X5 * factor5)
                 s5 = math.sin(seed[4]) if free5 else Y5 * factor5
                 q5 = _atan2(s5, c5)
-                s6 = w5 * e3
+                s6 = w5 * e5
 
                 # theta7
                 c7 = c5 * v36 + s5 * v43

@@ -222,10 +222,10 @@ static void solve(
     const double v20 = seed[0] + offset1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e4 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
-        if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
-        const double v3 = k3 * (k1 * (w4 * e1));
+        if (e4 < 0.0 && !apart4) continue; /* both signs give the same */
+        const double v3 = k3 * (k1 * (w4 * e4));
 
         /* shoulder */
         const double v10 = d5 * v3;
@@ -257,13 +257,13 @@ static void solve(
         const double q4 = dhgen_wrap(atan2(-v3, -v2) - offset4);
 
         for (int i2 = 0; i2 < 2; i2++) { /* back, front */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e1 = i2 == 0 ? 1.0 : -1.0;
             /* theta1 */
-            if (e2 < 0.0 && free1) continue; /* both signs give the same */
-            const double factor1 = e2 / divisor1;
+            if (e1 < 0.0 && free1) continue; /* both signs give the same */
+            const double factor1 = e1 / divisor1;
             const double c1 = free1 ? cos(v20) : -(X1 * factor1),
                 s1 = free1 ? sin(v20) : b22 * factor1;
-            const double s2 = w1 * e2;
+            const double s2 = w1 * e1;
 
             /* theta3, type 3: B1[3, 1] and B1[3, 3] */
             const double s3 = v19 * c1 - v18 * s1, c3 = b23 * c1 - b13 * s1;
@@ -294,14 +294,14 @@ static void solve(
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e5 = i3 == 0 ? 1.0 : -1.0;
                 /* theta5 */
-                if (e3 < 0.0 && free5) continue; /* both signs give the same */
-                const double factor5 = e3 / divisor5;
+                if (e5 < 0.0 && free5) continue; /* both signs give the same */
+                const double factor5 = e5 / divisor5;
                 const double c5 = free5 ? cos(seed[4]) : -(X5 * factor5),
                     s5 = free5 ? sin(seed[4]) : Y5 * factor5;
                 const double q5 = atan2(s5, c5);
-                const double s6 = w5 * e3;
+                const double s6 = w5 * e5;
 
                 /* theta7 */
                 const double q7 = atan2(-(c5 * v35 + s5 * v37), -(c5 * v29 + s5 * v31));
@@ -504,8 +504,8 @@ DHGEN_ALWAYS
 DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e4 = { 1.0, 1.0, -1.0, -1.0 };
+    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta4 */
@@ -525,31 +525,31 @@ DHGEN_INLINE int solve_regular(
         ny = v10 * cos_psi + v12 * sin_psi, v13 = d5 * v5, v14 = d3 + d5 * v3,
         v15 = v14 * v14 + v13 * v13, arm_ = sqrt(v15), v16 = 1.0 / v15, v17 = arm_ * v16,
         v18 = v13 * v17, v19 = v14 * v17, v20 = d5 * (d3 * v5);
-    const dhgen_four side = dhgen_pick_four(-(e1 * v20) < -straight_limit, dhgen_all_four(-1.0),
+    const dhgen_four side = dhgen_pick_four(-(e4 * v20) < -straight_limit, dhgen_all_four(-1.0),
         dhgen_all_four(1.0)), v21 = v19 * side, v22 = v18 * side;
     const double v23 = gx * v18, v24 = gy * v18, v25 = gy * v19;
-    const dhgen_four b22 = v25 - e1 * (uy * v22);
+    const dhgen_four b22 = v25 - e4 * (uy * v22);
 
     /* theta1 */
     const double v26 = gx * v19;
-    const dhgen_four X1 = e1 * (ux * v22) - v26, v27 = X1 * X1 + b22 * b22,
+    const dhgen_four X1 = e4 * (ux * v22) - v26, v27 = X1 * X1 + b22 * b22,
         w1 = dhgen_sqrt_four(v27), v28 = 1.0 / v27;
 
     /* theta2 */
     const double v29 = gz * v19;
-    const dhgen_four c2 = e1 * (uz * v22) - v29;
+    const dhgen_four c2 = e4 * (uz * v22) - v29;
 
     /* theta3 */
-    const dhgen_four v30 = v28 * (b22 * (ux * v21 + e1 * v23) + X1 * (uy * v21 + e1 * v24)),
+    const dhgen_four v30 = v28 * (b22 * (ux * v21 + e4 * v23) + X1 * (uy * v21 + e4 * v24)),
         v31 = w1 * v30, v32 = v28 * (b22 * (nx * side) + X1 * (ny * side)), v33 = w1 * v32,
-        v34 = dhgen_signed_four(DHGEN_HALF_TURN, -v30), v35 = m4 * (e2 - 1.0);
+        v34 = dhgen_signed_four(DHGEN_HALF_TURN, -v30), v35 = m4 * (e1 - 1.0);
 
     /* theta5 */
     const dhgen_four v36 = w1 * (v28 * (T23 * b22 - T13 * X1)), v37 = c2 * v36 + T33 * w1,
         v38 = w1 * (v28 * (T13 * b22 + T23 * X1));
     const double v39 = arm_ * (v16 * (gz * (T33 * v14)));
-    const dhgen_four v40 = w1 * v36 - (uz * (arm_ * (v16 * (side * (v13 * (e1 * T33))))) - v39),
-        X5 = e1 * (v5 * v40) - (v33 * (v3 * v37) + v31 * (v3 * v38)), Y5 = v33 * v38 - v31 * v37,
+    const dhgen_four v40 = w1 * v36 - (uz * (arm_ * (v16 * (side * (v13 * (e4 * T33))))) - v39),
+        X5 = e4 * (v5 * v40) - (v33 * (v3 * v37) + v31 * (v3 * v38)), Y5 = v33 * v38 - v31 * v37,
         v41 = X5 * X5 + Y5 * Y5, w5 = dhgen_sqrt_four(v41), factor5 = w5 * (1.0 / v41),
         v42 = X5 * factor5, s5 = Y5 * factor5;
 
@@ -560,8 +560,8 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v47 = w1 * (v28 * (b22 * T11 + X1 * T21)),
         v48 = w1 * (v28 * (b22 * T21 - X1 * T11)), v49 = c2 * v48 + w1 * T31;
     const double v50 = arm_ * (v16 * (gz * (v14 * T31)));
-    const dhgen_four v51 = v42 * (v33 * v47 - v31 * v49) - s5 * (e1 * (v5 * (w1 * v48 - (uz * (arm_
-        * (v16 * (side * (v13 * (e1 * T31))))) - v50))) - (v33 * (v3 * v49) + v31 * (v3 * v47)));
+    const dhgen_four v51 = v42 * (v33 * v47 - v31 * v49) - s5 * (e4 * (v5 * (w1 * v48 - (uz * (arm_
+        * (v16 * (side * (v13 * (e4 * T31))))) - v50))) - (v33 * (v3 * v49) + v31 * (v3 * v47)));
 
     /* joint values */
     const dhgen_four v52 = dhgen_signed_four(DHGEN_HALF_TURN, b22);
@@ -575,9 +575,9 @@ DHGEN_INLINE int solve_regular(
         ratio2 = dhgen_ratio_four(dhgen_shuffle(-v30, Y5, 0, 5, 2, 7), dhgen_shuffle(-v32, -X5, 0,
             5, 2, 7)),
         ratio3 = dhgen_ratio_four(dhgen_shuffle(w1, w5, 0, 5, 2, 7), dhgen_shuffle(c2, -(v3 * v40 +
-            e1 * (v33 * (v5 * v37) + v31 * (v5 * v38))), 0, 5, 2, 7)),
+            e4 * (v33 * (v5 * v37) + v31 * (v5 * v38))), 0, 5, 2, 7)),
         ratio4 = dhgen_ratio_four(dhgen_shuffle(v51, b22, 0, 5, 2, 7), dhgen_shuffle(v42 * (v33 *
-            v43 - v31 * v45) - s5 * (e1 * (v5 * (w1 * v44 - (uz * (arm_ * (v16 * (side * (v13 * (e1
+            v43 - v31 * v45) - s5 * (e4 * (v5 * (w1 * v44 - (uz * (arm_ * (v16 * (side * (v13 * (e4
             * T32))))) - v46))) - (v33 * (v3 * v45) + v31 * (v3 * v43))), -X1, 0, 5, 2, 7));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle6 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0), packed2 = dhgen_angle_four(ratio2),
@@ -590,8 +590,8 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four q3_p = angle1 + v34 * v35,
         q5_m = angle2 - dhgen_signed_four(DHGEN_HALF_TURN, Y5),
         q7_m = angle3 - dhgen_signed_four(DHGEN_HALF_TURN, v51), v53 = angle4 + v35 * v52 - offset1,
-        q1_p = dhgen_raised_four(v53), v54 = e2 * angle5 - offset2, q2_p = dhgen_raised_four(v54),
-        v55 = e1 * angle6 - offset4, q4_p = dhgen_raised_four(v55), v56 = angle7 - offset6,
+        q1_p = dhgen_raised_four(v53), v54 = e1 * angle5 - offset2, q2_p = dhgen_raised_four(v54),
+        v55 = e4 * angle6 - offset4, q4_p = dhgen_raised_four(v55), v56 = angle7 - offset6,
         v57 = offset6 + angle7, q6_p = dhgen_raised_four(v56),
         q6_m = dhgen_only_four(-v57 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v57,
         v58 = dhgen_exceeds_four(q4_p, joints + 3), v59 = dhgen_exceeds_four(angle2, joints + 4),

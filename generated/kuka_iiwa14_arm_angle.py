@@ -419,11 +419,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     v20 = seed[0] + offset1
 
     for i1 in range(2):  # elbow+, elbow-
-        e1 = 1.0 - 2.0 * i1
+        e4 = 1.0 - 2.0 * i1
         # theta4
-        if e1 < 0.0 and not apart4:
+        if e4 < 0.0 and not apart4:
             continue  # both signs give the same
-        v3 = k3 * (k1 * (w4 * e1))
+        v3 = k3 * (k1 * (w4 * e4))
 
         # shoulder
         v10 = d5 * v3
@@ -460,14 +460,14 @@ def _solve(pose, q_free, seed, moved, q, status):
         q4 = _wrap(_atan2(-v3, -v2) - offset4)
 
         for i2 in range(2):  # back, front
-            e2 = 1.0 - 2.0 * i2
+            e1 = 1.0 - 2.0 * i2
             # theta1
-            if e2 < 0.0 and free1:
+            if e1 < 0.0 and free1:
                 continue  # both signs give the same
-            factor1 = e2 / divisor1
+            factor1 = e1 / divisor1
             c1 = math.cos(v20) if free1 else -(X1 * factor1)
             s1 = math.sin(v20) if free1 else b22 * factor1
-            s2 = w1 * e2
+            s2 = w1 * e1
 
             # theta3, type 3: B1[3, 1] and B1[3, 3]
             s3 = v19 * c1 - v18 * s1
@@ -505,15 +505,15 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _wrap(_atan2(s2, c2) - offset2)
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e5 = 1.0 - 2.0 * i3
                 # theta5
-                if e3 < 0.0 and free5:
+                if e5 < 0.0 and free5:
                     continue  # both signs give the same
-                factor5 = e3 / divisor5
+                factor5 = e5 / divisor5
                 c5 = math.cos(seed[4]) if free5 else -(X5 * factor5)
                 s5 = math.sin(seed[4]) if free5 else Y5 * factor5
                 q5 = _atan2(s5, c5)
-                s6 = w5 * e3
+                s6 = w5 * e5
 
                 # theta7
                 q7 = _atan2(-(c5 * v35 + s5 * v37), -(c5 * v29 + s5 * v31))

@@ -196,10 +196,10 @@ static void solve(
             v13 = T21 * c1 - T11 * s1, v14 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double root3 = w3 * e3;
             const double v4 = (v3 + k2 * root3) * k4;
             const double c3 = k4 * (k1 * root3 - v5);
             const double q3 = atan2(-v4, c3);
@@ -228,14 +228,14 @@ static void solve(
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
-                const double s5 = w4 * e3;
+                const double s5 = w4 * e4;
 
                 /* theta5, type 3: U4[3, 3] and U4[1, 3] */
                 const double q5 = atan2(s5, -(T33 * c23 + s23 * v8));
@@ -257,10 +257,13 @@ static const double
     m1 = 1.7698849000000003e-07, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.739735510573048e-09,
+    m4 = 0.009587574503443538, /* k2 * k4 [m^-2] */
+    m5 = 1.016127365600848, /* k1 * k3 * k4 */
+    m6 = 0.26632151398454273, /* k1 * k4 [m^-2] */
+    m7 = 0.03658058516163053, /* k2 * k3 * k4 */
+    m8 = 0.4, /* k4 * (d4 * k1 + a3 * k2) [m^-1] */
+    m9 = 0.27616640000000003, /* d4 * k1 * k3 * k4 + a3 * k2 * k3 * k4 - a2 [m] */
     m10 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 0.009587574503443538, m5 = 1.016127365600848, m6 = 0.26632151398454273,
-m7 = 0.03658058516163053, m8 = 0.4, m9 = 0.27616640000000003;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -382,7 +385,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -394,12 +397,12 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
     const dhgen_four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3), v6 = m4 * e2, v7 = m6 * N3 - m5, v8 = v7 + w3 * v6, v9 = m6 * e2,
+        w3 = dhgen_sqrt_four(D3), v6 = m4 * e3, v7 = m6 * N3 - m5, v8 = v7 + w3 * v6, v9 = m6 * e3,
         v10 = m7 - m4 * N3, c3 = v10 + w3 * v9;
 
     /* theta2 */
-    const dhgen_four X2_2 = m9 - m8 * N3, v11 = Z1_3 * X2_2, S2 = v11 + w3 * (m8 * (e2 * v4)),
-        v12 = v4 * X2_2, v13 = m8 * (e2 * Z1_3), C2 = v12 - w3 * v13, factor2 = 1.0 / N3;
+    const dhgen_four X2_2 = m9 - m8 * N3, v11 = Z1_3 * X2_2, S2 = v11 + w3 * (m8 * (e3 * v4)),
+        v12 = v4 * X2_2, v13 = m8 * (e3 * Z1_3), C2 = v12 - w3 * v13, factor2 = 1.0 / N3;
 
     /* theta4 */
     const dhgen_four c23 = c3 * C2 + v8 * S2, s23 = c3 * S2 - v8 * C2;

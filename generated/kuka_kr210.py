@@ -87,12 +87,12 @@ k4 = 0.07101907039587806  # 1 / (k1^2 + k2^2) [m^-4]
 m1 = 1.7698849000000003e-07  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.739735510573048e-09
-m4 = 0.009587574503443538  # a coefficient of v4
-m5 = 1.016127365600848  # a coefficient of v4
-m6 = 0.26632151398454273  # a coefficient of v4
-m7 = 0.03658058516163053  # a coefficient of c3
-m8 = 0.4  # a coefficient of X2_2
-m9 = 0.27616640000000003  # a coefficient of X2_2
+m4 = 0.009587574503443538  # k2 * k4 [m^-2]
+m5 = 1.016127365600848  # k1 * k3 * k4
+m6 = 0.26632151398454273  # k1 * k4 [m^-2]
+m7 = 0.03658058516163053  # k2 * k3 * k4
+m8 = 0.4  # k4 * (d4 * k1 + a3 * k2) [m^-1]
+m9 = 0.27616640000000003  # d4 * k1 * k3 * k4 + a3 * k2 * k3 * k4 - a2 [m]
 m10 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -331,11 +331,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v14 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e2
+            root3 = w3 * e3
             v4 = (v3 + k2 * root3) * k4
             c3 = k4 * (k1 * root3 - v5)
             q3 = _atan2(-v4, c3)
@@ -367,15 +367,15 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _wrap(_atan2(s2, c2) - offset2)
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
                 s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = _atan2(s4, c4)
-                s5 = w4 * e3
+                s5 = w4 * e4
 
                 # theta5, type 3: U4[3, 3] and U4[1, 3]
                 q5 = _atan2(s5, -(T33 * c23 + s23 * v8))

@@ -210,10 +210,10 @@ static void solve(
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e3 = i1 == 0 ? 1.0 : -1.0;
         /* theta3 */
-        if (e1 < 0.0 && !apart3) continue; /* both signs give the same */
-        const double s3 = w3 * e1 * k2;
+        if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+        const double s3 = w3 * e3 * k2;
         const double q3 = atan2(s3, c3);
 
         /* theta2 */
@@ -250,12 +250,11 @@ static const double
     m2 = 0.0001802301952675207,
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.8076207197736452e-10,
+    m4 = 0.625, /* a3 * k2 [m^-1] */
     m5 = 1e-24, /* exact_slack^2 */
     m6 = 4.839999999999998e-24, /* exact_slack1^2 [m^2] */
     m7 = 1.452e-09, /* 3 * pose_slack1^2 [m^2] */
     m8 = 0.0014519999999999997; /* 3 * doubtful_slack1^2 [m^2] */
-/* coefficients */
-static const double m4 = 0.625;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -324,7 +323,7 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta234 */
@@ -340,7 +339,7 @@ DHGEN_INLINE int solve_regular(
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3);
 
     /* theta2 */
-    const dhgen_four v7 = w3 * (m4 * (e1 * Z2_3));
+    const dhgen_four v7 = w3 * (m4 * (e3 * Z2_3));
     const double v8 = m4 * (Z1_3 * N3);
     const dhgen_four v9 = v7 + v8;
     const double v10 = m4 * (Z2_3 * N3), factor2 = 1.0 / N3, v11 = m4 * (N3 * -Z1_3);
@@ -366,14 +365,14 @@ DHGEN_INLINE int solve_regular(
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-T12, -T12, -T12, -T12),
         dhgen_four_of(T22, T22, T22, T22)),
         ratio2 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(-v9, dhgen_all_four(-T31), 0, 1, 6,
-            3), dhgen_all_four(w3), 0, 1, 2, 7), dhgen_shuffle(dhgen_shuffle(v10 - w3 * (m4 * (e1 *
+            3), dhgen_all_four(w3), 0, 1, 2, 7), dhgen_shuffle(dhgen_shuffle(v10 - w3 * (m4 * (e3 *
             Z1_3)), dhgen_all_four(T33), 0, 1, 6, 3), dhgen_all_four(N3 - k1), 0, 1, 2, 7));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle4 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0), packed2 = dhgen_angle_four(ratio2),
         angle3 = dhgen_shuffle(packed2, packed2, 0, 1, 0, 1),
         angle1 = dhgen_shuffle(packed2, packed2, 2, 2, 2, 2),
         angle2 = dhgen_shuffle(packed2, packed2, 3, 3, 3, 3);
-    const dhgen_four v25 = e1 * angle2, v26 = angle1 - (angle3 + v25), v29 = angle4 + (w3 - w3),
+    const dhgen_four v25 = e3 * angle2, v26 = angle1 - (angle3 + v25), v29 = angle4 + (w3 - w3),
         q1 = v28 + v29, q2 = angle3 + v28, q3 = v25 + v28, q4 = v28 + dhgen_centred_four(v26);
     if (dhgen_bits_four(v24 <= m8) && !dhgen_bits_four(exact_))
         return -1;

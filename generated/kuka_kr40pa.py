@@ -79,7 +79,7 @@ m1 = 9.999999999999999e-09  # doubt_limit^2
 m2 = 0.0001802301952675207  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.8076207197736452e-10
-m4 = 0.625  # a coefficient of Y1_2
+m4 = 0.625  # a3 * k2 [m^-1]
 m5 = 1e-24  # exact_slack^2
 m6 = 4.839999999999998e-24  # exact_slack1^2 [m^2]
 m7 = 1.452e-09  # 3 * pose_slack1^2 [m^2]
@@ -296,11 +296,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # the arm can't take this pose
 
     for i1 in range(2):  # elbow+, elbow-
-        e1 = 1.0 - 2.0 * i1
+        e3 = 1.0 - 2.0 * i1
         # theta3
-        if e1 < 0.0 and not apart3:
+        if e3 < 0.0 and not apart3:
             continue  # both signs give the same
-        s3 = w3 * e1 * k2
+        s3 = w3 * e3 * k2
         q3 = _atan2(s3, c3)
 
         # theta2

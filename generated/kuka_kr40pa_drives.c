@@ -150,10 +150,10 @@ static void solve(
         const double v4 = Z1_3 * Y1_2, v5 = v1 * Y1_2;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double s3 = w3 * e2 * k2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double s3 = w3 * e3 * k2;
 
             /* theta2 */
             const double v3 = a3 * s3;
@@ -182,9 +182,8 @@ static const double
     doubt_limit_squared2 = 4.2024999999999994e-08,
     m1 = 4.2025e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 1.6825651982798743e-10;
-/* coefficients */
-static const double m4 = 0.625;
+    m3 = 1.6825651982798743e-10,
+    m4 = 0.625; /* a3 * k2 [m^-1] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -256,7 +255,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -270,7 +269,7 @@ DHGEN_INLINE int solve_regular(
         w3 = dhgen_sqrt_four(D3);
 
     /* theta2 */
-    const dhgen_four v5 = m4 * (N3 * -Z1_3), v6 = m4 * (e2 * Z1_3), v7 = m4 * (v3 * N3);
+    const dhgen_four v5 = m4 * (N3 * -Z1_3), v6 = m4 * (e3 * Z1_3), v7 = m4 * (v3 * N3);
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7] + T[11])) <= DHGEN_ORTHONORMAL) == 0) |
         ((dhgen_abs_four(D3) <= m3) | (N3 <= doubt_limit_squared2))) | (unsigned)(v1 <= m1))
@@ -278,11 +277,11 @@ DHGEN_INLINE int solve_regular(
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(-T24), 0,
         5, 2, 3), dhgen_shuffle(N3 - k1, dhgen_all_four(-T14), 0, 5, 2, 3)),
-        ratio2 = dhgen_ratio_four(v5 + w3 * (m4 * (e2 * v3)), -(v7 + w3 * v6));
+        ratio2 = dhgen_ratio_four(v5 + w3 * (m4 * (e3 * v3)), -(v7 + w3 * v6));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle3 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = dhgen_angle_four(ratio2);
-    const dhgen_four q1_ = angle1 + v2 * (m2 * (e1 - 1.0)), v8 = angle2 + e2 * angle3,
+    const dhgen_four q1_ = angle1 + v2 * (m2 * (e1 - 1.0)), v8 = angle2 + e3 * angle3,
         q3 = dhgen_centred_four(v8), v9 = dhgen_exceeds_four(q1_, joints), q1 = q1_ + (w3 - w3),
         excess = dhgen_maximum_four(dhgen_beyond_four(q3, joints + 2), dhgen_maximum_four(v9,
             dhgen_beyond_four(angle2, joints + 1)));

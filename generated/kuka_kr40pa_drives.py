@@ -83,7 +83,7 @@ graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 4.2025e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.6825651982798743e-10
-m4 = 0.625  # a coefficient of S2
+m4 = 0.625  # a3 * k2 [m^-1]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -244,11 +244,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v5 = v1 * Y1_2
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            s3 = w3 * e2 * k2
+            s3 = w3 * e3 * k2
 
             # theta2
             v3 = a3 * s3

@@ -198,10 +198,10 @@ static void solve(
         const double q4 = dhgen_wrap(offset4 - atan2(s4, c4));
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double s3 = w3 * e2 * k4;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double s3 = w3 * e3 * k4;
             const double q3 = atan2(s3, c3);
 
             /* theta2 */
@@ -228,9 +228,8 @@ static const double
     m1 = 1e-12, /* steep_limit^2 */
     m2 = 8.584900000000002e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m3 = 2.874855908885266e-10;
-/* coefficients */
-static const double m4 = 0.5882352941176471;
+    m3 = 2.874855908885266e-10,
+    m4 = 0.5882352941176471; /* a3 * k4 [m^-1] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -307,7 +306,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -324,7 +323,7 @@ DHGEN_INLINE int solve_regular(
         w3 = dhgen_sqrt_four(D3), v4 = w3 - w3;
 
     /* theta2 */
-    const dhgen_four v5 = m4 * (N3 * -Z1_3), v6 = m4 * (e2 * Z1_3), v7 = m4 * (v2 * N3);
+    const dhgen_four v5 = m4 * (N3 * -Z1_3), v6 = m4 * (e3 * Z1_3), v7 = m4 * (v2 * N3);
 
     /* joint values */
     const double v8 = copysign(DHGEN_HALF_TURN, s4);
@@ -340,12 +339,12 @@ DHGEN_INLINE int solve_regular(
         dhgen_all_four(s4), 0, 5, 2, 3), dhgen_all_four(-T24), 0, 1, 2, 7),
         dhgen_shuffle(dhgen_shuffle(N3 - k3, dhgen_all_four(-(T14 * T11 + T24 * T21)), 0, 5, 2, 3),
         dhgen_all_four(-T14), 0, 1, 2, 7)),
-        ratio2 = dhgen_ratio_four(v5 + w3 * (m4 * (e2 * v2)), -(v7 + w3 * v6));
+        ratio2 = dhgen_ratio_four(v5 + w3 * (m4 * (e3 * v2)), -(v7 + w3 * v6));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2),
         angle3 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1),
         angle4 = dhgen_shuffle(packed1, packed1, 3, 3, 3, 3), angle2 = dhgen_angle_four(ratio2);
-    const dhgen_four v10 = offset4 - (angle3 + v8 * v9), v12 = angle4 + v9 * v11, q3 = e2 * angle1,
+    const dhgen_four v10 = offset4 - (angle3 + v8 * v9), v12 = angle4 + v9 * v11, q3 = e3 * angle1,
         v13 = dhgen_exceeds_four(v12, joints), q1 = v4 - v12, q4 = v4 + dhgen_lowered_four(v10),
         excess = dhgen_maximum_four(dhgen_beyond_four(q3, joints + 2), dhgen_maximum_four(v13,
             dhgen_beyond_four(angle2, joints + 1)));

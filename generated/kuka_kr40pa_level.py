@@ -92,7 +92,7 @@ m1 = 1e-12  # steep_limit^2
 m2 = 8.584900000000002e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 2.874855908885266e-10
-m4 = 0.5882352941176471  # a coefficient of S2
+m4 = 0.5882352941176471  # a3 * k4 [m^-1]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -317,11 +317,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         q4 = _wrap(offset4 - _atan2(s4, c4))
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            s3 = w3 * e2 * k4
+            s3 = w3 * e3 * k4
             q3 = _atan2(s3, c3)
 
             # theta2

@@ -200,10 +200,10 @@ static void solve(
             v13 = T21 * c1 - T11 * s1, v14 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double root3 = w3 * e3;
             const double s3 = (k2 * root3 - v3) * k4, c3 = k4 * (v4 + k1 * root3);
 
             /* theta2 */
@@ -235,14 +235,14 @@ static void solve(
             const double q3 = dhgen_wrap(atan2(s3, c3) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
-                const double s5 = w4 * e3;
+                const double s5 = w4 * e4;
 
                 /* theta6 */
                 const double c6 = c4 * v10 + s4 * v12, s6 = c4 * v13 + s4 * v15;
@@ -266,10 +266,17 @@ static const double
     m1 = 2.0022250000000006e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.895849168266276e-11,
+    m4 = 1.0989010989010988, /* k4 * (d4 * k1 + a3 * k2) [m^-1] */
+    m5 = 0.03296703296703301, /* a2 - d4 * k1 * k3 * k4 - a3 * k2 * k3 * k4 [m] */
+    m6 = 0.07061149555147579, /* a2 * k2 * k4 [m^-1] */
+    m7 = 1.1862731252647931, /* a2 * k1 * k4 [m^-1] */
+    /* k1 * k4 * (a2 * k3 + d4 * longest3 * shortest3 * k1 * k4 + a3 * longest3 * shortest3 * k2 *
+     * k4 - d4 * k1 * k3^2 * k4 - a3 * k2 * k3^2 * k4) [m] */
+    m8 = 0.035588193757943844,
+    /* k2 * k4 * (a2 * k3 + d4 * longest3 * shortest3 * k1 * k4 + a3 * longest3 * shortest3 * k2 *
+     * k4 - d4 * k1 * k3^2 * k4 - a3 * k2 * k3^2 * k4) [m] */
+    m9 = 0.0021183448665442767,
     m10 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 1.0989010989010988, m5 = 0.03296703296703301, m6 = 0.07061149555147579,
-m7 = 1.1862731252647931, m8 = 0.035588193757943844, m9 = 0.0021183448665442767;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -395,7 +402,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -410,16 +417,16 @@ DHGEN_INLINE int solve_regular(
         w3 = dhgen_sqrt_four(D3);
 
     /* theta2 */
-    const dhgen_four Y1_2 = m5 + m4 * N3, v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m4 * (e2 * Z1_3),
+    const dhgen_four Y1_2 = m5 + m4 * N3, v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m4 * (e3 * Z1_3),
         factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v9 = m6 * Z1_3;
     const dhgen_four v10 = v9 - m7 * v4, v11 = m8 * factor2 - m7, v12 = m9 * factor2 - m6,
-        v13 = Z1_3 * v11 + v4 * v12, c23 = v13 + w3 * (factor2 * (e2 * v10));
+        v13 = Z1_3 * v11 + v4 * v12, c23 = v13 + w3 * (factor2 * (e3 * v10));
     const double v14 = m7 * Z1_3;
     const dhgen_four v15 = v14 + m6 * v4, v16 = Z1_3 * v12 + v4 * -v11,
-        s23 = v16 - w3 * (factor2 * (e2 * v15));
+        s23 = v16 - w3 * (factor2 * (e3 * v15));
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const dhgen_four X4 = T33 * s23 - e1 * (c23 * v17);
     const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v18 = Y4 * Y4;
@@ -437,7 +444,7 @@ DHGEN_INLINE int solve_regular(
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(Y1), 0, 5,
         2, 3), dhgen_shuffle(N3 - k3, dhgen_all_four(-wx), 0, 5, 2, 3)),
-        ratio2 = dhgen_ratio_four(w3 * (m4 * (e2 * v4)) - v6, -(v7 + w3 * v8)),
+        ratio2 = dhgen_ratio_four(w3 * (m4 * (e3 * v4)) - v6, -(v7 + w3 * v8)),
         ratio3 = dhgen_ratio_four(v20, -X4),
         ratio4 = dhgen_ratio_four(v26, e1 * (Y4 * (e1 * (c23 * v23) - s23 * T32) + X4 * v22)),
         ratio5 = dhgen_ratio_four(dhgen_sqrt_four(v19), T33 * c23 + e1 * (s23 * v17));
@@ -447,7 +454,7 @@ DHGEN_INLINE int solve_regular(
         angle2 = dhgen_angle_four(ratio3), angle3 = dhgen_angle_four(ratio4),
         angle6 = dhgen_angle_four(ratio5);
     const dhgen_four q4_m = angle2 - v21, q6_m = angle3 - dhgen_signed_four(DHGEN_HALF_TURN, v26),
-        v27 = angle4 - offset2, q2_p = dhgen_lowered_four(v27), v28 = e2 * angle5 - turn1 - offset3,
+        v27 = angle4 - offset2, q2_p = dhgen_lowered_four(v27), v28 = e3 * angle5 - turn1 - offset3,
         q3_p = dhgen_lowered_four(v28), v29 = angle6 - offset5, v30 = offset5 + angle6,
         q5_p = dhgen_raised_four(v29),
         q5_m = dhgen_only_four(-v30 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v30,

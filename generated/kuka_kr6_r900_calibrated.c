@@ -306,15 +306,24 @@ static const double
     near_m1 = 8.560190953689999e-09, /* doubt_limit1^2 [m^2] */
     /* 1000 * (near_longest3 - longest3_apart) * (longest3_apart - near_shortest3) [m^4] */
     near_m3 = 1.2417915714465629e-11,
+    near_m4 = 1.0986330807209672, /* k4 * (near_d4 * k1 + near_a3 * k2) [m^-1] */
+    /* near_a2 - near_d4 * k1 * near_k3 * k4 - near_a3 * k2 * near_k3 * k4 [m] */
+    near_m5 = 0.032988461500600814,
+    near_m6 = 1.1860189164290886, /* near_a2 * k1 * k4 [m^-1] */
+    near_m7 = 0.07069201936857687, /* -near_a2 * k2 * k4 [m^-1] */
+    /* k2 * k4 * (near_d4 * k1 * near_k3^2 * k4 + near_a3 * k2 * near_k3^2 * k4 - near_a2 * near_k3
+     * - near_d4 * near_longest3 * near_shortest3 * k1 * k4 - near_a3 * near_longest3 *
+     * near_shortest3 * k2 * k4) [m] */
+    near_m8 = 0.0021226567816523957,
+    /* k1 * k4 * (near_a2 * near_k3 + near_d4 * near_longest3 * near_shortest3 * k1 * k4 + near_a3 *
+     * near_longest3 * near_shortest3 * k2 * k4 - near_d4 * k1 * near_k3^2 * k4 - near_a3 * k2 *
+     * near_k3^2 * k4) [m] */
+    near_m9 = 0.03561238055741952,
     near_m10 = 9.999999999999999e-09, /* doubt_limit^2 */
     near1 = 0.0005998346, /* near_length + near_length [m] */
     near2 = 0.5, /* 1 / 2 */
-    h1 = 0.0003981111103254805, /* near3 + near_m7 * near1 [m] */
-    h2 = 0.0007326169419092472; /* near4 + near_m6 * near1 [m] */
-/* coefficients */
-static const double near_m4 = 1.0986330807209672, near_m5 = 0.032988461500600814,
-near_m6 = 1.1860189164290886, near_m7 = 0.07069201936857687, near_m8 = 0.0021226567816523957,
-near_m9 = 0.03561238055741952;
+    h1 = 0.0003981111103254805, /* near3 + near_m7 * near1 */
+    h2 = 0.0007326169419092472; /* near4 + near_m6 * near1 */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -472,8 +481,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 #if DHGEN_LANES > 1
 static const double
     near_m2 = 0.5, /* 1 / 2 */
-    near3 = 0.00035570759116433794, /* near_m6 * near_length [m] */
-    near4 = 2.1201759580571282e-05; /* near_m7 * near_length [m] */
+    near3 = 0.00035570759116433794, /* near_m6 * near_length */
+    near4 = 2.1201759580571282e-05; /* near_m7 * near_length */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 DHGEN_ALWAYS
@@ -482,7 +491,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -497,16 +506,16 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const dhgen_four X1_2 = near_m5 + near_m4 * N3, v7 = T34 * X1_2, v8 = Z2_3 * X1_2,
-        v9 = near_m4 * (e2 * T34), factor2 = 1.0 / N3;
+        v9 = near_m4 * (e3 * T34), factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v10 = near_m7 * T34;
     const dhgen_four v11 = v10 - near_m6 * Z2_3, v12 = near_m8 * factor2 - near_m7,
-        v13 = near_m9 * factor2 - near_m6, v14 = Z2_3 * v12 + T34 * v13, v15 = factor2 * (e2 * v11),
+        v13 = near_m9 * factor2 - near_m6, v14 = Z2_3 * v12 + T34 * v13, v15 = factor2 * (e3 * v11),
         c23 = v14 + w3 * v15;
     const double v16 = near_m6 * T34;
     const dhgen_four v17 = v16 + near_m7 * Z2_3, v18 = Z2_3 * -v13 + T34 * v12,
-        v19 = factor2 * (e2 * v17), s23 = v18 - w3 * v19;
+        v19 = factor2 * (e3 * v17), s23 = v18 - w3 * v19;
     const double v20 = T14 * T13 + T24 * T23, v21 = v2 * v20, v22 = w1 * v21;
     const dhgen_four c4 = s23 * T33 + e1 * (c23 * v22);
     const double v23 = T24 * T13 - T14 * T23, v24 = v2 * v23, Y4 = w1 * v24, v25 = Y4 * Y4;
@@ -537,7 +546,7 @@ DHGEN_INLINE int solve_regular(
         v59 = near_m9 * v58, v60 = near_m8 * v58, v61 = v60 + dhgen_abs_four(v12),
         v62 = v42 * v59 + v41 * (v59 + dhgen_abs_four(-v13)) + (v37 * v60 + near_length * v61),
         v63 = (v43 * v45 + v43 * (v43 + v46)) / D3, v64 = v63 * (1.0 + v63) * (near2 * w3),
-        v65 = near3 + near_m7 * v41, v66 = dhgen_abs_four(e2), v67 = dhgen_abs_four(v17),
+        v65 = near3 + near_m7 * v41, v66 = dhgen_abs_four(e3), v67 = dhgen_abs_four(v17),
         v68 = v65 * v66, v69 = v57 * v68 + v58 * (v67 + v68), v70 = dhgen_abs_four(w3);
     const double v71 = near_angle + fabs(T33);
     const dhgen_four v72 = v42 * v60 + v41 * v61 + (v37 * v59 + near_length * (v59 +
@@ -557,7 +566,7 @@ DHGEN_INLINE int solve_regular(
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(T24), 0,
         5, 2, 3), dhgen_shuffle(N3 - near_k3, dhgen_all_four(T14), 0, 5, 2, 3)),
-        ratio2 = dhgen_ratio_four(v7 - w3 * (near_m4 * (e2 * Z2_3)), v8 + w3 * v9),
+        ratio2 = dhgen_ratio_four(v7 - w3 * (near_m4 * (e3 * Z2_3)), v8 + w3 * v9),
         ratio3 = dhgen_ratio_four(v27, c4),
         ratio4 = dhgen_ratio_four(v33, e1 * (c4 * v29 + Y4 * (s23 * T32 + e1 * (c23 * v30)))),
         ratio5 = dhgen_ratio_four(dhgen_sqrt_four(v26), c23 * T33 - e1 * (s23 * v22));
@@ -566,7 +575,7 @@ DHGEN_INLINE int solve_regular(
         angle1 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = dhgen_angle_four(ratio2),
         angle4 = dhgen_angle_four(ratio3), angle6 = dhgen_angle_four(ratio4),
         angle5 = dhgen_angle_four(ratio5);
-    const dhgen_four q3_ = e2 * angle2 - near_turn1, q4_m = angle4 - v28,
+    const dhgen_four q3_ = e3 * angle2 - near_turn1, q4_m = angle4 - v28,
         q6_m = angle6 - dhgen_signed_four(DHGEN_HALF_TURN, v33), q3_p = dhgen_lowered_four(q3_),
         q1_p = angle1 + v3 * (near_m2 * (e1 - 1.0)) + (w3 - w3);
 

@@ -116,17 +116,24 @@ near_turn1 = -1.6303303533892188  # a constant angle [rad]
 near_m1 = 8.560190953689999e-09  # doubt_limit1^2 [m^2]
 # 1000 * (near_longest3 - longest3_apart) * (longest3_apart - near_shortest3) [m^4]
 near_m3 = 1.2417915714465629e-11
-near_m4 = 1.0986330807209672  # a coefficient of X1_2
-near_m5 = 0.032988461500600814  # a coefficient of X1_2
-near_m6 = 1.1860189164290886  # a coefficient of c23
-near_m7 = 0.07069201936857687  # a coefficient of c23
-near_m8 = 0.0021226567816523957  # a coefficient of c23
-near_m9 = 0.03561238055741952  # a coefficient of c23
+near_m4 = 1.0986330807209672  # k4 * (near_d4 * k1 + near_a3 * k2) [m^-1]
+# near_a2 - near_d4 * k1 * near_k3 * k4 - near_a3 * k2 * near_k3 * k4 [m]
+near_m5 = 0.032988461500600814
+near_m6 = 1.1860189164290886  # near_a2 * k1 * k4 [m^-1]
+near_m7 = 0.07069201936857687  # -near_a2 * k2 * k4 [m^-1]
+# k2 * k4 * (near_d4 * k1 * near_k3^2 * k4 + near_a3 * k2 * near_k3^2 * k4 - near_a2 * near_k3 -
+# near_d4 * near_longest3 * near_shortest3 * k1 * k4 - near_a3 * near_longest3 * near_shortest3 * k2
+# * k4) [m]
+near_m8 = 0.0021226567816523957
+# k1 * k4 * (near_a2 * near_k3 + near_d4 * near_longest3 * near_shortest3 * k1 * k4 + near_a3 *
+# near_longest3 * near_shortest3 * k2 * k4 - near_d4 * k1 * near_k3^2 * k4 - near_a3 * k2 *
+# near_k3^2 * k4) [m]
+near_m9 = 0.03561238055741952
 near_m10 = 9.999999999999999e-09  # doubt_limit^2
 near1 = 0.0005998346  # near_length + near_length [m]
 near2 = 0.5  # 1 / 2
-h1 = 0.0003981111103254805  # near3 + near_m7 * near1 [m]
-h2 = 0.0007326169419092472  # near4 + near_m6 * near1 [m]
+h1 = 0.0003981111103254805  # near3 + near_m7 * near1
+h2 = 0.0007326169419092472  # near4 + near_m6 * near1
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 

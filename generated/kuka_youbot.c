@@ -214,10 +214,10 @@ static void solve(
             continue; /* the arm can't take this pose */
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double s3 = w3 * e2 * k2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double s3 = w3 * e3 * k2;
             const double q3 = atan2(s3, c3);
 
             /* theta2 */
@@ -254,13 +254,15 @@ static const double
     m3 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m4 = 3.345324017800363e-13,
+    m5 = 3.2258064516129035, /* a3 * k2 [m^-1] */
+    m6 = 0.018709677419354823, /* a2 - a3 * k1 * k2 [m] */
     m7 = 2.2340393066406244e-17, /* doubt_limit_squared2^2 [m^4] */
+    m8 = 3.7037037037037037, /* a2 * k2 [m^-1] */
+    /* k2 * (a2 * k1 + a3 * longest3 * shortest3 * k2 - a3 * k1^2 * k2) [m] */
+    m9 = 0.021481481481481466,
     m10 = 1.0000000000000002e-10, /* pose_slack^2 */
     m11 = 4.7265625e-11, /* pose_slack1^2 [m^2] */
     m12 = 1.41796875e-10; /* 3 * pose_slack1^2 [m^2] */
-/* coefficients */
-static const double m5 = 3.2258064516129035, m6 = 0.018709677419354823, m8 = 3.7037037037037037,
-m9 = 0.021481481481481466;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -387,7 +389,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -418,8 +420,8 @@ DHGEN_INLINE int solve_regular(
         w3 = dhgen_sqrt_four(D3), v20 = w3 - w3;
 
     /* theta2 */
-    const dhgen_four v21 = e2 * v18, v22 = m6 + m5 * N3, v23 = Z1_3 * v22,
-        S2 = v23 - w3 * (m5 * v21), v24 = e2 * Z1_3, v25 = m5 * v24, v26 = v18 * v22,
+    const dhgen_four v21 = e3 * v18, v22 = m6 + m5 * N3, v23 = Z1_3 * v22,
+        S2 = v23 - w3 * (m5 * v21), v24 = e3 * Z1_3, v25 = m5 * v24, v26 = v18 * v22,
         C2 = v26 + w3 * v25, v27 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v27), v28 = 1.0 / v27,
         factor2 = w2 * v28;
 
@@ -456,7 +458,7 @@ DHGEN_INLINE int solve_regular(
         angle4 = dhgen_shuffle(packed2, packed2, 0, 0, 2, 2),
         angle1 = dhgen_shuffle(packed2, packed2, 1, 1, 1, 1),
         angle2 = dhgen_shuffle(packed2, packed2, 3, 3, 3, 3), angle5 = dhgen_angle_four(ratio3);
-    const dhgen_four v46 = angle5 - offset2, v47 = e2 * angle4, v48 = e1 * angle2,
+    const dhgen_four v46 = angle5 - offset2, v47 = e3 * angle4, v48 = e1 * angle2,
         v49 = v48 - (angle5 + v47) - offset4, v50 = dhgen_centred_four(v49),
         v53 = v20 + (angle1 + v3 * v4), q1 = v52 + v53, q2 = v52 + dhgen_raised_four(v46),
         q3 = v47 + v52, q4 = v52 + dhgen_raised_four(v50), v54 = v20 + (angle3 + v4 * v11),

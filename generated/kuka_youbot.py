@@ -85,11 +85,11 @@ m1 = 4.726562499999999e-09  # doubt_limit1^2 [m^2]
 m3 = 9.999999999999999e-09  # doubt_limit^2
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m4 = 3.345324017800363e-13
-m5 = 3.2258064516129035  # a coefficient of S2
-m6 = 0.018709677419354823  # a coefficient of S2
+m5 = 3.2258064516129035  # a3 * k2 [m^-1]
+m6 = 0.018709677419354823  # a2 - a3 * k1 * k2 [m]
 m7 = 2.2340393066406244e-17  # doubt_limit_squared2^2 [m^4]
-m8 = 3.7037037037037037  # a coefficient of c23
-m9 = 0.021481481481481466  # a coefficient of c23
+m8 = 3.7037037037037037  # a2 * k2 [m^-1]
+m9 = 0.021481481481481466  # k2 * (a2 * k1 + a3 * longest3 * shortest3 * k2 - a3 * k1^2 * k2) [m]
 m10 = 1.0000000000000002e-10  # pose_slack^2
 m11 = 4.7265625e-11  # pose_slack1^2 [m^2]
 m12 = 1.41796875e-10  # 3 * pose_slack1^2 [m^2]
@@ -343,11 +343,11 @@ def _solve(pose, q_free, seed, moved, q, status):
             continue  # the arm can't take this pose
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            s3 = w3 * e2 * k2
+            s3 = w3 * e3 * k2
             q3 = _atan2(s3, c3)
 
             # theta2

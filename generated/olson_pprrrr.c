@@ -147,10 +147,10 @@ static void solve(
     const double wy = T24 - T23 * d6;
 
     for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e3 = i1 == 0 ? 1.0 : -1.0;
         /* theta3 */
-        if (e1 < 0.0 && free3) continue; /* both signs give the same */
-        const double factor3 = e1 / divisor3;
+        if (e3 < 0.0 && free3) continue; /* both signs give the same */
+        const double factor3 = e3 / divisor3;
         const double v1 = T23 * factor3, v2 = T13 * factor3;
         const double off3 = near3 ? w3 * fabs(v1 * sin(seed[2]) + v2 * cos(seed[2])) : 1.0;
         const double ahead3 = near3 ? v1 * cos(seed[2]) - v2 * sin(seed[2]) : -1.0;
@@ -166,17 +166,17 @@ static void solve(
         const double v6 = c3 * a4;
 
         /* theta45, type 3: U3[3, 3] and U3[1, 3] */
-        const double theta45 = atan2(-(w3 * e1), -T33);
+        const double theta45 = atan2(-(w3 * e3), -T33);
 
         /* theta6, type 3: U3[2, 2] and U3[2, 1] */
         const double q6 = atan2(-(T11 * c3 + T21 * s3), -(T12 * c3 + T22 * s3));
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e4 = i2 == 0 ? 1.0 : -1.0;
             /* theta4 */
-            if (e2 < 0.0 && (!apart4 || (near3 && !(blur_slack1 * (v3 + blur_slack1) < D4))))
+            if (e4 < 0.0 && (!apart4 || (near3 && !(blur_slack1 * (v3 + blur_slack1) < D4))))
                 continue; /* both signs give the same */
-            const double v4 = k2 * (a4 * (w4 * e2));
+            const double v4 = k2 * (a4 * (w4 * e4));
             const double q4 = atan2(s4, -v4);
 
             /* r2 */
@@ -269,14 +269,14 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, 1.0, -1.0, -1.0 };
+    const dhgen_four e4 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta3 */
     const double v1 = T23 * T23 + T13 * T13, w3 = sqrt(v1), factor3 = w3 * (1.0 / v1),
         c3 = T23 * factor3, v2 = T13 * factor3, v3 = copysign(DHGEN_HALF_TURN, -T13);
-    const dhgen_four v4 = m2 * (e1 - 1.0);
+    const dhgen_four v4 = m2 * (e3 - 1.0);
 
     /* theta4 */
     const double Z4 = T34 - d6 * T33 - d3, D4 = k1 - Z4 * Z4, w4 = sqrt(D4), v5 = w4 - w4,
@@ -284,7 +284,7 @@ DHGEN_INLINE int solve_regular(
 
     /* r2 */
     const double wx = T14 - d6 * T13, v10 = v7 * (a4 * v2);
-    const dhgen_four v11 = e1 * e2, q2 = wx - v10 * v11;
+    const dhgen_four v11 = e3 * e4, q2 = wx - v10 * v11;
 
     /* r1 */
     const double wy = T24 - d6 * T23, v12 = v7 * (a4 * c3);
@@ -304,7 +304,7 @@ DHGEN_INLINE int solve_regular(
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1),
         angle3 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2),
         angle4 = dhgen_shuffle(packed1, packed1, 3, 3, 3, 3);
-    const dhgen_four q4 = e2 * angle2 + v9 * (m2 * (1.0 - e2)), v15 = e1 * angle3, v16 = v15 - q4,
+    const dhgen_four q4 = e4 * angle2 + v9 * (m2 * (1.0 - e4)), v15 = e3 * angle3, v16 = v15 - q4,
         q5 = dhgen_centred_four(v16), q3 = v5 + (angle1 + v3 * v4), q6 = v5 + (angle4 + v4 * v14);
 
     dhgen_store_4(q, q + 6, q + 12, q + 18, q1, q2, q3, q4);

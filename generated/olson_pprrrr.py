@@ -233,11 +233,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     wy = T24 - T23 * d6
 
     for i1 in range(2):  # elbow+, elbow-
-        e1 = 1.0 - 2.0 * i1
+        e3 = 1.0 - 2.0 * i1
         # theta3
-        if e1 < 0.0 and free3:
+        if e3 < 0.0 and free3:
             continue  # both signs give the same
-        factor3 = e1 / divisor3
+        factor3 = e3 / divisor3
         v1 = T23 * factor3
         v2 = T13 * factor3
         off3 = w3 * abs(v1 * math.sin(seed[2]) + v2 * math.cos(seed[2])) if near3 else 1.0
@@ -255,17 +255,17 @@ def _solve(pose, q_free, seed, moved, q, status):
         v6 = c3 * a4
 
         # theta45, type 3: U3[3, 3] and U3[1, 3]
-        theta45 = _atan2(-(w3 * e1), -T33)
+        theta45 = _atan2(-(w3 * e3), -T33)
 
         # theta6, type 3: U3[2, 2] and U3[2, 1]
         q6 = _atan2(-(T11 * c3 + T21 * s3), -(T12 * c3 + T22 * s3))
 
         for i2 in range(2):  # noflip, flip
-            e2 = 1.0 - 2.0 * i2
+            e4 = 1.0 - 2.0 * i2
             # theta4
-            if e2 < 0.0 and (not apart4 or (near3 and not (blur_slack1 * (v3 + blur_slack1) < D4))):
+            if e4 < 0.0 and (not apart4 or (near3 and not (blur_slack1 * (v3 + blur_slack1) < D4))):
                 continue  # both signs give the same
-            v4 = k2 * (a4 * (w4 * e2))
+            v4 = k2 * (a4 * (w4 * e4))
             q4 = _atan2(s4, -v4)
 
             # r2

@@ -211,10 +211,10 @@ static void solve(
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e3 = i1 == 0 ? 1.0 : -1.0;
         /* theta3 */
-        if (e1 < 0.0 && !apart3) continue; /* both signs give the same */
-        const double s3 = w3 * e1 * k2;
+        if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+        const double s3 = w3 * e3 * k2;
         const double q3 = atan2(s3, c3);
 
         /* theta2 */
@@ -254,12 +254,11 @@ static const double
     m2 = 65755.87888877846,
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [mm^4] */
     m3 = 0.06577829481102304,
+    m4 = 0.004761904761904762, /* a3 * k2 [mm^-1] */
     m5 = 1e-24, /* exact_slack^2 */
     m6 = 1.2602500000000002e-19, /* exact_slack1^2 [mm^2] */
     m7 = 3.780750000000001e-05, /* 3 * pose_slack1^2 [mm^2] */
     m8 = 37.807500000000005; /* 3 * doubtful_slack1^2 [mm^2] */
-/* coefficients */
-static const double m4 = 0.004761904761904762;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -328,7 +327,7 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -344,7 +343,7 @@ DHGEN_INLINE int solve_regular(
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3);
 
     /* theta2 */
-    const dhgen_four v7 = w3 * (m4 * (e1 * Z2_3));
+    const dhgen_four v7 = w3 * (m4 * (e3 * Z2_3));
     const double v8 = m4 * (Z1_3 * N3);
     const dhgen_four S2 = v8 - v7;
     const double v9 = m4 * (Z2_3 * N3), factor2 = 1.0 / N3;
@@ -369,14 +368,14 @@ DHGEN_INLINE int solve_regular(
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(T12, T12, T12, T12),
         dhgen_four_of(-T22, -T22, -T22, -T22)),
         ratio2 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(S2, dhgen_all_four(T33), 0, 1, 6, 3),
-            dhgen_all_four(w3), 0, 1, 2, 7), dhgen_shuffle(dhgen_shuffle(-(v9 + w3 * (m4 * (e1 *
+            dhgen_all_four(w3), 0, 1, 2, 7), dhgen_shuffle(dhgen_shuffle(-(v9 + w3 * (m4 * (e3 *
             Z1_3))), dhgen_all_four(-T31), 0, 1, 6, 3), dhgen_all_four(N3 - k1), 0, 1, 2, 7));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle4 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0), packed2 = dhgen_angle_four(ratio2),
         angle3 = dhgen_shuffle(packed2, packed2, 0, 1, 0, 1),
         angle1 = dhgen_shuffle(packed2, packed2, 2, 2, 2, 2),
         angle2 = dhgen_shuffle(packed2, packed2, 3, 3, 3, 3);
-    const dhgen_four v22 = angle3 - offset2, v23 = e1 * angle2, v24 = angle3 - v23 - angle1,
+    const dhgen_four v22 = angle3 - offset2, v23 = e3 * angle2, v24 = angle3 - v23 - angle1,
         v27 = angle4 + (w3 - w3), q1 = v26 + v27, q2 = v26 + dhgen_raised_four(v22), q3 = v23 + v26,
         q4 = v26 + dhgen_centred_four(v24);
     if (dhgen_bits_four(v21 <= m8) && !dhgen_bits_four(exact_))

@@ -77,7 +77,7 @@ doubt_limit_squared2 = 0.0012602499999999999  # square of a length that fixes no
 m1 = 9.999999999999999e-09  # doubt_limit^2
 m2 = 65755.87888877846  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [mm^4]
 m3 = 0.06577829481102304  # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [mm^4]
-m4 = 0.004761904761904762  # a coefficient of S2
+m4 = 0.004761904761904762  # a3 * k2 [mm^-1]
 m5 = 1e-24  # exact_slack^2
 m6 = 1.2602500000000002e-19  # exact_slack1^2 [mm^2]
 m7 = 3.780750000000001e-05  # 3 * pose_slack1^2 [mm^2]
@@ -299,11 +299,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # the arm can't take this pose
 
     for i1 in range(2):  # elbow+, elbow-
-        e1 = 1.0 - 2.0 * i1
+        e3 = 1.0 - 2.0 * i1
         # theta3
-        if e1 < 0.0 and not apart3:
+        if e3 < 0.0 and not apart3:
             continue  # both signs give the same
-        s3 = w3 * e1 * k2
+        s3 = w3 * e3 * k2
         q3 = _atan2(s3, c3)
 
         # theta2

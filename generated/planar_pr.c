@@ -113,10 +113,10 @@ static void solve(
     const double w2 = sqrt(apart2 ? D1 : 0.0);
 
     for (int i1 = 0; i1 < 2; i1++) { /* forward, backward */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e2 = i1 == 0 ? 1.0 : -1.0;
         /* theta2, r1 */
-        if (e1 < 0.0 && !apart2) continue; /* both signs give the same */
-        const double r1 = (v1 + w2 * e1) * k7;
+        if (e2 < 0.0 && !apart2) continue; /* both signs give the same */
+        const double r1 = (v1 + w2 * e2) * k7;
         const double s2 = V1_2 - k2 * r1, c2 = V2_2 - k3 * r1;
         const double q2 = atan2(s2, c2);
         const int row = i1;
@@ -128,9 +128,9 @@ static void solve(
 #ifndef PLANAR_PR_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 static const double
-    m1 = 2.2222222222222221e-10; /* 1000 * k6 [m^-2] */
-/* coefficients */
-static const double m2 = 0.15, m3 = 0.25980762113533157;
+    m1 = 2.2222222222222221e-10, /* 1000 * k6 [m^-2] */
+    m2 = 0.15, /* k2 * k7 [m] */
+    m3 = 0.25980762113533157; /* k3 * k7 [m] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -162,20 +162,20 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta2, r1 */
     const double V1_2 = k1 * T24, V2_2 = k1 * T14, v1 = k2 * V1_2 + k3 * V2_2,
         v2 = k2 * V2_2 - k3 * V1_2, D1 = k4 - v2 * v2, w2 = sqrt(D1);
-    const dhgen_four q1 = k7 * (v1 + e1 * w2);
+    const dhgen_four q1 = k7 * (v1 + e2 * w2);
     const double v3 = V1_2 - m2 * v1, v4 = V2_2 - m3 * v1;
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7])) <=
         DHGEN_ORTHONORMAL) == 0)) | (unsigned)(fabs(D1) <= m1))
         return -1;
 
-    const dhgen_direction_four ratio1 = dhgen_ratio_four(v3 - w2 * (m2 * e1), v4 - w2 * (m3 * e1));
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(v3 - w2 * (m2 * e2), v4 - w2 * (m3 * e2));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle1 = dhgen_shuffle(packed1, packed1, 0, 1, 0, 1);
 

@@ -65,8 +65,8 @@ f1 = 0.5  # 1 / 2
 f2 = 0.8660254037844386  # 1 / 2 * sqrt3
 f3 = 0.9999999999999999  # f1^2 + f2^2
 m1 = 2.2222222222222221e-10  # 1000 * k6 [m^-2]
-m2 = 0.15  # a coefficient of s2
-m3 = 0.25980762113533157  # a coefficient of c2
+m2 = 0.15  # k2 * k7 [m]
+m3 = 0.25980762113533157  # k3 * k7 [m]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -162,11 +162,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     w2 = math.sqrt(D1 if apart2 else 0.0)
 
     for i1 in range(2):  # forward, backward
-        e1 = 1.0 - 2.0 * i1
+        e2 = 1.0 - 2.0 * i1
         # theta2, r1
-        if e1 < 0.0 and not apart2:
+        if e2 < 0.0 and not apart2:
             continue  # both signs give the same
-        r1 = (v1 + w2 * e1) * k7
+        r1 = (v1 + w2 * e2) * k7
         s2 = V1_2 - k2 * r1
         c2 = V2_2 - k3 * r1
         q2 = _atan2(s2, c2)

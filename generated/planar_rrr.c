@@ -145,10 +145,10 @@ static void solve(
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e2 = i1 == 0 ? 1.0 : -1.0;
         /* theta2 */
-        if (e1 < 0.0 && !apart2) continue; /* both signs give the same */
-        const double s2 = w2 * e1 * k2;
+        if (e2 < 0.0 && !apart2) continue; /* both signs give the same */
+        const double s2 = w2 * e2 * k2;
         const double q2 = atan2(s2, c2);
 
         /* theta1 */
@@ -181,12 +181,14 @@ static void solve(
 static const double
     /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
     m1 = 5.755396159656667e-12,
+    m2 = 1.25, /* a2 * k2 [m^-1] */
+    m3 = 0.08750000000000001, /* a1 - a2 * k1 * k2 [m] */
+    m4 = 1.666666666666667, /* a1 * k2 [m^-1] */
+    /* k2 * (a1 * k1 + a2 * longest2 * shortest2 * k2 - a2 * k1^2 * k2) [m] */
+    m5 = 0.1166666666666667,
     m6 = 7.225e-11, /* pose_slack1^2 [m^2] */
     m7 = 1.0000000000000002e-10, /* pose_slack^2 */
     m8 = 1.445e-10; /* 2 * pose_slack1^2 [m^2] */
-/* coefficients */
-static const double m2 = 1.25, m3 = 0.08750000000000001, m4 = 1.666666666666667,
-m5 = 0.1166666666666667;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -245,7 +247,7 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta123 */
@@ -256,9 +258,9 @@ DHGEN_INLINE int solve_regular(
         N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2, D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
 
     /* theta1 */
-    const dhgen_four v5 = e1 * Z1_2;
+    const dhgen_four v5 = e2 * Z1_2;
     const double v6 = m3 + m2 * N2, v7 = Z2_2 * v6;
-    const dhgen_four S1 = v7 - w2 * (m2 * v5), v8 = e1 * Z2_2;
+    const dhgen_four S1 = v7 - w2 * (m2 * v5), v8 = e2 * Z2_2;
     const double v9 = Z1_2 * v6;
     const dhgen_four C1 = v9 + w2 * (m2 * v8);
     const double factor1 = 1.0 / N2;
@@ -288,7 +290,7 @@ DHGEN_INLINE int solve_regular(
         angle3 = dhgen_shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2),
         angle2 = dhgen_shuffle(packed1, packed1, 3, 3, 3, 3);
-    const dhgen_four v18 = e1 * angle2, v19 = angle1 - (angle3 + v18), q1 = angle3 + v21,
+    const dhgen_four v18 = e2 * angle2, v19 = angle1 - (angle3 + v18), q1 = angle3 + v21,
         q2 = v18 + v21, q3 = v21 + dhgen_centred_four(v19);
 
     dhgen_store_2(q, q + 3, q, q + 3, q1, q2);

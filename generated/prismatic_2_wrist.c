@@ -221,11 +221,11 @@ static void solve(
             v42 = c1 * v39 + s1 * v40 - v41, v43 = T21 * c1 - T11 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* elbow+, elbow- */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && (!apart3 || (near1 && !(blur_slack1 * (blur_slack1 + v9) < D3))))
+            if (e3 < 0.0 && (!apart3 || (near1 && !(blur_slack1 * (blur_slack1 + v9) < D3))))
                 continue; /* both signs give the same */
-            const double root3 = w3 * e2;
+            const double root3 = w3 * e3;
             const double v12 = k6 * (v11 + k2 * root3);
             const double s3 = k6 * (v10 - k3 * root3);
             const double q3 = atan2(s3, -v12);
@@ -246,16 +246,16 @@ static void solve(
             const double v34 = s3 * v33 - v12 * v32, v44 = s3 * v43 - v12 * v42;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                     s4 = free4 ? sin(seed[3]) : -(v23 * factor4);
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
-                const double q5 = atan2(-(w4 * e3), c5);
+                const double q5 = atan2(-(w4 * e4), c5);
 
                 /* theta6 */
                 const double q6 = atan2(-(c4 * v38 + s4 * v44), -(c4 * v28 + s4 * v34));
@@ -275,10 +275,11 @@ static const double
     doubt_limit_squared2 = 1.5375999999999998e-08,
     m1 = 1.2399999999999999e-11, /* 1000 * merge_slack1 [m] */
     m2 = 1.2399999999999999e-10, /* 10 * blur_slack1 [m] */
+    m3 = 11.314168873492461, /* k2 * k6 [m^-1] */
+    m4 = 0.7750600530519154, /* k3 * k5 * k6 */
+    m5 = 2.1049616508823186, /* k3 * k6 [m^-1] */
+    m6 = 4.165947785154044, /* k2 * k5 * k6 */
     m7 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 11.314168873492461, m4 = 0.7750600530519154, m5 = 2.1049616508823186,
-m6 = 4.165947785154044;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -391,7 +392,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -405,9 +406,9 @@ DHGEN_INLINE int solve_regular(
 
     /* theta3 */
     const double Z3 = wz - k5, D3 = k4 - Z3 * Z3, w3 = sqrt(D3), v9 = w3 - w3, v10 = m5 * wz - m4;
-    const dhgen_four v11 = v10 + w3 * (m3 * e2);
+    const dhgen_four v11 = v10 + w3 * (m3 * e3);
     const double v12 = m3 * wz - m6;
-    const dhgen_four s3 = v12 - w3 * (m5 * e2);
+    const dhgen_four s3 = v12 - w3 * (m5 * e3);
 
     /* r2 */
     const dhgen_four v13 = a3 * s3 - d4 * v11, v14 = c1 * -wy - wx * v8;

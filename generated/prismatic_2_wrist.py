@@ -93,10 +93,10 @@ f2 = 0.09800665778412417  # d3 * cat2 [m]
 doubt_limit_squared2 = 1.5375999999999998e-08  # square of a length that fixes no angle [m^2]
 m1 = 1.2399999999999999e-11  # 1000 * merge_slack1 [m]
 m2 = 1.2399999999999999e-10  # 10 * blur_slack1 [m]
-m3 = 11.314168873492461  # a coefficient of v12
-m4 = 0.7750600530519154  # a coefficient of v12
-m5 = 2.1049616508823186  # a coefficient of v12
-m6 = 4.165947785154044  # a coefficient of s3
+m3 = 11.314168873492461  # k2 * k6 [m^-1]
+m4 = 0.7750600530519154  # k3 * k5 * k6
+m5 = 2.1049616508823186  # k3 * k6 [m^-1]
+m6 = 4.165947785154044  # k2 * k5 * k6
 m7 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -369,11 +369,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v43 = T21 * c1 - T11 * s1
 
         for i2 in range(2):  # elbow+, elbow-
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and (not apart3 or (near1 and not (blur_slack1 * (blur_slack1 + v9) < D3))):
+            if e3 < 0.0 and (not apart3 or (near1 and not (blur_slack1 * (blur_slack1 + v9) < D3))):
                 continue  # both signs give the same
-            root3 = w3 * e2
+            root3 = w3 * e3
             v12 = k6 * (v11 + k2 * root3)
             s3 = k6 * (v10 - k3 * root3)
             q3 = _atan2(s3, -v12)
@@ -395,17 +395,17 @@ def _solve(pose, q_free, seed, moved, q, status):
             v44 = s3 * v43 - v12 * v42
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
                 s4 = math.sin(seed[3]) if free4 else -(v23 * factor4)
                 q4 = _atan2(s4, c4)
 
                 # theta5
-                q5 = _atan2(-(w4 * e3), c5)
+                q5 = _atan2(-(w4 * e4), c5)
 
                 # theta6
                 q6 = _atan2(-(c4 * v38 + s4 * v44), -(c4 * v28 + s4 * v34))

@@ -198,10 +198,10 @@ static void solve(
             v15 = T11 * c1 + T21 * s1, v16 = T11 * s1 - T21 * c1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double s3 = w3 * e2 * k7;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double s3 = w3 * e3 * k7;
             const double q3 = atan2(s3, c3);
 
             /* theta2 */
@@ -228,16 +228,16 @@ static void solve(
             const double v14 = T32 * s23 - c23 * v13, v17 = T31 * s23 - c23 * v16;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                     s4 = free4 ? sin(seed[3]) : -(v10 * factor4);
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
-                const double q5 = atan2(-(w4 * e3), c5);
+                const double q5 = atan2(-(w4 * e4), c5);
 
                 /* theta6 */
                 const double c6 = c4 * v15 + s4 * v17;
@@ -257,10 +257,11 @@ static const double
     m1 = 5.672456065993029e-12, /* 1000 * k4 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 2.4343489251065266e-11,
+    m3 = 1.1579434923575729, /* D4 * k7 [m^-1] */
     m4 = 1.276499302638241e-15, /* doubt_limit_squared2^2 [m^4] */
+    m5 = 3.105217997900075, /* D4 * k7^2 [m^-3] */
+    m6 = 2.3158869847151458, /* D4 * longest3 * k7^2 [m^-1] */
     m7 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 1.1579434923575729, m5 = 3.105217997900075, m6 = 2.3158869847151458;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -375,7 +376,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -391,8 +392,8 @@ DHGEN_INLINE int solve_regular(
         D3_ = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_), v4 = w3 - w3;
 
     /* theta2 */
-    const dhgen_four v5 = w3 * (m3 * (e2 * t34)), v6 = m3 * (w1 * (e1 * N3)), v7 = v5 + v6,
-        v8 = e1 * e2;
+    const dhgen_four v5 = w3 * (m3 * (e3 * t34)), v6 = m3 * (w1 * (e1 * N3)), v7 = v5 + v6,
+        v8 = e1 * e3;
     const double v9 = m3 * (t34 * N3);
     const dhgen_four C2 = v9 - w3 * (m3 * (w1 * v8)), v10 = v7 * v7 + C2 * C2,
         factor2 = dhgen_sqrt_four(v10) * (1.0 / v10);
@@ -402,7 +403,7 @@ DHGEN_INLINE int solve_regular(
     const double v11 = m5 * N3, v12 = m3 - v11;
     const dhgen_four v13 = e1 * v12;
     const double v14 = v11 - m6;
-    const dhgen_four v15 = e2 * v14, s23 = v5 + w1 * (N3 * (v13 + v8 * v15)),
+    const dhgen_four v15 = e3 * v14, s23 = v5 + w1 * (N3 * (v13 + v8 * v15)),
         v16 = T13 * s1 - T23 * c1, X4 = c23 * v16 - T33 * s23, v17 = T13 * c1 + T23 * s1,
         v18 = v17 * v17, v19 = v18 + factor2 * (X4 * (factor2 * X4)),
         v20 = dhgen_signed_four(DHGEN_HALF_TURN, -v17);
@@ -428,7 +429,7 @@ DHGEN_INLINE int solve_regular(
         angle5 = dhgen_angle_four(ratio3), angle3 = dhgen_angle_four(ratio4),
         angle4 = dhgen_angle_four(ratio5);
     const dhgen_four q4_m = angle3 - v20, q6_m = angle5 - dhgen_signed_four(DHGEN_HALF_TURN, v25),
-        q1_p = v4 + angle6, q3_p = v1 + e2 * angle1;
+        q1_p = v4 + angle6, q3_p = v1 + e3 * angle1;
 
     dhgen_store_4(q, q + 12, q + 24, q + 36, q1_p, angle2, q3_p, angle3);
     dhgen_store_2(q + 4, q + 16, q + 28, q + 40, angle4, angle5);

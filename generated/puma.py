@@ -86,10 +86,10 @@ g1 = 0.8636  # L2 + D4 [m]
 m1 = 5.672456065993029e-12  # 1000 * k4 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 2.4343489251065266e-11
-m3 = 1.1579434923575729  # a coefficient of v6
+m3 = 1.1579434923575729  # D4 * k7 [m^-1]
 m4 = 1.276499302638241e-15  # doubt_limit_squared2^2 [m^4]
-m5 = 3.105217997900075  # a coefficient of c23
-m6 = 2.3158869847151458  # a coefficient of s23
+m5 = 3.105217997900075  # D4 * k7^2 [m^-3]
+m6 = 2.3158869847151458  # D4 * longest3 * k7^2 [m^-1]
 m7 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -341,11 +341,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v16 = T11 * s1 - T21 * c1
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            s3 = w3 * e2 * k7
+            s3 = w3 * e3 * k7
             q3 = _atan2(s3, c3)
 
             # theta2
@@ -375,17 +375,17 @@ def _solve(pose, q_free, seed, moved, q, status):
             v17 = T31 * s23 - c23 * v16
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
                 s4 = math.sin(seed[3]) if free4 else -(v10 * factor4)
                 q4 = _atan2(s4, c4)
 
                 # theta5
-                q5 = _atan2(-(w4 * e3), c5)
+                q5 = _atan2(-(w4 * e4), c5)
 
                 # theta6
                 c6 = c4 * v15 + s4 * v17

@@ -191,10 +191,10 @@ static void solve(
             v13 = T11 * s1 - T21 * c1, v14 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double root3 = w3 * e3;
             const double s3 = (k6 * root3 - v5) * k8, c3 = k8 * (v6 + k5 * root3);
             const double q3 = atan2(s3, c3);
 
@@ -224,16 +224,16 @@ static void solve(
             const double v12 = c23 * v11 + T32 * s23, v15 = c23 * v14 + T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : v8 * factor4,
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
-                const double q5 = atan2(-(w4 * e3), c5);
+                const double q5 = atan2(-(w4 * e4), c5);
 
                 /* theta6 */
                 const double q6 = atan2(-(c4 * v13 + s4 * v15), -(c4 * v10 + s4 * v12));
@@ -253,10 +253,13 @@ static const double
     m1 = 5.119045780000291e-12, /* 1000 * k3 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 2.2049387897563516e-11,
+    m3 = 0.12579382426107213, /* k6 * k8 [m^-2] */
+    m4 = 0.9988973492016866, /* k5 * k7 * k8 */
+    m5 = 2.675752380095121, /* k5 * k8 [m^-2] */
+    m6 = 0.046960667412677716, /* k6 * k7 * k8 */
+    m7 = 1.1579434923575729, /* k8 * (d4 * k5 + a3 * k6) [m^-1] */
+    m8 = 0.000477176933765627, /* d4 * k5 * k7 * k8 + a3 * k6 * k7 * k8 - a2 [m] */
     m9 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 0.12579382426107213, m4 = 0.9988973492016866, m5 = 2.675752380095121,
-m6 = 0.046960667412677716, m7 = 1.1579434923575729, m8 = 0.000477176933765627;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -387,7 +390,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -400,13 +403,13 @@ DHGEN_INLINE int solve_regular(
     /* theta3 */
     const double Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
         w3 = sqrt(D3), v4 = w3 - w3, v5 = m4 - m5 * N3;
-    const dhgen_four s3 = v5 + w3 * (m3 * e2);
+    const dhgen_four s3 = v5 + w3 * (m3 * e3);
     const double v6 = m3 * N3 - m6;
-    const dhgen_four c3 = v6 + w3 * (m5 * e2);
+    const dhgen_four c3 = v6 + w3 * (m5 * e3);
 
     /* theta2 */
     const double X1_2 = m7 * N3 - m8, v7 = Z1_3 * X1_2;
-    const dhgen_four S2 = v7 - w3 * (m7 * (w1 * (e1 * e2))), v8 = w3 * (m7 * (e2 * Z1_3)),
+    const dhgen_four S2 = v7 - w3 * (m7 * (w1 * (e1 * e3))), v8 = w3 * (m7 * (e3 * Z1_3)),
         v9 = w1 * (e1 * X1_2), C2 = v8 + v9;
     const double factor2 = 1.0 / N3;
 
@@ -434,7 +437,7 @@ DHGEN_INLINE int solve_regular(
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = dhgen_angle_four(ratio2),
         angle4 = dhgen_angle_four(ratio3), angle6 = dhgen_angle_four(ratio4),
         angle5 = dhgen_angle_four(ratio5);
-    const dhgen_four q3_ = e2 * angle2 - turn1, q4_m = angle4 - v14,
+    const dhgen_four q3_ = e3 * angle2 - turn1, q4_m = angle4 - v14,
         q6_m = angle6 - dhgen_signed_four(DHGEN_HALF_TURN, -(c4 * v17 + Y4 * (c23 * v18 + s23 *
             T31))), v19 = dhgen_raised_four(q3_), v20 = dhgen_exceeds_four(angle1, joints),
         v21 = dhgen_exceeds_four(v19, joints + 2), q1_p = angle1 + v4, q3_p = v1 + v19,

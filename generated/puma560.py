@@ -93,12 +93,12 @@ graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 5.119045780000291e-12  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 2.2049387897563516e-11
-m3 = 0.12579382426107213  # a coefficient of s3
-m4 = 0.9988973492016866  # a coefficient of s3
-m5 = 2.675752380095121  # a coefficient of s3
-m6 = 0.046960667412677716  # a coefficient of c3
-m7 = 1.1579434923575729  # a coefficient of X1_2
-m8 = 0.000477176933765627  # a coefficient of X1_2
+m3 = 0.12579382426107213  # k6 * k8 [m^-2]
+m4 = 0.9988973492016866  # k5 * k7 * k8
+m5 = 2.675752380095121  # k5 * k8 [m^-2]
+m6 = 0.046960667412677716  # k6 * k7 * k8
+m7 = 1.1579434923575729  # k8 * (d4 * k5 + a3 * k6) [m^-1]
+m8 = 0.000477176933765627  # d4 * k5 * k7 * k8 + a3 * k6 * k7 * k8 - a2 [m]
 m9 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -323,11 +323,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v14 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e2
+            root3 = w3 * e3
             s3 = (k6 * root3 - v5) * k8
             c3 = k8 * (v6 + k5 * root3)
             q3 = _atan2(s3, c3)
@@ -360,17 +360,17 @@ def _solve(pose, q_free, seed, moved, q, status):
             v15 = c23 * v14 + T31 * s23
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else v8 * factor4
                 s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = _atan2(s4, c4)
 
                 # theta5
-                q5 = _atan2(-(w4 * e3), c5)
+                q5 = _atan2(-(w4 * e4), c5)
 
                 # theta6
                 q6 = _atan2(-(c4 * v13 + s4 * v15), -(c4 * v10 + s4 * v12))

@@ -1966,10 +1966,10 @@ static void solve(
             v13 = T11 * s1 - T21 * c1, v14 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const float e2 = i2 == 0 ? 1.0f : -1.0f;
+            const float e3 = i2 == 0 ? 1.0f : -1.0f;
             /* theta3 */
-            if (e2 < 0.0f && !apart3) continue; /* both signs give the same */
-            const float root3 = w3 * e2;
+            if (e3 < 0.0f && !apart3) continue; /* both signs give the same */
+            const float root3 = w3 * e3;
             const float s3 = (k6 * root3 - v5) * k8, c3 = k8 * (v6 + k5 * root3);
             const float q3 = atan2f(s3, c3);
 
@@ -1999,16 +1999,16 @@ static void solve(
             const float v12 = c23 * v11 + T32 * s23, v15 = c23 * v14 + T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const float e3 = i3 == 0 ? 1.0f : -1.0f;
+                const float e4 = i3 == 0 ? 1.0f : -1.0f;
                 /* theta4 */
-                if (e3 < 0.0f && free4) continue; /* both signs give the same */
-                const float factor4 = e3 / divisor4;
+                if (e4 < 0.0f && free4) continue; /* both signs give the same */
+                const float factor4 = e4 / divisor4;
                 const float c4 = free4 ? cosf(seed[3]) : v8 * factor4,
                     s4 = free4 ? sinf(seed[3]) : Y4 * factor4;
                 const float q4 = atan2f(s4, c4);
 
                 /* theta5 */
-                const float q5 = atan2f(-(w4 * e3), c5);
+                const float q5 = atan2f(-(w4 * e4), c5);
 
                 /* theta6 */
                 const float q6 = atan2f(-(c4 * v13 + s4 * v15), -(c4 * v10 + s4 * v12));
@@ -2027,10 +2027,13 @@ static const float
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 2.9096855e-06f,
     turn1 = 1.5238184f, /* a constant angle [rad] */
+    m1 = 0.12579383f, /* k6 * k8 [m^-2] */
+    m2 = 0.9988974f, /* k5 * k7 * k8 */
+    m3 = 2.6757524f, /* k5 * k8 [m^-2] */
+    m4 = 0.046960667f, /* k6 * k7 * k8 */
+    m5 = 1.1579435f, /* k8 * (d4 * k5 + a3 * k6) [m^-1] */
+    m6 = 0.00047717695f, /* d4 * k5 * k7 * k8 + a3 * k6 * k7 * k8 - a2 [m] */
     m7 = 1e-06f; /* doubt_limit^2 */
-/* coefficients */
-static const float m1 = 0.12579383f, m2 = 0.9988974f, m3 = 2.6757524f,
-m4 = 0.046960667f, m5 = 1.1579435f, m6 = 0.00047717695f;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */

@@ -158,10 +158,10 @@ static void solve(
         const double v5 = k5 * K3, v6 = k6 * K3;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double root3 = w3 * e3;
             const double s3 = (k6 * root3 - v5) * k8, c3 = k8 * (v6 + k5 * root3);
             const double q3 = atan2(s3, c3);
 
@@ -189,9 +189,9 @@ static const double
     turn1 = 1.5238184104468135, /* a constant angle [rad] */
     m1 = 5.119045780000291e-12, /* 1000 * k3 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
-    m2 = 2.2049387897563516e-11;
-/* coefficients */
-static const double m3 = 1.1579434923575729, m4 = 0.000477176933765627;
+    m2 = 2.2049387897563516e-11,
+    m3 = 1.1579434923575729, /* k8 * (d4 * k5 + a3 * k6) [m^-1] */
+    m4 = 0.000477176933765627; /* d4 * k5 * k7 * k8 + a3 * k6 * k7 * k8 - a2 [m] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -242,7 +242,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -255,7 +255,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double X1_2 = m3 * N3 - m4, v7 = Z1_3 * X1_2;
-    const dhgen_four v8 = w3 * (m3 * (e2 * Z1_3)), v9 = w1 * (e1 * X1_2);
+    const dhgen_four v8 = w3 * (m3 * (e3 * Z1_3)), v9 = w1 * (e1 * X1_2);
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7] + T[11])) <= DHGEN_ORTHONORMAL) == 0)) |
         (unsigned)((fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2)))
@@ -263,11 +263,11 @@ DHGEN_INLINE int solve_regular(
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(v2 + e1 * v5,
         dhgen_all_four(w3), 0, 5, 2, 3), dhgen_shuffle(e1 * v4 - v3, dhgen_all_four(N3 - k7), 0, 5,
-        2, 3)), ratio2 = dhgen_ratio_four(v7 - w3 * (m3 * (w1 * (e1 * e2))), v8 + v9);
+        2, 3)), ratio2 = dhgen_ratio_four(v7 - w3 * (m3 * (w1 * (e1 * e3))), v8 + v9);
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle3 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = dhgen_angle_four(ratio2);
-    const dhgen_four q3_ = e2 * angle1 - turn1, q1 = v6 + angle3, q3 = v1 + dhgen_raised_four(q3_);
+    const dhgen_four q3_ = e3 * angle1 - turn1, q1 = v6 + angle3, q3 = v1 + dhgen_raised_four(q3_);
 
     dhgen_store_2(q, q + 3, q + 6, q + 9, q1, angle2);
     dhgen_store_1(q + 2, q + 5, q + 8, q + 11, q3);

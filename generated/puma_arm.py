@@ -80,8 +80,8 @@ turn1 = 1.5238184104468135  # a constant angle [rad]
 m1 = 5.119045780000291e-12  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 2.2049387897563516e-11
-m3 = 1.1579434923575729  # a coefficient of X1_2
-m4 = 0.000477176933765627  # a coefficient of X1_2
+m3 = 1.1579434923575729  # k8 * (d4 * k5 + a3 * k6) [m^-1]
+m4 = 0.000477176933765627  # d4 * k5 * k7 * k8 + a3 * k6 * k7 * k8 - a2 [m]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -243,11 +243,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v6 = k6 * K3
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e2
+            root3 = w3 * e3
             s3 = (k6 * root3 - v5) * k8
             c3 = k8 * (v6 + k5 * root3)
             q3 = _atan2(s3, c3)

@@ -185,14 +185,14 @@ static void solve(
         v17 = T11 * s2 + T21 * v3, v18 = s2 * v15 + T24 * v3;
 
     for (int i1 = 0; i1 < 2; i1++) { /* noflip, flip */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e3 = i1 == 0 ? 1.0 : -1.0;
         /* theta3 */
-        if (e1 < 0.0 && free3) continue; /* both signs give the same */
-        const double factor3 = e1 / divisor3;
+        if (e3 < 0.0 && free3) continue; /* both signs give the same */
+        const double factor3 = e3 / divisor3;
         const double c3 = free3 ? cos(seed[2]) : -(X3 * factor3),
             s3 = free3 ? sin(seed[2]) : -(T33 * factor3);
         const double q3 = atan2(s3, c3);
-        const double root3 = w3 * e1;
+        const double root3 = w3 * e3;
 
         /* theta4 */
         const double w4 = sqrt(root3 * root3 + v5);
@@ -292,7 +292,7 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* r1 */
@@ -306,7 +306,7 @@ DHGEN_INLINE int solve_regular(
     const double X3 = T23 * s2 - T13 * C2, v4 = T33 * T33 + v3 * (X3 * (v3 * X3)), w3 = sqrt(v4),
         v5 = 1.0 / v4, factor3 = w3 * v5, v6 = X3 * factor3, v7 = T33 * factor3, v8 = v3 * v6,
         v9 = copysign(DHGEN_HALF_TURN, -v7);
-    const dhgen_four v10 = m3 * (e1 - 1.0);
+    const dhgen_four v10 = m3 * (e3 - 1.0);
 
     /* theta4 */
     const double v11 = T23 * C2 + T13 * s2, v12 = v4 + v3 * (v11 * (v3 * v11)),
@@ -337,7 +337,7 @@ DHGEN_INLINE int solve_regular(
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1),
         angle3 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2),
         angle4 = dhgen_shuffle(packed1, packed1, 3, 3, 3, 3);
-    const dhgen_four q3 = angle2 + v9 * v10, q5 = angle4 + v10 * v19, q4 = e1 * angle3;
+    const dhgen_four q3 = angle2 + v9 * v10, q5 = angle4 + v10 * v19, q4 = e3 * angle3;
 
     dhgen_store_4(q, q + 5, q, q + 5, dhgen_all_four(q1), angle1, q3, q4);
     dhgen_store_1(q + 4, q + 9, q + 4, q + 9, q5);

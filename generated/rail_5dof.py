@@ -264,15 +264,15 @@ def _solve(pose, q_free, seed, moved, q, status):
     v18 = s2 * v15 + T24 * v3
 
     for i1 in range(2):  # noflip, flip
-        e1 = 1.0 - 2.0 * i1
+        e3 = 1.0 - 2.0 * i1
         # theta3
-        if e1 < 0.0 and free3:
+        if e3 < 0.0 and free3:
             continue  # both signs give the same
-        factor3 = e1 / divisor3
+        factor3 = e3 / divisor3
         c3 = math.cos(seed[2]) if free3 else -(X3 * factor3)
         s3 = math.sin(seed[2]) if free3 else -(T33 * factor3)
         q3 = _atan2(s3, c3)
-        root3 = w3 * e1
+        root3 = w3 * e3
 
         # theta4
         w4 = math.sqrt(root3 * root3 + v5)

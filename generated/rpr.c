@@ -125,10 +125,10 @@ static void solve(
         const double root1 = w1 * e1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double v2 = k2 * (a3 * (w3 * e2));
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double v2 = k2 * (a3 * (w3 * e3));
             const double q3 = atan2(-v2, -(k2 * (a3 * Z3)));
 
             /* r2, type 1: U1[3, 4] */
@@ -195,7 +195,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -205,7 +205,7 @@ DHGEN_INLINE int solve_regular(
     const double Z3 = T34 - d1, D3 = k1 - Z3 * Z3, w3 = sqrt(D3), v3 = w3 - w3;
 
     /* r2 */
-    const dhgen_four v4 = e1 * w1, v5 = e2 * w3, q2 = v4 + v5;
+    const dhgen_four v4 = e1 * w1, v5 = e3 * w3, q2 = v4 + v5;
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7] + T[11] *
         T[11] * T[11])) <= DHGEN_ORTHONORMAL) == 0)) | (unsigned)((v1 <= m1) | (fabs(D3) <= m3 *
@@ -217,7 +217,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0),
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1);
-    const dhgen_four q3 = e2 * angle2, q1 = v3 + (angle1 + v2 * (m2 * (e1 - 1.0)));
+    const dhgen_four q3 = e3 * angle2, q1 = v3 + (angle1 + v2 * (m2 * (e1 - 1.0)));
 
     dhgen_store_2(q, q + 3, q + 6, q + 9, q1, q2);
     dhgen_store_1(q + 2, q + 5, q + 8, q + 11, q3);

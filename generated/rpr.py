@@ -190,11 +190,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         root1 = w1 * e1
 
         for i2 in range(2):  # noflip, flip
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            v2 = k2 * (a3 * (w3 * e2))
+            v2 = k2 * (a3 * (w3 * e3))
             q3 = _atan2(-v2, -(k2 * (a3 * Z3)))
 
             # r2, type 1: U1[3, 4]

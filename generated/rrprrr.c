@@ -173,16 +173,16 @@ static void solve(
             const double v6 = c2 * v5 + T32 * s2, v9 = c2 * v8 + T31 * s2;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
-                const double q5 = atan2(-(w4 * e3), c5);
+                const double q5 = atan2(-(w4 * e4), c5);
 
                 /* theta6 */
                 const double q6 = atan2(-(c4 * v7 + s4 * v9), -(c4 * v4 + s4 * v6));
@@ -274,7 +274,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e2 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e4 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -319,9 +319,9 @@ DHGEN_INLINE int solve_regular(
         angle4 = dhgen_shuffle(packed1, packed1, 3, 3, 3, 3), packed2 = dhgen_angle_four(ratio2),
         angle5 = dhgen_shuffle(packed2, packed2, 0, 0, 0, 0);
     const dhgen_four q1_m = angle1 - copysign(DHGEN_HALF_TURN, -T24),
-        q2_p = angle2 + v5 * (m2 * v6), v12 = e2 * angle3, q4_p = v12 + v11 * (m2 * (e3 - e2)),
-        q4_m = v12 - v11 * (m2 * (e2 + e3)), q5_ = e2 * angle4 + v13 * (m2 * -v6),
-        q6_p = angle5 + v15 * (m2 * (e2 * e3 - 1.0)), q5_p = e3 * q5_;
+        q2_p = angle2 + v5 * (m2 * v6), v12 = e2 * angle3, q4_p = v12 + v11 * (m2 * (e4 - e2)),
+        q4_m = v12 - v11 * (m2 * (e2 + e4)), q5_ = e2 * angle4 + v13 * (m2 * -v6),
+        q6_p = angle5 + v15 * (m2 * (e2 * e4 - 1.0)), q5_p = e4 * q5_;
 
     dhgen_store_4(q, q + 6, q + 12, q + 18, angle1, q2_p, q3_p, q4_p);
     dhgen_store_2(q + 4, q + 10, q + 16, q + 22, q5_p, q6_p);

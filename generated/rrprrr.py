@@ -262,17 +262,17 @@ def _solve(pose, q_free, seed, moved, q, status):
             v9 = c2 * v8 + T31 * s2
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
                 s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = _atan2(s4, c4)
 
                 # theta5
-                q5 = _atan2(-(w4 * e3), c5)
+                q5 = _atan2(-(w4 * e4), c5)
 
                 # theta6
                 q6 = _atan2(-(c4 * v7 + s4 * v9), -(c4 * v4 + s4 * v6))

@@ -79,8 +79,8 @@ per_size = 1.25
 graze = 5e-07  # half of what rounding may take a joint beyond its limit
 # 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
 m1 = 5.382361223382632e-12
-m2 = 1.25  # a coefficient of S1
-m3 = 0.08750000000000001  # a coefficient of S1
+m2 = 1.25  # L2 * k2 [m^-1]
+m3 = 0.08750000000000001  # L1 - L2 * k1 * k2 [m]
 m4 = 1.0000000000000002e-10  # pose_slack^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -227,11 +227,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # the arm can't take this pose
 
     for i1 in range(2):  # right, left
-        e1 = 1.0 - 2.0 * i1
+        e2 = 1.0 - 2.0 * i1
         # theta2
-        if e1 < 0.0 and not apart2:
+        if e2 < 0.0 and not apart2:
             continue  # both signs give the same
-        s2 = w2 * e1 * k2
+        s2 = w2 * e2 * k2
         q2 = _atan2(s2, c2)
 
         # theta1

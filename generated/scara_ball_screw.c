@@ -132,10 +132,10 @@ static void solve(
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e2 = i1 == 0 ? 1.0 : -1.0;
         /* theta2 */
-        if (e1 < 0.0 && !apart2) continue; /* both signs give the same */
-        const double s2 = w2 * e1 * k2;
+        if (e2 < 0.0 && !apart2) continue; /* both signs give the same */
+        const double s2 = w2 * e2 * k2;
         const double q2 = atan2(s2, c2);
 
         /* theta1 */

@@ -231,11 +231,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # the arm can't take this pose
 
     for i1 in range(2):  # right, left
-        e1 = 1.0 - 2.0 * i1
+        e2 = 1.0 - 2.0 * i1
         # theta2
-        if e1 < 0.0 and not apart2:
+        if e2 < 0.0 and not apart2:
             continue  # both signs give the same
-        s2 = w2 * e1 * k2
+        s2 = w2 * e2 * k2
         q2 = _atan2(s2, c2)
 
         # theta1

@@ -1925,10 +1925,10 @@ static void solve(
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
-        const float e1 = i1 == 0 ? 1.0f : -1.0f;
+        const float e2 = i1 == 0 ? 1.0f : -1.0f;
         /* theta2 */
-        if (e1 < 0.0f && !apart2) continue; /* both signs give the same */
-        const float s2 = w2 * e1 * k2;
+        if (e2 < 0.0f && !apart2) continue; /* both signs give the same */
+        const float s2 = w2 * e2 * k2;
         const float q2 = atan2f(s2, c2);
 
         /* theta1 */
@@ -1962,9 +1962,9 @@ static void solve(
 static const float
     /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
     m1 = 2.150425e-06f,
+    m2 = 1.25f, /* L2 * k2 [m^-1] */
+    m3 = 0.0875f, /* L1 - L2 * k1 * k2 [m] */
     m4 = 1e-10f; /* pose_slack^2 */
-/* coefficients */
-static const float m2 = 1.25f, m3 = 0.0875f;
 static const float per_size = 1.25f;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

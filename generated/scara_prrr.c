@@ -139,10 +139,10 @@ static void solve(
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e3 = i1 == 0 ? 1.0 : -1.0;
         /* theta3 */
-        if (e1 < 0.0 && !apart3) continue; /* both signs give the same */
-        const double s3 = w3 * e1 * k2;
+        if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+        const double s3 = w3 * e3 * k2;
         const double q3 = atan2(s3, c3);
 
         /* theta2 */
@@ -175,9 +175,9 @@ static void solve(
 static const double
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m1 = 1.831867990631471e-12,
+    m2 = 1.6666666666666667, /* a3 * k2 [m^-1] */
+    m3 = 0.045833333333333316, /* a2 - a3 * k1 * k2 [m] */
     m4 = 1.0000000000000002e-10; /* pose_slack^2 */
-/* coefficients */
-static const double m2 = 1.6666666666666667, m3 = 0.045833333333333316;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -224,7 +224,7 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta3 */
@@ -244,14 +244,14 @@ DHGEN_INLINE int solve_regular(
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(v2 - w3 * (m2 *
-        (e1 * T14)), dhgen_all_four(T21), 0, 1, 6, 3), dhgen_all_four(w3), 0, 1, 2, 7),
-        dhgen_shuffle(dhgen_shuffle(v3 + w3 * (m2 * (e1 * T24)), dhgen_all_four(T11), 0, 1, 6, 3),
+        (e3 * T14)), dhgen_all_four(T21), 0, 1, 6, 3), dhgen_all_four(w3), 0, 1, 2, 7),
+        dhgen_shuffle(dhgen_shuffle(v3 + w3 * (m2 * (e3 * T24)), dhgen_all_four(T11), 0, 1, 6, 3),
         dhgen_all_four(N3 - k1), 0, 1, 2, 7));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle3 = dhgen_shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2),
         angle2 = dhgen_shuffle(packed1, packed1, 3, 3, 3, 3);
-    const dhgen_four q3 = e1 * angle2, v6 = angle1 - (angle3 + q3), q4 = dhgen_centred_four(v6);
+    const dhgen_four q3 = e3 * angle2, v6 = angle1 - (angle3 + q3), q4 = dhgen_centred_four(v6);
 
     dhgen_store_4(q, q + 4, q, q + 4, dhgen_all_four(q1), angle3, q3, q4);
     const unsigned long long none1 = (dhgen_bits_four(dhgen_all_four(q1) != dhgen_all_four(q1)) *

@@ -72,8 +72,8 @@ k1 = 0.1525  # a2^2 + a3^2 [m^2]
 k2 = 6.666666666666667  # 1 / (2 * a3 * a2) [m^-2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m1 = 1.831867990631471e-12
-m2 = 1.6666666666666667  # a coefficient of S2
-m3 = 0.045833333333333316  # a coefficient of S2
+m2 = 1.6666666666666667  # a3 * k2 [m^-1]
+m3 = 0.045833333333333316  # a2 - a3 * k1 * k2 [m]
 m4 = 1.0000000000000002e-10  # pose_slack^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -203,11 +203,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # the arm can't take this pose
 
     for i1 in range(2):  # right, left
-        e1 = 1.0 - 2.0 * i1
+        e3 = 1.0 - 2.0 * i1
         # theta3
-        if e1 < 0.0 and not apart3:
+        if e3 < 0.0 and not apart3:
             continue  # both signs give the same
-        s3 = w3 * e1 * k2
+        s3 = w3 * e3 * k2
         q3 = _atan2(s3, c3)
 
         # theta2

@@ -124,10 +124,10 @@ static void solve(
     const double v1 = T24 * X1_1, v2 = T14 * X1_1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e2 = i1 == 0 ? 1.0 : -1.0;
         /* theta2 */
-        if (e1 < 0.0 && !apart2) continue; /* both signs give the same */
-        const double s2 = w2 * e1 * k2;
+        if (e2 < 0.0 && !apart2) continue; /* both signs give the same */
+        const double s2 = w2 * e2 * k2;
         const double q2 = atan2(s2, c2);
 
         /* theta1 */
@@ -150,9 +150,9 @@ static void solve(
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 static const double
     /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
-    m1 = 8.046896482482852e-12;
-/* coefficients */
-static const double m2 = 1.25, m3 = 0.08750000000000001;
+    m1 = 8.046896482482852e-12,
+    m2 = 1.25, /* a2 * k2 [m^-1] */
+    m3 = 0.08750000000000001; /* a1 - a2 * k1 * k2 [m] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -190,7 +190,7 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta2 */
@@ -206,13 +206,13 @@ DHGEN_INLINE int solve_regular(
         T[11] * T[11])) <= DHGEN_ORTHONORMAL) == 0)) | (unsigned)(fabs(D2) <= m1))
         return -1;
 
-    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(v2 - w2 * (m2 * (e1 * T14)),
-        dhgen_all_four(w2), 0, 1, 6, 3), dhgen_shuffle(v3 + w2 * (m2 * (e1 * T24)),
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(v2 - w2 * (m2 * (e2 * T14)),
+        dhgen_all_four(w2), 0, 1, 6, 3), dhgen_shuffle(v3 + w2 * (m2 * (e2 * T24)),
         dhgen_all_four(N2 - k1), 0, 1, 6, 3));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle2 = dhgen_shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2);
-    const dhgen_four q2 = e1 * angle1;
+    const dhgen_four q2 = e2 * angle1;
 
     dhgen_store_2(q, q + 3, q, q + 3, angle2, q2);
     dhgen_store_1(q + 2, q + 5, q + 2, q + 5, dhgen_all_four(q3));

@@ -68,8 +68,8 @@ k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
 # 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
 m1 = 8.046896482482852e-12
-m2 = 1.25  # a coefficient of S1
-m3 = 0.08750000000000001  # a coefficient of S1
+m2 = 1.25  # a2 * k2 [m^-1]
+m3 = 0.08750000000000001  # a1 - a2 * k1 * k2 [m]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -181,11 +181,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     v2 = T14 * X1_1
 
     for i1 in range(2):  # right, left
-        e1 = 1.0 - 2.0 * i1
+        e2 = 1.0 - 2.0 * i1
         # theta2
-        if e1 < 0.0 and not apart2:
+        if e2 < 0.0 and not apart2:
             continue  # both signs give the same
-        s2 = w2 * e1 * k2
+        s2 = w2 * e2 * k2
         q2 = _atan2(s2, c2)
 
         # theta1

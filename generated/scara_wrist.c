@@ -155,10 +155,10 @@ static void solve(
     const double divisor12m4 = free12m4 ? 1.0 : w12m4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
-        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        const double e2 = i1 == 0 ? 1.0 : -1.0;
         /* theta2 */
-        if (e1 < 0.0 && !apart2) continue; /* both signs give the same */
-        const double s2 = w2 * e1 * k2;
+        if (e2 < 0.0 && !apart2) continue; /* both signs give the same */
+        const double s2 = w2 * e2 * k2;
         const double q2 = atan2(s2, c2);
 
         /* theta1 */
@@ -176,13 +176,13 @@ static void solve(
         const double v3 = q2 + q1, v4 = v3 - seed[3];
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e12m4 = i2 == 0 ? 1.0 : -1.0;
             /* theta12m4 */
-            if (e2 < 0.0 && free12m4) continue; /* both signs give the same */
-            const double factor12m4 = e2 / divisor12m4;
+            if (e12m4 < 0.0 && free12m4) continue; /* both signs give the same */
+            const double factor12m4 = e12m4 / divisor12m4;
             const double c12m4 = free12m4 ? cos(v4) : -(T13 * factor12m4);
             const double s12m4 = free12m4 ? sin(v4) : -(T23 * factor12m4);
-            const double s5 = w12m4 * e2;
+            const double s5 = w12m4 * e12m4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
             const double q5 = atan2(s5, -T33);
@@ -206,9 +206,9 @@ static void solve(
 static const double
     /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
     m1 = 8.7396756498489e-12,
+    m2 = 1.25, /* a2 * k2 [m^-1] */
+    m3 = 0.08750000000000001, /* a1 - a2 * k1 * k2 [m] */
     m4 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m2 = 1.25, m3 = 0.08750000000000001;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -272,8 +272,8 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e2 = { 1.0, 1.0, -1.0, -1.0 };
+    const dhgen_four e12m4 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta2 */
@@ -288,7 +288,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta6 */
     const double s6 = T13 * T21 - T23 * T11, v7 = copysign(DHGEN_HALF_TURN, s6);
-    const dhgen_four v8 = m5 * (e2 - 1.0);
+    const dhgen_four v8 = m5 * (e12m4 - 1.0);
 
     /* joint values */
     const double v9 = copysign(DHGEN_HALF_TURN, -T23), q3 = v1 + (T34 - d6 * T33 - d1);
@@ -299,9 +299,9 @@ DHGEN_INLINE int solve_regular(
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(s6, -T23, s6, s6),
         dhgen_four_of(T13 * T22 - T23 * T12, -T13, T13 * T22 - T23 * T12, T13 * T22 - T23 * T12)),
-        ratio2 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(v3 - w2 * (m2 * (e1 * wx)),
+        ratio2 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(v3 - w2 * (m2 * (e2 * wx)),
             dhgen_all_four(w2), 0, 5, 2, 3), dhgen_all_four(sqrt(v5)), 0, 1, 2, 7),
-            dhgen_shuffle(dhgen_shuffle(v4 + w2 * (m2 * (e1 * wy)), dhgen_all_four(N2 - k1), 0, 5,
+            dhgen_shuffle(dhgen_shuffle(v4 + w2 * (m2 * (e2 * wy)), dhgen_all_four(N2 - k1), 0, 5,
             2, 3), dhgen_all_four(-T33), 0, 1, 2, 7));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle4 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0),
@@ -309,8 +309,8 @@ DHGEN_INLINE int solve_regular(
         angle2 = dhgen_shuffle(packed2, packed2, 0, 0, 2, 2),
         angle1 = dhgen_shuffle(packed2, packed2, 1, 1, 1, 1),
         angle3 = dhgen_shuffle(packed2, packed2, 3, 3, 3, 3);
-    const dhgen_four q2 = e1 * angle1, v6 = angle2 + q2, v10 = angle5 + v8 * v9, v11 = v6 - v10,
-        q4 = dhgen_centred_four(v11), q5 = v1 + e2 * angle3, q6 = v1 + (angle4 + v7 * v8);
+    const dhgen_four q2 = e2 * angle1, v6 = angle2 + q2, v10 = angle5 + v8 * v9, v11 = v6 - v10,
+        q4 = dhgen_centred_four(v11), q5 = v1 + e12m4 * angle3, q6 = v1 + (angle4 + v7 * v8);
 
     dhgen_store_4(q, q + 6, q + 12, q + 18, angle2, q2, dhgen_all_four(q3), q4);
     dhgen_store_2(q + 4, q + 10, q + 16, q + 22, q5, q6);

@@ -76,8 +76,8 @@ free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
 m1 = 8.7396756498489e-12  # 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
-m2 = 1.25  # a coefficient of S1
-m3 = 0.08750000000000001  # a coefficient of S1
+m2 = 1.25  # a2 * k2 [m^-1]
+m3 = 0.08750000000000001  # a1 - a2 * k1 * k2 [m]
 m4 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -253,11 +253,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     divisor12m4 = 1.0 if free12m4 else w12m4
 
     for i1 in range(2):  # right, left
-        e1 = 1.0 - 2.0 * i1
+        e2 = 1.0 - 2.0 * i1
         # theta2
-        if e1 < 0.0 and not apart2:
+        if e2 < 0.0 and not apart2:
             continue  # both signs give the same
-        s2 = w2 * e1 * k2
+        s2 = w2 * e2 * k2
         q2 = _atan2(s2, c2)
 
         # theta1
@@ -276,14 +276,14 @@ def _solve(pose, q_free, seed, moved, q, status):
         v4 = v3 - seed[3]
 
         for i2 in range(2):  # noflip, flip
-            e2 = 1.0 - 2.0 * i2
+            e12m4 = 1.0 - 2.0 * i2
             # theta12m4
-            if e2 < 0.0 and free12m4:
+            if e12m4 < 0.0 and free12m4:
                 continue  # both signs give the same
-            factor12m4 = e2 / divisor12m4
+            factor12m4 = e12m4 / divisor12m4
             c12m4 = math.cos(v4) if free12m4 else -(T13 * factor12m4)
             s12m4 = math.sin(v4) if free12m4 else -(T23 * factor12m4)
-            s5 = w12m4 * e2
+            s5 = w12m4 * e12m4
 
             # theta5, type 3: U4[2, 3] and U4[1, 3]
             q5 = _atan2(s5, -T33)

@@ -235,10 +235,10 @@ static void solve(
             continue; /* the arm can't take this pose */
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double s3 = w3 * e2 * k2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double s3 = w3 * e3 * k2;
             const double q3 = atan2(s3, c3);
 
             /* theta2 */
@@ -277,13 +277,13 @@ static const double
     m4 = 1.6442094386282138e-06,
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m5 = 1.6429994031951627e-12,
+    m6 = 4.524886877828054, /* 2 * a3 * k2 [m^-1] */
+    m7 = 2.262443438914027, /* a3 * k2 [m^-1] */
     m8 = 8.213869404159996e-17, /* doubt_limit_squared2^2 [m^4] */
     m9 = 1e-24, /* exact_slack^2 */
     m10 = 9.063039999999996e-25, /* exact_slack1^2 [m^2] */
     m11 = 2.7189119999999995e-10, /* 3 * pose_slack1^2 [m^2] */
     m12 = 0.0002718911999999999; /* 3 * doubtful_slack1^2 [m^2] */
-/* coefficients */
-static const double m6 = 4.524886877828054, m7 = 2.262443438914027;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -401,7 +401,7 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -428,16 +428,16 @@ DHGEN_INLINE int solve_regular(
     /* theta2 */
     const double v22 = v10 * v11, v23 = v8 * (v10 * v10 + v13 * v13), v24 = v11 * v11;
     const dhgen_four Y1_2 = m7 * (v23 + (v24 + v15 * v15)) - w234 * (m6 * (v8 * (v22 + v15 * v19))),
-        v25 = Z1_3 * Y1_2, v26 = v25 + w3 * (m7 * (e2 * v18)), v27 = Z2_3 * Y1_2,
-        v28 = m7 * (e2 * Z1_3), C2 = v27 - w3 * v28, v29 = v26 * v26 + C2 * C2,
+        v25 = Z1_3 * Y1_2, v26 = v25 + w3 * (m7 * (e3 * v18)), v27 = Z2_3 * Y1_2,
+        v28 = m7 * (e3 * Z1_3), C2 = v27 - w3 * v28, v29 = v26 * v26 + C2 * C2,
         w2 = dhgen_sqrt_four(v29), v30 = 1.0 / v29, factor2 = w2 * v30;
 
     /* is the pose one that the arm can take? */
     const dhgen_four v31 = a1 - v17,
-        v32 = v31 + w2 * (v30 * (a3 * (c3 * C2 + e2 * (s3 * v26)) + a2 * C2));
+        v32 = v31 + w2 * (v30 * (a3 * (c3 * C2 + e3 * (s3 * v26)) + a2 * C2));
     const double v33 = d1 + v12, v34 = T33 - T33 * v9, v35 = T13 - v9 * (v3 * v6),
         v36 = T23 - v9 * (v4 * v6);
-    const dhgen_four v37 = T34 + (factor2 * (a3 * (e2 * (s3 * C2) - c3 * v26)) - (v33 + factor2 *
+    const dhgen_four v37 = T34 + (factor2 * (a3 * (e3 * (s3 * C2) - c3 * v26)) - (v33 + factor2 *
         (a2 * v26))), v38 = T14 + e1 * (v3 * v32), v39 = T24 + e1 * (v4 * v32),
         v40 = v37 * v37 + v38 * v38 + v39 * v39;
     const dhgen_four_mask exact_ = v40 <= m10;
@@ -461,7 +461,7 @@ DHGEN_INLINE int solve_regular(
         angle3 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1),
         angle2 = dhgen_shuffle(packed1, packed1, 3, 3, 3, 3), angle4 = dhgen_angle_four(ratio2);
-    const dhgen_four v41 = e2 * angle3, v42 = e1 * angle2, v43 = v42 - (angle4 + v41) - offset4,
+    const dhgen_four v41 = e3 * angle3, v42 = e1 * angle2, v43 = v42 - (angle4 + v41) - offset4,
         v44 = dhgen_centred_four(v43), v47 = v21 + (angle1 + v5 * (m2 * (e1 - 1.0))),
         q1 = v46 + v47, q2 = angle4 + v46, q3 = v41 + v46, q4 = v46 + dhgen_raised_four(v44);
     if (dhgen_bits_four(v40 <= m12) && !dhgen_bits_four(exact_))

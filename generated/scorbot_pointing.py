@@ -87,8 +87,8 @@ m3 = 9.999999999999999e-09  # doubt_limit^2
 m4 = 1.6442094386282138e-06  # -1 * (longest3 - longest3_reach) * (longest3_reach - shortest3) [m^4]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m5 = 1.6429994031951627e-12
-m6 = 4.524886877828054  # a coefficient of Y1_2
-m7 = 2.262443438914027  # a coefficient of Y1_2
+m6 = 4.524886877828054  # 2 * a3 * k2 [m^-1]
+m7 = 2.262443438914027  # a3 * k2 [m^-1]
 m8 = 8.213869404159996e-17  # doubt_limit_squared2^2 [m^4]
 m9 = 1e-24  # exact_slack^2
 m10 = 9.063039999999996e-25  # exact_slack1^2 [m^2]
@@ -357,11 +357,11 @@ def _solve(pose, q_free, seed, moved, q, status):
             continue  # the arm can't take this pose
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            s3 = w3 * e2 * k2
+            s3 = w3 * e3 * k2
             q3 = _atan2(s3, c3)
 
             # theta2

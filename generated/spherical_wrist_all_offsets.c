@@ -205,10 +205,10 @@ static void solve(
             v14 = T11 * s1 - T21 * c1, v15 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double root3 = w3 * e3;
             const double s3 = (v6 + k7 * root3) * k9, c3 = k9 * (v7 - k6 * root3);
             const double q3 = atan2(s3, c3);
 
@@ -238,16 +238,16 @@ static void solve(
             const double v13 = c23 * v12 - T32 * s23, v16 = c23 * v15 - T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
-                const double q5 = atan2(-(w4 * e3), c5);
+                const double q5 = atan2(-(w4 * e4), c5);
 
                 /* theta6 */
                 const double q6 = atan2(-(c4 * v14 + s4 * v16), -(c4 * v11 + s4 * v13));
@@ -267,10 +267,17 @@ static const double
     m1 = 2.4920000000003177e-12, /* 1000 * k4 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 1.96123369955058e-11,
+    m3 = 1.1627906976744187, /* k9 * (d4 * k6 + a3 * k7) [m^-1] */
+    m4 = 0.03767441860465117, /* a2 - d4 * k6 * k8 * k9 - a3 * k7 * k8 * k9 [m] */
+    m5 = 0.29508196721311475, /* a2 * k7 * k9 [m^-1] */
+    m6 = 1.2459016393442623, /* a2 * k6 * k9 [m^-1] */
+    /* k6 * k9 * (a2 * k8 + d4 * longest3 * shortest3 * k6 * k9 + a3 * longest3 * shortest3 * k7 *
+     * k9 - d4 * k6 * k8^2 * k9 - a3 * k7 * k8^2 * k9) [m] */
+    m7 = 0.04036721311475411,
+    /* k7 * k9 * (a2 * k8 + d4 * longest3 * shortest3 * k6 * k9 + a3 * longest3 * shortest3 * k7 *
+     * k9 - d4 * k6 * k8^2 * k9 - a3 * k7 * k8^2 * k9) [m] */
+    m8 = 0.00956065573770492,
     m9 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 1.1627906976744187, m4 = 0.03767441860465117, m5 = 0.29508196721311475,
-m6 = 1.2459016393442623, m7 = 0.04036721311475411, m8 = 0.00956065573770492;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -397,7 +404,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -416,16 +423,16 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four w3 = dhgen_sqrt_four(D3);
 
     /* theta2 */
-    const dhgen_four v7 = Z1_3 * (m4 + m3 * N3), v8 = e2 * Z1_3, factor2 = 1.0 / N3,
+    const dhgen_four v7 = Z1_3 * (m4 + m3 * N3), v8 = e3 * Z1_3, factor2 = 1.0 / N3,
         v9 = v4 * (m3 + m4 * factor2);
 
     /* theta4 */
     const double v10 = m5 * Z1_3;
     const dhgen_four v11 = v10 + m6 * v4, v12 = m6 - m7 * factor2, v13 = m8 * factor2 - m5,
-        v14 = Z1_3 * v12 + v4 * v13, c23 = v14 + w3 * (factor2 * (e2 * v11));
+        v14 = Z1_3 * v12 + v4 * v13, c23 = v14 + w3 * (factor2 * (e3 * v11));
     const double v15 = m6 * Z1_3;
     const dhgen_four v16 = v15 - m5 * v4, v17 = Z1_3 * v13 + v4 * -v12,
-        s23 = v17 + w3 * (factor2 * (e2 * v16)), v18 = T23 * s1 - T13 * v2,
+        s23 = v17 + w3 * (factor2 * (e3 * v16)), v18 = T23 * s1 - T13 * v2,
         X4 = c23 * v18 - T33 * s23, Y4 = T13 * s1 + T23 * v2, v19 = Y4 * Y4, v20 = v19 + X4 * X4,
         v21 = dhgen_signed_four(DHGEN_HALF_TURN, Y4);
 
@@ -439,7 +446,7 @@ DHGEN_INLINE int solve_regular(
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, s1, 0, 5, 2, 7),
         dhgen_shuffle(N3 - k8, -v2, 0, 5, 2, 7)),
-        ratio2 = dhgen_ratio_four(-(factor2 * (v7 - w3 * (m3 * (e2 * v4)))), -(v9 + w3 * (m3 * (v8 *
+        ratio2 = dhgen_ratio_four(-(factor2 * (v7 - w3 * (m3 * (e3 * v4)))), -(v9 + w3 * (m3 * (v8 *
             factor2)))), ratio3 = dhgen_ratio_four(Y4, -X4),
         ratio4 = dhgen_ratio_four(-(-X4 * v24 + Y4 * (c23 * v25 - s23 * T31)), -(-X4 * v22 + Y4 *
             (c23 * v23 - s23 * T32))),
@@ -449,7 +456,7 @@ DHGEN_INLINE int solve_regular(
         angle6 = dhgen_shuffle(packed1, packed1, 1, 1, 3, 3), angle2 = dhgen_angle_four(ratio2),
         angle3 = dhgen_angle_four(ratio3), angle5 = dhgen_angle_four(ratio4),
         angle4 = dhgen_angle_four(ratio5);
-    const dhgen_four q3_ = e2 * angle1 - turn1, q4_m = angle3 - v21,
+    const dhgen_four q3_ = e3 * angle1 - turn1, q4_m = angle3 - v21,
         q6_m = angle5 - dhgen_signed_four(DHGEN_HALF_TURN, -(-X4 * v24 + Y4 * (c23 * v25 - s23 *
             T31))), q3_p = dhgen_lowered_four(q3_), q1_p = angle6 + (w3 - w3);
 

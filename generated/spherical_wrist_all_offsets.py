@@ -93,12 +93,16 @@ k9 = 8.866112830151877  # 1 / (k6^2 + k7^2) [m^-4]
 turn1 = -1.3382393849899876  # a constant angle [rad]
 m1 = 2.4920000000003177e-12  # 1000 * k4 [m^2]
 m2 = 1.96123369955058e-11  # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
-m3 = 1.1627906976744187  # a coefficient of Y1_2
-m4 = 0.03767441860465117  # a coefficient of Y1_2
-m5 = 0.29508196721311475  # a coefficient of c23
-m6 = 1.2459016393442623  # a coefficient of c23
-m7 = 0.04036721311475411  # a coefficient of c23
-m8 = 0.00956065573770492  # a coefficient of c23
+m3 = 1.1627906976744187  # k9 * (d4 * k6 + a3 * k7) [m^-1]
+m4 = 0.03767441860465117  # a2 - d4 * k6 * k8 * k9 - a3 * k7 * k8 * k9 [m]
+m5 = 0.29508196721311475  # a2 * k7 * k9 [m^-1]
+m6 = 1.2459016393442623  # a2 * k6 * k9 [m^-1]
+# k6 * k9 * (a2 * k8 + d4 * longest3 * shortest3 * k6 * k9 + a3 * longest3 * shortest3 * k7 * k9 -
+# d4 * k6 * k8^2 * k9 - a3 * k7 * k8^2 * k9) [m]
+m7 = 0.04036721311475411
+# k7 * k9 * (a2 * k8 + d4 * longest3 * shortest3 * k6 * k9 + a3 * longest3 * shortest3 * k7 * k9 -
+# d4 * k6 * k8^2 * k9 - a3 * k7 * k8^2 * k9) [m]
+m8 = 0.00956065573770492
 m9 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -345,11 +349,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v15 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e2
+            root3 = w3 * e3
             s3 = (v6 + k7 * root3) * k9
             c3 = k9 * (v7 - k6 * root3)
             q3 = _atan2(s3, c3)
@@ -382,17 +386,17 @@ def _solve(pose, q_free, seed, moved, q, status):
             v16 = c23 * v15 - T31 * s23
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
                 s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = _atan2(s4, c4)
 
                 # theta5
-                q5 = _atan2(-(w4 * e3), c5)
+                q5 = _atan2(-(w4 * e4), c5)
 
                 # theta6
                 q6 = _atan2(-(c4 * v14 + s4 * v16), -(c4 * v11 + s4 * v13))

@@ -323,10 +323,10 @@ static void solve(
             v68 = Z1_5 * Y1_5;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e4 = i2 == 0 ? 1.0 : -1.0;
             /* theta4 */
-            if (e2 < 0.0 && free4) continue; /* both signs give the same */
-            const double factor4 = e2 / divisor4;
+            if (e4 < 0.0 && free4) continue; /* both signs give the same */
+            const double factor4 = e4 / divisor4;
             const double c4 = free4 ? cos(seed[3]) : v35 * factor4,
                 s4 = free4 ? sin(seed[3]) : -(v36 * factor4);
             const double q4 = atan2(s4, c4);

@@ -522,11 +522,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v68 = Z1_5 * Y1_5
 
         for i2 in range(2):  # noflip, flip
-            e2 = 1.0 - 2.0 * i2
+            e4 = 1.0 - 2.0 * i2
             # theta4
-            if e2 < 0.0 and free4:
+            if e4 < 0.0 and free4:
                 continue  # both signs give the same
-            factor4 = e2 / divisor4
+            factor4 = e4 / divisor4
             c4 = math.cos(seed[3]) if free4 else v35 * factor4
             s4 = math.sin(seed[3]) if free4 else -(v36 * factor4)
             q4 = _atan2(s4, c4)

@@ -187,16 +187,16 @@ static void solve(
             const double v7 = c2 * v6 - T32 * s2, v10 = c2 * v9 - T31 * s2;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
-                const double q5 = atan2(-(w4 * e3), c5);
+                const double q5 = atan2(-(w4 * e4), c5);
 
                 /* theta6 */
                 const double c6 = c4 * v7 + s4 * v8, s6 = c4 * v10 + s4 * v11;

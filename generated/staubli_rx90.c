@@ -179,10 +179,10 @@ static void solve(
             v11 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double c3 = k2 * (k1 * (w3 * e2));
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double c3 = k2 * (k1 * (w3 * e3));
             const double q3 = atan2(-v2, c3);
 
             /* theta2 */
@@ -210,14 +210,14 @@ static void solve(
             const double v9 = c23 * v8 + T32 * s23, v12 = c23 * v11 + T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
-                const double s5 = w4 * e3;
+                const double s5 = w4 * e4;
 
                 /* theta5 */
                 const double q5 = atan2(s5, c5);
@@ -239,10 +239,9 @@ static const double
     m1 = 8.100000000000001e-09, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.312949748921684e-11,
+    m4 = 1.1111111111111112, /* d4 * k1 * k2 [m^-1] */
     m5 = 6.561e-17, /* doubt_limit_squared2^2 [m^4] */
     m6 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 1.1111111111111112;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -357,7 +356,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -371,16 +370,16 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double X1_2 = a2 + d4 * v6, Y1_2 = d4 * c3, v9 = T34 * X1_2, v10 = w1 * Y1_2;
-    const dhgen_four v11 = e1 * e2, v12 = v9 + v10 * v11;
+    const dhgen_four v11 = e1 * e3, v12 = v9 + v10 * v11;
     const double v13 = m4 * (T34 * N3);
     const dhgen_four S2 = v13 + w3 * (m4 * (w1 * v11));
     const double v14 = w1 * X1_2, v15 = T34 * Y1_2;
-    const dhgen_four v16 = e2 * v15, v17 = e1 * v14, v18 = v16 - v17, v19 = w3 * (m4 * (e2 * T34)),
+    const dhgen_four v16 = e3 * v15, v17 = e1 * v14, v18 = v16 - v17, v19 = w3 * (m4 * (e3 * T34)),
         v20 = m4 * (w1 * (e1 * N3)), C2 = v19 - v20, v21 = S2 * S2 + C2 * C2,
         w2 = dhgen_sqrt_four(v21), v22 = 1.0 / v21;
 
     /* theta4 */
-    const dhgen_four v23 = e2 * c3, c23 = w2 * (v22 * (v18 * v23 + v6 * v12)),
+    const dhgen_four v23 = e3 * c3, c23 = w2 * (v22 * (v18 * v23 + v6 * v12)),
         s23 = w2 * (v22 * (v12 * v23 - v6 * v18));
     const double v24 = w1 * (v2 * (T14 * T13 + T24 * T23));
     const dhgen_four X4 = s23 * T33 - e1 * (c23 * v24);
@@ -409,7 +408,7 @@ DHGEN_INLINE int solve_regular(
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = dhgen_angle_four(ratio2),
         angle4 = dhgen_angle_four(ratio3), angle5 = dhgen_angle_four(ratio4),
         angle6 = dhgen_angle_four(ratio5);
-    const dhgen_four q3_p = e2 * angle2 + v8 * (m2 * (1.0 - e2)), q4_m = angle4 - v29,
+    const dhgen_four q3_p = e3 * angle2 + v8 * (m2 * (1.0 - e3)), q4_m = angle4 - v29,
         q6_m = angle6 - dhgen_signed_four(DHGEN_HALF_TURN, v34),
         q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
 

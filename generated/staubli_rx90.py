@@ -80,7 +80,7 @@ k2 = 6.096631611034903  # 1 / (k1^2) [m^-4]
 m1 = 8.100000000000001e-09  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.312949748921684e-11
-m4 = 1.1111111111111112  # a coefficient of S2
+m4 = 1.1111111111111112  # d4 * k1 * k2 [m^-1]
 m5 = 6.561e-17  # doubt_limit_squared2^2 [m^4]
 m6 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
@@ -287,11 +287,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v11 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            c3 = k2 * (k1 * (w3 * e2))
+            c3 = k2 * (k1 * (w3 * e3))
             q3 = _atan2(-v2, c3)
 
             # theta2
@@ -321,15 +321,15 @@ def _solve(pose, q_free, seed, moved, q, status):
             v12 = c23 * v11 + T31 * s23
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
                 s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = _atan2(s4, c4)
-                s5 = w4 * e3
+                s5 = w4 * e4
 
                 # theta5
                 q5 = _atan2(s5, c5)

@@ -214,10 +214,10 @@ static void solve(
             v19 = T23 * c1 - T13 * s1, v20 = T13 * c1 + T23 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double v6 = k6 * (k5 * (w3 * e2));
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double v6 = k6 * (k5 * (w3 * e3));
 
             /* theta2 */
             const double v7 = d4 * v6;
@@ -248,13 +248,13 @@ static void solve(
             const double q3 = dhgen_wrap(atan2(s3, -v6) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(v15) : -(X4 * factor4),
                     s4 = free4 ? sin(v15) : Y4 * factor4;
-                const double s5 = w4 * e3;
+                const double s5 = w4 * e4;
 
                 /* theta6 */
                 const double c6 = c4 * v16 - s4 * v18, s6 = c4 * v19 + s4 * v21;
@@ -278,10 +278,11 @@ static const double
     m1 = 1.5280000000002338e-12, /* 1000 * k3 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 1.876998556582453e-11,
+    m3 = 0.2768166089965398, /* 2 * a1 * k5 * k6 [m^-1] */
+    m4 = 2.768166089965398, /* k5 * k6 [m^-2] */
+    m5 = 1.1764705882352942, /* d4 * k5 * k6 [m^-1] */
     m6 = 5.451216326656003e-16, /* doubt_limit_squared2^2 [m^4] */
     m7 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 0.2768166089965398, m4 = 2.768166089965398, m5 = 1.1764705882352942;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -448,7 +449,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -469,12 +470,12 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four s3 = v7 + w1 * (m3 * e1), v8 = k6 * (k5 * w3);
 
     /* theta2 */
-    const dhgen_four Y1_2 = a2 + d4 * s3, v9 = Z1_3 * Y1_2, S2 = w3 * (m5 * (e2 * v4)) - v9,
-        v10 = v4 * Y1_2, v11 = m5 * (e2 * Z1_3), v12 = v10 + w3 * v11, v13 = S2 * S2 + v12 * v12,
+    const dhgen_four Y1_2 = a2 + d4 * s3, v9 = Z1_3 * Y1_2, S2 = w3 * (m5 * (e3 * v4)) - v9,
+        v10 = v4 * Y1_2, v11 = m5 * (e3 * Z1_3), v12 = v10 + w3 * v11, v13 = S2 * S2 + v12 * v12,
         factor2 = dhgen_sqrt_four(v13) * (1.0 / v13);
 
     /* theta4 */
-    const dhgen_four v14 = s3 * S2 - e2 * (v8 * v12), v15 = s3 * v12 + e2 * (v8 * S2),
+    const dhgen_four v14 = s3 * S2 - e3 * (v8 * v12), v15 = s3 * v12 + e3 * (v8 * S2),
         v16 = T21 * s1 - T11 * v2, X4 = v14 * v16 - T31 * v15, v17 = T21 * v2 + T11 * s1,
         v18 = v17 * v17, v19 = v18 + factor2 * (X4 * (factor2 * X4));
 
@@ -483,7 +484,7 @@ DHGEN_INLINE int solve_regular(
         v22 = v2 * T23 + s1 * T13, v23 = s1 * T23 - v2 * T13;
 
     /* joint values */
-    const dhgen_four v25 = dhgen_signed_four(DHGEN_HALF_TURN, s3), v26 = m8 * (1.0 - e2),
+    const dhgen_four v25 = dhgen_signed_four(DHGEN_HALF_TURN, s3), v26 = m8 * (1.0 - e3),
         v28 = dhgen_signed_four(DHGEN_HALF_TURN, -v17);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (dhgen_abs_four(D3
@@ -502,7 +503,7 @@ DHGEN_INLINE int solve_regular(
         angle4 = dhgen_angle_four(ratio4), angle5 = dhgen_angle_four(ratio5);
     const dhgen_four q6_m = angle1 - dhgen_signed_four(DHGEN_HALF_TURN, -(v22 * -X4 + v17 * (v14 *
         v23 - v15 * T33))), v24 = angle2 - offset2, q2_p = dhgen_lowered_four(v24),
-        v27 = e2 * angle3 + v25 * v26 - offset3, q3_p = dhgen_raised_four(v27),
+        v27 = e3 * angle3 + v25 * v26 - offset3, q3_p = dhgen_raised_four(v27),
         v29 = angle4 - offset4, v30 = angle4 - v28 - offset4, q4_p = dhgen_raised_four(v29),
         q4_m = dhgen_raised_four(v30), v31 = angle5 - offset5, v32 = offset5 + angle5,
         q5_p = dhgen_raised_four(v31),

@@ -98,9 +98,9 @@ graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.5280000000002338e-12  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 1.876998556582453e-11
-m3 = 0.2768166089965398  # a coefficient of s3
-m4 = 2.768166089965398  # a coefficient of s3
-m5 = 1.1764705882352942  # a coefficient of Y1_2
+m3 = 0.2768166089965398  # 2 * a1 * k5 * k6 [m^-1]
+m4 = 2.768166089965398  # k5 * k6 [m^-2]
+m5 = 1.1764705882352942  # d4 * k5 * k6 [m^-1]
 m6 = 5.451216326656003e-16  # doubt_limit_squared2^2 [m^4]
 m7 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
@@ -368,11 +368,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v20 = T13 * c1 + T23 * s1
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            v6 = k6 * (k5 * (w3 * e2))
+            v6 = k6 * (k5 * (w3 * e3))
 
             # theta2
             v7 = d4 * v6
@@ -404,14 +404,14 @@ def _solve(pose, q_free, seed, moved, q, status):
             q3 = _wrap(_atan2(s3, -v6) - offset3)
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(v15) if free4 else -(X4 * factor4)
                 s4 = math.sin(v15) if free4 else Y4 * factor4
-                s5 = w4 * e3
+                s5 = w4 * e4
 
                 # theta6
                 c6 = c4 * v16 - s4 * v18

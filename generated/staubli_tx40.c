@@ -214,10 +214,10 @@ static void solve(
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double v6 = k6 * (k5 * (w3 * e2));
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double v6 = k6 * (k5 * (w3 * e3));
 
             /* theta2 */
             const double Y1_2 = d4 * v6;
@@ -244,13 +244,13 @@ static void solve(
             const double q3 = dhgen_wrap(atan2(s3, -v6) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(v13) : -(X4 * factor4),
                     s4 = free4 ? sin(v13) : Y4 * factor4;
-                const double s5 = w4 * e3;
+                const double s5 = w4 * e4;
 
                 /* theta6 */
                 const double c6 = c4 * v14 + s4 * v16, s6 = c4 * v17 + s4 * v19;
@@ -274,10 +274,11 @@ static const double
     m1 = 6.090000000000759e-13, /* 1000 * k3 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 1.5906026495925924e-12,
+    m3 = 2.2222222222222223, /* d4 * k5 * k6 [m^-1] */
     m4 = 5.728976100000003e-17, /* doubt_limit_squared2^2 [m^4] */
+    m5 = 21.947873799725652, /* d4 * k5^2 * k6^2 [m^-3] */
+    m6 = 4.4444444444444455, /* d4 * longest3 * k5^2 * k6^2 [m^-1] */
     m7 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m3 = 2.2222222222222223, m5 = 21.947873799725652, m6 = 4.4444444444444455;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -411,7 +412,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -426,9 +427,9 @@ DHGEN_INLINE int solve_regular(
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v5 = w3 - w3, v6 = k5 * (N3 - k5);
 
     /* theta2 */
-    const dhgen_four v7 = e1 * e2;
+    const dhgen_four v7 = e1 * e3;
     const double v8 = m3 * (Z1_3 * N3);
-    const dhgen_four S2 = v8 - w3 * (m3 * (w1 * v7)), v9 = w3 * (m3 * (e2 * Z1_3)),
+    const dhgen_four S2 = v8 - w3 * (m3 * (w1 * v7)), v9 = w3 * (m3 * (e3 * Z1_3)),
         v10 = m3 * (w1 * (e1 * N3)), C2 = v9 + v10, v11 = S2 * S2 + C2 * C2,
         factor2 = dhgen_sqrt_four(v11) * (1.0 / v11);
 
@@ -437,7 +438,7 @@ DHGEN_INLINE int solve_regular(
     const double v13 = m5 * N3, v14 = v13 - m3;
     const dhgen_four v15 = e1 * v14;
     const double v16 = m6 - v13;
-    const dhgen_four v17 = e2 * v16, s23 = w1 * (N3 * (v15 + v7 * v17)) - v9,
+    const dhgen_four v17 = e3 * v16, s23 = w1 * (N3 * (v15 + v7 * v17)) - v9,
         v18 = T23 * s1 - T13 * v3, X4 = v12 * v18 - T33 * s23, Y4 = T13 * s1 + T23 * v3,
         v19 = Y4 * Y4, v20 = v19 + factor2 * (X4 * (factor2 * X4));
 
@@ -467,7 +468,7 @@ DHGEN_INLINE int solve_regular(
         angle6 = dhgen_angle_four(ratio5);
     const dhgen_four q6_m = angle1 - dhgen_signed_four(DHGEN_HALF_TURN, s6), v25 = angle2 - offset1,
         v26 = angle3 - offset2, q2_p = dhgen_raised_four(v26),
-        v28 = e2 * angle4 + v27 * (m8 * (1.0 - e2)) - offset3, v30 = angle5 - offset4,
+        v28 = e3 * angle4 + v27 * (m8 * (1.0 - e3)) - offset3, v30 = angle5 - offset4,
         v31 = angle5 - v29 - offset4, q4_p = dhgen_raised_four(v30), q4_m = dhgen_raised_four(v31),
         v32 = angle6 - offset5, v33 = offset5 + angle6, q5_p = dhgen_raised_four(v32),
         q5_m = dhgen_only_four(-v33 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v33,

@@ -92,10 +92,10 @@ k6 = 97.54610577655845  # 1 / (k5^2) [m^-4]
 m1 = 6.090000000000759e-13  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 1.5906026495925924e-12
-m3 = 2.2222222222222223  # a coefficient of S2
+m3 = 2.2222222222222223  # d4 * k5 * k6 [m^-1]
 m4 = 5.728976100000003e-17  # doubt_limit_squared2^2 [m^4]
-m5 = 21.947873799725652  # a coefficient of v10
-m6 = 4.4444444444444455  # a coefficient of s23
+m5 = 21.947873799725652  # d4 * k5^2 * k6^2 [m^-3]
+m6 = 4.4444444444444455  # d4 * longest3 * k5^2 * k6^2 [m^-1]
 m7 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -360,11 +360,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         q1 = _wrap(_atan2(s1, c1) - offset1)
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            v6 = k6 * (k5 * (w3 * e2))
+            v6 = k6 * (k5 * (w3 * e3))
 
             # theta2
             Y1_2 = d4 * v6
@@ -393,14 +393,14 @@ def _solve(pose, q_free, seed, moved, q, status):
             q3 = _wrap(_atan2(s3, -v6) - offset3)
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(v13) if free4 else -(X4 * factor4)
                 s4 = math.sin(v13) if free4 else Y4 * factor4
-                s5 = w4 * e3
+                s5 = w4 * e4
 
                 # theta6
                 c6 = c4 * v14 + s4 * v16

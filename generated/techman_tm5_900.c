@@ -204,10 +204,10 @@ static void solve(
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e6 = i2 == 0 ? 1.0 : -1.0;
             /* theta6 */
-            if (e2 < 0.0 && free6) continue; /* both signs give the same */
-            const double factor6 = e2 / divisor6;
+            if (e6 < 0.0 && free6) continue; /* both signs give the same */
+            const double factor6 = e6 / divisor6;
             const double v5 = X6 * factor6, v6 = Y6 * factor6;
             const double off6 = near6 ? w6 * fabs(v5 * sin(seed[5]) + v6 * cos(seed[5])) : 1.0;
             const double ahead6 = near6 ? v6 * sin(seed[5]) - v5 * cos(seed[5]) : -1.0;
@@ -215,7 +215,7 @@ static void solve(
             const int held6 = free6 || same6;
             const double c6 = held6 ? cos(seed[5]) : -v5, s6 = held6 ? sin(seed[5]) : v6;
             const double q6 = atan2(s6, c6);
-            const double s5 = w6 * e2;
+            const double s5 = w6 * e6;
 
             /* theta5 */
             const double q5 = atan2(s5, c5);
@@ -288,9 +288,9 @@ static const double
     m1 = 3.246208900000177e-12, /* 1000 * k3 [m^2] */
     m2 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
-    m4 = 1.5753409313203573e-10;
-/* coefficients */
-static const double m5 = 1.1655011655011656, m6 = 0.017143065268065267;
+    m4 = 1.5753409313203573e-10,
+    m5 = 1.1655011655011656, /* a3 * k6 [m^-1] */
+    m6 = 0.017143065268065267; /* a2 - a3 * k5 * k6 [m] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -436,7 +436,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e6 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -449,7 +449,7 @@ DHGEN_INLINE int solve_regular(
     /* theta6 */
     const dhgen_four X6 = c1 * T21 - s1 * T11, Y6 = c1 * T22 - s1 * T12, v4 = X6 * X6 + Y6 * Y6,
         w6 = dhgen_sqrt_four(v4), v5 = 1.0 / v4, v6 = dhgen_signed_four(DHGEN_HALF_TURN, Y6),
-        v7 = m3 * (e2 - 1.0);
+        v7 = m3 * (e6 - 1.0);
 
     /* theta5 */
     const dhgen_four c5 = T23 * c1 - T13 * s1;
@@ -462,9 +462,9 @@ DHGEN_INLINE int solve_regular(
     /* theta3 */
     const dhgen_four v11 = d6 * w6;
     const double v12 = T34 - d1;
-    const dhgen_four v13 = d5 * Z1_234, v14 = s234 * v11, Z1_3 = v12 - (v14 + e2 * v13),
+    const dhgen_four v13 = d5 * Z1_234, v14 = s234 * v11, Z1_3 = v12 - (v14 + e6 * v13),
         v15 = T14 * c1 + T24 * s1, v16 = Z1_234 * v11, v17 = d5 * s234,
-        Z2_3 = v15 + (v16 - e2 * v17), N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
+        Z2_3 = v15 + (v16 - e6 * v17), N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_four(D3), v18 = w3 - w3;
 
     /* theta2 */
@@ -493,7 +493,7 @@ DHGEN_INLINE int solve_regular(
         v28 = dhgen_centred_four(v26), v29 = dhgen_centred_four(v27), q4_p = dhgen_raised_four(v28),
         q4_m = dhgen_raised_four(v29), excess = dhgen_exceeds_four(angle4, joints + 2);
     const dhgen_four_mask outside_p = 0.0 < excess;
-    const dhgen_four q1_p = v18 + q1_, q5_p = v18 + e2 * angle2, q6_p = v18 + (angle1 + v6 * v7);
+    const dhgen_four q1_p = v18 + q1_, q5_p = v18 + e6 * angle2, q6_p = v18 + (angle1 + v6 * v7);
     if (dhgen_bits_four(dhgen_grazes_four(excess)))
         return -1;
 

@@ -96,8 +96,8 @@ graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 3.246208900000177e-12  # 1000 * k3 [m^2]
 m2 = 9.999999999999999e-09  # doubt_limit^2
 m4 = 1.5753409313203573e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
-m5 = 1.1655011655011656  # a coefficient of S2
-m6 = 0.017143065268065267  # a coefficient of S2
+m5 = 1.1655011655011656  # a3 * k6 [m^-1]
+m6 = 0.017143065268065267  # a2 - a3 * k5 * k6 [m]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -357,11 +357,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         q1 = _wrap(_atan2(s1, c1) - offset1)
 
         for i2 in range(2):  # noflip, flip
-            e2 = 1.0 - 2.0 * i2
+            e6 = 1.0 - 2.0 * i2
             # theta6
-            if e2 < 0.0 and free6:
+            if e6 < 0.0 and free6:
                 continue  # both signs give the same
-            factor6 = e2 / divisor6
+            factor6 = e6 / divisor6
             v5 = X6 * factor6
             v6 = Y6 * factor6
             off6 = w6 * abs(v5 * math.sin(seed[5]) + v6 * math.cos(seed[5])) if near6 else 1.0
@@ -371,7 +371,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c6 = math.cos(seed[5]) if held6 else -v5
             s6 = math.sin(seed[5]) if held6 else v6
             q6 = _atan2(s6, c6)
-            s5 = w6 * e2
+            s5 = w6 * e6
 
             # theta5
             q5 = _atan2(s5, c5)

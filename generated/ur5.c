@@ -195,10 +195,10 @@ static void solve(
         const double v8 = T14 * c1 + T24 * s1, v9 = (free1 || near6) ? 1.0 : v1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e6 = i2 == 0 ? 1.0 : -1.0;
             /* theta6 */
-            if (e2 < 0.0 && free6) continue; /* both signs give the same */
-            const double factor6 = e2 / divisor6;
+            if (e6 < 0.0 && free6) continue; /* both signs give the same */
+            const double factor6 = e6 / divisor6;
             const double v4 = X6 * factor6, v5 = Y6 * factor6;
             const double off6 = near6 ? w6 * fabs(v4 * sin(seed[5]) + v5 * cos(seed[5])) : 1.0;
             const double ahead6 = near6 ? v5 * sin(seed[5]) - v4 * cos(seed[5]) : -1.0;
@@ -206,7 +206,7 @@ static void solve(
             const int held6 = free6 || same6;
             const double c6 = held6 ? cos(seed[5]) : -v4, s6 = held6 ? sin(seed[5]) : v5;
             const double q6 = atan2(s6, c6);
-            const double s5 = w6 * e2;
+            const double s5 = w6 * e6;
 
             /* theta5 */
             const double q5 = atan2(s5, c5);
@@ -277,9 +277,9 @@ static const double
     m1 = 2.603247147000142e-12, /* 1000 * k3 [m^2] */
     m2 = 9.999999999999999e-09, /* doubt_limit^2 */
     /* 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
-    m4 = 1.299750652900866e-10;
-/* coefficients */
-static const double m5 = 1.1764705882352942, m6 = 0.031488161764705896;
+    m4 = 1.299750652900866e-10,
+    m5 = 1.1764705882352942, /* -a3 * k6 [m^-1] */
+    m6 = 0.031488161764705896; /* a3 * k5 * k6 - a2 [m] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -403,7 +403,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e6 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -416,7 +416,7 @@ DHGEN_INLINE int solve_regular(
     /* theta6 */
     const dhgen_four v5 = v3 * T21 + s1 * T11, v6 = v3 * T22 + s1 * T12, v7 = v5 * v5 + v6 * v6,
         w6 = dhgen_sqrt_four(v7), v8 = 1.0 / v7, v9 = dhgen_signed_four(DHGEN_HALF_TURN, -v6),
-        v10 = m3 * (e2 - 1.0);
+        v10 = m3 * (e6 - 1.0);
 
     /* theta5 */
     const dhgen_four c5 = T13 * s1 + T23 * v3;
@@ -429,8 +429,8 @@ DHGEN_INLINE int solve_regular(
     /* theta3 */
     const dhgen_four v14 = d6 * w6;
     const double v15 = T34 - d1;
-    const dhgen_four v16 = d5 * c234, v17 = s234 * v14, Z1_3 = v15 + (v17 + e2 * v16),
-        v18 = T24 * s1 - T14 * v3, v19 = c234 * v14, v20 = d5 * s234, Z2_3 = v18 + (v19 - e2 * v20),
+    const dhgen_four v16 = d5 * c234, v17 = s234 * v14, Z1_3 = v15 + (v17 + e6 * v16),
+        v18 = T24 * s1 - T14 * v3, v19 = c234 * v14, v20 = d5 * s234, Z2_3 = v18 + (v19 - e6 * v20),
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3),
         w3 = dhgen_sqrt_four(D3), v21 = w3 - w3;
 
@@ -456,7 +456,7 @@ DHGEN_INLINE int solve_regular(
         angle6 = dhgen_angle_four(ratio4), angle7 = dhgen_angle_four(ratio5);
     const dhgen_four theta234 = angle4 + v10 * v13, v27 = theta234 - (angle5 + angle6),
         v28 = theta234 - (angle7 - angle5), q4_p = dhgen_centred_four(v27),
-        q4_m = dhgen_centred_four(v28), q1_p = angle1 + v21, q5_p = v21 + e2 * angle3,
+        q4_m = dhgen_centred_four(v28), q1_p = angle1 + v21, q5_p = v21 + e6 * angle3,
         q6_p = v21 + (angle2 + v9 * v10);
 
     dhgen_store_4(q, q + 12, q + 24, q + 36, q1_p, angle6, angle5, q4_p);

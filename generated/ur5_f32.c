@@ -1969,10 +1969,10 @@ static void solve(
         const float v8 = T14 * c1 + T24 * s1, v9 = (free1 || near6) ? 1.0f : v1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
-            const float e2 = i2 == 0 ? 1.0f : -1.0f;
+            const float e6 = i2 == 0 ? 1.0f : -1.0f;
             /* theta6 */
-            if (e2 < 0.0f && free6) continue; /* both signs give the same */
-            const float factor6 = e2 / divisor6;
+            if (e6 < 0.0f && free6) continue; /* both signs give the same */
+            const float factor6 = e6 / divisor6;
             const float v4 = X6 * factor6, v5 = Y6 * factor6;
             const float off6 = near6 ? w6 * fabsf(v4 * sinf(seed[5]) + v5 * cosf(seed[5])) : 1.0f;
             const float ahead6 = near6 ? v5 * sinf(seed[5]) - v4 * cosf(seed[5]) : -1.0f;
@@ -1980,7 +1980,7 @@ static void solve(
             const int held6 = free6 || same6;
             const float c6 = held6 ? cosf(seed[5]) : -v4, s6 = held6 ? sinf(seed[5]) : v5;
             const float q6 = atan2f(s6, c6);
-            const float s5 = w6 * e2;
+            const float s5 = w6 * e6;
 
             /* theta5 */
             const float q5 = atan2f(s5, c5);
@@ -2050,9 +2050,9 @@ static void solve(
 static const float
     m1 = 1e-06f, /* doubt_limit^2 */
     /* (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */
-    m3 = 1.2996985e-05f;
-/* coefficients */
-static const float m4 = 1.1764706f, m5 = 0.03148816f;
+    m3 = 1.2996985e-05f,
+    m4 = 1.1764706f, /* -a3 * k6 [m^-1] */
+    m5 = 0.03148816f; /* a3 * k5 * k6 - a2 [m] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */

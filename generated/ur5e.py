@@ -90,8 +90,8 @@ k6 = 2.9996700362960076  # 1 / (2 * a3 * a2) [m^-2]
 m1 = 3.4985918000001714e-12  # 1000 * k3 [m^2]
 m2 = 9.999999999999999e-09  # doubt_limit^2
 m4 = 1.4300283221564012e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
-m5 = 1.1764705882352942  # a coefficient of S2
-m6 = 0.031534305882352925  # a coefficient of S2
+m5 = 1.1764705882352942  # -a3 * k6 [m^-1]
+m6 = 0.031534305882352925  # a3 * k5 * k6 - a2 [m]
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -341,11 +341,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v9 = 1.0 if (free1 or near6) else v1
 
         for i2 in range(2):  # noflip, flip
-            e2 = 1.0 - 2.0 * i2
+            e6 = 1.0 - 2.0 * i2
             # theta6
-            if e2 < 0.0 and free6:
+            if e6 < 0.0 and free6:
                 continue  # both signs give the same
-            factor6 = e2 / divisor6
+            factor6 = e6 / divisor6
             v4 = X6 * factor6
             v5 = Y6 * factor6
             off6 = w6 * abs(v4 * math.sin(seed[5]) + v5 * math.cos(seed[5])) if near6 else 1.0
@@ -355,7 +355,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c6 = math.cos(seed[5]) if held6 else -v4
             s6 = math.sin(seed[5]) if held6 else v5
             q6 = _atan2(s6, c6)
-            s5 = w6 * e2
+            s5 = w6 * e6
 
             # theta5
             q5 = _atan2(s5, c5)

@@ -275,11 +275,11 @@ static void solve(
         const double v31 = Z1_3 * X1_2, v32 = Z2_3 * X1_2;
 
         for (int i2 = 0; i2 < 2; i2++) { /* elbow+, elbow- */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && (!apart3 || (near1 && !(shortest3_clear < N3 && N3 < longest3_clear))))
+            if (e3 < 0.0 && (!apart3 || (near1 && !(shortest3_clear < N3 && N3 < longest3_clear))))
                 continue; /* both signs give the same */
-            const double s3 = w3 * e2 * k7;
+            const double s3 = w3 * e3 * k7;
             const double q3 = atan2(s3, c3);
 
             /* theta2 */

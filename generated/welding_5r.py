@@ -414,14 +414,14 @@ def _solve(pose, q_free, seed, moved, q, status):
         v32 = Z2_3 * X1_2
 
         for i2 in range(2):  # elbow+, elbow-
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
             if (
-                e2 < 0.0 and (not apart3 or (near1 and not (shortest3_clear < N3 and N3 <
+                e3 < 0.0 and (not apart3 or (near1 and not (shortest3_clear < N3 and N3 <
                 longest3_clear)))
             ):
                 continue  # both signs give the same
-            s3 = w3 * e2 * k7
+            s3 = w3 * e3 * k7
             q3 = _atan2(s3, c3)
 
             # theta2

@@ -192,13 +192,14 @@ static const double
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.0000000000000002e-10,
     m1 = 1e-12, /* 1000 * merge_slack1 [m] */
+    m2 = 0.383022221559489, /* sa2 * k1 */
     m3 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m4 = 0.5, /* k1 */
+    m5 = 0.8660254037844386, /* sqrt3 * k1 */
     m6 = 1.0000000000000004e-12, /* pose_slack1^2 [m^2] */
     m7 = 3.000000000000001e-12, /* 3 * pose_slack1^2 [m^2] */
     m8 = 1.0000000000000002e-10, /* pose_slack^2 */
     m9 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
-/* coefficients */
-static const double m2 = 0.383022221559489, m4 = 0.5, m5 = 0.8660254037844386;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */

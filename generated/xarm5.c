@@ -219,10 +219,10 @@ static void solve(
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double s3 = w3 * e2 * k2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double s3 = w3 * e3 * k2;
             const double theta3 = atan2(s3, c3);
 
             /* theta2 */
@@ -258,14 +258,18 @@ static void solve(
 static const double
     m1 = 1.1677971055248613e-08, /* doubt_limit1^2 [m^2] */
     m2 = 9.999999999999999e-09, /* doubt_limit^2 */
+    m4 = 0.076, /* a4 [m] */
+    m5 = 0.097, /* d5 [m] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m6 = 5.597903840841209e-12,
+    m7 = 1.727195576168653, /* a3 * k2 [m^-1] */
+    m8 = 0.06824295773100271, /* a3 * k1 * k2 - a2 [m] */
+    m9 = 1.4238523749857612, /* a2 * k2 [m^-1] */
+    /* k2 * (a3 * k1^2 * k2 - a2 * k1 - a3 * longest3 * shortest3 * k2) [m] */
+    m10 = 0.05625761134525573,
     m11 = 1.0000000000000002e-10, /* pose_slack^2 */
     m12 = 1.167797105524862e-10, /* pose_slack1^2 [m^2] */
     m13 = 3.5033913165745856e-10; /* 3 * pose_slack1^2 [m^2] */
-/* coefficients */
-static const double m4 = 0.076, m5 = 0.097, m7 = 1.727195576168653, m8 = 0.06824295773100271,
-m9 = 1.4238523749857612, m10 = 0.05625761134525573;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -384,7 +388,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -414,7 +418,7 @@ DHGEN_INLINE int solve_regular(
         w3 = dhgen_sqrt_four(D3), v18 = w3 - w3;
 
     /* theta2 */
-    const dhgen_four v19 = e2 * Z2_3, v20 = m7 * N3 - m8, v21 = Z1_3 * v20,
+    const dhgen_four v19 = e3 * Z2_3, v20 = m7 * N3 - m8, v21 = Z1_3 * v20,
         S2 = v21 - w3 * (m7 * v19), v22 = Z2_3 * v20, factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
@@ -444,13 +448,13 @@ DHGEN_INLINE int solve_regular(
         ratio2 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(w3, dhgen_all_four(-Z2_234), 0, 5, 2,
             3), dhgen_all_four(-Z2_5), 0, 1, 2, 7), dhgen_shuffle(dhgen_shuffle(N3 - k1,
             dhgen_all_four(T33), 0, 5, 2, 3), dhgen_all_four(-Z1_5), 0, 1, 2, 7)),
-        ratio3 = dhgen_ratio_four(S2, v22 + w3 * (m7 * (e2 * Z1_3)));
+        ratio3 = dhgen_ratio_four(S2, v22 + w3 * (m7 * (e3 * Z1_3)));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle5 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0), packed2 = dhgen_angle_four(ratio2),
         angle3 = dhgen_shuffle(packed2, packed2, 0, 0, 2, 2),
         angle1 = dhgen_shuffle(packed2, packed2, 1, 1, 1, 1),
         angle2 = dhgen_shuffle(packed2, packed2, 3, 3, 3, 3), angle4 = dhgen_angle_four(ratio3);
-    const dhgen_four v39 = angle5 + v10 * v38 - offset1, v40 = angle4 - offset2, v41 = e2 * angle3,
+    const dhgen_four v39 = angle5 + v10 * v38 - offset1, v40 = angle4 - offset2, v41 = e3 * angle3,
         v42 = v41 - offset3, v43 = e1 * angle1, v44 = v43 - (angle4 + v41) - offset4,
         v45 = dhgen_centred_four(v44), v48 = v18 + dhgen_raised_four(v39), q1 = v47 + v48,
         q2 = v47 + dhgen_raised_four(v40), q3 = v47 + dhgen_raised_four(v42),

@@ -84,14 +84,14 @@ k1 = 0.20711584560000001  # a2^2 + a3^2 [m^2]
 k2 = 4.918543046385274  # 1 / (2 * a3 * a2) [m^-2]
 m1 = 1.1677971055248613e-08  # doubt_limit1^2 [m^2]
 m2 = 9.999999999999999e-09  # doubt_limit^2
-m4 = 0.076  # a coefficient of v7
-m5 = 0.097  # a coefficient of v9
+m4 = 0.076  # a4 [m]
+m5 = 0.097  # d5 [m]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m6 = 5.597903840841209e-12
-m7 = 1.727195576168653  # a coefficient of S2
-m8 = 0.06824295773100271  # a coefficient of S2
-m9 = 1.4238523749857612  # a coefficient of c23
-m10 = 0.05625761134525573  # a coefficient of c23
+m7 = 1.727195576168653  # a3 * k2 [m^-1]
+m8 = 0.06824295773100271  # a3 * k1 * k2 - a2 [m]
+m9 = 1.4238523749857612  # a2 * k2 [m^-1]
+m10 = 0.05625761134525573  # k2 * (a3 * k1^2 * k2 - a2 * k1 - a3 * longest3 * shortest3 * k2) [m]
 m11 = 1.0000000000000002e-10  # pose_slack^2
 m12 = 1.167797105524862e-10  # pose_slack1^2 [m^2]
 m13 = 3.5033913165745856e-10  # 3 * pose_slack1^2 [m^2]
@@ -356,11 +356,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         q1 = _wrap(_atan2(s1, c1) - offset1)
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            s3 = w3 * e2 * k2
+            s3 = w3 * e3 * k2
             theta3 = _atan2(s3, c3)
 
             # theta2

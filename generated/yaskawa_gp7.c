@@ -199,10 +199,10 @@ static void solve(
             v13 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
-            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e2;
+            if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double root3 = w3 * e3;
             const double s3 = (v3 + k2 * root3) * k4, c3 = k4 * (v4 - k1 * root3);
             const double q3 = atan2(s3, c3);
 
@@ -235,10 +235,10 @@ static void solve(
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
-                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
-                if (e3 < 0.0 && free4) continue; /* both signs give the same */
-                const double factor4 = e3 / divisor4;
+                if (e4 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
@@ -247,7 +247,7 @@ static void solve(
                 const double s6 = c4 * v12 + s4 * v14;
 
                 /* joint values */
-                const double q5 = dhgen_wrap(atan2(-(w4 * e3), c5) - offset5);
+                const double q5 = dhgen_wrap(atan2(-(w4 * e4), c5) - offset5);
                 const double q6 = dhgen_wrap(atan2(s6, -(c4 * v9 + s4 * v11)) - offset6);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
@@ -265,10 +265,17 @@ static const double
     m1 = 1.8906249999999994e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.920847203220787e-11,
+    m4 = 1.1235955056179774, /* k4 * (d4 * k1 + a3 * k2) [m^-1] */
+    m5 = 0.003174157303370838, /* a2 - d4 * k1 * k3 * k4 - a3 * k2 * k3 * k4 [m] */
+    m6 = 0.10245901639344261, /* a2 * k2 * k4 [m^-1] */
+    m7 = 1.1270491803278688, /* a2 * k1 * k4 [m^-1] */
+    /* k1 * k4 * (a2 * k3 + d4 * longest3 * shortest3 * k1 * k4 + a3 * longest3 * shortest3 * k2 *
+     * k4 - d4 * k1 * k3^2 * k4 - a3 * k2 * k3^2 * k4) [m] */
+    m8 = 0.0031839139344262803,
+    /* k2 * k4 * (a2 * k3 + d4 * longest3 * shortest3 * k1 * k4 + a3 * longest3 * shortest3 * k2 *
+     * k4 - d4 * k1 * k3^2 * k4 - a3 * k2 * k3^2 * k4) [m] */
+    m9 = 0.00028944672131148006,
     m10 = 9.999999999999999e-09; /* doubt_limit^2 */
-/* coefficients */
-static const double m4 = 1.1235955056179774, m5 = 0.003174157303370838, m6 = 0.10245901639344261,
-m7 = 1.1270491803278688, m8 = 0.0031839139344262803, m9 = 0.00028944672131148006;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -436,7 +443,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
-    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
 
     /* theta1 */
@@ -451,16 +458,16 @@ DHGEN_INLINE int solve_regular(
         w3 = dhgen_sqrt_four(D3);
 
     /* theta2 */
-    const dhgen_four Y1_2 = m5 + m4 * N3, v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m4 * (e2 * Z1_3),
+    const dhgen_four Y1_2 = m5 + m4 * N3, v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m4 * (e3 * Z1_3),
         factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v9 = m6 * Z1_3;
     const dhgen_four v10 = m7 * v4 - v9, v11 = m8 * factor2 - m7, v12 = m9 * factor2 - m6,
-        v13 = Z1_3 * v11 + v4 * v12, c2m3 = v13 + w3 * (factor2 * (e2 * v10));
+        v13 = Z1_3 * v11 + v4 * v12, c2m3 = v13 + w3 * (factor2 * (e3 * v10));
     const double v14 = m7 * Z1_3;
     const dhgen_four v15 = v14 + m6 * v4, v16 = Z1_3 * v12 + v4 * -v11,
-        s2m3 = v16 + w3 * (factor2 * (e2 * v15));
+        s2m3 = v16 + w3 * (factor2 * (e3 * v15));
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const dhgen_four X4 = T33 * s2m3 - e1 * (c2m3 * v17);
     const double v18 = w1 * (v2 * (T13 * Y1 + wx * T23)), v19 = v18 * v18;
@@ -479,7 +486,7 @@ DHGEN_INLINE int solve_regular(
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(Y1), 0, 5,
         2, 3), dhgen_shuffle(N3 - k3, dhgen_all_four(-wx), 0, 5, 2, 3)),
-        ratio2 = dhgen_ratio_four(-(v6 + w3 * (m4 * (e2 * v4))), w3 * v8 - v7),
+        ratio2 = dhgen_ratio_four(-(v6 + w3 * (m4 * (e3 * v4))), w3 * v8 - v7),
         ratio3 = dhgen_ratio_four(-(e1 * v18), -X4),
         ratio4 = dhgen_ratio_four(v29, e1 * (v18 * (e1 * (c2m3 * v23) - s2m3 * T32) + X4 * v22)),
         ratio5 = dhgen_ratio_four(-dhgen_sqrt_four(v20), T33 * c2m3 + e1 * (s2m3 * v17));
@@ -488,7 +495,7 @@ DHGEN_INLINE int solve_regular(
         angle1 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = dhgen_angle_four(ratio2),
         angle3 = dhgen_angle_four(ratio3), angle6 = dhgen_angle_four(ratio4),
         angle5 = dhgen_angle_four(ratio5);
-    const dhgen_four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e2 * angle2 - turn1,
+    const dhgen_four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e3 * angle2 - turn1,
         q4_m = angle3 - v21, v26 = angle4 - offset2, q2_p = dhgen_lowered_four(v26),
         v27 = angle5 - offset5, v28 = offset5 + angle5, q5_p = dhgen_raised_four(v27),
         q5_m = dhgen_only_four(-v28 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v28, v30 = angle6 - offset6,

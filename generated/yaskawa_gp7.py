@@ -98,12 +98,16 @@ graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.8906249999999994e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.920847203220787e-11
-m4 = 1.1235955056179774  # a coefficient of Y1_2
-m5 = 0.003174157303370838  # a coefficient of Y1_2
-m6 = 0.10245901639344261  # a coefficient of c2m3
-m7 = 1.1270491803278688  # a coefficient of c2m3
-m8 = 0.0031839139344262803  # a coefficient of c2m3
-m9 = 0.00028944672131148006  # a coefficient of c2m3
+m4 = 1.1235955056179774  # k4 * (d4 * k1 + a3 * k2) [m^-1]
+m5 = 0.003174157303370838  # a2 - d4 * k1 * k3 * k4 - a3 * k2 * k3 * k4 [m]
+m6 = 0.10245901639344261  # a2 * k2 * k4 [m^-1]
+m7 = 1.1270491803278688  # a2 * k1 * k4 [m^-1]
+# k1 * k4 * (a2 * k3 + d4 * longest3 * shortest3 * k1 * k4 + a3 * longest3 * shortest3 * k2 * k4 -
+# d4 * k1 * k3^2 * k4 - a3 * k2 * k3^2 * k4) [m]
+m8 = 0.0031839139344262803
+# k2 * k4 * (a2 * k3 + d4 * longest3 * shortest3 * k1 * k4 + a3 * longest3 * shortest3 * k2 * k4 -
+# d4 * k1 * k3^2 * k4 - a3 * k2 * k3^2 * k4) [m]
+m9 = 0.00028944672131148006
 m10 = 9.999999999999999e-09  # doubt_limit^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
@@ -355,11 +359,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v13 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
-            e2 = 1.0 - 2.0 * i2
+            e3 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e2
+            root3 = w3 * e3
             s3 = (v3 + k2 * root3) * k4
             c3 = k4 * (v4 - k1 * root3)
             q3 = _atan2(s3, c3)
@@ -394,11 +398,11 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _wrap(_atan2(s2, c2) - offset2)
 
             for i3 in range(2):  # noflip, flip
-                e3 = 1.0 - 2.0 * i3
+                e4 = 1.0 - 2.0 * i3
                 # theta4
-                if e3 < 0.0 and free4:
+                if e4 < 0.0 and free4:
                     continue  # both signs give the same
-                factor4 = e3 / divisor4
+                factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
                 s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = _atan2(s4, c4)
@@ -407,7 +411,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s6 = c4 * v12 + s4 * v14
 
                 # joint values
-                q5 = _wrap(_atan2(-(w4 * e3), c5) - offset5)
+                q5 = _wrap(_atan2(-(w4 * e4), c5) - offset5)
                 q6 = _wrap(_atan2(s6, -(c4 * v9 + s4 * v11)) - offset6)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1

@@ -127,7 +127,7 @@ def test_a_drive_keeps_the_limits_of_what_follows_it() -> None:
     made = imported(*chain, tip="l5")
     assert made.difference.is_rounding
     limits = [each.limits for each in made.robot.joints]
-    np.testing.assert_allclose(np.array(limits, float), [[-2, 2], [-0.7, 0.55], [-2, 2]])
+    np.testing.assert_allclose(np.array(limits, float), [[-2.0, 2.0], [-0.7, 0.55], [-2.0, 2.0]])
     (note,) = (each for each in made.notes if "mimic" in each)
     assert note == "the limits of upper are narrower than its own: gear follows it (mimic)"
 
