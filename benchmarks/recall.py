@@ -4,7 +4,7 @@
 
 Arms are those of robots/ and, for each seed, one arm of every random structure: three axes that
 meet or are parallel at each place, with all other joints turning and with each of them sliding.
-Poses at which the Jacobian is singular to 1e-6 are not counted as lost. `--write` puts the table
+Poses at which the Jacobian is singular to 1e-7 are not counted as lost. `--write` puts the table
 into docs/benchmarks.md: arms that lost a pose or are not solved, and the totals.
 """
 

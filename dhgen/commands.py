@@ -176,6 +176,7 @@ def explain(options: argparse.Namespace) -> int:
     if options.out is None:
         _refuse_mute()
     else:
+        _refuse_what_was_read(options.out, [options.file])
         _refuse_occupied([options.out])
     file = file.with_numerical() if options.numerical else file
     _tell_notes(file.robot.notices)
@@ -286,13 +287,18 @@ def _write_robot_file(
     if out.exists() and wished is None and out.read_text("utf-8") != text:
         message = f"dhgen: {out} is there already: write over it with --out {quote(str(out))}"
         raise CommandError(f"{message}, or name another file")
-    if out.exists() and any(each.exists() and out.samefile(each) for each in read):
-        raise CommandError(f"dhgen: {out} is what was read: write to another file")
+    _refuse_what_was_read(out, read)
     _refuse_occupied([out])
     if out.exists() and out.read_bytes() != text.encode():
         print(f"note: {out} was there and is written over", file=sys.stderr)
     replace_files(out.parent, {out.name: text.encode()})
     return out
+
+
+def _refuse_what_was_read(out: Path, read: Sequence[Path]) -> None:
+    """Stops before a file is written over that the new one is made of."""
+    if out.exists() and any(each.exists() and out.samefile(each) for each in read):
+        raise CommandError(f"dhgen: {out} is what was read: write to another file")
 
 
 def _refuse_mute() -> None:

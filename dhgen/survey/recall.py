@@ -25,7 +25,7 @@ AT_ONCE = 5_000  # poses of one batch, for the sake of memory
 SAME = 1e-5
 # Least singular value of the task's Jacobian, lengths in arm sizes. Below it a pose is singular to
 # rounding: there a double root may be one row, half way between two solutions.
-SINGULAR = 1e-6
+SINGULAR = 1e-7
 SHOWN = 5  # lost poses that are reported
 
 

@@ -186,8 +186,8 @@ def test_the_tree_of_an_arm_with_three_signs() -> None:
     lines = tree_text(story("arm_6r")).splitlines()
     signs: dict[int, str] = {}
     for line, choice in zip(lines, product(("+1", "−1"), repeat=3), strict=True):
-        for place, value in re.findall(r"ε([₁₂₃]) = ([+−]1)", line):
-            signs["₁₂₃".index(place)] = value
+        for place, value in re.findall(r"ε([₁₃₄]) = ([+−]1)", line):
+            signs["₁₃₄".index(place)] = value
         assert tuple(signs[place] for place in range(3)) == choice
 
 

@@ -19,7 +19,7 @@ from dhgen.derivation.values import figures
 from dhgen.survey.oracle.forward import forward
 from tests.derivation.stories import NAMES, story
 from tests.derivation.test_formulas_hold import relations
-from tests.derivation.values import Letters, evaluate, indexed, letters_of
+from tests.derivation.values import Letters, evaluate, letters_of, sign_letter
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -78,7 +78,7 @@ def test_numbers_of_steps_are_what_their_formulas_are_worth(name: str) -> None:
     row = example.followed
     for place, axis in reversed(list(enumerate(of.program.axes))):
         row, chosen = divmod(row, axis.count)
-        letters[indexed("ε", place + 1)] = 1.0 - 2.0 * chosen
+        letters[sign_letter(of, place)] = 1.0 - 2.0 * chosen
     told = equations(of)
     assert told
     for number in range(1, len(of.steps) + 1):

@@ -26,7 +26,7 @@ from dhgen.program.interpret import interpret
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward, jacobian
 from tests.derivation.stories import NAMES, OWN, WHOLE, story
-from tests.derivation.values import Letters, evaluate, indexed, letters_of
+from tests.derivation.values import Letters, evaluate, indexed, letters_of, sign_letter
 
 if TYPE_CHECKING:
     from dhgen.derivation.story import Story
@@ -175,8 +175,8 @@ def step_relations(name: str) -> tuple[tuple[Relation, ...], ...]:
 
 def _steps_hold(of: Story, place: Letters, signs: tuple[float, ...]) -> bool:
     letters = dict(place)
-    for number, sign in enumerate(signs, start=1):
-        letters[indexed("ε", number)] = sign
+    for number, sign in enumerate(signs):
+        letters[sign_letter(of, number)] = sign
     *steps, last = step_relations(of.robot.name)
     for step in steps:
         local = dict(letters)

@@ -23,6 +23,7 @@ from dhgen.derivation.text.formula import (
     Sum,
     Symbol,
 )
+from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.arm_angle import triangle
 from dhgen.kinematics.chain import Fixed, Slide, Turn
 from dhgen.kinematics.numeric import numeric_arm
@@ -214,4 +215,15 @@ def _link(
 
 def indexed(letter: str, index: int | str) -> str:
     """A letter with a lowered index."""
-    return letter + str(index).translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
+    return letter + str(index).translate(str.maketrans("0123456789-,", "₀₁₂₃₄₅₆₇₈₉₋,"))
+
+
+def sign_letter(of: Story, place: int) -> str:
+    """The letter of a branch sign: its index is that of the joints that its step gives."""
+    unknowns = of.steps[of.program.axes[place].step - 1].unknowns
+    angles = [each for each in unknowns if isinstance(each, AngleSum)]
+    lengths = [each for each in unknowns if not isinstance(each, AngleSum)]
+    if not angles:
+        return indexed("ε", lengths[0].joint)
+    (first, _), *others = angles[0].terms
+    return indexed("ε", f"{first}" + "".join(f"{'-' * (s < 0)}{joint}" for joint, s in others))

@@ -171,11 +171,12 @@ def test_branches_meet_within_the_slack_of_reach(tolerances: Tolerances) -> None
 @pytest.mark.parametrize("name", ["puma560", "ur5", "kuka_kr6_r900"])
 @pytest.mark.parametrize("lanes", [(0,), (0, 1), (1, 2)])
 def test_some_branches_stay_as_lanes(name: str, lanes: tuple[int, ...]) -> None:
-    solver = regular(story(name).program)
+    program = story(name).program
+    solver = regular(program)
     assert solver is not None
     T, _, rows = cases(name)
     flat = flatten(solver, lanes)
-    assert [axis.name for axis in flat.program.axes] == [f"e{place + 1}" for place in lanes]
+    assert [axis.name for axis in flat.program.axes] == [program.axes[each].name for each in lanes]
     found = outputs(flat.program, T)
     values = np.stack(found[: len(found) - len(flat.doubts) - len(flat.fits)], axis=-1)
     groups = values.reshape(len(T), 1 << len(lanes), -1, flat.joints)

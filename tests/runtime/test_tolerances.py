@@ -107,6 +107,8 @@ IN_DESCENTS = {
     "STEPS_ASIDE": solutions.STEPS_ASIDE,
     "STAYING_PART": solutions.STAYS,
     "SAME_BETWEEN": solutions.SAME_BETWEEN,
+    "NEXT_TO": solutions.NEXT_TO,
+    "SAME_NEXT_TO": solutions.SAME_NEXT_TO,
     "SINGULAR_LENGTH": solutions.SINGULAR,
     "FEELER": solutions.FEELER,
     "FELT": solutions.FELT,

@@ -63,7 +63,8 @@ def _whole_turns(chain: Chain) -> list[Block]:
     return [
         paragraph(
             "The limits of {} are more than a whole turn apart, so that some angles fit in twice. "
-            "A row holds one of them, with a seed the nearest to it.",
+            "A row holds one of them; only the search for the nearest row takes the one nearest to "
+            "the seed.",
             some,
         )
     ]

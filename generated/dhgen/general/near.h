@@ -20,6 +20,7 @@ typedef struct {
 typedef int dhgen_nearest_rows(
     const double *T, const double *free_joints, double *q, unsigned char *status);
 
+#ifdef DHGEN_DOF /* rows are as long as those of the robot whose file this is a part of */
 /* Angles of the loop near which all solutions are, one near each. Returns how many; 0 where that is
  * not certain. */
 DHGEN_FN int dhgen_near_solutions(const dhgen_nearest_arm *arm, dhgen_nearest_rows *solve,
@@ -46,5 +47,6 @@ DHGEN_FN int dhgen_near_solutions(const dhgen_nearest_arm *arm, dhgen_nearest_ro
     }
     return count;
 }
+#endif
 
 #endif

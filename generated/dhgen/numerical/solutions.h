@@ -17,8 +17,11 @@
 #define DHGEN_STEPS_ASIDE 4
 #define DHGEN_STAYING_PART 0.0625
 /* Between solutions that are one the pose is missed by no more than this, or than twice what they
- * miss it by [arm sizes, rad]: a hundred times rounding. */
+ * miss it by [arm sizes, rad]: a hundred times rounding. Where many roots meet, those closer than
+ * DHGEN_NEXT_TO [rad, arm sizes] miss it by a little more. */
 #define DHGEN_SAME_BETWEEN 1e-13
+#define DHGEN_NEXT_TO 1e-05
+#define DHGEN_SAME_NEXT_TO 1e-12
 /* Values closer than this don't decide which of two rows comes first [rad or length]. */
 #define DHGEN_ROW_TIE 1e-09
 
@@ -64,7 +67,8 @@ DHGEN_FN int dhgen_solves_between(
     dhgen_measure_miss(d, other);
     const double ends = d->length;
     dhgen_measure_miss(d, u);
-    enough = fmin(enough, fmax(DHGEN_SAME_BETWEEN, 2.0 * fmax(ends, d->length)));
+    const double least = length < DHGEN_NEXT_TO ? DHGEN_SAME_NEXT_TO : DHGEN_SAME_BETWEEN;
+    enough = fmin(enough, fmax(least, 2.0 * fmax(ends, d->length)));
     for (int i = 0; i < 3; i++) {
         double start[DHGEN_JOINTS], end[DHGEN_JOINTS], step[DHGEN_JOINTS];
         for (int j = 0; j < arm->solved; j++)

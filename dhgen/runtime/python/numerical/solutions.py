@@ -45,8 +45,10 @@ BETWEEN = (0.25, 0.5, 0.75)
 STEPS_ASIDE = 4
 STAYS = 1 / 16
 # Between solutions that are one the pose is missed by no more than this, or than twice what they
-# miss it by [arm sizes, rad]: a hundred times rounding.
+# miss it by [arm sizes, rad]: a hundred times rounding. Where many roots meet, those closer than
+# NEXT_TO [rad, arm sizes] miss it by a little more.
 SAME_BETWEEN = 1e-13
+NEXT_TO, SAME_NEXT_TO = 1e-5, 1e-12
 # What is left of a generic direction when all that moves the tool is taken away [of its length]: by
 # less it is what damping leaves at a regular solution.
 SINGULAR = 1e-4
@@ -81,7 +83,8 @@ def _solves_between(
     for j in range(solved):
         end[j] = u[j] + way[j]
     ends = max(measure_miss(arm, goal, q, u, e, A), measure_miss(arm, goal, q, end, e, A))
-    enough = min(enough, max(SAME_BETWEEN, 2.0 * ends))
+    least = SAME_NEXT_TO if length < NEXT_TO else SAME_BETWEEN
+    enough = min(enough, max(least, 2.0 * ends))
     for part in BETWEEN:
         for j in range(solved):
             end[j] = u[j] + part * way[j]
