@@ -171,6 +171,15 @@ def test_explain_writes_a_handout(wished: str, begins: str, run: Run, tmp_path: 
     assert bool(linked) == (wished == "markdown")
 
 
+def test_explain_does_not_write_over_what_it_reads(run: Run, tmp_path: Path) -> None:
+    text = Path(PLANAR).read_text("utf-8")
+    (tmp_path / "own.yaml").write_text(text, encoding="utf-8")
+    done = run("explain", "own.yaml", "--out", "own.yaml", folder=tmp_path)
+    assert done.returncode == 2
+    assert "own.yaml is what was read: write to another file" in done.stderr
+    assert (tmp_path / "own.yaml").read_text("utf-8") == text
+
+
 def test_explain_says_what_does_not_go_together(run: Run, tmp_path: Path) -> None:
     done = run("explain", PLANAR, "--format", "html", "--program", folder=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
