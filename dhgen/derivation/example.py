@@ -115,6 +115,11 @@ def _are_inside(chain: Chain, q: FloatArray) -> NDArray[np.bool_]:
             if turns:
                 value = low + np.remainder(value - low, 2.0 * np.pi)
             kept &= (low <= value) & (value <= high)
+    for limit in chain.sums:
+        value = q @ np.array(limit.factors)
+        if limit.turns and all(factor == round(factor) for factor in limit.factors):
+            value = limit.lowest + np.remainder(value - limit.lowest, 2.0 * np.pi)
+        kept &= (limit.lowest <= value) & (value <= limit.highest)
     return kept
 
 

@@ -57,3 +57,10 @@ def test_two_ways_to_turn_the_wrist(name: str) -> None:
 
 def test_an_oblique_wrist_has_no_such_pair() -> None:
     assert "up to whole turns" not in text("wrist_oblique")
+
+
+@pytest.mark.parametrize("name", ["fanuc_lrmate200id_j23", "scara_ball_screw"])
+def test_where_turns_are_chosen_together_no_nearest_row_is_worked_out(name: str) -> None:
+    chosen = text(name).split("## Choosing a row")[1].split("\n## ")[0]
+    assert "with a seed of zeros" not in chosen
+    assert "No joint has limits" not in chosen

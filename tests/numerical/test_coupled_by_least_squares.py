@@ -83,6 +83,16 @@ def test_a_joint_that_is_given_in_part_is_refused_with_what_may_be_given() -> No
     with pytest.raises(UnsolvedError) as stopped:
         compile_loaded(RobotFile.read(path))
     told = str(stopped.value)
-    assert told.startswith("joint 3 is free, but q2 moves it, too")
+    assert told.startswith("joint 3 is free, but the drive of joint 2 moves it, too")
     assert "or joint 2 besides: free: [2, 3]" in told
     assert "--numerical would give" in told
+
+
+def test_a_joint_that_half_turns_of_another_move_is_refused() -> None:
+    """A turn of joint 1, without which values are told, would turn joint 2 half round."""
+    path = folder() / "half.yaml"
+    rows = "  - {theta: q, a: 0.4}\n  - {theta: q + 1/2*q1, a: 0.3}\n  - {theta: q, a: 0.1}\n"
+    path.write_text(f"name: half\nnumerical: true\njoints:\n{rows}", encoding="utf-8")
+    with pytest.raises(UnsolvedError) as stopped:
+        compile_loaded(RobotFile.read(path))
+    assert "a whole turn of joint 1 would move joint 2" in str(stopped.value)

@@ -12,6 +12,7 @@ from dhgen.derivation.steps import leaves_a_joint_free
 from dhgen.derivation.text.blocks import Heading, joined, paragraph, say
 from dhgen.derivation.text.formula import Listing, Symbol, add, minus
 from dhgen.derivation.values import figures
+from dhgen.kinematics.turns import coupled_turns
 
 if TYPE_CHECKING:
     from dhgen.derivation.example import Example
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 TURN = 2.0 * math.pi
 SQUARES = Symbol(r"\sum_i (q_i - q_i^{\mathrm{seed}})^2", "Σᵢ (qᵢ − qᵢ,seed)²")
 HALF = Symbol(r"\pi", "π")
+ALL = " Such rows have the status OK, empty rows UNREACHABLE."
 OTHERS = " The status of other rows with a solution is OK, that of empty rows UNREACHABLE."
 FREE = (
     " A row in which a joint took the seed's value, because the pose leaves it free, has "
@@ -37,15 +39,16 @@ UNMARKED = "No joint has limits, so the arm can take every row that holds a solu
 def choosing_section(story: Story) -> list[Block]:
     """The whole section; nothing where there is one row and no limit."""
     chain = story.algebra.chain
-    limited = any(joint.limits for joint in chain.joints)
+    limited = bool(chain.sums) or any(joint.limits for joint in chain.joints)
+    free = leaves_a_joint_free(story)
     if story.program.rows == 1 and not limited:
         return []
     return [
         Heading(2, say("Choosing a row")),
         paragraph(
             (MARKED if limited else UNMARKED)
-            + (FREE if leaves_a_joint_free(story) else "")
-            + OTHERS
+            + (FREE if free else "")
+            + (OTHERS if limited or free else ALL)
         ),
         *_whole_turns(chain),
         *_shortest(story, "the one inside its limits" if limited else "the one"),
@@ -57,7 +60,7 @@ def _whole_turns(chain: Chain) -> list[Block]:
     """Joints whose angle has several values with which the arm stands alike."""
     joints = (each for each, turns in zip(chain.joints, chain.turning, strict=True) if turns)
     wide = [each.number for each in joints if each.limits and np.ptp(each.limits) > TURN]
-    if not wide:
+    if not wide or coupled_turns(chain) is not None:
         return []
     some = joined([say("{}", joint_symbol(number)) for number in wide])
     return [
@@ -87,7 +90,7 @@ def _shortest(story: Story, which: str) -> list[Block]:
             *size,
         )
     ]
-    if example is None:
+    if example is None or coupled_turns(chain) is not None:
         return blocks
     row, distance = nearest_to_zero(chain, example)
     named = f", {story.branch_names[row]}," if story.has_branch_words else ""

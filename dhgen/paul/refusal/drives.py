@@ -10,7 +10,7 @@ from dhgen.paul.refusal.unsolved import NUMERICAL
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain, Passive
 
-NOTHING = 1e-9  # [turns] what rounding leaves of whole ones
+NOTHING = 1e-9  # what rounding leaves of whole turns, and of a length for a turn [1, length/rad]
 
 
 def demand_given_alone(chain: Chain) -> None:
@@ -23,12 +23,13 @@ def demand_given_alone(chain: Chain) -> None:
         others = _solved_that_move(chain, number)
         if not others:
             continue
-        name, drives = chain.told([number]), " and ".join(f"q{other}" for other in others)
-        also, free = chain.told([*others]), sorted({*chain.free, *others})
+        name, also = chain.told([number]), chain.told([*others])
+        plural, free = "s" * (len(others) > 1), sorted({*chain.free, *others})
         raise UnsolvedError(
-            f"joint {name} is free, but {drives} moves it, too: its angle or length is not known "
+            f"joint {name} is free, but the drive{plural} of joint{plural} {also} "
+            f"{'move' if plural else 'moves'} it, too: its angle or length is not known "
             f"from what is given\nlist under `free` a joint that its own drive moves alone, or "
-            f"joint{'s' * (len(others) > 1)} {also} besides: free: {free}\n{NUMERICAL}"
+            f"joint{plural} {also} besides: free: {free}\n{NUMERICAL}"
         )
 
 
@@ -45,11 +46,21 @@ def demand_sums(chain: Chain) -> None:
 
 
 def demand_whole_turns(chain: Chain) -> None:
-    """Refuses passive rows that whole turns of a joint move: joint values are told without turns.
+    """Refuses joints and passive rows that whole turns of others move.
+
+    Least squares tell joint values without turns.
 
     Raises:
         UnsolvedError: There is one.
     """
+    for joint, shares in enumerate(chain.drives.shares, start=1):
+        for share in shares:
+            whole = chain.turning[joint - 1] and abs(share.factor - round(share.factor)) < NOTHING
+            if chain.turning[share.drive - 1] and not whole:
+                raise UnsolvedError(
+                    f"least squares do not take this coupling: a whole turn of joint "
+                    f"{chain.told([share.drive])} would move joint {chain.told([joint])}"
+                )
     for row in chain.passive:
         joint = _turned_apart(chain, row)
         if joint:

@@ -109,7 +109,8 @@ def _columns(arm: Floats, P: Floats, J: Floats) -> None:
 def _add_shares(arm: Floats, columns: Floats, J: Floats) -> None:
     """Adds to joints' columns those of the records in which they have shares.
 
-    Both may be one array: the records are in such an order that none is added before it is whole.
+    Both may be one array: in the order of the records each is added to others before others are
+    added to it.
     """
     first = int(arm[CHAIN]) + BASE
     shares = first + int(arm[LINKS]) * CHAIN_RECORD
