@@ -8,11 +8,12 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import astuple
 from typing import TYPE_CHECKING
 
 from benchmarks.arms import CHECKOUT, robot_path
 from benchmarks.options import parser, robot_names
-from benchmarks.report import place, table
+from benchmarks.report import place, placed, table
 from dhgen.compiler import worked_out
 from dhgen.program.count import count_operations
 from dhgen.program.regular.regular import regular
@@ -21,8 +22,6 @@ from dhgen.robot_files import RobotFile
 from dhgen.workers import side_by_side
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from dhgen.program.ir import Program
 
 DOCUMENT = CHECKOUT / "docs" / "costs.md"
@@ -58,33 +57,18 @@ def costs(name: str, solver: Program) -> list[Row]:
 
 
 def _line(name: str, rows: str, poses: str, program: Program) -> Row:
-    count = count_operations(program)
-    numbers = (
-        count.additions,
-        count.multiplications,
-        count.divisions,
-        count.square_roots,
-        count.arctangents,
-        count.sines_cosines,
-    )
-    return (name, rows, poses, *map(str, numbers))
+    return (name, rows, poses, *map(str, astuple(count_operations(program))))
 
 
 def written(text: str) -> dict[str, list[Row]]:
     """The lines that stand in a document, by arms."""
-    inside = text.split(f"<!-- {MARK} -->")[1].split(f"<!-- /{MARK} -->", maxsplit=1)[0]
     found: dict[str, list[Row]] = {}
     name = ""
-    for line in _lines(inside):
-        name = line[0] or name
-        found.setdefault(name, []).append(line)
+    for row in placed(text, MARK):
+        name = row[0] or name
+        if row != HEAD:
+            found.setdefault(name, []).append(row)
     return found
-
-
-def _lines(text: str) -> Iterable[Row]:
-    rows = (line for line in text.splitlines() if line.startswith("|"))
-    cells = (tuple(cell.strip() for cell in line.strip("|").split("|")) for line in rows)
-    return [each for each in cells if each != HEAD and set(each[0]) != {"-"}]
 
 
 if __name__ == "__main__":

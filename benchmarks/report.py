@@ -42,6 +42,14 @@ def place(path: Path, mark: str, text: str) -> None:
     path.write_text(f"{before}{start}\n{text}\n{end}{after}", encoding="utf-8")
 
 
+def placed(text: str, mark: str) -> list[tuple[str, ...]]:
+    """The cells of the tables between the two comments that bear the mark, heads among them."""
+    inside = text.split(f"<!-- {mark} -->")[1].split(f"<!-- /{mark} -->", maxsplit=1)[0]
+    lines = (line for line in inside.splitlines() if line.startswith("|"))
+    rows = [tuple(cell.strip() for cell in line.split("|")[1:-1]) for line in lines]
+    return [row for row in rows if set(row[0]) != {"-"}]
+
+
 def time_text(nanoseconds: float) -> str:
     """A time with three digits and its unit."""
     for unit, size in (("s", 1e9), ("ms", 1e6), ("µs", 1e3)):

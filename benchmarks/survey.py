@@ -17,7 +17,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from benchmarks.arms import robot_path
 from benchmarks.options import parser, robot_names
-from benchmarks.report import README, place, table
+from benchmarks.report import README, place, placed, table
 from dhgen.survey.survey import survey
 from dhgen.survey.table import HEAD, cells
 
@@ -64,9 +64,7 @@ def padded(row: Row) -> Row:
 
 def written(text: str) -> list[Row]:
     """The arms' lines that stand in a document."""
-    inside = text.split(f"<!-- {MARK} -->")[1].split(f"<!-- /{MARK} -->", maxsplit=1)[0]
-    rows = [tuple(cell.strip() for cell in line.split("|")[1:-1]) for line in inside.splitlines()]
-    return [row for row in rows if len(row) == len(HEAD) and row != HEAD and "--" not in row[NAME]]
+    return [row for row in placed(text, MARK) if len(row) == len(HEAD) and row != HEAD]
 
 
 def report(rows: Sequence[Row]) -> str:

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from dhgen.paul.knowledge import Knowledge
     from dhgen.paul.pool import Point
     from dhgen.paul.step import Step
-    from dhgen.program.ir import Program
+    from dhgen.program.ir import Axis, Program
     from dhgen.robot.robot import Robot
 
 
@@ -177,10 +177,11 @@ class Story:
 
     def sign_of(self, step: int) -> Formula:
         """The branch sign that a step brings in; 1 when it has one value."""
-        for axis in self.program.axes:
-            if axis.step == step:
-                return branch_sign(self.steps[step - 1])
-        return ONE
+        return next((self.sign(axis) for axis in self.program.axes if axis.step == step), ONE)
+
+    def sign(self, axis: Axis) -> Symbol:
+        """The branch sign that an axis of the program is."""
+        return branch_sign(self.steps[axis.step - 1])
 
     def frame_of(self, point: Point) -> int:
         """The first frame whose origin a named point is."""

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.derivation.known_functions import pose_by_joints
-from dhgen.derivation.notation.names import branch_sign, cosine, joint_symbol, letter, sine, theta
+from dhgen.derivation.notation.names import cosine, joint_symbol, letter, sine, theta
 from dhgen.derivation.text.formula import (
     Call,
     Minus,
@@ -150,7 +150,7 @@ def signs_of_row(story: Story, row: int) -> dict[str, float]:
     for axis in reversed(story.program.axes):
         row, chosen = divmod(row, axis.count)
         if axis.count == 2:
-            signs[branch_sign(story.steps[axis.step - 1]).text] = -1.0 if chosen else 1.0
+            signs[story.sign(axis).text] = -1.0 if chosen else 1.0
     return signs
 
 

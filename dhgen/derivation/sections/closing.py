@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.notation.names import branch_sign, unknown_symbol
+from dhgen.derivation.notation.names import unknown_symbol
 from dhgen.derivation.sections.shoulder import PSI
 from dhgen.derivation.steps import has_signed_roots
 from dhgen.derivation.text.blocks import Drawing, Heading, Table, paragraph, say
@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block
-    from dhgen.paul.step import Step
     from dhgen.program.ir import Axis
 
 
@@ -84,15 +83,15 @@ def _levels(story: Story) -> list[tuple[tuple[str, ...], str]]:
     levels: list[tuple[tuple[str, ...], list[str]]] = [((), [])]
     for number, step in enumerate(story.steps, start=1):
         axes = (axis for axis in story.program.axes if axis.step == number)
-        levels += [(_choices(step, axis), []) for axis in axes]
+        levels += [(_choices(story, axis), []) for axis in axes]
         levels[-1][1].extend(unknown_symbol(unknown).text for unknown in step.unknowns)
     return [(choices, " ".join(names)) for choices, names in levels]
 
 
-def _choices(step: Step, axis: Axis) -> tuple[str, ...]:
+def _choices(story: Story, axis: Axis) -> tuple[str, ...]:
     """The two values of a sign, or the roots of a polynomial."""
     if axis.count == 2:
-        sign = branch_sign(step).text
+        sign = story.sign(axis).text
         return f"{sign} = +1", f"{sign} = −1"
     return tuple(f"root {number}" for number in range(1, axis.count + 1))
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.derivation.notation.names import branch_sign, joint_symbol, target, unknown_symbol
+from dhgen.derivation.notation.names import joint_symbol, target, unknown_symbol
 from dhgen.derivation.sections.forward import POSE, moved_left
 from dhgen.derivation.sections.shoulder import PSI
 from dhgen.derivation.steps import step_blocks
@@ -99,7 +99,7 @@ def _steps(story: Story, example: Example, known: Mapping[str, float]) -> list[B
     letters = {**known, **signs}
     chosen = [
         equal(letter, Symbol(f"{sign:+.0f}", f"{sign:+.0f}".replace("-", "−")))
-        for letter in (branch_sign(story.steps[axis.step - 1]) for axis in story.program.axes)
+        for letter in map(story.sign, story.program.axes)
         if (sign := signs.get(letter.text))
     ]
     name = story.branch_names[example.followed] if story.has_branch_words else ""

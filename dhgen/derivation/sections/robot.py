@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.expressions import text_symbol
-from dhgen.derivation.notation.names import branch_sign, unknown_symbol
+from dhgen.derivation.notation.names import unknown_symbol
 from dhgen.derivation.sections.frames import frame_sentences
 from dhgen.derivation.sections.parameters import constant_blocks
 from dhgen.derivation.sections.tables import axes_blocks, table_blocks
@@ -168,17 +168,17 @@ def _seen(story: Story, axis: Axis) -> str:
 
 
 def _choice(story: Story, place: int, axis: Axis) -> Prose:
-    step = story.steps[axis.step - 1]
-    unknown = joined([say("{}", unknown_symbol(each)) for each in step.unknowns])
+    unknowns = story.steps[axis.step - 1].unknowns
+    unknown = joined([say("{}", unknown_symbol(each)) for each in unknowns])
     if axis.count != 2:
         first, last = axis.meaning[0], axis.meaning[-1]
         return say(f"{first} to {last} are the roots of step {axis.step} for {{}}", unknown)
     plus, opposite = axis.meaning
     axes = (story.program.axes[each] for each in sorted((*axis.factors, place)))
-    sign = times(*(branch_sign(story.steps[each.step - 1]) for each in axes))
+    sign = times(*map(story.sign, axes))
     brought = say(f" in step {axis.step}")
     if axis.factors:
-        brought = say(f", where {{}} is the sign of step {axis.step}", branch_sign(step))
+        brought = say(f", where {{}} is the sign of step {axis.step}", story.sign(axis))
     return say(
         f"{plus} is {{}} and {opposite} is {{}}{{}}, which gives {{}}",
         equal(sign, ONE),

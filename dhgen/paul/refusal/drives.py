@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.errors import UnsolvedError
+from dhgen.kinematics.turns import coupled_turns
 from dhgen.paul.refusal.unsolved import NUMERICAL
 
 if TYPE_CHECKING:
@@ -53,14 +54,14 @@ def demand_whole_turns(chain: Chain) -> None:
     Raises:
         UnsolvedError: There is one.
     """
-    for joint, shares in enumerate(chain.drives.shares, start=1):
-        for share in shares:
-            whole = chain.turning[joint - 1] and abs(share.factor - round(share.factor)) < NOTHING
-            if chain.turning[share.drive - 1] and not whole:
-                raise UnsolvedError(
-                    f"least squares do not take this coupling: a whole turn of joint "
-                    f"{chain.told([share.drive])} would move joint {chain.told([joint])}"
-                )
+    turns = coupled_turns(chain)
+    for drive, moves in zip(turns.drives, turns.moves, strict=True) if turns else ():
+        others = [joint for joint, move in enumerate(moves, start=1) if move and joint != drive]
+        if others:
+            raise UnsolvedError(
+                f"least squares do not take this coupling: a whole turn of joint "
+                f"{chain.told([drive])} would move joint {chain.told(others[:1])}"
+            )
     for row in chain.passive:
         joint = _turned_apart(chain, row)
         if joint:
