@@ -16,6 +16,7 @@ from dhgen import runtime
 from dhgen.atomic_write import write_files
 from dhgen.general.links import Link
 from dhgen.general.setup import setup
+from dhgen.runtime.python.general.candidates import PLACES
 from dhgen.targets.c.general import general_sizes, general_source
 from tests.general.solved import solve, solve_slowly
 
@@ -185,7 +186,7 @@ def doubtful_in_all_languages(known: GeneralKernel, poses: Sequence[np.ndarray])
 
 
 def _answer(run: Callable[..., int], T: np.ndarray, nearby: np.ndarray = NOWHERE) -> Answer:
-    q, residual = np.empty((16, 6)), np.empty(16)
+    q, residual = np.empty((PLACES, 6)), np.empty(PLACES)
     arrays = np.ascontiguousarray(T, dtype=float), np.ascontiguousarray(nearby), q, residual
     pose, starts, *rows = (ctypes.c_void_p(each.ctypes.data) for each in arrays)
     count = run(pose, starts, len(nearby), *rows)

@@ -120,7 +120,7 @@ def _solved(
     nearby: FloatArray,
     solve_loop: Callable[..., int],
 ) -> Solved:
-    q, residual = np.empty((kernel.rows, 6)), np.empty(kernel.rows)
+    q, residual = np.empty((PLACES, 6)), np.empty(PLACES)
     given = np.array(free, dtype=float)
     count = solve_loop(numbers(kernel), _pose(T, kernel), given, nearby, q, residual)
     found = count if count >= 0 else -1 - count

@@ -173,6 +173,28 @@ def test_a_continuum_gives_one_row_that_is_nearest_to_the_seed_in_both_languages
         assert gaps(found[1], row).min() < 1e-6
 
 
+def test_every_continuum_has_a_row() -> None:
+    """The instrument reaches a pose from the other side, too: half a turn of joint 1, drawn back.
+
+    So to every continuum there is another one with the opposite sign of d3. Many candidates come to
+    the first ones that are found: none of them may use up the rows of the others.
+    """
+    arm = made_up("instrument", INSTRUMENT, "", "modified")
+    solve, half = solving(arm, "C"), np.pi / 2
+    sides: list[tuple[float, ...]] = [
+        (np.pi, np.pi, np.pi, np.pi, 0, np.pi),
+        (half, 0, np.pi, -half, 0, -half),
+    ]
+    sides += [(half, np.pi, np.pi, -half, np.pi, -half), (np.pi, 0, np.pi, half, -half, np.pi)]
+    for q in sides:
+        T = np.asarray(forward(arm.robot, np.array([q]))[0], dtype=float)
+        for seed in np.random.default_rng(5).uniform(-np.pi, np.pi, (4, 6)):
+            rows, status = solve(T, seed)
+            lengths = rows[status == Status.FREE_JOINT, 2]
+            assert len(lengths) >= 4
+            assert 2 * (lengths > 0).sum() == len(lengths)
+
+
 @pytest.mark.parametrize("name", ["puma560_calibrated", "kinova_gen3_lite"])
 def test_solutions_that_meet_are_found_without_a_seed(name: str, tmp_path: Path) -> None:
     solver = compile_solver(ROBOTS.parent / "generated" / f"{name}.c", tmp_path, name, 6, 16, 0)

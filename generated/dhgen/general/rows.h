@@ -49,26 +49,60 @@ DHGEN_FN void dhgen_from_loop(
         u[j] = arm->facing[j] * (angles[j] - arm->zero[j]) / arm->unit[j];
 }
 
-/* Keeps the solutions of a loop with a turn that the arm does not have, and that has to be zero;
- * first come those that are exact without it. */
+/* Adds joint values to those ahead, from where a descent leads; unless it leads to no solution that
+ * is `enough`. */
+DHGEN_FN void dhgen_look_ahead(
+    struct dhgen_descent *d, struct dhgen_ahead *ahead, const double *u, double enough)
+{
+    double *const end = ahead->u[ahead->count];
+    dhgen_copy_units(d->arm, u, end);
+    if (dhgen_descend(d, end) <= enough)
+        ahead->passed[ahead->count++] = 0;
+}
+
+/* Adds what descents from these starts find to those ahead; start 0 is the seed. */
+DHGEN_FN void dhgen_look_from_starts(
+    struct dhgen_descent *d, struct dhgen_ahead *ahead, int first, int end)
+{
+    double u[DHGEN_JOINTS];
+    for (int k = first; k < end; k++) {
+        dhgen_start(d, k, u);
+        dhgen_look_ahead(d, ahead, u, d->arm->residual);
+    }
+}
+
+/* Keeps the solutions of a loop with a turn that the arm does not have, and that has to be zero:
+ * those that are exact without it at once; those that are nearly without it come ahead. */
 DHGEN_FN void dhgen_keep_without_turn(
     struct dhgen_descent *d, struct dhgen_kept *kept, double (*angles)[6], int many, int certain)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
     const double nearly_none = certain ? DHGEN_NEARLY_NONE : DHGEN_NEARLY_NONE_IN_DOUBT;
     double u[DHGEN_JOINTS];
-    for (int n = 0; n < 2 * many; n++) {
-        const int k = n % many;
+    for (int k = 0; k < many; k++) {
         int exact = certain;
         for (int j = arm->solved; j < 6; j++)
             exact &= fabs(angles[k][j]) <= DHGEN_NO_TURN;
         dhgen_from_loop(arm, angles[k], u);
-        if (n < many && exact)
+        if (exact)
             dhgen_keep_regular(arm, kept, u);
-        /* what is not nearly without that turn is no start */
-        if (n >= many && !exact && fabs(angles[k][arm->solved]) < nearly_none
-            && dhgen_descend(d, u) <= arm->residual)
-            dhgen_keep(d, kept, u);
+        else if (fabs(angles[k][arm->solved]) < nearly_none)
+            dhgen_look_ahead(d, kept->ahead, u, arm->residual);
+    }
+}
+
+/* Keeps the solutions of a loop: at once where they are certainly all, or else they come ahead,
+ * since where solutions meet the exact ones differ. */
+DHGEN_FN void dhgen_keep_loop(
+    struct dhgen_descent *d, struct dhgen_kept *kept, double (*angles)[6], int many, int certain)
+{
+    double u[DHGEN_JOINTS];
+    for (int k = 0; k < many; k++) {
+        dhgen_from_loop(d->arm, angles[k], u);
+        if (certain)
+            dhgen_keep_regular(d->arm, kept, u);
+        else
+            dhgen_look_ahead(d, kept->ahead, u, HUGE_VAL);
     }
 }
 
@@ -78,41 +112,33 @@ DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
 {
     struct dhgen_descent d;
     struct dhgen_kept kept;
-    double angles[16][6], residual[16], u[DHGEN_JOINTS], whole[16];
-    int first = 1, doubtful;
+    struct dhgen_ahead ahead;
+    double angles[DHGEN_PLACES][6], residual[DHGEN_PLACES], whole[16];
     dhgen_begin_descent(arm, T, free_joints, seed, &d);
-    kept.count = 0;
+    kept.count = ahead.count = 0;
+    kept.ahead = &ahead;
     if (arm->directions == DHGEN_POINTING)
         dhgen_choose_spin(T, whole);
     const int count =
         dhgen_general_solutions(general, arm->directions == DHGEN_POINTING ? whole : T, free_joints,
             nearby, nearby_count, angles, residual);
     const int many = count < 0 ? -1 - count : count;
-    for (int j = 0; j < arm->solved; j++)
-        u[j] = d.seed[j];
-    if (count < 0 && dhgen_descend(&d, u) <= arm->residual)
-        dhgen_keep(&d, &kept, u);
-    doubtful = count < 0;
-    if (arm->checked) {
-        dhgen_keep_without_turn(&d, &kept, angles, many, count >= 0);
-        doubtful = doubtful || !kept.count;
-        first = 0;
+    int certain = count >= 0;
+    if (!certain)
+        dhgen_look_from_starts(&d, &ahead, 0, 1);
+    if (arm->checked)
+        dhgen_keep_without_turn(&d, &kept, angles, many, certain);
+    else
+        dhgen_keep_loop(&d, &kept, angles, many, certain);
+    if (!certain)
+        dhgen_look_from_starts(&d, &ahead, 1, DHGEN_FEW_STARTS);
+    dhgen_keep_ahead(&d, &kept);
+    if (certain && arm->checked && !kept.count) {
+        certain = 0;
+        dhgen_look_from_starts(&d, &ahead, 0, DHGEN_FEW_STARTS);
+        dhgen_keep_ahead(&d, &kept);
     }
-    for (int k = 0; k < many && !arm->checked; k++) {
-        dhgen_from_loop(arm, angles[k], u);
-        if (count < 0) {
-            (void)dhgen_descend(&d, u); /* where solutions meet the exact ones differ */
-            dhgen_keep(&d, &kept, u);
-        } else {
-            dhgen_keep_regular(arm, &kept, u);
-        }
-    }
-    for (int k = first; doubtful && k < DHGEN_FEW_STARTS; k++) {
-        dhgen_start(&d, k, u);
-        if (dhgen_descend(&d, u) <= arm->residual)
-            dhgen_keep(&d, &kept, u);
-    }
-    if (doubtful)
+    if (!certain)
         dhgen_complete_pairs(&d, &kept);
     dhgen_sort_rows(&d, &kept, q, found, chosen);
 }

@@ -145,9 +145,10 @@ DHGEN_FN void dhgen_walk_to_least(struct dhgen_descent *d, struct dhgen_walk *wa
     dhgen_keep_nearer(d, walk);
 }
 
-/* Looks for the nearest members to one side; returns whether the walk came round. */
-DHGEN_FN int dhgen_walk_along(
-    struct dhgen_descent *d, struct dhgen_walk *walk, const double *first, double enough)
+/* Looks for the nearest members to one side, and marks those ahead that it comes by; returns
+ * whether the walk came round. */
+DHGEN_FN int dhgen_walk_along(struct dhgen_descent *d, struct dhgen_walk *walk, const double *first,
+    double enough, struct dhgen_ahead *ahead)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
     double start[DHGEN_JOINTS], way[DHGEN_JOINTS];
@@ -159,6 +160,7 @@ DHGEN_FN int dhgen_walk_along(
         const double before = walk->fall;
         if (!dhgen_walk_on(d, walk, DHGEN_WALK_STEP, enough))
             return 0;
+        dhgen_pass_by(d, walk->u, ahead);
         if (before >= 0.0 && walk->fall < 0.0) {
             struct dhgen_walk aside = *walk;
             dhgen_walk_to_least(d, &aside, enough);
@@ -178,8 +180,9 @@ DHGEN_FN int dhgen_walk_along(
 }
 
 /* Takes a member of a continuum to the one that is nearest to the seed, inside the limits if it
- * can. */
-DHGEN_FN void dhgen_go_to_nearest_member(struct dhgen_descent *d, double *u, double enough)
+ * can; marks the others of it that are ahead. */
+DHGEN_FN void dhgen_go_to_nearest_member(
+    struct dhgen_descent *d, double *u, double enough, struct dhgen_ahead *ahead)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
     struct dhgen_walk walk;
@@ -192,7 +195,7 @@ DHGEN_FN void dhgen_go_to_nearest_member(struct dhgen_descent *d, double *u, dou
         dhgen_copy_units(arm, u, walk.u);
         for (int j = 0; j < arm->solved; j++)
             walk.along[j] = first[j] = side ? -first[j] : first[j];
-        closed = dhgen_walk_along(d, &walk, first, enough);
+        closed = dhgen_walk_along(d, &walk, first, enough, ahead);
     }
     if (!walk.best_inside && walk.inside_square < HUGE_VAL
         && dhgen_pull_to_seed(d, walk.inside, arm->lowest, arm->highest) <= enough) {

@@ -82,7 +82,7 @@ DHGEN_FN void dhgen_keep(struct dhgen_descent *d, struct dhgen_kept *kept, doubl
         return;
     const int kind = dhgen_is_continuum(d, u, enough);
     if (kind == 1)
-        dhgen_go_to_nearest_member(d, u, enough);
+        dhgen_go_to_nearest_member(d, u, enough, kept->ahead);
     if (arm->limited && kind >= 0)
         dhgen_move_inside(d, kept, !kind, enough, u);
     dhgen_wrap_units(arm, u);
@@ -93,6 +93,18 @@ DHGEN_FN void dhgen_keep(struct dhgen_descent *d, struct dhgen_kept *kept, doubl
     kept->singular[k] = kind >= 0;
     kept->chosen[k] = kind == 1;
     dhgen_copy_units(arm, u, kept->u[k]);
+}
+
+/* Keeps the solutions ahead, but for those that a walk along a continuum came by. */
+DHGEN_FN void dhgen_keep_ahead(struct dhgen_descent *d, struct dhgen_kept *kept)
+{
+    struct dhgen_ahead *const ahead = kept->ahead;
+    for (int k = 0; k < ahead->count; k++)
+        if (!ahead->passed[k]) {
+            ahead->passed[k] = 1;
+            dhgen_keep(d, kept, ahead->u[k]);
+        }
+    ahead->count = 0;
 }
 
 #endif

@@ -26,11 +26,12 @@ from .descent import (
 from .forward import take
 from .goal import GOAL
 from .places import EQUATIONS, HIGHEST, LIMITED, LOWEST, RECORD, SOLVED, TURNS
-from .solutions import SINGULAR
+from .solutions import AHEAD, SINGULAR, pass_by
 
 if TYPE_CHECKING:
     from ..arrays import Floats
     from .goal import Goal
+    from .solutions import Ahead
 
 OWN = of_file(__file__)
 apart, inner = OWN.apart, OWN.inner
@@ -199,8 +200,12 @@ def _walk_along(
     walk: Floats,
     best: Floats,
     inside: Floats,
+    ahead: Ahead,
 ) -> bool:
-    """Looks for the nearest members to one side; returns whether the walk came round."""
+    """Looks for the nearest members to one side, and marks those ahead that it comes by.
+
+    Returns whether the walk came round.
+    """
     start, along, way, closed = u.copy(), first.copy(), u.copy(), WALK_CLOSED * WALK_STEP
     _shortest_way(arm, start, near, way)
     walk[FALL] = _product(way, along)
@@ -208,6 +213,7 @@ def _walk_along(
         before = walk[FALL]
         if not _walk_on(arm, goal, q, near, WALK_STEP, enough, u, along, walk):
             return False
+        pass_by(arm, goal, q, u, ahead)
         after = walk[FALL]
         if before >= 0.0 > after:
             _walk_to_least(arm, goal, q, near, enough, u.copy(), along.copy(), walk, best)
@@ -220,13 +226,13 @@ def _walk_along(
     return False
 
 
-@apart(f"void(float64[::1], {GOAL}, float64[::1], float64[::1], float64, float64[::1])")
+@apart(f"void(float64[::1], {GOAL}, float64[::1], float64[::1], float64, float64[::1], {AHEAD})")
 def go_to_nearest_member(
-    arm: Floats, goal: Goal, q: Floats, near: Floats, enough: float, u: Floats
+    arm: Floats, goal: Goal, q: Floats, near: Floats, enough: float, u: Floats, ahead: Ahead
 ) -> None:
     """Takes a member of a continuum to the one that is nearest to the seed.
 
-    Inside the limits if it can.
+    Inside the limits if it can. Marks the others of it that are ahead.
     """
     solved = int(arm[SOLVED])
     e, A = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), solved))
@@ -237,7 +243,7 @@ def go_to_nearest_member(
     for side in range(2):
         for j in range(solved):
             first[j] = -first[j] if side else first[j]
-        if _walk_along(arm, goal, q, near, enough, u.copy(), first, walk, best, inside):
+        if _walk_along(arm, goal, q, near, enough, u.copy(), first, walk, best, inside, ahead):
             break
     take(u, best)
     if walk[BEST_INSIDE] < 1.0 and walk[INSIDE_SQUARE] < math.inf:

@@ -24,7 +24,7 @@ from .forward import take
 from .goal import GOAL
 from .keep import keep
 from .places import EQUATIONS, LIMITED, RESIDUAL, SOLVED
-from .solutions import find_known
+from .solutions import find_known, nothing_ahead
 
 if TYPE_CHECKING:
     from ..arrays import Floats, Ints
@@ -142,5 +142,5 @@ def complete_pairs(
             continue
         k += 1
         if descend(arm, goal, q, other) <= arm[RESIDUAL]:
-            count = keep(arm, goal, q, near, kept, kinds, count, other)
+            count = keep(arm, goal, q, near, kept, kinds, count, other, nothing_ahead(arm))
     return count

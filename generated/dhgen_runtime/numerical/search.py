@@ -24,7 +24,7 @@ from .places import (
     ROWS,
     SOLVED,
 )
-from .solutions import sort_rows
+from .solutions import nothing_ahead, sort_rows
 
 if TYPE_CHECKING:
     from ..arrays import Bools, Floats
@@ -112,7 +112,7 @@ def all_joints(
             before = count
         start_of(arm, k, near, u)
         if descend(arm, goal, joints, u) <= arm[RESIDUAL]:
-            count = keep(arm, goal, joints, near, kept, kinds, count, u)
+            count = keep(arm, goal, joints, near, kept, kinds, count, u, nothing_ahead(arm))
     count = complete_pairs(arm, goal, joints, near, kept, kinds, count)
     sort_rows(arm, kept, kinds, count, joints, q, found, chosen)
     return q, found, chosen

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from ..arrays import Bools, Floats, Ints
     from .goal import Goal
 
+    Ahead = tuple[Floats, Bools]
+
 OWN = of_file(__file__)
 apart, inner = OWN.apart, OWN.inner
 
@@ -54,6 +56,8 @@ NEXT_TO, SAME_NEXT_TO = 1e-5, 1e-12
 SINGULAR = 1e-4
 FEELER = 0.05  # how far a continuum is looked for in that direction [rad, arm sizes]
 FELT = 0.01  # how far from where it began, and from the other side, a solution must then be
+# Solutions that are still to be kept, and which of them a walk along a continuum came by.
+AHEAD = "Tuple((float64[:, ::1], boolean[::1]))"
 TIE = 1e-9  # values closer than this don't decide which of two rows comes first [rad or length]
 
 
@@ -171,6 +175,21 @@ def find_known(
         if is_same(arm, goal, q, kept[k], u, singular and kinds[k] >= 0):
             return k
     return -1
+
+
+@inner
+def nothing_ahead(arm: Floats) -> Ahead:
+    """Returns no solutions that are still to be kept."""
+    return np.empty((0, int(arm[SOLVED]))), np.empty(0, np.bool_)
+
+
+@apart(f"void(float64[::1], {GOAL}, float64[::1], float64[::1], {AHEAD})")
+def pass_by(arm: Floats, goal: Goal, q: Floats, member: Floats, ahead: Ahead) -> None:
+    """Marks what is ahead and the same as a member of a continuum that a walk is at."""
+    solutions, passed = ahead
+    for k in range(len(passed)):
+        if not passed[k]:
+            passed[k] = is_same(arm, goal, q, member, solutions[k], True)
 
 
 @inner

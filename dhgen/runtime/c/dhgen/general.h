@@ -21,7 +21,8 @@
 extern "C" {
 #endif
 
-/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most arm->most.
+/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most arm->most, or DHGEN_PLACES where
+ * there may be a continuum: members of each.
  *
  * T: row by row. nearby, nearby_count: joint values with one solution near each and no other one,
  * as dhgen_near_solutions has them, or none where that is not known. q: the angles, in (-pi, pi],

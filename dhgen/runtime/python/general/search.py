@@ -189,16 +189,16 @@ def solve_loop(
         q_free: Values of the joints that the caller gives.
         nearby: (k, 6), joint values with one solution near each and no other one, as
             `near_solutions` has them; none where that is not known.
-        q: (MOST, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose
-            q1 agree to TIE in the order of q2, and so on, those where the arm is singular or nearly
-            so behind all others.
-        residual: (MOST,), takes by how much the loop stays open, in radians and arm sizes.
+        q: (PLACES, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows
+            whose q1 agree to TIE in the order of q2, and so on, those where the arm is singular or
+            nearly so behind all others.
+        residual: (PLACES,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
-        How many; -1 - count when it is not certain that these are all: for want of a certificate of
-        its own (where every polynomial vanishes identically there may be a continuum, which poses
-        close by do not have), or because roots met or the arm is singular at a solution, or nearly,
-        so that steps did not make it exact.
+        How many, no more than MOST but for members of continua; -1 - count when it is not certain
+        that these are all: for want of a certificate of its own (where every polynomial vanishes
+        identically there may be a continuum, which poses close by do not have), or because roots
+        met or the arm is singular at a solution, or nearly, so that steps did not make it exact.
     """
     loop, most = close(arm, T, q_free), int(arm[MOST])
     P = loop[POSE]
@@ -220,8 +220,11 @@ def solve_loop(
     regular = count_singular(marks) == 0 and doubles_met[0] == 0
     rank(arm, found, marks, count)
     order = _in_order(found, marks, count)
-    if count > most:
-        certified, count = False, most
+    certified = certified and count <= most
+    members = 0
+    for i in range(count):
+        members += marks[i] < 2
+    count = min(count, max(most, members))
     for i in range(count):
         for k in range(6):
             unit = arm[SIZE_OF_LOOP] if arm[SLIDES + k] > 0.0 else 1.0

@@ -14,11 +14,12 @@ from .family import clamp, go_to_nearest_member
 from .forward import take
 from .goal import GOAL
 from .places import EQUATIONS, HIGHEST, LIMITED, LOWEST, RECORD, ROWS, SOLVED
-from .solutions import continuum, enough_beside, find_known, is_same
+from .solutions import AHEAD, continuum, enough_beside, find_known, is_same
 
 if TYPE_CHECKING:
     from ..arrays import Floats, Ints
     from .goal import Goal
+    from .solutions import Ahead
 
 OWN = of_file(__file__)
 apart, inner = OWN.apart, OWN.inner
@@ -103,7 +104,7 @@ def _takes_place(
 
 @apart(
     f"int64(float64[::1], {GOAL}, float64[::1], float64[::1], float64[:, ::1], int64[::1], "
-    "int64, float64[::1])"
+    f"int64, float64[::1], {AHEAD})"
 )
 def keep(
     arm: Floats,
@@ -114,10 +115,12 @@ def keep(
     kinds: Ints,
     count: int,
     u: Floats,
+    ahead: Ahead,
 ) -> int:
     """Adds a solution to those found before, unless it is one of them; returns how many there are.
 
-    Where one is exact the pose has not been rounded: then all have to be exact.
+    Where one is exact the pose has not been rounded: then all have to be exact. What is ahead and
+    of the same continuum is marked.
     """
     enough = enough_beside(arm, goal, q, u)
     before = enough_beside(arm, goal, q, kept[0]) if count else enough
@@ -130,7 +133,7 @@ def keep(
     limited = arm[LIMITED] > 0.0
     kind = continuum(arm, goal, q, u, enough)
     if kind == 1:
-        go_to_nearest_member(arm, goal, q, near, enough, u)
+        go_to_nearest_member(arm, goal, q, near, enough, u, ahead)
     if limited and kind >= 0:
         _move_inside(arm, goal, q, near, kept, kinds, count, kind == 0, enough, u)
     wrap_angles(arm, u)

@@ -150,17 +150,17 @@ DHGEN_FN int dhgen_search_nearby_poses(const dhgen_loop *loop, dhgen_found *foun
     return followed && dhgen_is_paired(found);
 }
 
-/* Adds the solutions that Newton's method finds from many starts, the same on every run. */
+/* Adds the solutions that Newton's method finds from many starts, the same on every run and in both
+ * languages. */
 DHGEN_FN void dhgen_search_everywhere(const dhgen_loop *loop, dhgen_found *found)
 {
-    unsigned long long seed = 1;
+    unsigned long seed = 1;
     for (int batch = 0; batch < DHGEN_BATCHES; batch++) {
         double start[8][6];
         int lost = 0;
         for (int i = 0; i < 48; i++) {
-            seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-            start[i / 6][i % 6] =
-                ((double)(seed >> 33) / 4294967296.0 - 0.25) * 4.0 * DHGEN_HALF_TURN;
+            seed = (seed * 1103515245UL + 12345UL) & 0x7fffffffUL;
+            start[i / 6][i % 6] = ((double)seed / 1073741824.0 - 1.0) * DHGEN_HALF_TURN;
         }
         (void)dhgen_refine_from(loop, start, 8, found, &lost);
     }
@@ -206,7 +206,7 @@ DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double
     dhgen_found found;
     dhgen_loop whole;
     const dhgen_loop *const loop = &whole;
-    int rank[DHGEN_PLACES], order[DHGEN_PLACES], certified, inexact = 0;
+    int rank[DHGEN_PLACES], order[DHGEN_PLACES], certified, most = 0, inexact = 0;
     dhgen_close_loop(arm, T, free_joints, &whole);
     dhgen_forget(&found);
     const double *const P = loop->link[5];
@@ -225,10 +225,12 @@ DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double
         }
         order[j] = i;
     }
-    if (found.count > arm->most) {
-        certified = 0;
-        found.count = arm->most;
+    for (int i = 0; i < found.count; i++) {
+        most += rank[i] < 2;
     }
+    most = most > arm->most ? most : arm->most;
+    certified = certified && found.count <= arm->most;
+    found.count = found.count < most ? found.count : most;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] =

@@ -59,6 +59,7 @@ DHGEN_API void dhgen_numerical_rows(const struct dhgen_numerical_arm *arm, const
         return;
     }
     kept.count = 0;
+    kept.ahead = 0;
     for (int k = 0, before = -1; k < DHGEN_MOST_STARTS; k++) {
         double u[DHGEN_JOINTS];
         if (k % arm->starts == 0) {

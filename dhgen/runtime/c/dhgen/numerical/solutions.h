@@ -25,13 +25,24 @@
 /* Values closer than this don't decide which of two rows comes first [rad or length]. */
 #define DHGEN_ROW_TIE 1e-09
 
+/* As many solutions as a general arm's algorithm offers at most, the seed's, and those of the
+ * starts beside them. */
+#define DHGEN_AHEAD 76
+
 /* Parts of the way between two solutions that are looked at. */
 DHGEN_TABLE double dhgen_between[3] = { 0.25, 0.5, 0.75 };
 
-/* The solutions kept so far. */
+/* Solutions that are still to be kept; a walk along a continuum marks those that it comes by. */
+struct dhgen_ahead {
+    double u[DHGEN_AHEAD][DHGEN_JOINTS];
+    int count, passed[DHGEN_AHEAD];
+};
+
+/* The solutions kept so far, and those ahead, if there are any. */
 struct dhgen_kept {
     double u[DHGEN_BRANCHES][DHGEN_JOINTS];
     int count, singular[DHGEN_BRANCHES], chosen[DHGEN_BRANCHES];
+    struct dhgen_ahead *ahead;
 };
 
 /* The largest difference of two joint vectors. */
@@ -136,6 +147,15 @@ DHGEN_FN int dhgen_find_known(
         if (dhgen_is_same(d, kept->u[k], u, singular && kept->singular[k]))
             return k;
     return -1;
+}
+
+/* Marks what is ahead and the same as a member of a continuum that a walk is at. */
+DHGEN_FN void dhgen_pass_by(
+    struct dhgen_descent *d, const double *member, struct dhgen_ahead *ahead)
+{
+    for (int k = 0; ahead && k < ahead->count; k++)
+        if (!ahead->passed[k])
+            ahead->passed[k] = dhgen_is_same(d, member, ahead->u[k], 1);
 }
 
 /* Whether a row of joint values comes before another. */
