@@ -11,7 +11,7 @@ import numpy as np
 
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.program.interpret import interpret, wrap
+from dhgen.program.interpret import interpret, polynomial, wrap
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.numeric import NumericArm
+    from dhgen.program.interpret import Polynomial
 
 TRIES = 64
 STEP = 5  # joint values are whole multiples of so many degrees
@@ -40,6 +41,7 @@ class Example:
         rows: Joint values by row, (B, n), NaN where there is no solution.
         inside: Which rows keep the limits, (B,).
         followed: The row that is worked through.
+        polynomial: Whose roots a step takes.
     """
 
     q: FloatArray
@@ -48,6 +50,7 @@ class Example:
     rows: FloatArray
     inside: NDArray[np.bool_]
     followed: int
+    polynomial: Polynomial | None = None
 
 
 def find_example(story: Story) -> Example | None:
@@ -75,6 +78,7 @@ def find_example(story: Story) -> Example | None:
         _turned_rows(arm.chain, found.q[best]),
         inside[best],
         followed,
+        polynomial(story.program, T[best], np.zeros(arm.chain.dof), given[best]),
     )
 
 

@@ -37,6 +37,19 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
+class Polynomial:
+    """The polynomial of a program's roots, as every row has it.
+
+    Attributes:
+        coefficients: a0, a1, b1, a2, b2 as in `Roots`, (B, 5).
+        root: The row's own root, (B,), NaN where there is none.
+    """
+
+    coefficients: FloatArray
+    root: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
 class Rows:
     """What a program gives for N poses and B rows.
 
@@ -91,6 +104,21 @@ def outputs(
 ) -> list[NDArray[Any]]:
     """Runs a program without guards: its outputs, each of shape (N, B). Arguments as above."""
     return _Run(program, poses, seed, free).outputs()
+
+
+def polynomial(
+    program: Program, pose: FloatArray, seed: FloatArray, free: FloatArray
+) -> Polynomial | None:
+    """The polynomial whose roots a program takes; None for programs without.
+
+    Args:
+        program: What to run.
+        pose: Shape (4, 4).
+        seed: Values for joints that are indeterminate, shape (n,).
+        free: Values of the joints that the caller gives, shape (k,).
+    """
+    taken = next((each for each in program.body if isinstance(each, Roots)), None)
+    return None if taken is None else _Run(program, pose[None], seed, free).polynomial(taken)
 
 
 class _Run:
@@ -173,6 +201,12 @@ class _Run:
         q[~solved] = np.nan
         free = self._flat(chosen) & solved
         return Rows(q, solved, free, np.asarray(self._flat(close) & solved & ~free))
+
+    def polynomial(self, taken: Roots) -> Polynomial:
+        self.rows()
+        root = self._values[self._program.axes[taken.axis].name]
+        values = [self._flat(self._value(each))[0] for each in taken.coefficients[:5]]
+        return Polynomial(np.stack(values, axis=-1), self._flat(root)[0])
 
     def _roots(self, statement: Roots) -> tuple[Array, Array]:
         """The roots along their axis, for all poses and all values of earlier axes; which meet."""

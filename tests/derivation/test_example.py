@@ -11,13 +11,15 @@ import numpy as np
 import pytest
 
 from dhgen.derivation.example import find_example
+from dhgen.derivation.notation.names import cosine, sine, theta
 from dhgen.derivation.sections.example import example_section
 from dhgen.derivation.steps import step_blocks
-from dhgen.derivation.text.blocks import Display, Paragraph, Table
+from dhgen.derivation.text.blocks import Display, Paragraph, Prose, Table
 from dhgen.derivation.text.formula import Listing, Relation, Symbol
 from dhgen.derivation.values import figures
+from dhgen.paul.kind import Kind
 from dhgen.survey.oracle.forward import forward
-from tests.derivation.stories import NAMES, story
+from tests.derivation.stories import NAMES, document, story
 from tests.derivation.test_formulas_hold import relations
 from tests.derivation.values import Letters, evaluate, letters_of, sign_letter
 
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from dhgen.derivation.story import Story
+    from dhgen.derivation.text.blocks import Block
 
 WITHOUT = {"planar_rrrr"}
 HALF = 0.51e-4  # of the fifth digit, relative
@@ -132,3 +135,76 @@ def test_nothing_depends_on_the_machine() -> None:
     assert figures(240000.0).text == "240000"
     assert figures(123456.7).text == "123457"
     assert figures(-0.5).text == "−0.5"
+
+
+class Printed(dict[str, float]):
+    """Letters, and printed numbers, which stand for themselves."""
+
+    def __missing__(self, text: str) -> float:
+        try:
+            return printed(text)
+        except ValueError:
+            raise KeyError(text) from None
+
+
+def polynomial_blocks(of: Story) -> list[Block]:
+    """What the example says of the polynomial of a step."""
+    blocks = example_section(of)
+    (begin,) = (
+        place
+        for place, block in enumerate(blocks)
+        if isinstance(block, Paragraph) and block.prose.text.startswith("The coefficients of the")
+    )
+    return blocks[begin : begin + 5]
+
+
+QUARTICS = [name for name in NAMES if "type 9" in document(name)]
+
+
+@pytest.mark.parametrize("name", QUARTICS)
+def test_the_polynomial_is_what_the_printed_equation_is_worth_at_any_angle(name: str) -> None:
+    """Its two sides hold P, Q and R, which are letters of the pose and of the angle alone."""
+    of = story(name)
+    assert of.example is not None
+    (number,) = (n for n, s in enumerate(of.steps, start=1) if s.kind is Kind.CIRCLE)
+    angle = of.steps[number - 1].angle
+    _, coefficients, _, quartic, roots = polynomial_blocks(of)
+    assert isinstance(coefficients, Display)
+    assert isinstance(quartic, Display)
+    assert isinstance(roots, Paragraph)
+    l0, l1, m1, l2, m2 = (
+        printed(each.sides[1].text) for each in relations([coefficients]) if each.sides
+    )
+    size = max(map(abs, (l0, l1, m1, l2, m2)))
+    letters = letters_of(of, list(of.example.q))
+    told = relations(list(step_blocks(of, number)[0]))
+    equation = [each for each in told if not isinstance(each.sides[0], Symbol)][-1]
+    for x in np.linspace(-3.0, 3.0, 9).tolist():
+        local = Printed({**letters, cosine(angle).text: math.cos(x), sine(angle).text: math.sin(x)})
+        for each in told:
+            if isinstance(each.sides[0], Symbol) and each.sides[0].text[0] in "PQRV":
+                local[each.sides[0].text] = evaluate(each.sides[1], local)
+        left, right = (float(evaluate(side, local)) for side in equation.sides)
+        shown = l0 + l1 * math.cos(x) + m1 * math.sin(x)
+        shown += l2 * math.cos(2 * x) + m2 * math.sin(2 * x)
+        assert left - right == pytest.approx(shown, abs=4e-4 * size)
+        (in_tangent,) = relations([quartic])
+        worth = float(evaluate(in_tangent.sides[0], Printed({"x": math.tan(x / 2)})))
+        assert worth * math.cos(x / 2) ** 4 == pytest.approx(shown, abs=4e-4 * size)
+    own = of.example.rows[of.example.followed]
+    found = [each for part in roots.prose.parts for each in angles_in(part)]
+    turned = letters_of(of, own.tolist())[theta(angle).text]
+    ordinal = ("first", "second", "third", "fourth").index(roots.prose.text.split()[-1].rstrip("."))
+    assert math.remainder(found[ordinal] - turned, 2 * math.pi) == pytest.approx(0.0, abs=1e-3)
+    assert found == sorted(found)
+
+
+def angles_in(part: object) -> Iterator[float]:
+    """The angles of a sentence's part, by their degree signs."""
+    if isinstance(part, Prose):
+        for each in part.parts:
+            yield from angles_in(each)
+    elif isinstance(part, Relation):
+        yield from angles_in(part.sides[-1])
+    elif isinstance(part, Symbol) and part.text.endswith("°"):
+        yield printed(part.text)

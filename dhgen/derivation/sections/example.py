@@ -8,6 +8,7 @@ import numpy as np
 
 from dhgen.derivation.notation.names import joint_symbol, target, unknown_symbol
 from dhgen.derivation.sections.forward import POSE, moved_left
+from dhgen.derivation.sections.roots import quartic_blocks
 from dhgen.derivation.sections.shoulder import PSI
 from dhgen.derivation.steps import step_blocks
 from dhgen.derivation.text.blocks import (
@@ -24,6 +25,7 @@ from dhgen.derivation.text.blocks import (
 from dhgen.derivation.text.formula import Listing, Matrix, Relation, Symbol, equal
 from dhgen.derivation.text.lines import WIDTH, width
 from dhgen.derivation.values import degrees, figures, letters_at, signs_of_row, value_of
+from dhgen.paul.kind import Kind
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -117,6 +119,8 @@ def _steps(story: Story, example: Example, known: Mapping[str, float]) -> list[B
                 paragraph(f"Step {number}, {{}}:", unknowns),
                 Display(tuple(_laid_out(lines))),
             ]
+        if step.kind is Kind.CIRCLE and example.polynomial is not None:
+            blocks += quartic_blocks(example.polynomial, example.followed, step.angle)
     return blocks
 
 

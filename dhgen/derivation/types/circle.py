@@ -16,13 +16,13 @@ from dhgen.derivation.text.formula import (
     Symbol,
     add,
     equal,
-    minus,
     number,
     over,
     square,
     subtract,
     times,
 )
+from dhgen.derivation.text.template import blocks_of
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.robot.task import TaskKind
 
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 P1, Q1, R1, P2, Q2, R2 = (type_letter(name) for name in ("P1", "Q1", "R1", "P2", "Q2", "R2"))
 V1, V2 = (type_letter(name) for name in ("V1", "V2"))
 I = Symbol("i", "i")
-PI = Symbol(r"\pi", "π")
+HALF = letter("x", "x")
 JACOBIAN = Symbol("J", "J")
 
 
@@ -45,28 +45,20 @@ def print_circle(context: StepContext) -> StepText:
     c, s = cosine(gone), sine(gone)
     letters = ((P1, Q1, R1), (P2, Q2, R2))
     rows = [equal(add(times(p, c), times(q, s), r), ZERO) for p, q, r in letters]
-    half = letter("x", "x")
-    tangent = equal(half, Call("tan", (over(theta(kept), number(2)),)))
-    names: list[Formula] = [cosine(kept), sine(kept), tangent, half, theta(kept)]
-    follows = ""
-    if _follows(context, gone):
-        names.append(theta(gone))
-        follows = "; {} follows for each of them"
     blocks: list[Block] = [
         paragraph("These are {} and {}, with {} as the only unknown in", *rows, theta(kept)),
         display(*(_definition(context, f"{x}{n}") for n in "12" for x in "PQR")),
         *_elimination(context, c, s, gone),
-        paragraph(
-            "This is of degree 2 in {} and {}. With {} it is an equation of degree 4 in {}, and "
-            f"its real roots, at most four, give {{}}{follows}. Where the "
-            "coefficient of {} vanishes, half a turn is a value of {} too. The solutions are "
-            "ordered by {}, from {} to {}.",
-            *names,
-            Power(half, 4),
-            theta(kept),
-            theta(kept),
-            minus(PI),
-            PI,
+        *blocks_of(
+            "quartic",
+            kept=theta(kept),
+            cosine=cosine(kept),
+            sine=sine(kept),
+            tangent=equal(HALF, Call("tan", (over(theta(kept), number(2)),))),
+            half=HALF,
+            fourth=Power(HALF, 4),
+            follows=_follows(context, gone),
+            gone=theta(gone),
         ),
     ]
     met = _met(context)
