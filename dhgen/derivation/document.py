@@ -20,6 +20,7 @@ from dhgen.derivation.sections.nearest import nearest_blocks
 from dhgen.derivation.sections.robot import opening, robot_section
 from dhgen.derivation.sections.shoulder import arm_angle_places
 from dhgen.derivation.sections.velocity import velocity_section
+from dhgen.derivation.sections.whole_example import whole_example_section
 from dhgen.derivation.steps import step_blocks
 from dhgen.derivation.text.blocks import Given, Paragraph, Prose, paragraph
 from dhgen.derivation.text.walk import symbols_of
@@ -60,7 +61,8 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
         if isinstance(whole, GeneralKernel):
             unit = story.robot.length_unit
             nearest = nearest_blocks(story.nominal, unit)
-            inverse = general_section(whole, story.algebra.chain, unit, nearest)
+            example = whole_example_section(story, whole)
+            inverse = general_section(whole, story.algebra.chain, unit, nearest, example)
             return [*forward_section(story), *inverse, *velocity_section(story, [])]
         inverse = numerical_section(whole, story.algebra.chain)
         return [*forward_in_short(story), *inverse, *velocity_section(story, [])]

@@ -56,13 +56,13 @@ class Example:
 def find_example(story: Story) -> Example | None:
     """The first pose with the most rows, among some that are drawn; None if none is regular."""
     arm = numeric_arm(story.algebra.chain)
-    q = _drawn(arm.chain)
-    q = q[_are_regular(arm, q)]
+    q = drawn(arm.chain)
+    q = q[least_singular(arm, q) > REGULAR]
     if not len(q):
         return None
     T, given = arm.pose(q), given_values(arm, q)
     found = interpret(story.program, T, np.zeros_like(q), given)
-    inside = found.solved & _are_inside(arm.chain, found.q)
+    inside = found.solved & are_inside(arm.chain, found.q)
     counts = inside.sum(axis=1) * 100 + found.solved.sum(axis=1)
     good = np.array([_are_apart(arm.chain, rows) for rows in found.q])
     good &= ~found.free.any(axis=1) & ~found.close.any(axis=1) & inside.any(axis=1)
@@ -75,14 +75,14 @@ def find_example(story: Story) -> Example | None:
         q[best],
         T[best],
         given[best],
-        _turned_rows(arm.chain, found.q[best]),
+        turned_rows(arm.chain, found.q[best]),
         inside[best],
         followed,
         polynomial(story.program, T[best], np.zeros(arm.chain.dof), given[best]),
     )
 
 
-def _drawn(chain: Chain) -> FloatArray:
+def drawn(chain: Chain) -> FloatArray:
     """Joint values in round numbers, inside the limits, (TRIES, n)."""
     source = random.Random(1)  # noqa: S311 - an example, no secret
     digits = -math.floor(math.log10(FINE * chain.size))
@@ -99,19 +99,19 @@ def _drawn(chain: Chain) -> FloatArray:
     return q
 
 
-def _are_regular(arm: NumericArm, q: FloatArray) -> NDArray[np.bool_]:
-    """Whether no joint's motion is made by the others', (N,)."""
+def least_singular(arm: NumericArm, q: FloatArray) -> FloatArray:
+    """By how much no joint's motion is made by the others', (N,)."""
     chain = arm.chain
     scale = np.array([1.0 if turns else chain.size for turns in chain.turning])
     J = arm.jacobian(q) * scale
     J[:, :3] /= chain.size
     rank = min(6, chain.dof)
-    return np.asarray(np.linalg.svd(J, compute_uv=False)[:, rank - 1] > REGULAR)
+    return np.asarray(np.linalg.svd(J, compute_uv=False)[:, rank - 1])
 
 
-def _are_inside(chain: Chain, q: FloatArray) -> NDArray[np.bool_]:
-    """Which rows (N, B, n) keep the limits, whole turns aside, (N, B)."""
-    kept = np.ones(q.shape[:2], bool)
+def are_inside(chain: Chain, q: FloatArray) -> NDArray[np.bool_]:
+    """Which rows (..., n) keep the limits, whole turns aside."""
+    kept = np.ones(q.shape[:-1], bool)
     for place, (joint, turns) in enumerate(zip(chain.joints, chain.turning, strict=True)):
         if joint.limits is not None:
             low, high = joint.limits
@@ -132,7 +132,7 @@ def _turned(chain: Chain, off: FloatArray) -> FloatArray:
     return np.asarray(np.where(chain.turning, wrap(off), off / chain.size))
 
 
-def _turned_rows(chain: Chain, q: FloatArray) -> FloatArray:
+def turned_rows(chain: Chain, q: FloatArray) -> FloatArray:
     """Joint values of which angles are in (-pi, pi]."""
     return np.asarray(np.where(chain.turning, wrap(q), q))
 

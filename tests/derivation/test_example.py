@@ -13,10 +13,13 @@ import pytest
 from dhgen.derivation.example import find_example
 from dhgen.derivation.notation.names import cosine, sine, theta
 from dhgen.derivation.sections.example import example_section
+from dhgen.derivation.sections.whole_example import whole_example_section
 from dhgen.derivation.steps import step_blocks
 from dhgen.derivation.text.blocks import Display, Paragraph, Prose, Table
 from dhgen.derivation.text.formula import Listing, Relation, Symbol
 from dhgen.derivation.values import figures
+from dhgen.derivation.whole_example import find_whole_example, hidden_joint
+from dhgen.general.kernel import GeneralKernel
 from dhgen.paul.kind import Kind
 from dhgen.survey.oracle.forward import forward
 from tests.derivation.stories import NAMES, document, story
@@ -172,9 +175,8 @@ def test_the_polynomial_is_what_the_printed_equation_is_worth_at_any_angle(name:
     assert isinstance(coefficients, Display)
     assert isinstance(quartic, Display)
     assert isinstance(roots, Paragraph)
-    l0, l1, m1, l2, m2 = (
-        printed(each.sides[1].text) for each in relations([coefficients]) if each.sides
-    )
+    found = [each.sides[1] for each in relations([coefficients])]
+    l0, l1, m1, l2, m2 = (printed(each.text) for each in found if isinstance(each, Symbol))
     size = max(map(abs, (l0, l1, m1, l2, m2)))
     letters = letters_of(of, list(of.example.q))
     told = relations(list(step_blocks(of, number)[0]))
@@ -192,11 +194,11 @@ def test_the_polynomial_is_what_the_printed_equation_is_worth_at_any_angle(name:
         worth = float(evaluate(in_tangent.sides[0], Printed({"x": math.tan(x / 2)})))
         assert worth * math.cos(x / 2) ** 4 == pytest.approx(shown, abs=4e-4 * size)
     own = of.example.rows[of.example.followed]
-    found = [each for part in roots.prose.parts for each in angles_in(part)]
+    angles = [each for part in roots.prose.parts for each in angles_in(part)]
     turned = letters_of(of, own.tolist())[theta(angle).text]
     ordinal = ("first", "second", "third", "fourth").index(roots.prose.text.split()[-1].rstrip("."))
-    assert math.remainder(found[ordinal] - turned, 2 * math.pi) == pytest.approx(0.0, abs=1e-3)
-    assert found == sorted(found)
+    assert math.remainder(angles[ordinal] - turned, 2 * math.pi) == pytest.approx(0.0, abs=1e-3)
+    assert angles == sorted(angles)
 
 
 def angles_in(part: object) -> Iterator[float]:
@@ -208,3 +210,53 @@ def angles_in(part: object) -> Iterator[float]:
         yield from angles_in(part.sides[-1])
     elif isinstance(part, Symbol) and part.text.endswith("°"):
         yield printed(part.text)
+
+
+GENERAL = [
+    "fanuc_crx10ia",
+    "general_4r2p",
+    "general_5r",
+    "general_5r1p_pair",
+    "general_6r",
+    "xarm7",
+]
+
+
+@pytest.mark.parametrize("name", GENERAL)
+def test_the_polynomial_of_a_whole_arm_vanishes_where_its_solutions_are(name: str) -> None:
+    """Solutions are those that the forward model takes to the pose, whatever found them."""
+    of = story(name)
+    kernel = of.derivation.whole
+    assert isinstance(kernel, GeneralKernel)
+    example = find_whole_example(of, kernel)
+    assert example is not None
+    miss = np.abs(forward(of.robot, example.rows) - example.T)[:, :3]
+    miss[..., 3] /= of.algebra.chain.size
+    if of.robot.task.kind.name == "POSE":
+        assert miss.max() < 1e-9
+    blocks = whole_example_section(of, kernel)
+    told = [block for block in blocks if isinstance(block, Display)][-1]
+    circle = {
+        each.sides[0].text: printed(each.sides[1].text)
+        for each in relations([told])
+        if isinstance(each.sides[0], Symbol) and isinstance(each.sides[1], Symbol)
+    }
+    values = [
+        circle.get(f"λ{'₀₁₂₃₄₅₆₇₈'[m]}", 0.0) - 1j * circle.get(f"μ{'₀₁₂₃₄₅₆₇₈'[m]}", 0.0)
+        for m in range(9)
+    ]
+    places = [block for block in blocks if isinstance(block, Paragraph)]
+    (roots,) = (block for block in places if "real roots" in block.prose.text)
+    shown = [each for part in roots.prose.parts for each in angles_in(part)]
+    assert shown == sorted(shown)
+    for root in shown:
+        worth = sum(value * np.exp(1j * m * root) for m, value in enumerate(values)).real
+        slope = sum(abs(value) * m for m, value in enumerate(values))
+        assert abs(worth) < 9e-5 + 1e-4 * slope
+    hidden = hidden_joint(kernel)
+    if kernel.hides_a_slide or hidden >= kernel.asked:
+        return
+    letter_ = f"θ{'₀₁₂₃₄₅₆₇'[kernel.numbers[hidden]]}"
+    for row in example.rows.tolist():
+        own = letters_of(of, row)[letter_]
+        assert min(abs(math.remainder(own - root, 2 * math.pi)) for root in shown) < 2e-4

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block
     from dhgen.derivation.text.formula import Formula
+    from dhgen.derivation.whole_example import WholeExample
 
 NEXT = 4  # columns between two equations in a line
 
@@ -47,14 +48,15 @@ def example_section(story: Story) -> list[Block]:
     letters = letters_at(story, list(example.q), example.T)
     return [
         Heading(2, say("An example")),
-        *_pose(story, example, letters),
+        *pose_blocks(story, example),
+        *_target(story, letters),
         *_steps(story, example, letters),
-        *_rows(story, example),
+        *all_rows(story, example),
     ]
 
 
-def _pose(story: Story, example: Example, letters: Mapping[str, float]) -> list[Block]:
-    """The pose, what the caller gives besides it, and U_0."""
+def pose_blocks(story: Story, example: Example | WholeExample) -> list[Block]:
+    """The pose, and what the caller gives besides it."""
     unit = story.robot.length_unit
     values = joined([say("{}", equal(*each)) for each in _joint_values(story, example.q)])
     blocks: list[Block] = [
@@ -65,10 +67,6 @@ def _pose(story: Story, example: Example, letters: Mapping[str, float]) -> list[
         ),
         display(equal(POSE, _matrix(example.T, story))),
     ]
-    if any(moved_left(story)):
-        entries = [letters[story.letters[f"t{k // 4 + 1}{k % 4 + 1}"].text] for k in range(12)]
-        U = np.vstack([np.reshape(entries, (3, 4)), [0.0, 0.0, 0.0, 1.0]])
-        blocks += [paragraph("and with it"), display(equal(target(0), _matrix(U, story)))]
     if story.robot.arm_angle:
         blocks.append(paragraph("The arm angle is {}.", equal(PSI, degrees(example.given[0]))))
     elif story.robot.free:
@@ -77,13 +75,22 @@ def _pose(story: Story, example: Example, letters: Mapping[str, float]) -> list[
     return blocks
 
 
+def _target(story: Story, letters: Mapping[str, float]) -> list[Block]:
+    """U_0, where base or tool are moved to the pose."""
+    if not any(moved_left(story)):
+        return []
+    entries = [letters[story.letters[f"t{k // 4 + 1}{k % 4 + 1}"].text] for k in range(12)]
+    U = np.vstack([np.reshape(entries, (3, 4)), [0.0, 0.0, 0.0, 1.0]])
+    return [paragraph("With it"), display(equal(target(0), _matrix(U, story)))]
+
+
 def _joint_values(story: Story, q: FloatArray) -> list[tuple[Formula, Formula]]:
     return [
-        (joint_symbol(place), _shown(story, place, value)) for place, value in enumerate(q, start=1)
+        (joint_symbol(place), shown(story, place, value)) for place, value in enumerate(q, start=1)
     ]
 
 
-def _shown(story: Story, joint: int, value: float) -> Symbol:
+def shown(story: Story, joint: int, value: float) -> Symbol:
     """A joint value, as an angle or a length."""
     if joint in story.algebra.slides:
         return figures(value, story.algebra.chain.size)
@@ -117,7 +124,7 @@ def _steps(story: Story, example: Example, known: Mapping[str, float]) -> list[B
         if lines:
             blocks += [
                 paragraph(f"Step {number}, {{}}:", unknowns),
-                Display(tuple(_laid_out(lines))),
+                Display(tuple(laid_out(lines))),
             ]
         if step.kind is Kind.CIRCLE and example.polynomial is not None:
             blocks += quartic_blocks(example.polynomial, example.followed, step.angle)
@@ -170,7 +177,7 @@ def _flat(formulas: Iterable[object]) -> Iterable[Relation]:
                 yield each
 
 
-def _laid_out(equations: list[Relation]) -> Iterable[Formula]:
+def laid_out(equations: list[Relation]) -> Iterable[Formula]:
     """Several in a line, as many as a page is wide."""
     line: list[Relation] = []
     for each in equations:
@@ -181,10 +188,10 @@ def _laid_out(equations: list[Relation]) -> Iterable[Formula]:
     yield Listing(tuple(line))
 
 
-def _rows(story: Story, example: Example) -> list[Block]:
+def all_rows(story: Story, example: Example | WholeExample) -> list[Block]:
     """All rows, and the check by the forward model."""
     solved = ~np.isnan(example.rows).any(axis=1)
-    named = story.has_branch_words
+    named = story.has_branch_words and bool(story.steps)
     joints = range(1, story.dof + 1)
     header = [say("row"), *([say("name")] * named), *(say("{}", joint_symbol(j)) for j in joints)]
     beyond = bool((solved & ~example.inside).any())

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 
 def general_section(
-    kernel: GeneralKernel, chain: Chain, unit: str, nearest: list[Block]
+    kernel: GeneralKernel, chain: Chain, unit: str, nearest: list[Block], example: list[Block]
 ) -> list[Block]:
     """What replaces the steps of Paul's method.
 
@@ -43,6 +43,7 @@ def general_section(
         chain: The arm.
         unit: Of lengths.
         nearest: What is said of the nearest arm with a structure, where its rows are tried first.
+        example: A pose in numbers.
     """
     loop = [joint_symbol(kernel, place) for place in range(6)]
     values = _elimination(kernel) if kernel.eliminations else _four_turns(kernel)
@@ -67,6 +68,7 @@ def general_section(
         others_given=_others_given(kernel),
         near=near_blocks(chain, unit),
         nearest=nearest,
+        example=example,
         closes=loop_that_closes(kernel),
         begin_with_motions=begin_with_motions(kernel, chain),
         or_length=say(" or {}", Symbol("r_i = 0", "rᵢ = 0")) if kernel.loop.slides else say(""),

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.algebra import AngleSum
     from dhgen.program.interpret import Polynomial
 
+GREEK = (r"\lambda", "λ"), (r"\mu", "μ")
 ORDINALS = ("first", "second", "third", "fourth")
 
 
@@ -59,13 +60,10 @@ def quartic_blocks(taken: Polynomial, row: int, angle: AngleSum) -> list[Block]:
         display(equal(_sum_of_powers(in_tangent(own), size), ZERO)),
         paragraph(
             f"Its real roots are {{}}, and with them {{}}. The row takes the {place}.",
-            _alternatives(HALF, [figures(float(each)) for each in tangents]),
-            _alternatives(theta(angle), [degrees(float(each)) for each in roots]),
+            alternatives(HALF, [figures(float(each)) for each in tangents]),
+            alternatives(theta(angle), [degrees(float(each)) for each in roots]),
         ),
     ]
-
-
-GREEK = (r"\lambda", "λ"), (r"\mu", "μ")
 
 
 def in_tangent(circle: FloatArray) -> list[float]:
@@ -86,7 +84,7 @@ def _sum_of_powers(coefficients: Sequence[float], size: float) -> Formula:
     return add(*terms)
 
 
-def _alternatives(name: Symbol, values: Iterable[Symbol]) -> Prose:
+def alternatives(name: Symbol, values: Iterable[Symbol]) -> Prose:
     """x = 1, 2 and 3."""
     first, *others = values
     return joined([say("{}", equal(name, first)), *(say("{}", each) for each in others)])
