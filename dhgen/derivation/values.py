@@ -112,6 +112,25 @@ def letters_at(story: Story, q: Sequence[float], T: FloatArray) -> dict[str, flo
         q: Joint values, as the caller sees them.
         T: Their pose, shape (4, 4).
     """
+    known, letters = _of_joints(story, q)
+    known |= {
+        name: math.fsum(terms_in_numbers(polynomial, known))
+        for name, polynomial in _of_the_pose(story).items()
+    }
+    letters |= {story.letters[name].text: value for name, value in known.items()}
+    for row, column in POSE_PLACES.values():
+        letters[letter("p", "p", f"{row + 1}{column + 1}").text] = float(T[row, column])
+    return letters
+
+
+def letters_of_joints(story: Story, q: Sequence[float]) -> dict[str, float]:
+    """The same without those that a pose gives."""
+    known, letters = _of_joints(story, q)
+    return letters | {story.letters[name].text: value for name, value in known.items()}
+
+
+def _of_joints(story: Story, q: Sequence[float]) -> tuple[dict[str, float], dict[str, float]]:
+    """The values of generators by their names, and of letters."""
     algebra = story.algebra
     inner = dict(enumerate(algebra.chain.drives.values(np.asarray(q)).tolist(), start=1))
     known = {constant.name: constant.value for constant in algebra.chain.constants}
@@ -122,15 +141,8 @@ def letters_at(story: Story, q: Sequence[float], T: FloatArray) -> dict[str, flo
         letters |= {theta(angle).text: total}
         letters |= {cosine(angle).text: math.cos(total), sine(angle).text: math.sin(total)}
     known |= {name: inner[joint] for joint, name in algebra.slides.items()}
-    known |= {
-        name: math.fsum(terms_in_numbers(polynomial, known))
-        for name, polynomial in _of_the_pose(story).items()
-    }
-    letters |= {story.letters[name].text: value for name, value in known.items()}
     letters |= {joint_symbol(place).text: value for place, value in enumerate(q, start=1)}
-    for row, column in POSE_PLACES.values():
-        letters[letter("p", "p", f"{row + 1}{column + 1}").text] = float(T[row, column])
-    return letters
+    return known, letters
 
 
 def _of_the_pose(story: Story) -> dict[str, Polynomial]:

@@ -10,10 +10,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.derivation.document import singular_places
 from dhgen.derivation.example import find_example
 from dhgen.derivation.notation.names import cosine, sine, theta
 from dhgen.derivation.sections.example import example_section
+from dhgen.derivation.sections.shoulder import arm_angle_places
 from dhgen.derivation.sections.whole_example import whole_example_section
+from dhgen.derivation.singular_example import find_singular
 from dhgen.derivation.steps import step_blocks
 from dhgen.derivation.text.blocks import Display, Paragraph, Prose, Table
 from dhgen.derivation.text.formula import Listing, Relation, Symbol
@@ -21,7 +24,7 @@ from dhgen.derivation.values import figures
 from dhgen.derivation.whole_example import find_whole_example, hidden_joint
 from dhgen.general.kernel import GeneralKernel
 from dhgen.paul.kind import Kind
-from dhgen.survey.oracle.forward import forward
+from dhgen.survey.oracle.forward import forward, jacobian
 from tests.derivation.stories import NAMES, document, story
 from tests.derivation.test_formulas_hold import relations
 from tests.derivation.values import Letters, evaluate, letters_of, sign_letter
@@ -33,6 +36,8 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.blocks import Block
 
 WITHOUT = {"planar_rrrr"}
+# Never singular; the condition has no short form in joint angles.
+WITHOUT_SINGULAR = {"cartesian", "cuspidal_3r"}
 HALF = 0.51e-4  # of the fifth digit, relative
 
 
@@ -260,3 +265,23 @@ def test_the_polynomial_of_a_whole_arm_vanishes_where_its_solutions_are(name: st
     for row in example.rows.tolist():
         own = letters_of(of, row)[letter_]
         assert min(abs(math.remainder(own - root, 2 * math.pi)) for root in shown) < 2e-4
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_singular_pose_is_singular_and_its_rows_reach_it(name: str) -> None:
+    """By the Jacobian of finite differences, which knows nothing of the steps' conditions."""
+    of = story(name)
+    places = [*arm_angle_places(of), *singular_places(of)]
+    found = None if of.example is None else find_singular(of, of.example, places)
+    if found is None:
+        assert name in WITHOUT_SINGULAR
+        return
+    solved = ~np.isnan(found.rows).any(axis=1)
+    miss = np.abs(forward(of.robot, found.rows[solved]) - found.T)[:, :3]
+    miss[..., 3] /= of.algebra.chain.size
+    if of.robot.task.kind.name == "POSE":
+        assert miss.max() < 1e-9
+    assert found.inside.any()
+    if of.algebra.chain.dof == 6 and not of.robot.free:
+        assert abs(np.linalg.det(jacobian(of.robot, found.q))) < 1e-9
+        assert abs(np.linalg.det(jacobian(of.robot, of.example.q))) > 1e-6  # type: ignore[union-attr]

@@ -10,9 +10,11 @@ from dhgen.derivation.notation.names import joint_symbol, target, unknown_symbol
 from dhgen.derivation.sections.forward import POSE, moved_left
 from dhgen.derivation.sections.roots import quartic_blocks
 from dhgen.derivation.sections.shoulder import PSI
+from dhgen.derivation.singular_example import find_singular
 from dhgen.derivation.steps import step_blocks
 from dhgen.derivation.text.blocks import (
     Display,
+    Given,
     Heading,
     Paragraph,
     Prose,
@@ -24,14 +26,17 @@ from dhgen.derivation.text.blocks import (
 )
 from dhgen.derivation.text.formula import Listing, Matrix, Relation, Symbol, equal
 from dhgen.derivation.text.lines import WIDTH, width
+from dhgen.derivation.text.words import many, numeral
 from dhgen.derivation.values import degrees, figures, letters_at, signs_of_row, value_of
 from dhgen.paul.kind import Kind
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable, Mapping, Sequence
 
     from dhgen.arrays import FloatArray
     from dhgen.derivation.example import Example
+    from dhgen.derivation.singular_example import SingularExample
+    from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block
     from dhgen.derivation.text.formula import Formula
@@ -188,7 +193,33 @@ def laid_out(equations: list[Relation]) -> Iterable[Formula]:
     yield Listing(tuple(line))
 
 
-def all_rows(story: Story, example: Example | WholeExample) -> list[Block]:
+def singular_blocks(story: Story, places: Sequence[Singularity]) -> list[Block]:
+    """A singular pose in numbers; nothing where none is near the example in round numbers."""
+    example = story.example
+    found = None if example is None else find_singular(story, example, places)
+    if example is None or found is None or found.place.joints is None:
+        return []
+    solved, before = (~np.isnan(each.rows).any(axis=1) for each in (found, example))
+    text = "For instance the example's joint values, but {}, meet {} (step {}). The tool is then at"
+    moved = equal(joint_symbol(found.joint), shown(story, found.joint, found.q[found.joint - 1]))
+    counted = f"{numeral(int(solved.sum()))} of the rows, where the example has "
+    counted += numeral(int(before.sum()))
+    if (found.free == solved).all():
+        counted += (
+            ", and in each a joint took the seed's value, zero here: its status is FREE_JOINT"
+        )
+    elif found.free.any():
+        rows = many("row", [str(row) for row in np.flatnonzero(found.free)])
+        counted += f". In {rows} the seed's value, zero here, is taken: the status is FREE_JOINT"
+    return [
+        paragraph(text, moved, found.place.joints, Given(str(found.place.step))),
+        display(equal(POSE, _matrix(found.T, story))),
+        paragraph(f"Solutions stand in {counted}."),
+        *all_rows(story, found),
+    ]
+
+
+def all_rows(story: Story, example: Example | WholeExample | SingularExample) -> list[Block]:
     """All rows, and the check by the forward model."""
     solved = ~np.isnan(example.rows).any(axis=1)
     named = story.has_branch_words and bool(story.steps)

@@ -1,0 +1,98 @@
+"""A singular pose beside the example's: one joint is moved to where a condition is met."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.derivation.example import are_inside, turned_rows
+from dhgen.derivation.text.formula import ZERO, Relation
+from dhgen.derivation.values import letters_of_joints, value_of
+from dhgen.kinematics.given import given_values
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.program.interpret import interpret
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    from dhgen.arrays import FloatArray
+    from dhgen.derivation.example import Example
+    from dhgen.derivation.step_context import Singularity
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.formula import Formula
+
+ROUND = range(-180, 181, 15)  # degrees that are tried
+NOTHING = 1e-12  # what a condition is worth there, lengths in arm sizes
+
+
+@dataclass(frozen=True, slots=True)
+class SingularExample:
+    """A pose where a step has other than its usual number of values.
+
+    Attributes:
+        place: The condition that is met.
+        joint: Which joint was moved there, from 1.
+        q: Joint values that lead to it, (n,).
+        T: The pose, (4, 4).
+        given: What the caller gives besides it, (k,).
+        rows: Joint values by row with a seed of zeros, (B, n), NaN where there is no solution.
+        inside: Which rows keep the limits, (B,).
+        free: Which rows hold a joint that took the seed's value, (B,).
+    """
+
+    place: Singularity
+    joint: int
+    q: FloatArray
+    T: FloatArray
+    given: FloatArray
+    rows: FloatArray
+    inside: NDArray[np.bool_]
+    free: NDArray[np.bool_]
+
+
+def find_singular(
+    story: Story, example: Example, places: Sequence[Singularity]
+) -> SingularExample | None:
+    """The first such pose with round joint values, places with a free joint first; else None."""
+    arm = numeric_arm(story.algebra.chain)
+    for place in sorted(places, key=lambda each: not each.frees):
+        if not isinstance(place.joints, Relation):
+            continue
+        for joint, q in _moved(story, example, place.joints):
+            T, given = arm.pose(q[None]), given_values(arm, q[None])
+            found = interpret(story.program, T, np.zeros((1, arm.chain.dof)), given)
+            rows = turned_rows(arm.chain, found.q[0])
+            fewer = found.solved[0].sum() < (~np.isnan(example.rows[:, 0])).sum()
+            if found.solved.any() and (found.free.any() if place.frees else fewer):
+                inside = are_inside(arm.chain, rows)
+                return SingularExample(place, joint, q, T[0], given[0], rows, inside, found.free[0])
+    return None
+
+
+def _moved(story: Story, example: Example, condition: Relation) -> Iterator[tuple[int, FloatArray]]:
+    """Joint values that meet a condition, inside the limits: the last joints are moved first."""
+    chain = story.algebra.chain
+    for joint in reversed(range(chain.dof)):
+        if not chain.turning[joint]:
+            continue
+        for angle in sorted(ROUND, key=abs):
+            q = example.q.copy()
+            q[joint] = math.radians(angle)
+            if are_inside(chain, q[None])[0] and _is_met(story, q, condition):
+                yield joint + 1, q
+
+
+def _is_met(story: Story, q: FloatArray, condition: Relation) -> bool:
+    """Whether all sides of a condition are zero."""
+    letters = letters_of_joints(story, q.tolist())
+    sides: list[Formula] = [side for side in condition.sides if side != ZERO]
+    size = max(1.0, story.algebra.chain.size)
+    try:
+        return all(abs(value_of(side, letters)) <= NOTHING * size for side in sides)
+    except KeyError:  # it is not said by the joints alone
+        return False
