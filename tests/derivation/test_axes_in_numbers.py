@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
-from functools import cache
+import math
+from functools import cache, reduce
 
+import numpy as np
+
+from dhgen.survey.oracle.forward import forward
 from tests.derivation.made import made_for
+from tests.derivation.stories import document, story
+from tests.derivation.values import letters_of
 from tests.kinematics.values import axes
 
 
@@ -37,3 +43,34 @@ def test_lengths_that_cancel_are_left_out() -> None:
     reach = r"is greater than $p_{4x}$ or less than $2 p_{3x} - p_{4x}$"
     assert reach in written(0.4)
     assert "| $K^2 = Y^2$ | $s_3 = 0$ |" in text
+
+
+def about(direction: list[float], point: list[float], angle: float) -> np.ndarray:
+    """A turn about an axis through a point, by Rodrigues' formula."""
+    k, p = np.array(direction) / np.linalg.norm(direction), np.array(point)
+    K = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
+    T = np.eye(4)
+    T[:3, :3] += math.sin(angle) * K + (1 - math.cos(angle)) * K @ K
+    T[:3, 3] = p - T[:3, :3] @ p
+    return T
+
+
+def test_frames_come_out_of_the_motions_of_document_001() -> None:
+    """The document's K_i, from the axes as the robot file has them."""
+    L2, D3, D4 = 0.4318, 0.15005, 0.4318
+    x, z = [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]
+    lines: list[tuple[list[float], list[float]]] = [(z, [0, 0, 0]), (x, [0, 0, 0]), (x, [0, 0, L2])]
+    lines += [(z, [D3, 0, 0]), (x, [D3, 0, L2 + D4]), (z, [D3, 0, 0])]
+    of, q = story("puma"), [0.3, -0.7, 1.1, 0.4, -0.9, 0.6]
+    here, zero = letters_of(of, q), letters_of(of, [0.0] * 6)
+    K = [about(*line, angle) for line, angle in zip(lines, q, strict=True)]
+    F = [np.eye(4)]
+    for joint in "₁₂₃₄₅₆":
+        F.append(F[-1] @ zero[f"A{joint}"])
+    for i, joint in enumerate("₁₂₃₄₅₆"):
+        assert np.allclose(here[f"A{joint}"], np.linalg.inv(F[i]) @ K[i] @ F[i + 1])
+    assert np.allclose(
+        forward(of.robot, np.array(q)), reduce(np.matmul, K)
+    )  # the tool begins there
+    told = next(line for line in document("puma").splitlines() if line.startswith("Let $K_i$"))
+    assert r"$A_i = F_{i-1}^{-1} K_i F_i$" in told

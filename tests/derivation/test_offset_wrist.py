@@ -41,3 +41,26 @@ def meeting(e: np.ndarray, p: np.ndarray, f: np.ndarray, o: np.ndarray) -> np.nd
     along = np.linalg.lstsq(np.stack([e, -f], axis=1), o - p, rcond=None)[0]
     assert np.linalg.norm(p + along[0] * e - o - along[1] * f) < 1e-9
     return np.asarray(p + along[0] * e)
+
+
+def test_the_triangle_gives_the_condition() -> None:
+    """Any S, B, W in a plane with the first axis: turned sides, by vectors and by the formula."""
+    draw = np.random.default_rng(7)
+    for tau in (-1.0, 1.0):
+        u, SW, n = draw.normal(size=(3, 3))
+        u, n, psi = u / np.linalg.norm(u), n / np.linalg.norm(n), 0.7
+        w, c, h, k = SW @ SW, SW @ n, SW @ u, u @ n
+        upper, lower = 0.6 * math.sqrt(w), 0.8 * math.sqrt(w)
+        rho, m = math.sqrt(w - h * h), k * w - h * c
+        Q, D = w - upper**2 + lower**2, 4 * upper**2 * w - (upper**2 - lower**2 + w) ** 2
+        along, across = SW / math.sqrt(w), tau * (w * u - h * SW) / (rho * math.sqrt(w))
+        assert np.allclose([along @ along, across @ across, along @ across], [1, 1, 0])
+        for epsilon in (-1.0, 1.0):
+            BW = (Q * along - epsilon * math.sqrt(D) * across) / (2 * math.sqrt(w))
+            assert np.linalg.norm(BW) == pytest.approx(lower)
+            assert np.linalg.norm(SW - BW) == pytest.approx(upper)
+            C, S, root = math.cos(psi), math.sin(psi), epsilon * math.sqrt(D)
+            turned = (BW @ along) * (C * along + S * across)
+            turned += (BW @ across) * (C * across - S * along)
+            condition = c * rho * (Q * C + root * S) + tau * m * (Q * S - root * C)
+            assert turned @ n == pytest.approx(condition / (2 * w * rho))

@@ -96,8 +96,36 @@ def axes_blocks(story: Story) -> list[Block]:
     return [
         Table((*header, *([say("limits")] * limited)), tuple(rows)),
         paragraph(_AXES_TEXT, q, _I, _I, z, a, Symbol("i-1", "i−1"), _I),
+        *_of_document_001(story),
         *_rounded(story),
         variables(story),
+    ]
+
+
+def _of_document_001(story: Story) -> list[Block]:
+    """The motions K_i about the axes where they are, and how the frames come out of them."""
+    if not story.steps:
+        return []
+    n = str(story.dof)
+    product = Symbol(rf"K_1 \cdots K_{n}", f"K₁⋯{letter('K', 'K', n).text}")
+    frames = Symbol(rf"A_1 \cdots A_{n}", f"A₁⋯{letter('A', 'A', n).text}")
+    last = letter("F", "F", n)
+    return [
+        paragraph(
+            "Let {} be the motion of joint {} about, or along, its axis where it is in the "
+            "reference position. Together the joints move the hand by {} (document 001). If {} is "
+            "frame {} in that position, {} and {}. Behind frame {} the tool is where the reference "
+            "position has it, seen from {}.",
+            Symbol("K_i", "Kᵢ"),
+            _I,
+            product,
+            Symbol("F_i", "Fᵢ"),
+            _I,
+            Symbol(r"A_i = F_{i-1}^{-1} K_i F_i", "Aᵢ = Fᵢ₋₁⁻¹ Kᵢ Fᵢ"),
+            equal(frames, Symbol(f"{product.latex} {last.latex}", f"{product.text} {last.text}")),
+            Symbol(n, n),
+            last,
+        )
     ]
 
 
