@@ -111,7 +111,7 @@ def _sample_closed_form(
     "void(float64[::1], int64, float64[:, ::1], int64[::1], float64[:, ::1], float64[:, ::1], "
     "float64, float64, float64[::1])"
 )
-def _sample(
+def sample(
     arm: Floats,
     kind: int,
     E: Floats,
@@ -232,7 +232,7 @@ def _look_closer(
     """Replaces the roots around an angle by what a closer look shows; whether it shows all."""
     samples = np.empty(SAMPLES)
     x, y = STRENGTH * math.cos(middle), STRENGTH * math.sin(middle)
-    _sample(arm, kind, E, joints, links, between, x, y, samples)
+    sample(arm, kind, E, joints, links, between, x, y, samples)
     turns = middle / TURN
     cell = int(CELLS * (turns - math.floor(turns))) % CELLS
     blur, closer, closer_counts = _seen(samples, x, y, cell, REACH, LIFTED_CLOSER)
@@ -258,11 +258,11 @@ def real_roots(
     lack the digits that the equations behind f lack.
     """
     samples = np.empty(SAMPLES)
-    _sample(arm, kind, E, joints, links, between, 0.0, 0.0, samples)
+    sample(arm, kind, E, joints, links, between, 0.0, 0.0, samples)
     largest = np.abs(samples).max()  # rounding of zero may be as smooth as a polynomial
     x, y = spread(samples)
     if x != 0.0 or y != 0.0:
-        _sample(arm, kind, E, joints, links, between, x, y, samples)
+        sample(arm, kind, E, joints, links, between, x, y, samples)
     noise, roots, counts = _seen(samples, x, y, 0, HALF_CELLS, LIFTED_BY)
     _take_lifted(kind, E, roots, counts)
     good = noise <= NOISE and bool(largest > VANISHING)
