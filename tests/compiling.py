@@ -14,7 +14,7 @@ import numba
 
 import dhgen.compiler
 from dhgen.atomic_write import write_files
-from dhgen.compiler import Compilation, compile_loaded, worked_out
+from dhgen.compiler import Compilation, compile_loaded, source_name, worked_out
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import runtime_files
 from dhgen.verify.native import (
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 
     import pytest
 
+    from dhgen.paul.derivation import Derivation
     from dhgen.targets.module import SolverModule
 
 # What a test demands of a command or of the library it demands of any poses: that verification sees
@@ -52,14 +53,26 @@ def verify_little(patch: pytest.MonkeyPatch) -> None:
 
 def compile_file(path: Path) -> Compilation:
     """What the compiler makes of a robot file."""
-    with patch.object(dhgen.compiler, "derive", derived):
+    with patch.object(dhgen.compiler, "worked_out", _once):
         return compile_loaded(RobotFile.read(path))
 
 
 def module_of(path: Path) -> SolverModule:
     """The programs alone, of which no text is made."""
+    return _once(RobotFile.read(path))[1]
+
+
+def _once(
+    file: RobotFile, _: object = None, *, out: Path | None = None
+) -> tuple[Derivation, SolverModule, SolverModule | None]:
+    """What is worked out of a text under the name that its files say, once in this process."""
+    return _worked_out(replace(file, path=Path(source_name(file.path, out))))
+
+
+@cache
+def _worked_out(file: RobotFile) -> tuple[Derivation, SolverModule, SolverModule | None]:
     with patch.object(dhgen.compiler, "derive", derived):
-        return worked_out(RobotFile.read(path))[1]
+        return worked_out(file)
 
 
 def solvers_of(path: Path) -> Compilation:

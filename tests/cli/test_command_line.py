@@ -17,6 +17,7 @@ from dhgen.cli import main
 from dhgen.robot.source import quoted
 from tests.cli.commands import (
     FILES,
+    HASTY,
     PLANAR,
     ROOT,
     WRONG,
@@ -75,8 +76,11 @@ def test_streams_that_are_closed_change_nothing_but_what_is_told(
 ) -> None:
     """As services and cron jobs may start it."""
     (tmp_path / "wrong.yaml").write_text(WRONG)
-    for words, code in (f"--out x {PLANAR}", 0), ("explain wrong.yaml", 2):
-        done = in_shell(f"{words} {closed}", tmp_path)
+    for program, words, code in (
+        (HASTY, f"--out x {PLANAR}", 0),
+        ("-m dhgen", "explain wrong.yaml", 2),
+    ):
+        done = in_shell(f"{words} {closed}", tmp_path, program)
         assert (done.returncode, done.stderr) == (code, "")
         assert (not done.stdout) == (code == 2 or closed != "2>&-")
     assert names(tmp_path / "x") == FILES
