@@ -53,16 +53,16 @@ def verify_little(patch: pytest.MonkeyPatch) -> None:
 
 def compile_file(path: Path) -> Compilation:
     """What the compiler makes of a robot file."""
-    with patch.object(dhgen.compiler, "worked_out", _once):
+    with patch.object(dhgen.compiler, "worked_out", worked_out_once):
         return compile_loaded(RobotFile.read(path))
 
 
 def module_of(path: Path) -> SolverModule:
     """The programs alone, of which no text is made."""
-    return _once(RobotFile.read(path))[1]
+    return worked_out_once(RobotFile.read(path))[1]
 
 
-def _once(
+def worked_out_once(
     file: RobotFile, _: object = None, *, out: Path | None = None
 ) -> tuple[Derivation, SolverModule, SolverModule | None]:
     """What is worked out of a text under the name that its files say, once in this process."""

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import dhgen.descriptions
-from dhgen.compiler import compile_loaded
 from dhgen.derivation import derivation_terminal
 from dhgen.derivation.story import Story
 from dhgen.descriptions.convert import Import, Wishes, convert
@@ -19,6 +18,7 @@ from dhgen.robot.expression import evaluate
 from dhgen.robot.load import load
 from dhgen.robot.robot import Convention, DhTable, ReferenceAxes, Robot
 from dhgen.robot_files import RobotFile
+from tests.compiling import worked_out_once
 from tests.descriptions.described import urdf_of
 from tests.descriptions.reference import ARMS, FILES, worst_difference
 
@@ -147,8 +147,9 @@ def _fixed(name: str, parent: str, child: str, origin: str) -> str:
 
 
 def derivation_of(path: Path) -> str:
-    of = compile_loaded(RobotFile.read(path))
-    return derivation_terminal(Story(of.robot, of.derivation, of.module.solver))
+    file = RobotFile.read(path)
+    derivation, module, _ = worked_out_once(file)
+    return derivation_terminal(Story(file.robot, derivation, module.solver))
 
 
 @pytest.mark.parametrize(
@@ -156,8 +157,8 @@ def derivation_of(path: Path) -> str:
     [
         ("ur5", "ur5"),
         ("irb140", "abb_irb120"),
-        ("panda", "franka_panda"),
-        ("kr16", "kuka_kr210"),
+        pytest.param("panda", "franka_panda", marks=pytest.mark.slow),
+        pytest.param("kr16", "kuka_kr210", marks=pytest.mark.slow),
     ],
 )
 def test_a_derivation_is_not_longer_than_from_a_data_sheet(name: str, own: str) -> None:

@@ -80,7 +80,10 @@ def test_the_other_end_of_what_is_nearly_a_continuum() -> None:
     assert np.isfinite(rows).all(axis=-1).sum() % 2 == 0
 
 
-@pytest.mark.parametrize("name", ARMS)
+# numba takes up to a quarter of a minute for the others.
+@pytest.mark.parametrize(
+    "name", [ARMS[0], *(pytest.param(name, marks=pytest.mark.slow) for name in ARMS[1:])]
+)
 def test_python_has_the_rows_of_c(name: str) -> None:
     asked = trial(name)
     q = beside_singular_places(asked, 20)

@@ -51,9 +51,9 @@ def structured_arm(kind: str, first: int, slide: int | None) -> str:
     [
         # 3-4-5 and 4-5-6 concurrent, 1-2-3 and 2-3-4 parallel stand in robots/ too
         ("concurrent", 1, None),
-        ("concurrent", 2, None),
-        ("parallel", 3, None),
-        ("parallel", 4, None),
+        pytest.param("concurrent", 2, None, marks=pytest.mark.slow),
+        pytest.param("parallel", 3, None, marks=pytest.mark.slow),
+        pytest.param("parallel", 4, None, marks=pytest.mark.slow),
         ("concurrent", 4, 1),
         ("parallel", 3, 2),
     ],

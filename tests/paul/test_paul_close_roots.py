@@ -46,6 +46,7 @@ def share(arm: Robot) -> float:
     return close_share(pool, step)
 
 
+@pytest.mark.slow
 def test_the_less_axes_miss_a_point_by_the_more_roots_are_close() -> None:
     """Two roots become one where they meet: they are apart by what the axes miss."""
     shares = [share(nearly_meeting(miss)) for miss in (0.0002, 0.00043624, 0.002, 0.05)]

@@ -200,6 +200,7 @@ def test_an_arm_that_neither_convention_makes_proper_gets_no_such_line(conventio
     assert other_convention(table(*["theta: q, a: 0.3"] * 3, task="[x, y]")) == []
 
 
+@pytest.mark.slow  # it derives all that is said
 def test_what_free_joints_are_said_to_leave_comes_out() -> None:
     """Of five joints asked for a whole pose, without three axes that belong together."""
     (advice,) = (line for line in refused(*SAME_LINE) if line.startswith("  free: "))

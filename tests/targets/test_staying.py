@@ -155,6 +155,7 @@ def test_half_a_turn_away_is_no_solution(language: str) -> None:
     assert np.abs(made_poses("abb_irb120", held) - T).max() < EXACT
 
 
+@pytest.mark.slow
 def test_solutions_of_roots_that_nearly_meet_have_the_same_rows_everywhere() -> None:
     q = np.array(TWIN)
     T = poses_of(TWINS, q[None])[0]

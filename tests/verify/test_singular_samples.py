@@ -18,7 +18,7 @@ from dhgen.survey.singular import task_jacobian
 from dhgen.verify.languages import Languages
 from dhgen.verify.samples import NEAR, samples
 from dhgen.verify.verify import verify
-from tests.compiling import compile_file
+from tests.compiling import compile_file, solvers_of
 from tests.robots.cases import ROBOTS, robot
 from tests.targets.made import robot_path
 
@@ -89,7 +89,7 @@ def test_a_stretched_arm_that_is_said_to_be_out_of_reach(tmp_path: Path) -> None
 @pytest.mark.parametrize("name", ["folding_7r", "folding_7r_arm_angle"])
 def test_a_hand_that_folds_back_into_the_shoulder(name: str) -> None:
     """Beside the fold next to nothing is left of the distance from which the elbow is known."""
-    report = verified(compile_file(robot_path(name)))
+    report = verified(solvers_of(robot_path(name)))
     assert report.poses > 5 * COUNT
     assert report.residual < 1e-11
 
@@ -105,5 +105,5 @@ def test_limits_at_singular_places_refuse_no_arm(
     """
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
     monkeypatch.setattr(Languages, "batch", lambda *_: None)
-    report = verified(compile_file(robot_path(name)))  # with as many poses as there always are
+    report = verified(solvers_of(robot_path(name)))  # with as many poses as there always are
     assert report.residual < 1e-11
