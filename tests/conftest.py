@@ -1,4 +1,4 @@
-"""What belongs to one robot, name or shared fixture runs in one process, which makes it once."""
+"""What belongs to one robot, name, shared fixture or file runs in one process, made once there."""
 
 from __future__ import annotations
 
@@ -16,7 +16,9 @@ settings.load_profile("untimed")
 # Derivations keep many small values alive: looking through them again and again took 8 % of a run.
 gc.set_threshold(100_000, 50, 100)
 
-ROBOTS = {path.stem for path in (Path(__file__).parents[1] / "robots").glob("*.yaml")}
+HERE = Path(__file__).parent
+FILES = [*(HERE.parent / "robots").glob("*.yaml"), *(HERE / "targets").glob("*/*.yaml")]
+ROBOTS = {path.stem for path in FILES}
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -30,8 +32,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         scopes = {each[-1].scope for each in fixtures.values()}
         shared = {"package": item.path.parent.name, "module": item.path.stem}
         places = [place for scope, place in shared.items() if scope in scopes]
-        group = arms[0] if arms else params.get("name", places[0] if places else None)
+        # Arms that a file of tests makes for itself, it makes once.
+        own = places[0] if places else item.path.stem
+        group = arms[0] if arms else params.get("name", own)
         if str(group) in GENERAL or item.path.parent.name == "general":
             group = "general"
-        if group is not None:
-            item.add_marker(pytest.mark.xdist_group(str(group)))
+        item.add_marker(pytest.mark.xdist_group(str(group)))
