@@ -147,7 +147,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.4700000000000002, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     least_u, most_u, facing, zero, 0, 0,
-    abb_gofa_5_fk, abb_gofa_5_jacobian, 0,
+    abb_gofa_5_fk, abb_gofa_5_jacobian, 0, 0,
 };
 
 

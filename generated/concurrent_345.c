@@ -136,7 +136,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.8499999999999999, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     0, 0, 0, 0, 0, 0,
-    concurrent_345_fk, concurrent_345_jacobian, 0,
+    concurrent_345_fk, concurrent_345_jacobian, 0, 0,
 };
 
 /* The joints whose values add up to the root of a polynomial, with their signs. */

@@ -162,7 +162,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.7600000000000002, 1e-05, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     least_u, most_u, facing, zero, 0, 0,
-    general_5r_fk, general_5r_jacobian, 0,
+    general_5r_fk, general_5r_jacobian, 0, 0,
 };
 
 

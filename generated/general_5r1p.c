@@ -323,7 +323,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 2.651, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     least_u, most_u, facing, zero, 0, 0,
-    general_5r1p_fk, general_5r1p_jacobian, 0,
+    general_5r1p_fk, general_5r1p_jacobian, 0, 0,
 };
 
 

@@ -266,7 +266,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 2.8909999999999996, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     0, 0, facing, zero, 0, 0,
-    general_6r_fk, general_6r_jacobian, 0,
+    general_6r_fk, general_6r_jacobian, 0, 0,
 };
 
 

@@ -184,7 +184,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.75, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     least_u, most_u, facing, zero, 0, 0,
-    general_prrprr_fk, general_prrprr_jacobian, 0,
+    general_prrprr_fk, general_prrprr_jacobian, 0, 0,
 };
 
 

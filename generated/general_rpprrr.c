@@ -166,7 +166,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.44, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     least_u, most_u, facing, zero, 0, 0,
-    general_rpprrr_fk, general_rpprrr_jacobian, 0,
+    general_rpprrr_fk, general_rpprrr_jacobian, 0, 0,
 };
 
 

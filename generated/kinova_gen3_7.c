@@ -175,7 +175,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.1507100000000001, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     least_u, most_u, facing, zero, 1, given_places,
-    kinova_gen3_7_fk, kinova_gen3_7_jacobian, 0,
+    kinova_gen3_7_fk, kinova_gen3_7_jacobian, 0, 0,
 };
 
 

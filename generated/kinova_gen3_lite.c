@@ -314,7 +314,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 0.9802500000000001, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     least_u, most_u, facing, zero, 0, 0,
-    kinova_gen3_lite_fk, kinova_gen3_lite_jacobian, 0,
+    kinova_gen3_lite_fk, kinova_gen3_lite_jacobian, 0, 0,
 };
 
 

@@ -331,7 +331,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.2428885000031569, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     0, 0, facing, zero, 0, 0,
-    kinova_jaco2_fk, kinova_jaco2_jacobian, 0,
+    kinova_jaco2_fk, kinova_jaco2_jacobian, 0, 0,
 };
 
 

@@ -96,7 +96,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 2.1999999999999997, 1e-05, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     0, 0, 0, 0, 0, 0,
-    kuka_kr40pa_fk, kuka_kr40pa_jacobian, 0,
+    kuka_kr40pa_fk, kuka_kr40pa_jacobian, 0, 0,
 };
 
 static const struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*

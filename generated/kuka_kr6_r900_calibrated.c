@@ -180,7 +180,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.4156710000000001, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     0, 0, facing, zero, 0, 0,
-    kuka_kr6_r900_calibrated_fk, kuka_kr6_r900_calibrated_jacobian, 0,
+    kuka_kr6_r900_calibrated_fk, kuka_kr6_r900_calibrated_jacobian, 0, 0,
 };
 
 

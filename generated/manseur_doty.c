@@ -226,7 +226,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 3.0, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     0, 0, facing, zero, 0, 0,
-    manseur_doty_fk, manseur_doty_jacobian, 0,
+    manseur_doty_fk, manseur_doty_jacobian, 0, 0,
 };
 
 

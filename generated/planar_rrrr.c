@@ -69,7 +69,7 @@ static const struct dhgen_numerical_arm descents = {
     24, 1.0, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     least_u, most_u, 0, 0, 0, 0,
-    planar_rrrr_fk, planar_rrrr_jacobian, 0,
+    planar_rrrr_fk, planar_rrrr_jacobian, 0, 0,
 };
 
 

@@ -166,7 +166,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.7112988821471, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     0, 0, facing, zero, 0, 0,
-    puma560_calibrated_fk, puma560_calibrated_jacobian, 0,
+    puma560_calibrated_fk, puma560_calibrated_jacobian, 0, 0,
 };
 
 

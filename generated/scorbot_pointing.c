@@ -102,7 +102,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 0.952, 1e-05, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     0, 0, 0, 0, 1, given_places,
-    scorbot_pointing_fk, scorbot_pointing_jacobian, 0,
+    scorbot_pointing_fk, scorbot_pointing_jacobian, 0, 0,
 };
 
 static const struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*

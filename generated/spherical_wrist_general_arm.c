@@ -122,7 +122,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.64, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     0, 0, 0, 0, 0, 0,
-    spherical_wrist_general_arm_fk, spherical_wrist_general_arm_jacobian, 0,
+    spherical_wrist_general_arm_fk, spherical_wrist_general_arm_jacobian, 0, 0,
 };
 
 /* The joints whose values add up to the root of a polynomial, with their signs. */

@@ -103,7 +103,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.6, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     least_u, most_u, 0, 0, 0, 0,
-    welding_5r_fk, welding_5r_jacobian, 0,
+    welding_5r_fk, welding_5r_jacobian, 0, 0,
 };
 
 /* The joints whose values add up to the root of a polynomial, with their signs. */

@@ -139,7 +139,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.149486614543747, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     0, 0, facing, zero, 0, 0,
-    xarm6_fk, xarm6_jacobian, 0,
+    xarm6_fk, xarm6_jacobian, 0, 0,
 };
 
 

@@ -142,7 +142,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.2055000000000002, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     0, 0, facing, zero, 1, given_places,
-    xarm7_fk, xarm7_jacobian, 0,
+    xarm7_fk, xarm7_jacobian, 0, 0,
 };
 
 

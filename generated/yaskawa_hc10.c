@@ -153,7 +153,7 @@ static const struct dhgen_numerical_arm descents = {
     48, 1.767, 1e-10, /* starts in a round; size; what counts as a solution */
     solved, turning, coordinate, unit, measure, span_low, span_width, stride,
     least_u, most_u, facing, zero, 0, 0,
-    yaskawa_hc10_fk, yaskawa_hc10_jacobian, 0,
+    yaskawa_hc10_fk, yaskawa_hc10_jacobian, 0, 0,
 };
 
 

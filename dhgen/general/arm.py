@@ -28,10 +28,10 @@ def general_kernel(chain: Chain) -> GeneralKernel | None:
     The others are held at the values that the caller gives. Fewer are enough, too, with joints that
     the arm does not have: where the tool only points, its turn about its own axis, whose value
     nobody needs; where then one is still missing, a turn that has to come out as zero. None for
-    arms of other kinds, for tasks other than these, for coupled drives, and where every elimination
-    fails.
+    arms of other kinds, for tasks other than these, for given joints that other drives move, too,
+    and where every elimination fails.
     """
-    if not is_general(chain) or chain.drives.are_coupled:
+    if not is_general(chain) or any(chain.joints[number - 1].shares for number in chain.free):
         return None
     given = tuple((joint.sign, joint.offset) for joint in (chain.joints[n - 1] for n in chain.free))
     kernel = setup(loop_constants(chain), slides_of(chain))

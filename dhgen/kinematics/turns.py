@@ -68,6 +68,19 @@ def turns_alone(chain: Chain) -> bool:
     return turns is None or not turns.moved
 
 
+def turns_together(chain: Chain) -> tuple[tuple[int, FloatArray], ...]:
+    """What a whole turn of each drive moves, drives before those that it moves.
+
+    None where every drive's whole turns are its own; else those of all that turn and are solved
+    for, from 1.
+    """
+    if turns_alone(chain):
+        return ()
+    turns = _turns(chain)
+    order = [drive for drive in chain.drives.order if drive not in chain.free]
+    return tuple((drive, turns[drive] + 0.0) for drive in order if drive in turns)
+
+
 def stands_on_limits(chain: Chain) -> bool:
     """Whether an arm has limits, and poses that rounding says little about: not one of slides.
 

@@ -83,10 +83,13 @@ def nominal_arm(chain: Chain, reserved: Reserved) -> Nominal | None:
 
 
 def _is_asked_alone(chain: Chain) -> bool:
-    """Whether a pose asks for six joints, and all turn, each with a drive of its own."""
+    """Whether a pose asks for six joints, and all turn.
+
+    Their angles are what its closed form gives: drives may be coupled.
+    """
     turns = len(chain.solved) == JOINTS and all(chain.turning)
     asked = chain.task.kind is TaskKind.POSE and not chain.arm_angle
-    return turns and asked and not chain.is_coupled
+    return turns and asked and not chain.passive
 
 
 def _has_structure(chain: Chain) -> bool:

@@ -6,13 +6,17 @@ from dataclasses import dataclass
 from math import inf, pi
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.kinematics.turns import joints_alone, turns_together
 from dhgen.method import Method
 from dhgen.robot.robot import JointKind
 from dhgen.runtime.python.numerical.arm import MISSES
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.numeric import NumericArm
     from dhgen.robot.task import Directions
@@ -66,6 +70,32 @@ class NumericalKernel:
         return self.arm.chain.arm_angle
 
     @property
+    def back(self) -> FloatArray | None:
+        """What the drives that are solved for have of angles and lengths, and of given values.
+
+        None where every drive moves its own joint alone, so that its sign is all. Joints whose
+        values are given are no others' to move: their drives have signs alone.
+        """
+        chain = self.arm.chain
+        if not chain.drives.are_coupled:
+            return None
+        given = [joint.number in chain.free for joint in chain.joints]
+        own = chain.drives.inverse * np.where(given, chain.drives.signs, 1)
+        return np.asarray(own[list(self.solved)] + 0.0)  # no -0.0
+
+    @property
+    def turned(self) -> tuple[tuple[int, FloatArray], ...]:
+        """What a whole turn of a drive moves, in units: its place among those solved for, and all.
+
+        Empty where every drive's whole turns are its own.
+        """
+        solved = list(self.solved)
+        return tuple(
+            (solved.index(drive - 1), move[solved] / np.array(self.units))
+            for drive, move in turns_together(self.arm.chain)
+        )
+
+    @property
     def limited(self) -> bool:
         """Whether a joint that is solved for has limits."""
         return max(self.lowest) > -inf or min(self.highest) < inf
@@ -105,7 +135,8 @@ def numerical_kernel(chain: Chain, *, redundant: bool) -> NumericalKernel:
     joints = chain.solved
     turns = [joint.kind is JointKind.REVOLUTE for joint in joints]
     units = [1.0 if each else chain.size for each in turns]
-    limits = [joint.limits or (-inf, inf) for joint in joints]
+    alone = [joint.limits for joint in joints_alone(chain) if joint.number not in chain.free]
+    limits = [each or (-inf, inf) for each in alone]
     task = chain.task
     return NumericalKernel(
         arm=numeric_arm(chain),

@@ -6,8 +6,9 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.rigid import IDENTITY, multiply
+from dhgen.kinematics.turns import joints_alone
 from dhgen.robot.robot import JointKind
-from dhgen.runtime.python.numerical.arm import Arm, ChainJoint, Joint
+from dhgen.runtime.python.numerical.arm import Arm, ChainJoint, Drives, Joint
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -23,12 +24,13 @@ def runtime_arm(kernel: NumericalKernel) -> Arm:
     chain = kernel.arm.chain
     base, *behind = _between_joints(kernel.arm)
     rows = [element for element in kernel.arm.elements if isinstance(element, int)]
+    solved = [joint for joint in joints_alone(chain) if joint.number not in chain.free]
     return Arm(
         rows=kernel.rows,
         size=chain.size,
         coordinates=kernel.position,
         directions=kernel.directions.value,
-        joints=tuple(map(_joint, chain.solved)),
+        joints=tuple(map(_joint, solved)),
         base=twelve(base),
         chain=tuple(
             _link(chain, number, after) for number, after in zip(rows, behind, strict=True)
@@ -38,7 +40,16 @@ def runtime_arm(kernel: NumericalKernel) -> Arm:
         redundant=kernel.redundant,
         checked=kernel.checked,
         arm_angle=kernel.elbow,
+        drives=_drives(kernel),
     )
+
+
+def _drives(kernel: NumericalKernel) -> Drives | None:
+    """How drives hang together, where one moves more than its own joint."""
+    if kernel.back is None:
+        return None
+    back = tuple(map(tuple, kernel.back.tolist()))
+    return Drives(back, tuple((place, tuple(moves.tolist())) for place, moves in kernel.turned))
 
 
 def _order(chain: Chain) -> list[int]:

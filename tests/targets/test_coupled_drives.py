@@ -9,11 +9,24 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.general.arm import general_kernel
+from dhgen.kinematics.build import build_chain
+from dhgen.method import Method
+from dhgen.paul.refusal.unsolved import held_back
+from dhgen.robot.load import load_text
 from dhgen.robot.robot import DhTable
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.search import solve
 from tests.targets.calling import HELD, LANGUAGES, OK, Solver
-from tests.targets.made import in_c, in_python, made, poses_of, robot, turning
+from tests.targets.made import (
+    in_c,
+    in_python,
+    made,
+    poses_of,
+    robot,
+    robot_path,
+    turning,
+)
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -46,7 +59,9 @@ PASSIVE = (
     "telescope_stages",
     "turned_back",
 )
-POSES, AT_ONCE = 10_000, 1_000
+# Solved by the general algorithm, which takes a second a pose where Python is not compiled.
+GENERAL = ("geared_5r1p", "near_structure", "railed_6r")
+POSES, FEWER, AT_ONCE = 10_000, 200, 1_000
 TURNS = (-2, -1, 0, 1, 2)
 CLEAR = 1e-6  # [rad, length] what is as far inside limits is so whatever rounding does
 SLACK = 1e-8  # what rounding may take a value beyond
@@ -126,11 +141,11 @@ def gaps(name: str, rows: FloatArray, q: FloatArray) -> FloatArray:
     return np.asarray(np.abs(np.where(turning(name), turned, off)).max(axis=-1))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [*NAMES, *GENERAL])
 def test_own_values_are_found_and_rows_keep_limits_where_a_copy_does(name: str) -> None:
-    q = drawn(name, POSES)
+    q = drawn(name, FEWER if name in GENERAL else POSES)
     solver = in_c(name)
-    for start in range(0, POSES, AT_ONCE):
+    for start in range(0, len(q), AT_ONCE):
         some = q[start : start + AT_ONCE]
         T = poses_of(name, some)
         rows, status = solver.batch(T, *given(name, some))
@@ -147,7 +162,7 @@ def test_own_values_are_found_and_rows_keep_limits_where_a_copy_does(name: str) 
         assert not (held & ~solved & some_copy).any()
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [*NAMES, *GENERAL])
 def test_some_rows_are_beyond_limits_and_some_need_turns(name: str) -> None:
     """The test above would say nothing otherwise."""
     q = drawn(name, 500)
@@ -157,7 +172,7 @@ def test_some_rows_are_beyond_limits_and_some_need_turns(name: str) -> None:
     assert np.isfinite(rows).any()
 
 
-@pytest.mark.parametrize("name", [*PASSIVE, *GIVEN])
+@pytest.mark.parametrize("name", [*PASSIVE, *GIVEN, *GENERAL])
 def test_an_independent_search_finds_the_rows(name: str) -> None:
     """Of arms with passive rows it looks for the drives' values, not for the joints'."""
     q = drawn(name, 3)
@@ -170,10 +185,11 @@ def test_an_independent_search_finds_the_rows(name: str) -> None:
         assert gaps(name, found[:, None], held).min(axis=1).max() < 1e-6
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(
+    ("name", "language"), [*product(NAMES, LANGUAGES), *product(GENERAL, ("C",))]
+)
 def test_the_nearest_row_is_the_nearest_of_all_copies(name: str, language: str) -> None:
-    count = 150 if language == "C" else 12
+    count = {"C": 40 if name in GENERAL else 150, "Python": 12}[language]
     size = made(name).module.chain.size
     weights = np.where(turning(name), 1.0, 1.0 / size**2)
     solver = Solver(name, language)
@@ -203,7 +219,7 @@ def test_the_seed_gives_what_the_caller_leaves_out(name: str) -> None:
         assert is_inside(name, found, -SLACK)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [*NAMES, *GENERAL])
 def test_the_jacobian_is_the_derivative_by_the_drives(name: str) -> None:
     step = 1e-6
     for q in drawn(name, 20):
@@ -218,7 +234,7 @@ def test_the_jacobian_is_the_derivative_by_the_drives(name: str) -> None:
             np.testing.assert_allclose(J[:, drive], [*rate[:3, 3], *turns], atol=1e-8)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [*NAMES, *GENERAL])
 def test_frames_are_of_the_drives_values(name: str) -> None:
     for q in drawn(name, 5):
         frames = np.empty((len(made(name).module.links.rows) + 2, 16))  # of passive rows, too
@@ -229,9 +245,9 @@ def test_frames_are_of_the_drives_values(name: str) -> None:
         np.testing.assert_allclose(in_python(name).frames(q)[-1], T, atol=1e-12)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [*NAMES, *GENERAL])
 def test_c_and_python_are_alike(name: str) -> None:
-    q = drawn(name, 40)
+    q = drawn(name, 1 if name in GENERAL else 40)
     T = poses_of(name, q)
     rows, status = in_c(name).batch(T, *given(name, q))
     others, other_status = in_python(name).ik_batch(T, *given(name, q))
@@ -260,3 +276,19 @@ def test_names_of_rows_are_what_is_seen_of_an_arm_whose_tool_is_level() -> None:
             assert word == f"{facing}-{'up' if off[1] > 0.0 else 'down'}"
             seen.add(word)
     assert seen == {"front-up", "front-down", "back-up", "back-down"}
+
+
+@pytest.mark.parametrize("name", GENERAL)
+def test_arms_without_a_closed_form_are_solved_by_the_general_algorithm(name: str) -> None:
+    assert made(name).module.method in {Method.GENERAL_6R, Method.GENERAL_5R1P}
+    assert (made(name).module.nominal is not None) == (name == "near_structure")
+
+
+def test_a_given_joint_that_a_given_one_moves_is_refused_with_the_reason() -> None:
+    text = robot_path("railed_6r").read_text(encoding="utf-8")
+    for old, new in (("d: q, a: 0.1", "d: q + 0.1*q7, a: 0.1"), ("free: [1]", "free: [1, 7]")):
+        text = text.replace(old, new)
+    chain = build_chain(load_text(text, "moved_rail"))
+    assert general_kernel(chain) is None
+    (told,) = held_back(chain)
+    assert "without what moves the free joint 1 besides its drive" in told

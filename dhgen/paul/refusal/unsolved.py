@@ -27,8 +27,8 @@ MOST_REASONS = 5  # lines for one group
 PLACES_SHOWN = 3
 NO_PAIR = "no two of these are in the same row or column"
 COUPLED = (
-    "without coupled drives the general algorithm for six joints would solve the arm: leave the "
-    "variables of other joints out, and convert drives in the program that calls the solver"
+    "the general algorithm for six joints would solve the arm without {}: leave the variables of "
+    "other joints out there, and convert drives in the program that calls the solver"
 )
 NUMERICAL = "--numerical would give the solutions that damped least squares finds from many starts"
 NEARLY_PARALLEL = math.radians(5.0)
@@ -43,10 +43,20 @@ def refusal(search: Search, chain: Chain) -> str:
         f"no order of equations solves for every joint; still unknown: {open_joints}",
         *_nearest(search, state),
         *missed_structure(chain),
-        *([COUPLED] if is_general(chain) and chain.drives.are_coupled else []),
+        *held_back(chain),
         NUMERICAL,
     ]
     return "\n".join(lines)
+
+
+def held_back(chain: Chain) -> list[str]:
+    """What keeps the general algorithm from an arm of the kind that it solves."""
+    moved = [joint.number for joint in chain.joints if joint.shares and joint.number in chain.free]
+    if not is_general(chain) or not (moved or chain.passive):
+        return []
+    if chain.passive:
+        return [COUPLED.format(f"the passive row {chain.passive[0].label}")]
+    return [COUPLED.format(f"what moves the free joint {chain.told(moved[:1])} besides its drive")]
 
 
 def _nearest(search: Search, state: Knowledge) -> list[str]:

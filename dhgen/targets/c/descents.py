@@ -46,6 +46,7 @@ class Descents:
         places: Arrays by their names, 0 for none.
         bounds: More of them.
         functions: Functions by their names, 0 for none.
+        drives: How drives hang together, where one moves more than its own joint.
         turns: The joints whose values add up to the root of a polynomial.
         completion: Entries of the table for rows that may miss their pose.
     """
@@ -72,6 +73,7 @@ class Descents:
     places: str
     bounds: str
     functions: str
+    drives: tuple[str, ...]
     turns: str
     completion: str
 
@@ -115,10 +117,27 @@ def c_descents(module: SolverModule) -> Descents | None:
         bounds=("least_u, most_u," if kernel.bounded else "0, 0,")
         + (" facing, zero," if in_loop else " 0, 0,")
         + f" {given},",
-        functions=f"{name}_fk, {name}_jacobian, {'plane_miss' if kernel.elbow else '0'},",
+        functions=f"{name}_fk, {name}_jacobian, {'plane_miss' if kernel.elbow else '0'},"
+        + (" 0," if kernel.back is None else " &drives,"),
+        drives=_drives(kernel),
         turns=_turns(module),
         completion="" if module.solver.tightened is None else _completion(module, kernel),
     )
+
+
+def _drives(kernel: NumericalKernel) -> tuple[str, ...]:
+    """Arrays, and a table of them; empty where every drive moves its own joint alone."""
+    if kernel.back is None:
+        return ()
+    turned = kernel.turned
+    names = "turned, turn_moves" if turned else "0, 0"
+    arrays = (
+        _places("turned", (place for place, _ in turned)),
+        _numbers("turn_moves", (x for _, moves in turned for x in moves.tolist())),
+        _numbers("drives_back", kernel.back.ravel().tolist()),
+        f"static const struct dhgen_drives drives = {{ {len(turned)}, {names}, drives_back }};",
+    )
+    return tuple(filter(None, arrays))
 
 
 def _turns(module: SolverModule) -> str:

@@ -41,11 +41,32 @@ DHGEN_FN void dhgen_choose_spin(const double *T, double *whole)
         whole[i] = entries[i];
 }
 
-/* A solution of the loop as joint values in units. */
-DHGEN_FN void dhgen_from_loop(
-    const struct dhgen_numerical_arm *arm, const double *angles, double *u)
+/* A solution of the loop in units, of drives that move more than their own joint: by what they have
+ * of all joints, also of those that are given. */
+DHGEN_FN void dhgen_to_drives(const struct dhgen_descent *d, const double *angles, double *u)
 {
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    const int dof = dhgen_dof(arm);
+    double inner[DHGEN_JOINTS];
+    for (int i = 0; i < dof; i++)
+        inner[i] = d->q[i];
     for (int j = 0; j < arm->solved; j++)
+        inner[arm->joint[j]] = angles[j] - arm->zero[j];
+    for (int j = 0; j < arm->solved; j++) {
+        double value = 0.0;
+        for (int i = 0; i < dof; i++)
+            value += arm->drives->back[dof * j + i] * inner[i];
+        u[j] = value / arm->unit[j];
+    }
+}
+
+/* A solution of the loop as joint values in units. */
+DHGEN_FN void dhgen_from_loop(const struct dhgen_descent *d, const double *angles, double *u)
+{
+    const struct dhgen_numerical_arm *const arm = d->arm;
+    if (arm->drives)
+        dhgen_to_drives(d, angles, u);
+    for (int j = 0; j < arm->solved && !arm->drives; j++)
         u[j] = arm->facing[j] * (angles[j] - arm->zero[j]) / arm->unit[j];
 }
 
@@ -83,7 +104,7 @@ DHGEN_FN void dhgen_keep_without_turn(
         int exact = certain;
         for (int j = arm->solved; j < 6; j++)
             exact &= fabs(angles[k][j]) <= DHGEN_NO_TURN;
-        dhgen_from_loop(arm, angles[k], u);
+        dhgen_from_loop(d, angles[k], u);
         if (exact)
             dhgen_keep_regular(arm, kept, u);
         else if (fabs(angles[k][arm->solved]) < nearly_none)
@@ -98,7 +119,7 @@ DHGEN_FN void dhgen_keep_loop(
 {
     double u[DHGEN_JOINTS];
     for (int k = 0; k < many; k++) {
-        dhgen_from_loop(d->arm, angles[k], u);
+        dhgen_from_loop(d, angles[k], u);
         if (certain)
             dhgen_keep_regular(d->arm, kept, u);
         else

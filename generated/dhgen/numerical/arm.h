@@ -9,6 +9,15 @@
 /* Equations, at most. */
 #define DHGEN_MOST_EQUATIONS 7
 
+/* Drives of which one moves more than its own joint. */
+struct dhgen_drives {
+    int turned;          /* how many turn; 0 where whole turns are each drive's own */
+    const int *place;    /* of these among the joints solved for, each before those that it moves */
+    const double *moves; /* what a whole turn of each moves, in units */
+    const double *back;  /* of each that is solved for, what it has of every joint's angle or length
+                          * in the loop of the general algorithm */
+};
+
 struct dhgen_numerical_arm {
     int dof, rows;              /* joints; solutions that are kept */
     int solved, equations;      /* joints that are solved for; numbers that are to vanish */
@@ -37,6 +46,7 @@ struct dhgen_numerical_arm {
     /* By how much joint values miss the arm angle, and how fast joints 1, 2 and 3 change that. */
     void (*arm_angle_miss)(
         const double *T, const double *free_joints, const double *q, double *off);
+    const struct dhgen_drives *drives; /* 0 where every drive moves its own joint alone */
 };
 
 #endif

@@ -65,10 +65,17 @@ DHGEN_FN void dhgen_copy_units(
         to[j] = from[j];
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
+/* Moves angles by whole turns to (-pi, pi], and what such a turn moves besides. */
 DHGEN_FN void dhgen_wrap_units(const struct dhgen_numerical_arm *arm, double *u)
 {
-    for (int j = 0; j < arm->solved; j++)
+    const struct dhgen_drives *const drives = arm->drives;
+    const int together = drives && drives->turned;
+    for (int k = 0; together && k < drives->turned; k++) {
+        const double turns = ceil(u[drives->place[k]] / DHGEN_TURN - 0.5);
+        for (int j = 0; j < arm->solved; j++)
+            u[j] -= turns * drives->moves[arm->solved * k + j];
+    }
+    for (int j = 0; j < arm->solved && !together; j++)
         if (arm->turning[j])
             u[j] -= DHGEN_TURN * ceil(u[j] / DHGEN_TURN - 0.5);
 }

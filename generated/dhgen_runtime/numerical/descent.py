@@ -25,6 +25,7 @@ from .places import (
     COORDINATES,
     DIRECTIONS,
     DOF,
+    DRIVES,
     EQUATIONS,
     MEASURE,
     PLACE,
@@ -185,8 +186,16 @@ def measure_miss(arm: Floats, goal: Goal, q: Floats, u: Floats, e: Floats, A: Fl
 
 @inner
 def wrap_angles(arm: Floats, u: Floats) -> None:
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(int(arm[SOLVED])):
+    """Moves angles by whole turns to (-pi, pi], and what such a turn moves besides."""
+    solved, at = int(arm[SOLVED]), int(arm[DRIVES])
+    if arm[at] > 0.0:
+        for k in range(int(arm[at])):
+            move = at + 1 + k * (solved + 1)
+            turns = math.ceil(u[int(arm[move])] / TURN - 0.5)
+            for j in range(solved):
+                u[j] -= turns * arm[move + 1 + j]
+        return
+    for j in range(solved):
         if arm[TURNS + RECORD * j] > 0.0:
             u[j] -= TURN * math.ceil(u[j] / TURN - 0.5)
 

@@ -25,7 +25,8 @@ ARM_ANGLE = 15  # whether the caller gives it: the last equation
 # Where the lists begin
 FREE = 16  # places of the joints whose values the caller gives
 CHAIN = 17  # the forward model
-LINKS = 18  # how many records that has: of joints and, without a value of their own, passive rows
+DRIVES = 18  # how drives hang together
+LINKS = 19  # how many records CHAIN has: of joints and, without values of their own, passive rows
 
 LOOP = 20
 JOINTS = 100
@@ -56,3 +57,8 @@ JOINT_AFTER = 3  # the rigid transform behind it
 SHARE_RECORD = 3
 # The place of the record that is moved, the joint whose value moves it, and the factor.
 SHARE_OF, SHARE_FROM, SHARE_FACTOR = 0, 1, 2
+
+# How drives hang together: how many turn, each before those that its turns move, or none where
+# turns are each drive's own; for each its place among the joints that are solved for and what a
+# turn moves, in units; whether a drive moves more than its own joint, and if so what each that is
+# solved for has of every joint's angle or length.

@@ -21,7 +21,9 @@ from ..numerical.pairs import complete_pairs
 from ..numerical.places import (
     CHECKED,
     DOF,
+    DRIVES,
     FACING,
+    PLACE,
     RECORD,
     RESIDUAL,
     ROWS,
@@ -66,9 +68,21 @@ def any_turn(T: Floats, flat: Floats) -> None:
 
 
 @inner
-def _in_units(arm: Floats, angles: Floats, u: Floats) -> None:
-    """Computes joint values, in units, from those of the loop."""
-    for j in range(int(arm[SOLVED])):
+def _in_units(arm: Floats, joints: Floats, angles: Floats, u: Floats) -> None:
+    """Computes joint values, in units, from those of the loop and those that are given."""
+    solved, dof, drives = int(arm[SOLVED]), int(arm[DOF]), int(arm[DRIVES])
+    coupled = drives + 1 + int(arm[drives]) * (solved + 1)
+    if arm[coupled] > 0.0:
+        inner = joints.copy()
+        for j in range(solved):
+            inner[int(arm[PLACE + RECORD * j])] = angles[j] - arm[ZERO + RECORD * j]
+        for j in range(solved):
+            value = 0.0
+            for i in range(dof):
+                value += arm[coupled + 1 + dof * j + i] * inner[i]
+            u[j] = value / arm[UNIT + RECORD * j]
+        return
+    for j in range(solved):
         at = RECORD * j
         u[j] = arm[FACING + at] * (angles[j] - arm[ZERO + at]) / arm[UNIT + at]
 
@@ -125,7 +139,7 @@ def _keep_loop(
     """
     u, count = np.empty(int(arm[SOLVED])), 0
     for k in range(len(angles)):
-        _in_units(arm, angles[k], u)
+        _in_units(arm, joints, angles[k], u)
         if certain:
             wrap_angles(arm, u)
             take(kept[count], u)
@@ -158,7 +172,7 @@ def _keep_without_turn(
         exact = certain
         for j in range(solved, 6):
             exact = exact and abs(angles[k, j]) <= EXACT
-        _in_units(arm, angles[k], u)
+        _in_units(arm, joints, angles[k], u)
         if exact:
             wrap_angles(arm, u)
             take(kept[count], u)

@@ -67,6 +67,20 @@ class ChainJoint:
 
 
 @dataclass(frozen=True, slots=True)
+class Drives:
+    """Drives of which one moves more than its own joint.
+
+    Attributes:
+        back: Of each that is solved for, what it has of every joint's angle or length.
+        turned: Those that turn, by their places among these, each before those that its whole turns
+            move, and what such a turn moves, in units; empty where turns are each drive's own.
+    """
+
+    back: tuple[tuple[float, ...], ...]
+    turned: tuple[tuple[int, tuple[float, ...]], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Arm:
     """An arm and its task.
 
@@ -84,6 +98,7 @@ class Arm:
         redundant: Whether every pose has infinitely many solutions.
         checked: Whether the task names more than the joints can choose.
         arm_angle: Whether the caller gives the arm angle: one more equation.
+        drives: How these hang together, where one moves more than its own joint.
     """
 
     rows: int
@@ -98,6 +113,7 @@ class Arm:
     checked: bool = False
     arm_angle: bool = False
     order: tuple[int, ...] = ()
+    drives: Drives | None = None
 
 
 def strides(dimension: int) -> tuple[float, ...]:
@@ -156,9 +172,18 @@ def arm_numbers(
         NAMES.index(arm.directions),
         *(arm.redundant, limited, arm.checked, arm.arm_angle),
     ]
-    numbers = _joined(head, joints, [[*map(float, arm.free)], chain], loop, lists)
+    own = [[*map(float, arm.free)], chain, _drives(arm.drives)]
+    numbers = _joined(head, joints, own, loop, lists)
     numbers[LINKS] = len(arm.chain)
     return numbers
+
+
+def _drives(drives: Drives | None) -> list[float]:
+    """Returns the list of how drives hang together."""
+    if drives is None:
+        return [0.0, 0.0]
+    turned = [x for place, moves in drives.turned for x in (float(place), *moves)]
+    return [float(len(drives.turned)), *turned, 1.0, *(x for row in drives.back for x in row)]
 
 
 def _joint(arm: Arm, joint: Joint, stride: float) -> tuple[float, ...]:
