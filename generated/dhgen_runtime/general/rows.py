@@ -33,17 +33,19 @@ from ..numerical.places import (
 )
 from ..numerical.solutions import sort_rows
 from ..tolerances import EXACT
+from .candidates import PLACES
 from .places import POINTING_LOOP
 from .search import solve_loop
 
 if TYPE_CHECKING:
     from ..arrays import Bools, Floats, Ints
     from ..numerical.goal import Goal
+    from ..numerical.solutions import Ahead
 
 OWN = of_file(__file__)
 apart, inner, jit = OWN.apart, OWN.inner, OWN.jit
 
-STARTS = 12  # beside what the loop has, where that is not certainly everything
+STARTS = 12  # the seed's among them, beside what the loop has where that is not certainly all
 # An angle above this [rad] of a turn that the arm does not have belongs to a pose that it does not
 # take: rounding of a pose, as far as it is accepted, is a thousand times less, and the angle is
 # more only where the arm is nearly singular. Where the certificate fails, or solutions meet, it may
@@ -86,30 +88,65 @@ def _in_units(arm: Floats, joints: Floats, angles: Floats, u: Floats) -> None:
 
 
 @inner
-def _keep_all(
+def _look_ahead(
+    arm: Floats, goal: Goal, joints: Floats, u: Floats, enough: float, ahead: Ahead, count: int
+) -> int:
+    """Adds joint values to those ahead, from where a descent leads; returns the count.
+
+    Not where it leads to no solution that is `enough`.
+    """
+    solutions, passed = ahead
+    if descend(arm, goal, joints, u) > enough:
+        return count
+    take(solutions[count], u)
+    passed[count] = False
+    return count + 1
+
+
+@inner
+def _look_from_starts(
     arm: Floats,
     goal: Goal,
     joints: Floats,
     near: Floats,
-    angles: Floats,
-    many: int,
-    certain: bool,
-    kept: Floats,
-    kinds: Ints,
+    first: int,
+    end: int,
+    ahead: Ahead,
     count: int,
 ) -> int:
-    """Adds the loop's solutions, refined unless they are certainly all; returns the count."""
+    """Adds what descents from these starts find to those ahead; returns the count."""
     u = np.empty(int(arm[SOLVED]))
-    for k in range(many):
+    for k in range(first, end):
+        start_of(arm, k, near, u)
+        count = _look_ahead(arm, goal, joints, u, arm[RESIDUAL], ahead, count)
+    return count
+
+
+@inner
+def _keep_loop(
+    arm: Floats,
+    goal: Goal,
+    joints: Floats,
+    angles: Floats,
+    certain: bool,
+    kept: Floats,
+    ahead: Ahead,
+    ahead_count: int,
+) -> tuple[int, int]:
+    """Keeps the loop's solutions: at once where they are certainly all, else they come ahead.
+
+    Where solutions meet the exact ones differ. Returns the count of rows, and of those ahead.
+    """
+    u, count = np.empty(int(arm[SOLVED])), 0
+    for k in range(len(angles)):
         _in_units(arm, joints, angles[k], u)
         if certain:
             wrap_angles(arm, u)
             take(kept[count], u)
             count += 1
         else:
-            descend(arm, goal, joints, u)
-            count = keep(arm, goal, joints, near, kept, kinds, count, u)
-    return count
+            ahead_count = _look_ahead(arm, goal, joints, u, math.inf, ahead, ahead_count)
+    return count, ahead_count
 
 
 @inner
@@ -117,36 +154,51 @@ def _keep_without_turn(
     arm: Floats,
     goal: Goal,
     joints: Floats,
-    near: Floats,
     angles: Floats,
-    many: int,
     certain: bool,
     kept: Floats,
-    kinds: Ints,
-    count: int,
-) -> int:
-    """Adds those of the loop's solutions without a turn that the arm does not have; how many then.
+    ahead: Ahead,
+    ahead_count: int,
+) -> tuple[int, int]:
+    """Keeps those of the loop's solutions without a turn that the arm does not have.
 
-    First those that are exact, also without that turn; then those that are nearly without it, from
-    where a descent leads. What is not nearly so is no start.
+    Those that are exact, also without that turn, at once; those that are nearly without it come
+    ahead, from where a descent leads. What is not nearly so is no start. Returns the count of rows,
+    and of those ahead.
     """
-    solved = int(arm[SOLVED])
+    solved, count = int(arm[SOLVED]), 0
     nearly_none, u = NEARLY_NONE if certain else NEARLY_NONE_IN_DOUBT, np.empty(solved)
-    for n in range(2 * many):
-        k = n % many
+    for k in range(len(angles)):
         exact = certain
         for j in range(solved, 6):
             exact = exact and abs(angles[k, j]) <= EXACT
         _in_units(arm, joints, angles[k], u)
-        if n < many:
-            if exact:
-                wrap_angles(arm, u)
-                take(kept[count], u)
-                count += 1
-            continue
-        start = not exact and abs(angles[k, solved]) < nearly_none
-        if start and descend(arm, goal, joints, u) <= arm[RESIDUAL]:
-            count = keep(arm, goal, joints, near, kept, kinds, count, u)
+        if exact:
+            wrap_angles(arm, u)
+            take(kept[count], u)
+            count += 1
+        elif abs(angles[k, solved]) < nearly_none:
+            ahead_count = _look_ahead(arm, goal, joints, u, arm[RESIDUAL], ahead, ahead_count)
+    return count, ahead_count
+
+
+@inner
+def _keep_ahead(
+    arm: Floats,
+    goal: Goal,
+    joints: Floats,
+    near: Floats,
+    kept: Floats,
+    kinds: Ints,
+    count: int,
+    ahead: Ahead,
+) -> int:
+    """Keeps the solutions ahead, but for those that a walk along a continuum came by."""
+    solutions, passed = ahead
+    for k in range(len(passed)):
+        if not passed[k]:
+            passed[k] = True
+            count = keep(arm, goal, joints, near, kept, kinds, count, solutions[k], ahead)
     return count
 
 
@@ -168,27 +220,26 @@ def all_joints(
     flat = T.copy().reshape(12)
     if arm[POINTING_LOOP] > 0.0:
         any_turn(T, flat)
-    angles, residual = np.empty((rows, 6)), np.empty(rows)
+    angles, residual = np.empty((PLACES, 6)), np.empty(PLACES)
     known = solve_loop(arm, flat, q_free, nearby, angles, residual)
     certain, many = known >= 0, known if known >= 0 else -1 - known
     q = np.zeros((rows, int(arm[DOF])))
     found, chosen = np.zeros(rows, np.bool_), np.zeros(rows, np.bool_)
-    kept, kinds, count = np.empty((rows, solved)), np.full(rows, -1, np.int64), 0
-    u = near.copy()
-    if not certain and descend(arm, goal, joints, u) <= arm[RESIDUAL]:
-        count = keep(arm, goal, joints, near, kept, kinds, count, u)
-    first = 1  # of the starts
+    kept, kinds = np.empty((rows, solved)), np.full(rows, -1, np.int64)
+    ahead, n = (np.empty((PLACES + STARTS, solved)), np.ones(PLACES + STARTS, np.bool_)), 0
+    if not certain:
+        n = _look_from_starts(arm, goal, joints, near, 0, 1, ahead, n)
     if arm[CHECKED] > 0.0:
-        count = _keep_without_turn(
-            arm, goal, joints, near, angles, many, certain, kept, kinds, count
-        )
-        first, certain = 0, certain and count > 0
+        count, n = _keep_without_turn(arm, goal, joints, angles[:many], certain, kept, ahead, n)
     else:
-        count = _keep_all(arm, goal, joints, near, angles, many, certain, kept, kinds, count)
-    for k in range(first, 0 if certain else STARTS):
-        start_of(arm, k, near, u)
-        if descend(arm, goal, joints, u) <= arm[RESIDUAL]:
-            count = keep(arm, goal, joints, near, kept, kinds, count, u)
+        count, n = _keep_loop(arm, goal, joints, angles[:many], certain, kept, ahead, n)
+    if not certain:
+        _look_from_starts(arm, goal, joints, near, 1, STARTS, ahead, n)
+    count = _keep_ahead(arm, goal, joints, near, kept, kinds, count, ahead)
+    if certain and arm[CHECKED] > 0.0 and count == 0:
+        certain = False
+        _look_from_starts(arm, goal, joints, near, 0, STARTS, ahead, 0)
+        count = _keep_ahead(arm, goal, joints, near, kept, kinds, count, ahead)
     if not certain:
         count = complete_pairs(arm, goal, joints, near, kept, kinds, count)
     sort_rows(arm, kept, kinds, count, joints, q, found, chosen)
