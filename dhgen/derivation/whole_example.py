@@ -15,7 +15,7 @@ from dhgen.program.all_joints import whole_numbers
 from dhgen.program.interpret import wrap
 from dhgen.program.ir import AllJoints
 from dhgen.runtime.plain import plain
-from dhgen.runtime.python.numerical.places import FACING, RECORD, ZERO
+from dhgen.runtime.python.general.candidates import PLACES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -91,7 +91,7 @@ def _solved(
     flat = np.array(entries)
     if kernel.pointing:
         plain("general.rows").any_turn(T[:3].copy(), flat)
-    loops, missing = np.empty((kernel.rows, 6)), np.empty(kernel.rows)
+    loops, missing = np.empty((PLACES, 6)), np.empty(PLACES)
     count = plain("general.search").solve_loop(
         numbers, flat, given.copy(), np.empty((0, 6)), loops, missing
     )
@@ -104,9 +104,8 @@ def _solved(
     followed = int(np.abs(turned_rows(chain, rows - q)).max(axis=1).argmin())
     own = kernel.asked
     places = [number - 1 for number in kernel.numbers[:own]]
-    at = RECORD * np.arange(own)
-    shown = numbers[FACING + at] * (loops[:count, :own] - numbers[ZERO + at])
-    off = np.exp(1j * shown) - np.exp(1j * rows[followed, places])
+    values = chain.drives.values(rows[followed])[places]
+    off = np.exp(1j * loops[:count, :own]) - np.exp(1j * values)
     loop = loops[int(np.abs(off).max(axis=1).argmin())]
     gaps = np.abs(_values(kernel, roots) - _value(kernel, loop, sign))
     taken = int(gaps.argmin())
