@@ -91,7 +91,7 @@ NAMES = (
 )
 
 
-SOME = 20  # poses of each sort: a wrong constant refuses one in three and more
+SOME = 20  # poses of each sort: a number that is taken for another is wrong at most of them
 
 
 def robot_file(arm: str, names: tuple[str, ...], folder: Path) -> Path:

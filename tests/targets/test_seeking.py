@@ -10,7 +10,7 @@ from tests.targets.made import poses_of, residual
 
 NAME = "two_free"
 COUNT = 40
-FEW = 10  # in plain Python, where a pose takes a quarter of a second
+FEW = 10  # in plain Python, which is slow
 
 
 def upright() -> np.ndarray:
@@ -66,7 +66,7 @@ def test_where_four_solutions_meet(language: str) -> None:
     q[:, :2] = source.uniform(-0.25, 0.25, (COUNT, 2))
     q[:, 3:6] = [np.pi / 2, 0.0, 0.0]
     solver = Solver("trolley", language)
-    q = q if language == "C" else q[:: COUNT // FEW]  # that both agree is seen elsewhere
+    q = q if language == "C" else q[:: COUNT // FEW]
     for values, T in zip(q, poses_of("trolley", q), strict=True):
         rows, status = solver.all(T, np.zeros(7), values[:1])
         held = rows[np.isin(status, HELD)]
