@@ -80,7 +80,7 @@ def real_roots(at: At, vanishes: Callable[[float], bool] = lambda _: True) -> Ro
 
     nothing, joints = np.empty((0, 0)), np.zeros(6, np.int64)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(module, "_sample", sample)
+        patch.setattr(module, "sample", sample)
         patch.setattr(module, "keep_vanishing", keep)
         good, found, counts = module.real_roots(nothing, 0, nothing, joints, nothing, nothing)
     return _found(found, counts) if good else None

@@ -13,7 +13,7 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import whole_program
 from dhgen.runtime.plain import plain
-from dhgen.runtime.python.numerical.places import RECORD, SOLVED, UNIT
+from dhgen.runtime.python.numerical.places import DRIVES, RECORD, SOLVED, UNIT
 from tests.general.files import SLIDE, TURNS, skew
 from tests.oracle.sets import all_solutions
 
@@ -121,10 +121,9 @@ def test_a_turn_that_is_not_zero_is_set_aside_at_once(monkeypatch: pytest.Monkey
     angles = np.array([[0.3] * 5 + [turn] for turn in (0.0, 0.005, 0.05, -0.5)])
     arm = np.zeros(200)
     arm[SOLVED], arm[UNIT : UNIT + 5 * RECORD : RECORD] = 5, 1.0
-    nothing, kinds = np.zeros((16, 5)), np.zeros(16, np.int64)
+    arm[DRIVES] = 190  # where nothing is said of drives that are coupled
+    nothing, ahead = np.zeros((16, 5)), (np.zeros((16, 5)), np.ones(16, bool))
     for certain, count in ((True, 1), (False, 3)):
         starts.clear()
-        rows._keep_without_turn(
-            arm, nothing, nothing, nothing, angles, 4, certain, nothing, kinds, 0
-        )
+        rows._keep_without_turn(arm, nothing, nothing, angles, certain, nothing, ahead, 0)
         assert len(starts) == count  # the first one needs none where it is certain
