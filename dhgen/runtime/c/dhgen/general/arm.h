@@ -7,6 +7,10 @@
 #include "../interface.h"
 #include "lanes.h"
 
+/* Room for what candidates lead to: many come near to a singular solution; the last of it is for
+ * regular ones. */
+#define DHGEN_PLACES 64
+
 /* A formulation: the joints phi_1 (hidden) ... phi_6 are, from 0; phi = sign q, -1 reads the loop
  * backwards. */
 typedef struct {

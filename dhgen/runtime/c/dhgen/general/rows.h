@@ -8,8 +8,9 @@
 #include "../numerical/pairs.h"
 #include "search.h"
 
-/* Descents beside what the algorithm found, where that is not certainly everything. */
-#define DHGEN_FEW_STARTS 12
+/* Descents beside what the algorithm found, where that is not certainly everything: what there is
+ * room for. */
+#define DHGEN_FEW_STARTS (DHGEN_AHEAD - DHGEN_PLACES)
 /* Beyond this angle of the turn that the arm does not have it can't take the pose [rad]; the same
  * where the certificate fails; and within which the turn is none, and the solution needs no
  * descent. */

@@ -7,9 +7,6 @@
 #include "refine.h"
 #include <math.h>
 
-/* Room for what candidates lead to: many come near to a singular solution; the last of it is for
- * regular ones. */
-#define DHGEN_PLACES 64
 /* Newton steps for a candidate; two are enough unless a root is nearly double. */
 #define DHGEN_LOOP_STEPS 4
 /* Solutions closer than this are one [rad, arm sizes]. */
