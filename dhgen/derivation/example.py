@@ -27,7 +27,7 @@ STEP = 5  # joint values are whole multiples of so many degrees
 FINE = 0.02  # lengths are multiples of about this part of the arm's size
 MARGIN = 0.08  # of a range, kept from its ends
 REGULAR = 0.05  # least singular value of the Jacobian, lengths in arm sizes
-HALF_TURN = 1e-9  # so near to -pi angles are pi
+NEAR_HALF_TURN = 1e-9  # so near to -pi angles are pi [rad]
 APART = 0.1  # of two rows [rad, arm sizes]
 
 
@@ -101,7 +101,7 @@ def drawn(chain: Chain) -> FloatArray:
 
 
 def least_singular(arm: NumericArm, q: FloatArray) -> FloatArray:
-    """By how much no joint's motion is made by the others', (N,)."""
+    """The least singular value of the Jacobian of as many joints as the task takes, (N,)."""
     chain = arm.chain
     scale = np.array([1.0 if turns else chain.size for turns in chain.turning])
     J = arm.jacobian(q) * scale
@@ -135,7 +135,7 @@ def _turned(chain: Chain, off: FloatArray) -> FloatArray:
 
 def turned_rows(chain: Chain, q: FloatArray) -> FloatArray:
     """Joint values of which angles are in (-pi, pi]; what is half a turn but for rounding is pi."""
-    return np.asarray(np.where(chain.turning, wrap(q - HALF_TURN) + HALF_TURN, q))
+    return np.asarray(np.where(chain.turning, wrap(q - NEAR_HALF_TURN) + NEAR_HALF_TURN, q))
 
 
 def _are_apart(chain: Chain, rows: FloatArray) -> bool:

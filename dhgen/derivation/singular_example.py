@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.formula import Formula
 
-ROUND = range(-180, 181, 15)  # degrees that are tried
+ROUND = range(-165, 181, 15)  # degrees that are tried
 NOTHING = 1e-12  # what a condition is worth there, lengths in arm sizes
 
 

@@ -67,6 +67,7 @@ def find_whole_example(story: Story, kernel: GeneralKernel) -> WholeExample | No
     (statement,) = (each for each in story.program.body if isinstance(each, AllJoints))
     numbers, arm = whole_numbers(statement), numeric_arm(story.algebra.chain)
     q = drawn(arm.chain)
+    q = q[are_inside(arm.chain, q)]
     q = q[np.argsort(-least_singular(arm, q), kind="stable")[:POSES]]
     found = [
         example

@@ -71,8 +71,8 @@ def turns_alone(chain: Chain) -> bool:
 def turns_together(chain: Chain) -> tuple[tuple[int, FloatArray], ...]:
     """What a whole turn of each drive moves, drives before those that it moves.
 
-    None where every drive's whole turns are its own; else those of all that turn and are solved
-    for, from 1.
+    None of them where every drive's whole turns are its own; else those of all that turn and are
+    solved for, from 1.
     """
     if turns_alone(chain):
         return ()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -18,7 +19,11 @@ from dhgen.runtime.plain import plain
 from dhgen.runtime.python.general.arm import general_numbers
 from dhgen.runtime.python.numerical.arm import arm_numbers
 
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
+
 ROBOTS = Path(__file__).parents[2] / "robots"
+COUPLED = Path(__file__).parents[1] / "targets" / "coupled"
 # with offsets and signs, slides, and joints whose values the caller gives
 ARMS = ("general_5r1p", "kinova_gen3_7", "scara", "general_5r_pointing", "planar_rrrr")
 
@@ -38,7 +43,19 @@ def test_the_forward_model_is_that_of_the_chain(name: str) -> None:
 @pytest.mark.parametrize("name", ARMS)
 def test_misses_change_as_their_jacobian_says(name: str) -> None:
     """Central differences at a solution, where the Jacobian is that of the tool."""
-    chain = build_chain(load(ROBOTS / f"{name}.yaml"))
+    compare_with_differences(build_chain(load(ROBOTS / f"{name}.yaml")))
+
+
+def test_misses_change_as_a_slide_says_that_turns_a_joint(tmp_path: Path) -> None:
+    """Of a slide all rows are in arm sizes: also those that only turns of others have else."""
+    text = (COUPLED / "geared_5r1p.yaml").read_text(encoding="utf-8")
+    turned = text.replace("theta: q - 2/3*q2", "theta: q - 2/3*q2 + 2*q3")
+    assert turned != text
+    (tmp_path / "geared_5r1p.yaml").write_text(turned, encoding="utf-8")
+    compare_with_differences(build_chain(load(tmp_path / "geared_5r1p.yaml")))
+
+
+def compare_with_differences(chain: Chain) -> None:
     kernel = numerical_kernel(chain, redundant=False)
     arm, measure_miss = arm_numbers(runtime_arm(kernel)), plain("numerical.descent").measure_miss
     q = np.random.default_rng(2).uniform(-1.0, 1.0, chain.dof)

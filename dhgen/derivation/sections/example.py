@@ -29,6 +29,7 @@ from dhgen.derivation.text.lines import WIDTH, width
 from dhgen.derivation.text.words import many, numeral
 from dhgen.derivation.values import degrees, figures, letters_at, signs_of_row, value_of
 from dhgen.paul.kind import Kind
+from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -204,12 +205,13 @@ def singular_blocks(story: Story, places: Sequence[Singularity]) -> list[Block]:
     moved = equal(joint_symbol(found.joint), shown(story, found.joint, found.q[found.joint - 1]))
     counted = f"{numeral(int(solved.sum()))} of the rows, where the example has "
     counted += numeral(int(before.sum()))
-    if (found.free == solved).all():
+    kept = found.free & found.inside
+    if (kept == solved).all():
         counted += (
             ", and in each a joint took the seed's value, zero here: its status is FREE_JOINT"
         )
-    elif found.free.any():
-        rows = many("row", [str(row) for row in np.flatnonzero(found.free)])
+    elif kept.any():
+        rows = many("row", [str(row) for row in np.flatnonzero(kept)])
         counted += f". In {rows} the seed's value, zero here, is taken: the status is FREE_JOINT"
     return [
         paragraph(text, moved, found.place.joints, Given(str(found.place.step))),
@@ -234,12 +236,13 @@ def all_rows(story: Story, example: Example | WholeExample | SingularExample) ->
         cells += [say("kept" if example.inside[row] else "exceeded")] * beyond
         lines.append(tuple(cells))
     empty = f" {_EMPTY}" if not solved.all() else ""
+    named_by = "" if story.robot.task.kind is TaskKind.POSE else "what the task names of "
     return [
         paragraph("All solutions:"),
         Table(tuple(header), tuple(lines)),
         paragraph(
-            "Put into the forward model each of them gives {} again to all digits that are printed."
-            + empty,
+            f"Put into the forward model each of them gives {named_by}{{}} again to all digits "
+            f"that are printed.{empty}",
             POSE,
         ),
     ]

@@ -35,18 +35,25 @@ def whole_example_section(story: Story, kernel: GeneralKernel) -> list[Block]:
     if example is None:
         return []
     roots = [degrees(float(root)) for root in example.roots]
+    angle = loop_symbol(kernel, hidden_joint(kernel)) if kernel.wrist is not None else PHI
+    listed = list(_coefficients(example))
+    unlisted = "and those that are not listed are zero to five decimals"
+    if len(listed) == len(example.coefficients):
+        unlisted = "to five decimals"
     return [
         Heading(2, say("An example")),
         *pose_blocks(story, example),
-        paragraph("The coefficients of the polynomial, all divided by the largest, are"),
-        Display(tuple(laid_out(list(_coefficients(example))))),
         paragraph(
-            "and those that are not listed are zero to five decimals. Its real roots are {}.",
-            alternatives(PHI, roots),
+            "The coefficients of the polynomial in {}, all divided by the largest, are", angle
+        ),
+        Display(tuple(laid_out(listed))),
+        paragraph(
+            f"{unlisted}. Its real roots are {{}}.",
+            alternatives(angle, roots),
         ),
         paragraph(
             f"Row {example.followed} comes from {{}}{{}}",
-            equal(PHI, roots[example.taken]),
+            equal(angle, roots[example.taken]),
             _followed(kernel, example),
         ),
         *all_rows(story, example),
@@ -73,6 +80,8 @@ def _followed(kernel: GeneralKernel, example: WholeExample) -> Prose:
     _, one, two, idle, fifth, sixth = kernel.first.joints
     hidden = hidden_joint(kernel)
     named = say(", which stands for {}" if kernel.hides_a_slide else ", that is {}", values(hidden))
+    if kernel.wrist is not None:
+        named = say("")
     if kernel.wrist is not None or not kernel.eliminations:
         others = values(*(place for place in range(6) if place != hidden))
         return say("{}. With it {}.", named, others)

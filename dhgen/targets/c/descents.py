@@ -118,7 +118,7 @@ def c_descents(module: SolverModule) -> Descents | None:
         + (" facing, zero," if in_loop else " 0, 0,")
         + f" {given},",
         functions=f"{name}_fk, {name}_jacobian, {'plane_miss' if kernel.elbow else '0'},"
-        + (" 0," if kernel.back is None else " &drives,"),
+        + (" 0," if kernel.back is None else " &drive_table,"),
         drives=_drives(kernel),
         turns=_turns(module),
         completion="" if module.solver.tightened is None else _completion(module, kernel),
@@ -130,12 +130,12 @@ def _drives(kernel: NumericalKernel) -> tuple[str, ...]:
     if kernel.back is None:
         return ()
     turned = kernel.turned
-    names = "turned, turn_moves" if turned else "0, 0"
+    table = f"{len(turned)}, {'turned_drives, turn_moves' if turned else '0, 0'}, drives_back"
     arrays = (
-        _places("turned", (place for place, _ in turned)),
+        _places("turned_drives", (place for place, _ in turned)),
         _numbers("turn_moves", (x for _, moves in turned for x in moves.tolist())),
         _numbers("drives_back", kernel.back.ravel().tolist()),
-        f"static const struct dhgen_drives drives = {{ {len(turned)}, {names}, drives_back }};",
+        f"static const struct dhgen_drives drive_table = {{ {table} }};",
     )
     return tuple(filter(None, arrays))
 

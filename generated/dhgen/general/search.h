@@ -206,7 +206,7 @@ DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double
     dhgen_found found;
     dhgen_loop whole;
     const dhgen_loop *const loop = &whole;
-    int rank[DHGEN_PLACES], order[DHGEN_PLACES], certified, most = 0, inexact = 0;
+    int rank[DHGEN_PLACES], order[DHGEN_PLACES], certified, members = 0, inexact = 0;
     dhgen_close_loop(arm, T, free_joints, &whole);
     dhgen_forget(&found);
     const double *const P = loop->link[5];
@@ -226,11 +226,11 @@ DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double
         order[j] = i;
     }
     for (int i = 0; i < found.count; i++) {
-        most += rank[i] < 2;
+        members += rank[i] < 2;
     }
-    most = most > arm->most ? most : arm->most;
+    members = members > arm->most ? members : arm->most;
     certified = certified && found.count <= arm->most;
-    found.count = found.count < most ? found.count : most;
+    found.count = found.count < members ? found.count : members;
     for (int i = 0; i < found.count; i++) {
         for (int j = 0; j < 6; j++) {
             q[i][j] =

@@ -116,7 +116,7 @@ DHGEN_FN void dhgen_rotation_rows(struct dhgen_descent *d, const double *P, cons
     dhgen_rotation_vector(axis, 0.5 * (R[0][0] + R[1][1] + R[2][2] - 1.0), d->e + first);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < arm->solved; j++)
-            d->A[first + i][j] = J[dof * (3 + i) + arm->joint[j]];
+            d->A[first + i][j] = arm->unit[j] * J[dof * (3 + i) + arm->joint[j]];
 }
 
 /* The rows of a miss that are the tool's z axis: turning about it changes nothing. */
@@ -132,7 +132,7 @@ DHGEN_FN void dhgen_axis_rows(struct dhgen_descent *d, const double *P, const do
         const double *const spin = J + 3 * dof + arm->joint[j];
         const double along = z[0] * spin[0] + z[1] * spin[dof] + z[2] * spin[2 * dof];
         for (int i = 0; i < 3; i++)
-            d->A[first + i][j] = spin[dof * i] - along * z[i];
+            d->A[first + i][j] = arm->unit[j] * (spin[dof * i] - along * z[i]);
     }
 }
 
@@ -159,12 +159,12 @@ DHGEN_FN void dhgen_angle_rows(struct dhgen_descent *d, const double *P, const d
         const int dof = dhgen_dof(arm), first = arm->coordinates;
         const double *const spin = J + 3 * dof + arm->joint[j];
         if (arm->directions == DHGEN_YAW)
-            d->A[first][j] = spin[2 * dof];
+            d->A[first][j] = arm->unit[j] * spin[2 * dof];
         else if (arm->directions == DHGEN_PITCH)
-            d->A[first][j] = spin[0] * P[4] - spin[dof] * P[0];
+            d->A[first][j] = arm->unit[j] * (spin[0] * P[4] - spin[dof] * P[0]);
         else {
-            d->A[first][j] = spin[0];
-            d->A[first + 1][j] = spin[dof];
+            d->A[first][j] = arm->unit[j] * spin[0];
+            d->A[first + 1][j] = arm->unit[j] * spin[dof];
         }
     }
 }
@@ -196,7 +196,7 @@ DHGEN_FN void dhgen_measure_miss(struct dhgen_descent *d, const double *u)
         arm->arm_angle_miss(d->T, d->free_joints, d->q, off);
         d->e[last] = off[0];
         for (int j = 0; j < arm->solved; j++)
-            d->A[last][j] = j < 3 ? off[1 + j] : 0.0;
+            d->A[last][j] = j < 3 ? arm->unit[j] * off[1 + j] : 0.0;
     }
     for (int i = 0; i < arm->equations; i++)
         square += d->e[i] * d->e[i];

@@ -36,6 +36,7 @@ from .places import (
     SPAN_WIDTH,
     STRIDE,
     TURNS,
+    UNIT,
 )
 
 if TYPE_CHECKING:
@@ -167,7 +168,7 @@ def measure_miss(arm: Floats, goal: Goal, q: Floats, u: Floats, e: Floats, A: Fl
             A[i, j] = arm[MEASURE + at] * J[int(arm[COORDINATE + i]), column]
         _direction_rates(arm, P, J[3:, column], rates)
         for i in range(directions):
-            A[coordinates + i, j] = rates[i]
+            A[coordinates + i, j] = arm[UNIT + at] * rates[i]
     for i in range(coordinates):
         row = int(arm[COORDINATE + i])
         e[i] = (T[row, 3] - P[4 * row + 3]) / arm[SIZE]
@@ -177,7 +178,7 @@ def measure_miss(arm: Floats, goal: Goal, q: Floats, u: Floats, e: Floats, A: Fl
         miss_at(arm_angle_miss, T, q_free, q, off)
         e[last] = off[0]
         for j in range(solved):
-            A[last, j] = off[1 + j] if j < 3 else 0.0
+            A[last, j] = arm[UNIT + RECORD * j] * off[1 + j] if j < 3 else 0.0
     square = 0.0
     for i in range(int(arm[EQUATIONS])):
         square += e[i] * e[i]
