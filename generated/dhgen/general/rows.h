@@ -8,9 +8,11 @@
 #include "../numerical/pairs.h"
 #include "search.h"
 
-/* Descents beside what the algorithm found, where that is not certainly everything: what there is
- * room for. */
-#define DHGEN_FEW_STARTS (DHGEN_AHEAD - DHGEN_PLACES)
+/* Descents beside what the algorithm found, where that is not certainly everything. */
+#define DHGEN_FEW_STARTS 12
+#if DHGEN_AHEAD < DHGEN_PLACES + DHGEN_FEW_STARTS
+#error "what both offer has to have room ahead"
+#endif
 /* Beyond this angle of the turn that the arm does not have it can't take the pose [rad]; the same
  * where the certificate fails; and within which the turn is none, and the solution needs no
  * descent. */
