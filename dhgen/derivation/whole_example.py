@@ -145,7 +145,7 @@ def _polynomial(
     if not kernel.hides_a_slide:
         c, s = kernel.loop.advances[hidden_joint(kernel)]
         coefficients = _turned(coefficients, float(sign), math.atan2(s, c))
-        simple = np.sort(wrap(sign * simple + math.atan2(s, c)))
+        simple = wrap(sign * simple + math.atan2(s, c))
     return coefficients / np.abs(coefficients).max(), np.asarray(np.sort(simple)), float(sign)
 
 

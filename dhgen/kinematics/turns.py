@@ -62,6 +62,11 @@ def joints_alone(chain: Chain) -> tuple[ChainJoint, ...]:
     )
 
 
+def solved_alone(chain: Chain) -> tuple[ChainJoint, ...]:
+    """The joints that are solved for, with the limits that are looked at for each alone."""
+    return tuple(joint for joint in joints_alone(chain) if joint.number not in chain.free)
+
+
 def turns_alone(chain: Chain) -> bool:
     """Whether no whole turn of a drive moves another one."""
     turns = coupled_turns(chain)

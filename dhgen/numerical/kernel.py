@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.kinematics.turns import joints_alone, turns_together
+from dhgen.kinematics.turns import solved_alone, turns_together
 from dhgen.method import Method
 from dhgen.robot.robot import JointKind
 from dhgen.runtime.python.numerical.arm import MISSES
@@ -135,8 +135,7 @@ def numerical_kernel(chain: Chain, *, redundant: bool) -> NumericalKernel:
     joints = chain.solved
     turns = [joint.kind is JointKind.REVOLUTE for joint in joints]
     units = [1.0 if each else chain.size for each in turns]
-    alone = [joint.limits for joint in joints_alone(chain) if joint.number not in chain.free]
-    limits = [each or (-inf, inf) for each in alone]
+    limits = [joint.limits or (-inf, inf) for joint in solved_alone(chain)]
     task = chain.task
     return NumericalKernel(
         arm=numeric_arm(chain),

@@ -6,7 +6,7 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.rigid import IDENTITY, multiply
-from dhgen.kinematics.turns import joints_alone
+from dhgen.kinematics.turns import solved_alone
 from dhgen.robot.robot import JointKind
 from dhgen.runtime.python.numerical.arm import Arm, ChainJoint, Drives, Joint
 
@@ -24,13 +24,12 @@ def runtime_arm(kernel: NumericalKernel) -> Arm:
     chain = kernel.arm.chain
     base, *behind = _between_joints(kernel.arm)
     rows = [element for element in kernel.arm.elements if isinstance(element, int)]
-    solved = [joint for joint in joints_alone(chain) if joint.number not in chain.free]
     return Arm(
         rows=kernel.rows,
         size=chain.size,
         coordinates=kernel.position,
         directions=kernel.directions.value,
-        joints=tuple(map(_joint, solved)),
+        joints=tuple(map(_joint, solved_alone(chain))),
         base=twelve(base),
         chain=tuple(
             _link(chain, number, after) for number, after in zip(rows, behind, strict=True)
