@@ -101,7 +101,11 @@ def test_mistakes_are_told_and_nothing_is_written() -> None:
 
 
 def test_nothing_is_held_when_a_call_is_over() -> None:
-    """Neither after answers, nor after conversions, nor after mistakes."""
+    """Neither after answers, nor after conversions, nor after mistakes.
+
+    None is held by everybody: whatever the interpreter throws away meanwhile gives some back, so
+    what counts is the calmest of three rounds. A call that kept one would keep 1000 in each.
+    """
     _, T = poses("scara", 1)
     robot, (rows, status), seed = native("scara"), filled("scara"), np.zeros(4)
     pose, longs = T[0].copy(), np.zeros(4, int)
@@ -122,15 +126,19 @@ def test_nothing_is_held_when_a_call_is_over() -> None:
     held = (pose, rows, status, seed, longs, robot.ik_into, vars(robot)["_solver"], None)
     for _ in range(300):
         calls()
-    gc.collect()
-    before, blocks = [sys.getrefcount(each) for each in held], sys.getallocatedblocks()
-    for _ in range(1000):
-        calls()
-    gc.collect()
-    after = [sys.getrefcount(each) for each in held]
-    assert after[:-1] == before[:-1]
-    assert abs(after[-1] - before[-1]) < 50  # everybody holds None
-    assert sys.getallocatedblocks() - blocks < 500  # what is lost in a call is lost 1000 times
+    nones, blocks = [], []
+    for _ in range(3):
+        gc.collect()
+        before, allocated = [sys.getrefcount(each) for each in held], sys.getallocatedblocks()
+        for _ in range(1000):
+            calls()
+        gc.collect()
+        after = [sys.getrefcount(each) for each in held]
+        assert after[:-1] == before[:-1]
+        nones.append(abs(after[-1] - before[-1]))
+        blocks.append(sys.getallocatedblocks() - allocated)
+    assert min(nones) < 50
+    assert min(blocks) < 500
 
 
 @extension
