@@ -262,8 +262,10 @@ static void solve(
 
 #ifndef ABB_IRB120_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00010040000000000001 [m],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
-    turn1 = 1.3430303610541368, /* a constant angle [rad] */
+    turn1 = 1.3430303610541368, /* atan2(k1, k2) [rad] */
     m1 = 1.0080160000000003e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 3.884373725055392e-12,

@@ -64,6 +64,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.00010040000000000001 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.29  # joint offset 1 [m]
 a2 = 0.27  # link length 2 [m]
 a3 = 0.07  # link length 3 [m]
@@ -85,7 +86,7 @@ k1 = 0.16308  # 2 * d4 * a2 [m^2]
 k2 = 0.03780000000000001  # 2 * a3 * a2 [m^2]
 k3 = 0.16900400000000002  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 35.683793403054324  # 1 / (k1^2 + k2^2) [m^-4]
-turn1 = 1.3430303610541368  # a constant angle [rad]
+turn1 = 1.3430303610541368  # atan2(k1, k2) [rad]
 high1 = 2.879790001
 high2 = 1.919860001
 low3 = -1.919860001

@@ -266,6 +266,8 @@ static void solve(
 
 #ifndef ABB_IRB1600_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00020014999999999999 [m],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 4.006002249999999e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */

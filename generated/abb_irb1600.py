@@ -65,6 +65,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.00020014999999999999 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.4865  # joint offset 1 [m]
 a1 = 0.15  # link length 1 [m]
 a2 = 0.7  # link length 2 [m]

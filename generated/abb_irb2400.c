@@ -265,8 +265,10 @@ static void solve(
 
 #ifndef ABB_IRB2400_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00023949999999999997 [m],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
-    turn1 = 1.3938582706371934, /* a constant angle [rad] */
+    turn1 = 1.3938582706371934, /* atan2(k1, k2) [rad] */
     m1 = 5.7360249999999986e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.5272052969784855e-10,

@@ -65,6 +65,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.00023949999999999997 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.615  # joint offset 1 [m]
 a1 = 0.1  # link length 1 [m]
 a2 = 0.705  # link length 2 [m]
@@ -86,7 +87,7 @@ k1 = 1.0645499999999999  # 2 * d4 * a2 [m^2]
 k2 = 0.19035  # 2 * a3 * a2 [m^2]
 k3 = 1.085275  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.8550663955849673  # 1 / (k1^2 + k2^2) [m^-4]
-turn1 = 1.3938582706371934  # a constant angle [rad]
+turn1 = 1.3938582706371934  # atan2(k1, k2) [rad]
 low2 = -1.7453292529943296
 high2 = 1.9198621781937626
 low3 = -1.0471975521965977

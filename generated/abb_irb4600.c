@@ -253,8 +253,10 @@ static void solve(
 
 #ifndef ABB_IRB4600_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00032000238089839356 [m],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
-    turn1 = 1.4338633792358526, /* a constant angle [rad] */
+    turn1 = 1.4338633792358526, /* atan2(k1, k2) [rad] */
     m1 = 1.0240152378064056e-07, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 8.528223923621197e-10,

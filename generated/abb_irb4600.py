@@ -64,6 +64,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.00032000238089839356 [m], doubt_limit = 9.999999999999999e-05.
 a1 = 0.175  # x of axis 2 [m]
 d1 = 0.495  # z of axis 2 [m]
 a2 = 1.095  # z of axis 3 [m]
@@ -83,7 +84,7 @@ k1 = 2.7813  # 2 * d4 * a2 [m^2]
 k2 = 0.38325  # 2 * a3 * a2 [m^2]
 k3 = 2.84255  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.1268631397825131  # 1 / (k1^2 + k2^2) [m^-4]
-turn1 = 1.4338633792358526  # a constant angle [rad]
+turn1 = 1.4338633792358526  # atan2(k1, k2) [rad]
 low2 = -1.5707963277948966
 high2 = 2.6179938789914945
 low3 = -3.141592654589793

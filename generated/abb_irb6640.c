@@ -259,8 +259,10 @@ static void solve(
 
 #ifndef ABB_IRB6640_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00039670000000000005 [m],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
-    turn1 = 1.4280947671350148, /* a constant angle [rad] */
+    turn1 = 1.4280947671350148, /* atan2(k1, k2) [rad] */
     m1 = 1.5737089000000004e-07, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.1869630511993603e-09,

@@ -65,6 +65,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.00039670000000000005 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.78  # joint offset 1 [m]
 a1 = 0.32  # link length 1 [m]
 a2 = 1.075  # link length 2 [m]
@@ -86,7 +87,7 @@ k1 = 2.9927999999999995  # 2 * d4 * a2 [m^2]
 k2 = 0.43  # 2 * a3 * a2 [m^2]
 k3 = 3.1332889999999995  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.10938822421589604  # 1 / (k1^2 + k2^2) [m^-4]
-turn1 = 1.4280947671350148  # a constant angle [rad]
+turn1 = 1.4280947671350148  # atan2(k1, k2) [rad]
 high1 = 2.967000001
 low2 = -1.134000001
 high2 = 1.4855000010000001

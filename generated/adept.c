@@ -144,6 +144,7 @@ static void solve(
 
 #ifndef ADEPT_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit2 = 576.0 [mm^2]. */
 static const double
     m1 = 330000.0, /* l1 * l2 [mm^2] */
     m2 = 600.0, /* l1 [mm] */

@@ -54,6 +54,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit2 = 576.0 [mm^2].
 d1 = 1075.0  # joint offset 1 [mm]
 l1 = 600.0  # link length 1 [mm]
 l2 = 550.0  # link length 2 [mm]

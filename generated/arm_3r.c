@@ -173,6 +173,8 @@ static void solve(
 
 #ifndef ARM_3R_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00011499999999999999 [m],
+ * doubt_limit_squared2 = 1.3224999999999996e-08 [m^2]. */
 static const double
     m1 = 1.3224999999999998e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */

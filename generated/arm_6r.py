@@ -63,6 +63,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.000125 [m], doubt_limit_squared2 = 1.5625e-08 [m^2],
+# doubt_limit = 9.999999999999999e-05.
 d1 = 0.4  # joint offset 1 [m]
 a2 = 0.4  # link length 2 [m]
 d4 = 0.35  # joint offset 4 [m]

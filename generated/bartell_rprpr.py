@@ -57,6 +57,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit = 9.999999999999999e-05.
 d1 = 2.0  # joint offset 1 [m]
 second_weight = 0.5  # lengths count in arm sizes [m^-1]
 free_limit = 1e-12  # a length that fixes no angle

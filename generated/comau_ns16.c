@@ -28,6 +28,8 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, reach_slack1 = 2.7459999999999996e-13 [m],
+ * merge_slack1 = 2.7459999999999994e-14 [m], arm_size1 = 2.7459999999999996 [m]. */
 static const double
     d1 = 0.6, /* joint offset 1 [m] */
     a1 = 0.3, /* link length 1 [m] */
@@ -275,9 +277,10 @@ static void solve(
 
 #ifndef COMAU_NS16_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     doubt_limit_squared2 = 7.540515999999996e-08, /* square of a length that fixes no angle [m^2] */
-    turn1 = -1.2825771957649381, /* a constant angle [rad] */
+    turn1 = -1.2825771957649381, /* atan2(-k5, k6) [rad] */
     m1 = 7.540515999999996e-25, /* 1000 * k3 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 1.355568761630017e-10,

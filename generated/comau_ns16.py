@@ -64,6 +64,9 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, reach_slack1 = 2.7459999999999996e-13 [m],
+# merge_slack1 = 2.7459999999999994e-14 [m], arm_size1 = 2.7459999999999996 [m],
+# doubt_limit = 9.999999999999999e-05.
 d1 = 0.6  # joint offset 1 [m]
 a1 = 0.3  # link length 1 [m]
 d2 = 0.101  # joint offset 2 [m]
@@ -94,7 +97,7 @@ k6 = 0.259  # 2 * a3 * a2 [m^2]
 k7 = 0.9136009999999999  # a2^2 + (a3^2 + d4^2) [m^2]
 k8 = 1.204444941425193  # 1 / (k5^2 + k6^2) [m^-4]
 doubt_limit_squared2 = 7.540515999999996e-08  # square of a length that fixes no angle [m^2]
-turn1 = -1.2825771957649381  # a constant angle [rad]
+turn1 = -1.2825771957649381  # atan2(-k5, k6) [rad]
 high1 = 3.141590001
 low2 = -0.872660001
 high2 = 1.658000001

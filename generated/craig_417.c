@@ -28,6 +28,7 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, reach_slack = 1e-13, merge_slack = 1e-14, d3 = 1.0 [m]. */
 static const double
     sqrt2 = 1.4142135623730951, /* square root of 2 */
     d4 = 1.0, /* joint offset 4 [m] */
@@ -198,6 +199,7 @@ static void solve(
 
 #ifndef CRAIG_417_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05, doubt_limit2 = 0.0009 [m^2]. */
 static const double
     m1 = 1.414213562373105e-11, /* 1000 * k5 */
     m2 = 9.999999999999999e-09, /* doubt_limit^2 */

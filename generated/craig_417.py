@@ -56,6 +56,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, reach_slack = 1e-13, merge_slack = 1e-14, d3 = 1.0 [m],
+# doubt_limit = 9.999999999999999e-05, doubt_limit2 = 0.0009 [m^2].
 sqrt2 = 1.4142135623730951  # square root of 2
 d4 = 1.0  # joint offset 4 [m]
 a3 = 1.0  # link length 4 [m]

@@ -177,6 +177,7 @@ static void solve(
 
 #ifndef CYLINDRICAL_WRIST_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 4e-05 [m], doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 1.6000000000000003e-09, /* doubt_limit1^2 [m^2] */
     m3 = 9.999999999999999e-09; /* doubt_limit^2 */

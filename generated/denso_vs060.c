@@ -261,8 +261,10 @@ static void solve(
 
 #ifndef DENSO_VS060_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00010300000000000001 [m],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
-    turn1 = 1.5374753309166493, /* a constant angle [rad] */
+    turn1 = 1.5374753309166493, /* atan2(k1, k2) [rad] */
     m1 = 1.0609000000000003e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 4.573882234000188e-12,

@@ -65,6 +65,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.00010300000000000001 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.345  # joint offset 1 [m]
 a2 = 0.305  # link length 2 [m]
 a3 = 0.01  # link length 3 [m]
@@ -87,7 +88,7 @@ k1 = 0.183  # 2 * d4 * a2 [m^2]
 k2 = 0.0061  # 2 * a3 * a2 [m^2]
 k3 = 0.18312499999999998  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 29.827409659487312  # 1 / (k1^2 + k2^2) [m^-4]
-turn1 = 1.5374753309166493  # a constant angle [rad]
+turn1 = 1.5374753309166493  # atan2(k1, k2) [rad]
 high1 = 2.967060001
 high2 = 2.094395001
 low3 = -2.1816620010000003

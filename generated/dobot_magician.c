@@ -181,6 +181,8 @@ static void solve(
 
 #ifndef DOBOT_MAGICIAN_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 4.21e-05 [m],
+ * doubt_limit_squared2 = 1.7724100000000003e-09 [m^2]. */
 static const double
     m1 = 1.77241e-09, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */

@@ -58,6 +58,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 4.21e-05 [m],
+# doubt_limit_squared2 = 1.7724100000000003e-09 [m^2].
 d1 = 0.139  # joint offset 1 [m]
 a2 = 0.135  # link length 2 [m]
 a3 = 0.147  # link length 3 [m]

@@ -262,8 +262,10 @@ static void solve(
 
 #ifndef FANUC_LRMATE200ID_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00011600000000000001 [m],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
-    turn1 = -1.4666963886852973, /* a constant angle [rad] */
+    turn1 = -1.4666963886852973, /* atan2(-k1, k2) [rad] */
     m1 = 1.3456000000000003e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 6.836537250918941e-12,

@@ -66,6 +66,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.00011600000000000001 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.33  # joint offset 1 [m]
 a1 = 0.05  # link length 1 [m]
 a2 = 0.33  # link length 2 [m]
@@ -87,7 +88,7 @@ k1 = 0.22110000000000002  # 2 * d4 * a2 [m^2]
 k2 = 0.023100000000000002  # 2 * a3 * a2 [m^2]
 k3 = 0.22235000000000002  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 20.235205939761407  # 1 / (k1^2 + k2^2) [m^-4]
-turn1 = -1.4666963886852973  # a constant angle [rad]
+turn1 = -1.4666963886852973  # atan2(-k1, k2) [rad]
 high1 = 2.9670597293903604
 low2 = -1.7453292529943296
 high2 = 2.530727416391778

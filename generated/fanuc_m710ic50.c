@@ -262,8 +262,10 @@ static void solve(
 
 #ifndef FANUC_M710IC50_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00029459999999999995 [m],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
-    turn1 = -1.4050092836833894, /* a constant angle [rad] */
+    turn1 = -1.4050092836833894, /* atan2(-k1, k2) [rad] */
     m1 = 8.678915999999997e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 4.011803222351191e-10,

@@ -65,6 +65,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.00029459999999999995 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.565  # joint offset 1 [m]
 a1 = 0.15  # link length 1 [m]
 a2 = 0.87  # link length 2 [m]
@@ -86,7 +87,7 @@ k1 = 1.76784  # 2 * d4 * a2 [m^2]
 k2 = 0.2958  # 2 * a3 * a2 [m^2]
 k3 = 1.8180560000000001  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.31125925198890714  # 1 / (k1^2 + k2^2) [m^-4]
-turn1 = -1.4050092836833894  # a constant angle [rad]
+turn1 = -1.4050092836833894  # atan2(-k1, k2) [rad]
 high1 = 3.1415000010000003
 low2 = -1.570700001
 high2 = 2.356100001

@@ -28,6 +28,7 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, arm_size2 = 1.940449 [m^2]. */
 static const double
     d1 = 0.333, /* joint offset 1 [m] */
     d3 = 0.316, /* joint offset 3 [m] */
@@ -281,9 +282,10 @@ static void solve(
 
 #ifndef FRANKA_PANDA_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     doubt_limit_squared2 = 1.940449e-08, /* square of a length that fixes no angle [m^2] */
-    turn1 = 0.46700242365301164, /* a constant angle [rad] */
+    turn1 = 0.46700242365301164, /* atan2(k1, k2) [rad] */
     m1 = 1.940449e-11, /* 1000 * merge_slack2 [m^2] */
     m2 = 1.754896834873102, /* k1 * k6 [m^-2] */
     m3 = 3.4805529861209807, /* k2 * k6 [m^-2] */

@@ -69,6 +69,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose, or a free joint's value is not finite
 
+# In formulas below, arm_size2 = 1.940449 [m^2], doubt_limit = 9.999999999999999e-05.
 d1 = 0.333  # joint offset 1 [m]
 d3 = 0.316  # joint offset 3 [m]
 a3 = 0.0825  # link length 4 [m]
@@ -90,7 +91,7 @@ k4 = 0.25318050000000003  # d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2]
 k5 = 0.515344644461153  # 1 / arm_size2 [m^-2]
 k6 = 15.193911990243306  # 1 / k3 [m^-4]
 doubt_limit_squared2 = 1.940449e-08  # square of a length that fixes no angle [m^2]
-turn1 = 0.46700242365301164  # a constant angle [rad]
+turn1 = 0.46700242365301164  # atan2(k1, k2) [rad]
 high1 = 2.897300001
 high2 = 1.762800001
 high3 = 2.897300001

@@ -146,6 +146,7 @@ static void solve(
 
 #ifndef GANTRY_WRIST_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 9.999999999999999e-09; /* doubt_limit^2 */
 

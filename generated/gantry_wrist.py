@@ -58,6 +58,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit = 9.999999999999999e-05.
 d4 = 0.1  # joint offset 4 [m]
 d6 = 0.12  # joint offset 6 [m]
 free_limit = 1e-12  # a length that fixes no angle

@@ -24,6 +24,7 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, sqrt3 = 1.7320508075688772, sqrt2 = 1.4142135623730951. */
 static const double
     a1 = 0.472, /* link length 1 [m] */
     d2 = -0.069, /* joint offset 2 [m] */

@@ -72,6 +72,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, sqrt3 = 1.7320508075688772, sqrt2 = 1.4142135623730951.
 a1 = 0.472  # link length 1 [m]
 d2 = -0.069  # joint offset 2 [m]
 d3 = -0.261  # joint offset 3 [m]

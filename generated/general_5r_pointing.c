@@ -25,6 +25,7 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, sqrt2 = 1.4142135623730951, sqrt3 = 1.7320508075688772. */
 static const double
     d1 = 0.35, /* joint offset 1 [m] */
     a1 = 0.1, /* link length 1 [m] */

@@ -71,6 +71,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, sqrt2 = 1.4142135623730951, sqrt3 = 1.7320508075688772.
 d1 = 0.35  # joint offset 1 [m]
 a1 = 0.1  # link length 1 [m]
 d2 = 0.08  # joint offset 2 [m]

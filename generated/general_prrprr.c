@@ -24,6 +24,9 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, sat1 = 0.29552020666133955, a2 = 0.18 [m], a1 = 0.1 [m], d2 = 0.25 [m],
+ * sa2 = 0.7833269096274834, ca2 = 0.6216099682706644, d3 = 0.11 [m], d5 = -0.16 [m],
+ * d6 = 0.19 [m]. */
 static const double
     cat1 = 0.955336489125606, /* cosine of the angle of joint 1 */
     ca1 = 0.9800665778412416, /* cosine of twist 1 */

@@ -63,6 +63,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, sat1 = 0.29552020666133955, a2 = 0.18 [m], a1 = 0.1 [m], d2 = 0.25 [m],
+# sa2 = 0.7833269096274834, ca2 = 0.6216099682706644, d3 = 0.11 [m], d5 = -0.16 [m], d6 = 0.19 [m].
 cat1 = 0.955336489125606  # cosine of the angle of joint 1
 ca1 = 0.9800665778412416  # cosine of twist 1
 sa1 = 0.19866933079506122  # sine of twist 1

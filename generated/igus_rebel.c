@@ -261,8 +261,9 @@ static void solve(
 
 #ifndef IGUS_REBEL_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 8.972e-05 [m], doubt_limit = 9.999999999999999e-05. */
 static const double
-    turn1 = 0.960070362405688, /* a constant angle [rad] */
+    turn1 = 0.960070362405688, /* atan2(k1, k2) [rad] */
     m1 = 8.049678400000001e-09, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.5872903619528408e-12,

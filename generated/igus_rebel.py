@@ -64,6 +64,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 8.972e-05 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.1  # joint offset 1 [m]
 a1 = 0.149  # link length 1 [m]
 a2 = 0.2384  # link length 2 [m]
@@ -86,7 +87,7 @@ k1 = 0.081056  # 2 * d4 * a2 [m^2]
 k2 = 0.0567392  # 2 * a3 * a2 [m^2]
 k3 = 0.09989556000000001  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 102.1511817908859  # 1 / (k1^2 + k2^2) [m^-4]
-turn1 = 0.960070362405688  # a constant angle [rad]
+turn1 = 0.960070362405688  # atan2(k1, k2) [rad]
 m1 = 8.049678400000001e-09  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.5872903619528408e-12

@@ -241,6 +241,8 @@ static void solve(
 
 #ifndef KATANA_400_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 6.777999999999999e-05 [m],
+ * doubt_limit = 9.999999999999999e-05, doubt_limit_squared2 = 4.594128399999999e-09 [m^2]. */
 static const double
     m1 = 4.594128399999999e-09, /* doubt_limit1^2 [m^2] */
     m3 = 9.999999999999999e-09, /* doubt_limit^2 */

@@ -59,6 +59,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 6.777999999999999e-05 [m], doubt_limit = 9.999999999999999e-05,
+# doubt_limit_squared2 = 4.594128399999999e-09 [m^2].
 d1 = 0.2015  # joint offset 1 [m]
 a2 = 0.19  # link length 2 [m]
 a3 = 0.139  # link length 3 [m]

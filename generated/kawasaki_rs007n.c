@@ -265,6 +265,8 @@ static void solve(
 
 #ifndef KAWASAKI_RS007N_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00011679999999999999 [m],
+ * doubt_limit_squared2 = 1.3642239999999998e-08 [m^2], doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 1.3642239999999998e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */

@@ -65,6 +65,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.00011679999999999999 [m],
+# doubt_limit_squared2 = 1.3642239999999998e-08 [m^2], doubt_limit = 9.999999999999999e-05.
 d1 = 0.36  # joint offset 1 [m]
 a2 = 0.355  # link length 2 [m]
 d4 = 0.375  # joint offset 4 [m]

@@ -265,6 +265,8 @@ void kinova_gen3_7_jacobian(const double q[7], double J[42])
 #ifndef KINOVA_GEN3_7_PLAIN
 /* The nearest arm with a structure: what follows is its closed form. A pose at which one of its
  * branches may end by what the two arms differ is left to the general algorithm. */
+/* In formulas below, near_arm_size2 = 0.5770225443999999 [m^2],
+ * near_doubt_limit = 9.999999999999999e-05. */
 static const double
     near_angle = 1e-10, /* the two arms' tools are turned by no more */
     near_length = 0.0003500001, /* and no farther apart [m] */
@@ -285,12 +287,12 @@ static const double
     near_k2 = 0.06998153180702761, /* near_k1^2 [m^4] */
     near_k3 = 0.000299625, /* 2 * near_d4 * near_d2 [m^2] */
     near_k4 = 0.2761618122, /* near_d2^2 + (near_d3^2 + (near_d4^2 + near_d5^2)) [m^2] */
-    near_k5 = 1.7330345403398768, /* 1 / arm_size2 [m^-2] */
+    near_k5 = 1.7330345403398768, /* 1 / near_arm_size2 [m^-2] */
     near_m1 = 5.7702254439999985e-12, /* 1000 * near_merge_slack2 [m^2] */
     near_m2 = 0.2645402272, /* near_k1 [m^2] */
     near_m3 = 7.596199999999998e-11, /* 10 * near_blur_slack1 [m] */
     near_m4 = 3.3295501674584984e-17, /* near_doubt_limit_squared2^2 [m^4] */
-    near_m5 = 9.999999999999999e-09, /* doubt_limit^2 */
+    near_m5 = 9.999999999999999e-09, /* near_doubt_limit^2 */
     near1 = 0.5; /* 1 / 2 */
 
 /* What one pose and many compute alike: values without signs of branches, with the first, with

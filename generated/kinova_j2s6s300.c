@@ -28,6 +28,8 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, reach_slack1 = 1.2733e-13 [m], merge_slack1 = 1.2733e-14 [m],
+ * arm_size1 = 1.2732999999999999 [m]. */
 static const double
     d1 = 0.2755, /* joint offset 1 [m] */
     d2 = 0.0016, /* joint offset 2 [m] */
@@ -269,6 +271,8 @@ static void solve(
 
 #ifndef KINOVA_J2S6S300_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit_squared2 = 1.6212928899999997e-08 [m^2],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 2.4956680000016215e-13, /* 1000 * k4 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */

@@ -65,6 +65,9 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, reach_slack1 = 1.2733e-13 [m], merge_slack1 = 1.2733e-14 [m],
+# arm_size1 = 1.2732999999999999 [m], doubt_limit_squared2 = 1.6212928899999997e-08 [m^2],
+# doubt_limit = 9.999999999999999e-05.
 d1 = 0.2755  # joint offset 1 [m]
 d2 = 0.0016  # joint offset 2 [m]
 a2 = 0.41  # link length 2 [m]

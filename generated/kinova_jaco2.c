@@ -24,6 +24,8 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, D3 = 0.2073 [m], d4 = 0.042897125000789196 [m], sqrt3 = 1.7320508075688772,
+ * D6 = 0.1687 [m], d6 = 0.042897125000789196 [m]. */
 static const double
     D1 = 0.2755, /* joint offset 1 [m] */
     D2 = 0.41, /* link length 2 [m] */

@@ -71,6 +71,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, D3 = 0.2073 [m], d4 = 0.042897125000789196 [m], sqrt3 = 1.7320508075688772,
+# D6 = 0.1687 [m], d6 = 0.042897125000789196 [m].
 D1 = 0.2755  # joint offset 1 [m]
 D2 = 0.41  # link length 2 [m]
 e2 = 0.0098  # joint offset 3 [m]

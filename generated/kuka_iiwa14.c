@@ -28,6 +28,7 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, arm_size2 = 1.7056360000000002 [m^2]. */
 static const double
     d1 = 0.36, /* joint offset 1 [m] */
     d3 = 0.42, /* joint offset 3 [m] */
@@ -295,6 +296,7 @@ static void solve(
 
 #ifndef KUKA_IIWA14_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     doubt_limit_squared2 = 1.705636e-08, /* square of a length that fixes no angle [m^2] */
     /* 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4] */

@@ -67,6 +67,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose, or a free joint's value is not finite
 
+# In formulas below, arm_size2 = 1.7056360000000002 [m^2], doubt_limit = 9.999999999999999e-05.
 d1 = 0.36  # joint offset 1 [m]
 d3 = 0.42  # joint offset 3 [m]
 d5 = 0.4  # joint offset 5 [m]

@@ -319,6 +319,7 @@ static void solve(
 
 #ifndef KUKA_IIWA14_ARM_ANGLE_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     /* 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4] */
     m1 = 1.4473755527432779e-11,

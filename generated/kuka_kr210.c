@@ -253,6 +253,8 @@ static void solve(
 
 #ifndef KUKA_KR210_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00042070000000000003 [m],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 1.7698849000000003e-07, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */

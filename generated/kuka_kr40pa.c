@@ -243,6 +243,8 @@ static void solve(
 
 #ifndef KUKA_KR40PA_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05, exact_slack = 1e-12,
+ * exact_slack1 = 2.1999999999999995e-12 [m], pose_slack1 = 2.2e-05 [m]. */
 static const double
     doubt_limit_squared2 = 4.839999999999999e-08, /* square of a length that fixes no angle [m^2] */
     m1 = 9.999999999999999e-09, /* doubt_limit^2 */

@@ -57,6 +57,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit = 9.999999999999999e-05, exact_slack = 1e-12,
+# exact_slack1 = 2.1999999999999995e-12 [m], pose_slack1 = 2.2e-05 [m].
 d1 = 0.3  # joint offset 1 [m]
 a1 = 0.15  # link length 1 [m]
 a2 = 0.8  # link length 2 [m]

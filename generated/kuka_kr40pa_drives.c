@@ -177,6 +177,7 @@ static void solve(
 
 #ifndef KUKA_KR40PA_DRIVES_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.000205 [m]. */
 static const double
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 4.2024999999999994e-08,

@@ -223,6 +223,7 @@ static void solve(
 
 #ifndef KUKA_KR40PA_LEVEL_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.000293 [m]. */
 static const double
     doubt_limit_squared2 = 8.584900000000002e-08, /* square of a length that fixes no angle [m^2] */
     m1 = 1e-12, /* steep_limit^2 */

@@ -61,6 +61,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.000293 [m].
 d1 = 0.62  # joint offset 1 [m]
 a1 = 0.22  # link length 1 [m]
 a2 = 0.85  # link length 2 [m]

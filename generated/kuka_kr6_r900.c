@@ -261,8 +261,10 @@ static void solve(
 
 #ifndef KUKA_KR6_R900_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00014150000000000002 [m],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
-    turn1 = 1.5113426674862398, /* a constant angle [rad] */
+    turn1 = 1.5113426674862398, /* atan2(k1, k2) [rad] */
     m1 = 2.0022250000000006e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.895849168266276e-11,

@@ -65,6 +65,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.00014150000000000002 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.4  # joint offset 1 [m]
 a1 = 0.025  # link length 1 [m]
 a2 = 0.455  # link length 2 [m]
@@ -87,7 +88,7 @@ k1 = 0.3822  # 2 * d4 * a2 [m^2]
 k2 = 0.022750000000000003  # 2 * a3 * a2 [m^2]
 k3 = 0.38405  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 6.821542862115762  # 1 / (k1^2 + k2^2) [m^-4]
-turn1 = 1.5113426674862398  # a constant angle [rad]
+turn1 = 1.5113426674862398  # atan2(k1, k2) [rad]
 m1 = 2.0022250000000006e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.895849168266276e-11

@@ -295,6 +295,12 @@ void kuka_kr6_r900_calibrated_jacobian(const double q[6], double J[36])
 #ifndef KUKA_KR6_R900_CALIBRATED_PLAIN
 /* The nearest arm with a structure: what follows is its closed form. A pose at which one of its
  * branches may end by what the two arms differ is left to the general algorithm. */
+/* In formulas below, near_a2 = 0.45511099999999993 [m], near_a3 = -0.025039000000000033 [m],
+ * near_d4 = 0.42008600000000007 [m], near_k1 = 0.382371519092 [m^2],
+ * near_k2 = -0.022791048658000027 [m^2], near_doubt_limit1 = 9.25213e-05 [m],
+ * near_longest3_apart = 0.7672753622269346 [m^2], near_k4 = 6.815359151455662 [m^-4],
+ * near_doubt_limit = 9.999999999999999e-05, near3 = 0.00035570759116433794,
+ * near4 = 2.1201759580571282e-05. */
 static const double
     near_angle = 0.0001900018, /* the two arms' tools are turned by no more */
     near_length = 0.0002999173, /* and no farther apart [m] */
@@ -302,24 +308,26 @@ static const double
     near_longest3 = 0.7672753622269508, /* square of the longest reach [m^2] */
     near_shortest3 = 0.001175080249049243, /* square of the shortest reach [m^2] */
     near_k3 = 0.384225221238, /* near_a2^2 + (near_a3^2 + near_d4^2) [m^2] */
-    near_turn1 = -1.6303303533892188, /* a constant angle [rad] */
-    near_m1 = 8.560190953689999e-09, /* doubt_limit1^2 [m^2] */
-    /* 1000 * (near_longest3 - longest3_apart) * (longest3_apart - near_shortest3) [m^4] */
+    near_turn1 = -1.6303303533892188, /* atan2(-near_k1, near_k2) [rad] */
+    near_m1 = 8.560190953689999e-09, /* near_doubt_limit1^2 [m^2] */
+    /* 1000 * (near_longest3 - near_longest3_apart) * (near_longest3_apart - near_shortest3) [m^4]
+     * */
     near_m3 = 1.2417915714465629e-11,
-    near_m4 = 1.0986330807209672, /* k4 * (near_d4 * k1 + near_a3 * k2) [m^-1] */
-    /* near_a2 - near_d4 * k1 * near_k3 * k4 - near_a3 * k2 * near_k3 * k4 [m] */
+    near_m4 = 1.0986330807209672, /* near_k4 * (near_d4 * near_k1 + near_a3 * near_k2) [m^-1] */
+    /* near_a2 - near_d4 * near_k1 * near_k3 * near_k4 - near_a3 * near_k2 * near_k3 * near_k4 [m]
+     * */
     near_m5 = 0.032988461500600814,
-    near_m6 = 1.1860189164290886, /* near_a2 * k1 * k4 [m^-1] */
-    near_m7 = 0.07069201936857687, /* -near_a2 * k2 * k4 [m^-1] */
-    /* k2 * k4 * (near_d4 * k1 * near_k3^2 * k4 + near_a3 * k2 * near_k3^2 * k4 - near_a2 * near_k3
-     * - near_d4 * near_longest3 * near_shortest3 * k1 * k4 - near_a3 * near_longest3 *
-     * near_shortest3 * k2 * k4) [m] */
+    near_m6 = 1.1860189164290886, /* near_a2 * near_k1 * near_k4 [m^-1] */
+    near_m7 = 0.07069201936857687, /* -near_a2 * near_k2 * near_k4 [m^-1] */
+    /* near_k2 * near_k4 * (near_d4 * near_k1 * near_k3^2 * near_k4 + near_a3 * near_k2 * near_k3^2
+     * * near_k4 - near_a2 * near_k3 - near_d4 * near_longest3 * near_shortest3 * near_k1 * near_k4
+     * - near_a3 * near_longest3 * near_shortest3 * near_k2 * near_k4) [m] */
     near_m8 = 0.0021226567816523957,
-    /* k1 * k4 * (near_a2 * near_k3 + near_d4 * near_longest3 * near_shortest3 * k1 * k4 + near_a3 *
-     * near_longest3 * near_shortest3 * k2 * k4 - near_d4 * k1 * near_k3^2 * k4 - near_a3 * k2 *
-     * near_k3^2 * k4) [m] */
+    /* near_k1 * near_k4 * (near_a2 * near_k3 + near_d4 * near_longest3 * near_shortest3 * near_k1 *
+     * near_k4 + near_a3 * near_longest3 * near_shortest3 * near_k2 * near_k4 - near_d4 * near_k1 *
+     * near_k3^2 * near_k4 - near_a3 * near_k2 * near_k3^2 * near_k4) [m] */
     near_m9 = 0.03561238055741952,
-    near_m10 = 9.999999999999999e-09, /* doubt_limit^2 */
+    near_m10 = 9.999999999999999e-09, /* near_doubt_limit^2 */
     near1 = 0.0005998346, /* near_length + near_length [m] */
     near2 = 0.5, /* 1 / 2 */
     h1 = 0.0003981111103254805, /* near3 + near_m7 * near1 */

@@ -249,6 +249,8 @@ static void solve(
 
 #ifndef KUKA_YOUBOT_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 6.874999999999999e-05 [m],
+ * doubt_limit = 9.999999999999999e-05, doubt_limit_squared2 = 4.7265624999999994e-09 [m^2]. */
 static const double
     m1 = 4.726562499999999e-09, /* doubt_limit1^2 [m^2] */
     m3 = 9.999999999999999e-09, /* doubt_limit^2 */

@@ -60,6 +60,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 6.874999999999999e-05 [m], doubt_limit = 9.999999999999999e-05,
+# doubt_limit_squared2 = 4.7265624999999994e-09 [m^2].
 d1 = 0.147  # joint offset 1 [m]
 a1 = 0.033  # link length 1 [m]
 a2 = 0.155  # link length 2 [m]

@@ -197,6 +197,7 @@ static void solve(
 
 #ifndef OLSON_PPRRRR_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 9.999999999999999e-09, /* doubt_limit^2 */
     m3 = 6.999999999999999e-10; /* 10 * blur_slack1 [m] */

@@ -61,6 +61,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit = 9.999999999999999e-05.
 d3 = 1.0  # joint offset 3 [m]
 a4 = 4.0  # link length 5 [m]
 d6 = 2.0  # joint offset 6 [m]

@@ -21,6 +21,7 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, d1 = 0.1 [m], d2 = 0.05 [m], d3 = 0.08 [m]. */
 static const double
     a1 = 0.3, /* link length 1 [m] */
     a2 = 0.25, /* link length 2 [m] */

@@ -67,6 +67,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, d1 = 0.1 [m], d2 = 0.05 [m], d3 = 0.08 [m].
 a1 = 0.3  # link length 1 [m]
 a2 = 0.25  # link length 2 [m]
 a3 = 0.1  # link length 3 [m]

@@ -246,6 +246,8 @@ static void solve(
 
 #ifndef PHANTOMX_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05, exact_slack = 1e-12,
+ * exact_slack1 = 3.55e-10 [mm], pose_slack1 = 0.00355 [mm]. */
 static const double
     /* square of a length that fixes no angle [mm^2] */
     doubt_limit_squared2 = 0.0012602499999999999,

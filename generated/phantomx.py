@@ -56,6 +56,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit = 9.999999999999999e-05, exact_slack = 1e-12,
+# exact_slack1 = 3.55e-10 [mm], pose_slack1 = 0.00355 [mm].
 d1 = 40.0  # joint offset 1 [mm]
 a2 = 105.0  # link length 2 [mm]
 a3 = 105.0  # link length 3 [mm]

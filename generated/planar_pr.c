@@ -28,6 +28,7 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, sqrt3 = 1.7320508075688772, reach_slack = 1e-13, merge_slack = 1e-14. */
 static const double
     a = 0.3, /* x of the home pose [m] */
     k1 = 3.3333333333333335, /* 1 / a [m^-1] */

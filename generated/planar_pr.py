@@ -53,6 +53,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, sqrt3 = 1.7320508075688772, reach_slack = 1e-13, merge_slack = 1e-14.
 a = 0.3  # x of the home pose [m]
 k1 = 3.3333333333333335  # 1 / a [m^-1]
 k2 = 1.6666666666666667  # 1 / 2 * 1 / a [m^-1]

@@ -28,6 +28,7 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, d1 = 0.3 [m]. */
 static const double
     a1 = 0.1, /* link length 1 [m] */
     cat2 = 0.9800665778412416, /* cosine of the angle of joint 2 */
@@ -270,6 +271,7 @@ static void solve(
 
 #ifndef PRISMATIC_2_WRIST_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.5375999999999998e-08,

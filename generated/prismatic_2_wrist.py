@@ -65,6 +65,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, d1 = 0.3 [m], doubt_limit = 9.999999999999999e-05.
 a1 = 0.1  # link length 1 [m]
 cat2 = 0.9800665778412416  # cosine of the angle of joint 2
 sat2 = 0.19866933079506122  # sine of the angle of joint 2

@@ -27,6 +27,8 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, reach_slack1 = 1.890188625788961e-13 [m],
+ * merge_slack1 = 1.890188625788961e-14 [m], arm_size1 = 1.8901886257889609 [m]. */
 static const double
     L2 = 0.4318, /* z of axis 3 [m] */
     D3 = 0.15005, /* x of axis 4 [m] */
@@ -253,6 +255,8 @@ static void solve(
 
 #ifndef PUMA_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit_squared2 = 3.57281304106196e-08 [m^2],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 5.672456065993029e-12, /* 1000 * k4 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */

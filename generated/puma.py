@@ -63,6 +63,9 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, reach_slack1 = 1.890188625788961e-13 [m],
+# merge_slack1 = 1.890188625788961e-14 [m], arm_size1 = 1.8901886257889609 [m],
+# doubt_limit_squared2 = 3.57281304106196e-08 [m^2], doubt_limit = 9.999999999999999e-05.
 L2 = 0.4318  # z of axis 3 [m]
 D3 = 0.15005  # x of axis 4 [m]
 D4 = 0.4318  # z of axis 5 [m]

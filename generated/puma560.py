@@ -63,6 +63,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, reach_slack1 = 1.7057800000000002e-13 [m], merge_slack1 = 1.70578e-14 [m],
+# arm_size1 = 1.70578 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.67183  # joint offset 1 [m]
 a2 = 0.4318  # link length 2 [m]
 d3 = 0.15005  # joint offset 3 [m]
@@ -84,7 +86,7 @@ k5 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
 k6 = 0.01753108  # 2 * a3 * a2 [m^2]
 k7 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k8 = 7.175474885806929  # 1 / (k5^2 + k6^2) [m^-4]
-turn1 = 1.5238184104468135  # a constant angle [rad]
+turn1 = 1.5238184104468135  # atan2(k5, k6) [rad]
 high1 = 2.7925268041909272
 high2 = 1.9198621781937626
 high3 = 2.356194491192345

@@ -1818,6 +1818,8 @@ DHGEN_INLINE void dhgen_ik_batch(const struct dhgen_arm *arm, dhgen_solve_wide *
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, reach_slack1 = 6.82312e-06 [m], merge_slack1 = 1.70578e-07 [m],
+ * arm_size1 = 1.70578 [m]. */
 static const float
     d1 = 0.67183f, /* joint offset 1 [m] */
     a2 = 0.4318f, /* link length 2 [m] */
@@ -2023,10 +2025,11 @@ static void solve(
 
 #ifndef PUMA560_F32_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 0.001. */
 static const float
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 2.9096855e-06f,
-    turn1 = 1.5238184f, /* a constant angle [rad] */
+    turn1 = 1.5238184f, /* atan2(k5, k6) [rad] */
     m1 = 0.12579383f, /* k6 * k8 [m^-2] */
     m2 = 0.9988974f, /* k5 * k7 * k8 */
     m3 = 2.6757524f, /* k5 * k8 [m^-2] */

@@ -27,6 +27,8 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, reach_slack1 = 1.7057800000000002e-13 [m], merge_slack1 = 1.70578e-14 [m],
+ * arm_size1 = 1.70578 [m]. */
 static const double
     d1 = 0.67183, /* joint offset 1 [m] */
     a2 = 0.4318, /* link length 2 [m] */
@@ -186,7 +188,7 @@ static void solve(
 #ifndef PUMA_ARM_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 static const double
-    turn1 = 1.5238184104468135, /* a constant angle [rad] */
+    turn1 = 1.5238184104468135, /* atan2(k5, k6) [rad] */
     m1 = 5.119045780000291e-12, /* 1000 * k3 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 2.2049387897563516e-11,

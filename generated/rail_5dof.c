@@ -225,6 +225,8 @@ static void solve(
 
 #ifndef RAIL_5DOF_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit2 = 0.0036 [m^2], doubt_limit = 9.999999999999999e-05,
+ * exact_slack1 = 6e-12 [m], exact_slack = 1e-12. */
 static const double
     m1 = 1.296e-05, /* doubt_limit2^2 [m^4] */
     m2 = 9.999999999999999e-09, /* doubt_limit^2 */

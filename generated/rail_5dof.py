@@ -56,6 +56,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit2 = 0.0036 [m^2], doubt_limit = 9.999999999999999e-05,
+# exact_slack1 = 6e-12 [m], exact_slack = 1e-12.
 a1 = 2.0  # link length 2 [m]
 d3 = 1.0  # joint offset 3 [m]
 d5 = 3.0  # joint offset 5 [m]

@@ -143,6 +143,7 @@ static void solve(
 
 #ifndef RPR_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 8e-05 [m]. */
 static const double
     m1 = 6.400000000000001e-09, /* doubt_limit1^2 [m^2] */
     m3 = 8e-12; /* 1000 * merge_slack1 [m] */

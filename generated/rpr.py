@@ -56,6 +56,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 8e-05 [m].
 d1 = 0.5  # joint offset 1 [m]
 a3 = 0.3  # link length 3 [m]
 free_limit1 = 8e-13  # a length that fixes no angle [m]

@@ -197,6 +197,7 @@ static void solve(
 
 #ifndef RRPRRR_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 9.999999999999999e-05 [m]. */
 static const double
     m1 = 9.999999999999999e-09; /* doubt_limit1^2 [m^2] */
 

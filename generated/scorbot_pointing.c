@@ -270,6 +270,9 @@ static void solve(
 
 #ifndef SCORBOT_POINTING_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 9.52e-05 [m], doubt_limit = 9.999999999999999e-05,
+ * doubt_limit_squared2 = 9.063039999999998e-09 [m^2], exact_slack = 1e-12,
+ * exact_slack1 = 9.519999999999998e-13 [m], pose_slack1 = 9.519999999999999e-06 [m]. */
 static const double
     m1 = 9.06304e-09, /* doubt_limit1^2 [m^2] */
     m3 = 9.999999999999999e-09, /* doubt_limit^2 */

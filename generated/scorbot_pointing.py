@@ -62,6 +62,9 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose, or a free joint's value is not finite
 
+# In formulas below, doubt_limit1 = 9.52e-05 [m], doubt_limit = 9.999999999999999e-05,
+# doubt_limit_squared2 = 9.063039999999998e-09 [m^2], exact_slack = 1e-12,
+# exact_slack1 = 9.519999999999998e-13 [m], pose_slack1 = 9.519999999999999e-06 [m].
 d1 = 0.349  # joint offset 1 [m]
 a1 = 0.016  # link length 1 [m]
 a2 = 0.221  # link length 2 [m]

@@ -139,6 +139,7 @@ static void solve(
 
 #ifndef SPHERICAL_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 4.9999999999999996e-05 [m]. */
 static const double
     m1 = 2.4999999999999996e-09; /* doubt_limit1^2 [m^2] */
 

@@ -28,6 +28,7 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, reach_slack1 = 1.5e-14 [m], merge_slack1 = 1.5e-15 [m]. */
 static const double
     d2 = 0.15, /* joint offset 2 [m] */
     free_limit_squared2 = 2.2499999999999997e-26, /* square of a length that fixes no angle [m^2] */
@@ -146,6 +147,7 @@ static void solve(
 
 #ifndef SPHERICAL_OFFSET_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 1.4999999999999999e-05 [m]. */
 static const double
     m1 = 4.5000000000000217e-13, /* 1000 * k3 [m^2] */
     m2 = 2.2499999999999997e-10; /* doubt_limit1^2 [m^2] */

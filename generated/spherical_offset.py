@@ -58,6 +58,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, reach_slack1 = 1.5e-14 [m], merge_slack1 = 1.5e-15 [m],
+# doubt_limit1 = 1.4999999999999999e-05 [m].
 d2 = 0.15  # joint offset 2 [m]
 free_limit_squared2 = 2.2499999999999997e-26  # square of a length that fixes no angle [m^2]
 free_limit1 = 1.5e-13  # a length that fixes no angle [m]

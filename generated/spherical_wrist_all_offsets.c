@@ -29,6 +29,8 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, reach_slack1 = 1.7800000000000005e-13 [m],
+ * merge_slack1 = 1.7800000000000004e-14 [m], arm_size1 = 1.7800000000000005 [m]. */
 static const double
     d1 = 0.5, /* joint offset 1 [m] */
     a1 = 0.12, /* link length 1 [m] */
@@ -262,8 +264,9 @@ static void solve(
 
 #ifndef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
-    turn1 = -1.3382393849899876, /* a constant angle [rad] */
+    turn1 = -1.3382393849899876, /* atan2(-k6, k7) [rad] */
     m1 = 2.4920000000003177e-12, /* 1000 * k4 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 1.96123369955058e-11,

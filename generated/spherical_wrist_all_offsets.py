@@ -65,6 +65,9 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, reach_slack1 = 1.7800000000000005e-13 [m],
+# merge_slack1 = 1.7800000000000004e-14 [m], arm_size1 = 1.7800000000000005 [m],
+# doubt_limit = 9.999999999999999e-05.
 d1 = 0.5  # joint offset 1 [m]
 a1 = 0.12  # link length 1 [m]
 d2 = 0.13  # joint offset 2 [m]
@@ -90,7 +93,7 @@ k6 = 0.3268  # 2 * d4 * a2 [m^2]
 k7 = 0.0774  # 2 * a3 * a2 [m^2]
 k8 = 0.3374  # a2^2 + (a3^2 + d4^2) [m^2]
 k9 = 8.866112830151877  # 1 / (k6^2 + k7^2) [m^-4]
-turn1 = -1.3382393849899876  # a constant angle [rad]
+turn1 = -1.3382393849899876  # atan2(-k6, k7) [rad]
 m1 = 2.4920000000003177e-12  # 1000 * k4 [m^2]
 m2 = 1.96123369955058e-11  # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.1627906976744187  # k9 * (d4 * k6 + a3 * k7) [m^-1]

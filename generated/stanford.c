@@ -27,6 +27,7 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, reach_slack1 = 1.2700000000000001e-13 [m], merge_slack1 = 1.27e-14 [m]. */
 static const double
     d1 = 0.412, /* joint offset 1 [m] */
     d2 = 0.154, /* joint offset 2 [m] */
@@ -212,6 +213,7 @@ static void solve(
 
 #ifndef STANFORD_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.000127 [m], doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 3.3959800000001614e-12, /* 1000 * k4 [m^2] */
     m2 = 1.6129e-08, /* doubt_limit1^2 [m^2] */

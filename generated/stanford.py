@@ -63,6 +63,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, reach_slack1 = 1.2700000000000001e-13 [m], merge_slack1 = 1.27e-14 [m],
+# doubt_limit1 = 0.000127 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.412  # joint offset 1 [m]
 d2 = 0.154  # joint offset 2 [m]
 a3 = 0.0203  # link length 3 [m]

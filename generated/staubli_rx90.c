@@ -235,6 +235,8 @@ static void solve(
 
 #ifndef STAUBLI_RX90_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 9e-05 [m], doubt_limit_squared2 = 8.1e-09 [m^2],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 8.100000000000001e-09, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */

@@ -64,6 +64,8 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 9e-05 [m], doubt_limit_squared2 = 8.1e-09 [m^2],
+# doubt_limit = 9.999999999999999e-05.
 a2 = 0.45  # link length 3 [m]
 d4 = 0.45  # joint offset 4 [m]
 free_limit1 = 9e-13  # a length that fixes no angle [m]

@@ -28,6 +28,8 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, reach_slack1 = 1.5280000000000004e-13 [m],
+ * merge_slack1 = 1.5280000000000002e-14 [m], arm_size1 = 1.5280000000000002 [m]. */
 static const double
     d1 = 0.478, /* joint offset 1 [m] */
     a1 = 0.05, /* link length 1 [m] */
@@ -274,6 +276,8 @@ static void solve(
 
 #ifndef STAUBLI_TX2_90_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit_squared2 = 2.3347840000000007e-08 [m^2],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 1.5280000000002338e-12, /* 1000 * k3 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */

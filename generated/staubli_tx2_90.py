@@ -65,6 +65,9 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, reach_slack1 = 1.5280000000000004e-13 [m],
+# merge_slack1 = 1.5280000000000002e-14 [m], arm_size1 = 1.5280000000000002 [m],
+# doubt_limit_squared2 = 2.3347840000000007e-08 [m^2], doubt_limit = 9.999999999999999e-05.
 d1 = 0.478  # joint offset 1 [m]
 a1 = 0.05  # link length 1 [m]
 d2 = 0.05  # joint offset 2 [m]

@@ -28,6 +28,8 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, reach_slack1 = 8.700000000000001e-14 [m],
+ * merge_slack1 = 8.700000000000002e-15 [m], arm_size1 = 0.8700000000000001 [m]. */
 static const double
     d1 = 0.32, /* joint offset 1 [m] */
     a2 = 0.225, /* link length 2 [m] */
@@ -270,6 +272,8 @@ static void solve(
 
 #ifndef STAUBLI_TX40_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit_squared2 = 7.569000000000001e-09 [m^2],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 6.090000000000759e-13, /* 1000 * k3 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */

@@ -65,6 +65,9 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, reach_slack1 = 8.700000000000001e-14 [m],
+# merge_slack1 = 8.700000000000002e-15 [m], arm_size1 = 0.8700000000000001 [m],
+# doubt_limit_squared2 = 7.569000000000001e-09 [m^2], doubt_limit = 9.999999999999999e-05.
 d1 = 0.32  # joint offset 1 [m]
 a2 = 0.225  # link length 2 [m]
 d3 = 0.035  # joint offset 3 [m]

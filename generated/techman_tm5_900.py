@@ -65,6 +65,9 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, reach_slack1 = 1.3271500000000003e-13 [m],
+# merge_slack1 = 1.3271500000000003e-14 [m], arm_size1 = 1.3271500000000003 [m],
+# doubt_limit = 9.999999999999999e-05.
 d1 = 0.1452  # joint offset 1 [m]
 a2 = 0.429  # link length 2 [m]
 d3 = 0.1223  # joint offset 3 [m]

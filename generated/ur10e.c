@@ -27,6 +27,8 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, reach_slack1 = 1.7754999999999999e-13 [m], merge_slack1 = 1.7755e-14 [m],
+ * arm_size1 = 1.7754999999999999 [m]. */
 static const double
     d1 = 0.1807, /* joint offset 1 [m] */
     a2 = -0.6127, /* link length 2 [m] */
@@ -273,6 +275,7 @@ static void solve(
 
 #ifndef UR10E_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 6.184066500000315e-12, /* 1000 * k3 [m^2] */
     m2 = 9.999999999999999e-09, /* doubt_limit^2 */

@@ -1818,6 +1818,8 @@ DHGEN_INLINE void dhgen_ik_batch(const struct dhgen_arm *arm, dhgen_solve_wide *
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
+/* In formulas below, reach_slack1 = 4.770036e-06 [m], merge_slack1 = 1.192509e-07 [m],
+ * arm_size1 = 1.192509 [m]. */
 static const float
     d1 = 0.089159f, /* joint offset 1 [m] */
     a2 = -0.425f, /* link length 2 [m] */
@@ -2047,6 +2049,7 @@ static void solve(
 
 #ifndef UR5_F32_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit = 0.001. */
 static const float
     m1 = 1e-06f, /* doubt_limit^2 */
     /* (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4] */

@@ -64,6 +64,9 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, reach_slack1 = 1.3122999999999999e-13 [m],
+# merge_slack1 = 1.3122999999999998e-14 [m], arm_size1 = 1.3122999999999998 [m],
+# doubt_limit = 9.999999999999999e-05.
 d1 = 0.1625  # joint offset 1 [m]
 a2 = -0.425  # link length 2 [m]
 a3 = -0.3922  # link length 3 [m]

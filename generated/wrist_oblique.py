@@ -55,6 +55,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit = 9.999999999999999e-05.
 sqrt3 = 1.7320508075688772  # square root of 3
 ca2 = 0.6427876096865394  # cosine of twist 2
 sa2 = 0.766044443118978  # sine of twist 2

@@ -255,6 +255,8 @@ static void solve(
 
 #ifndef XARM5_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00010806466145437469 [m],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 1.1677971055248613e-08, /* doubt_limit1^2 [m^2] */
     m2 = 9.999999999999999e-09, /* doubt_limit^2 */

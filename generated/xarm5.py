@@ -59,6 +59,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.00010806466145437469 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.267  # joint offset 1 [m]
 a2 = 0.2894866145437471  # link length 2 [m]
 a3 = 0.35116  # link length 3 [m]

@@ -260,8 +260,10 @@ static void solve(
 
 #ifndef YASKAWA_GP7_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00013749999999999998 [m],
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
-    turn1 = -1.4801364395941514, /* a constant angle [rad] */
+    turn1 = -1.4801364395941514, /* atan2(-k1, k2) [rad] */
     m1 = 1.8906249999999994e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.920847203220787e-11,

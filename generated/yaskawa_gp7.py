@@ -65,6 +65,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.00013749999999999998 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.33  # joint offset 1 [m]
 a1 = 0.04  # link length 1 [m]
 a2 = 0.445  # link length 2 [m]
@@ -87,7 +88,7 @@ k1 = 0.3916  # 2 * d4 * a2 [m^2]
 k2 = 0.0356  # 2 * a3 * a2 [m^2]
 k3 = 0.393225  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 6.467555636500607  # 1 / (k1^2 + k2^2) [m^-4]
-turn1 = -1.4801364395941514  # a constant angle [rad]
+turn1 = -1.4801364395941514  # atan2(-k1, k2) [rad]
 high1 = 2.967000001
 low2 = -1.1344000010000002
 high2 = 2.530700001

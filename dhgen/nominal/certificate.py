@@ -85,6 +85,7 @@ class _Certificate:
     def run(self) -> Regular:
         builder, program = self._builder, self._solver.program
         own = {constant.name for constant in program.constants} | program.reserved.own
+        own |= {part.name for constant in program.constants for part in constant.parts}
         names = "|".join(map(re.escape, sorted(own)))
         for constant in program.constants:
             self._values[constant.name] = self._constant(constant, names)
@@ -112,10 +113,17 @@ class _Certificate:
         """A number of the nearest arm under a name of its own, also where others are made of it."""
         if constant.role is Source.FILE:
             return self._builder.known(constant)
-        meaning = re.sub(rf"\b(?:{names})\b", rf"{self._word}_\g<0>", constant.meaning)
-        name, role = f"{self._word}_{constant.name}", constant.role
-        role = Source.MADE if role is Source.ARM else role
-        return self._builder.constant(name, constant.value, meaning, constant.power, role)
+        near = self._renamed(constant, names)
+        role = Source.MADE if near.role is Source.ARM else near.role
+        return self._builder.known(replace(near, role=role))
+
+    def _renamed(self, constant: NamedConstant, names: str) -> NamedConstant:
+        return replace(
+            constant,
+            name=f"{self._word}_{constant.name}",
+            meaning=re.sub(rf"\b(?:{names})\b", rf"{self._word}_\g<0>", constant.meaning),
+            parts=tuple(self._renamed(part, names) for part in constant.parts),
+        )
 
     def _value(self, expression: Expression) -> Node:
         match expression:

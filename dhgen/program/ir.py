@@ -270,6 +270,7 @@ class NamedConstant:
         meaning: For a comment: what it is, or its formula.
         power: The power of a length that it is, for its unit.
         role: What it is for whoever reads the program.
+        parts: The constants that a formula names.
     """
 
     name: str
@@ -277,6 +278,7 @@ class NamedConstant:
     meaning: str
     power: int = 0
     role: Role = Source.MADE
+    parts: tuple[NamedConstant, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

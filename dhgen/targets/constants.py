@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
 
 
+_WORD = re.compile(r"\w+")
+
+
 @dataclass(frozen=True, slots=True)
 class ConstantText:
     """A constant as it is written.
@@ -27,12 +30,14 @@ class ConstantText:
         value: Its value.
         comment: What it is; empty where its name says all.
         role: The same for the targets.
+        parts: The constants that the comment names, each with its value.
     """
 
     name: str
     value: str
     comment: str
     role: Role
+    parts: tuple[tuple[str, str], ...] = ()
 
 
 def constant_texts(module: SolverModule, others: tuple[Program, ...] = ()) -> list[ConstantText]:
@@ -41,10 +46,28 @@ def constant_texts(module: SolverModule, others: tuple[Program, ...] = ()) -> li
     constants = _told_by_others(_merged([*module.programs, *others], own))
     unit = module.length_unit
     return [
-        ConstantText(c.name, repr(c.value), _comment(c, unit), c.role)
+        ConstantText(c.name, repr(c.value), _comment(c, unit), c.role, _parts(c, unit))
         for c in constants
         if c.role is not Source.FILE
     ]
+
+
+def made_of(constants: Sequence[ConstantText], above: Sequence[ConstantText]) -> list[str]:
+    """What formulas name that is a constant neither here nor above, with its value.
+
+    Whoever checks a coefficient finds every number of its formula. No code needs them.
+
+    Returns:
+        A sentence in pieces that stay whole; empty if there is none.
+    """
+    known = {each.name for each in (*constants, *above)}
+    known |= {name for each in above for name, _ in each.parts}
+    told = {name: text for each in constants for name, text in each.parts if name not in known}
+    if not told:
+        return []
+    *others, last = told.values()
+    first, *rest = [*(f"{text}," for text in others), f"{last}."]
+    return [f"In formulas below, {first}", *rest]
 
 
 def _merged(programs: Iterable[Program], own: Sequence[str]) -> tuple[NamedConstant, ...]:
@@ -79,8 +102,22 @@ def _named(found: re.Match[str], name: str) -> str:
     return f"{found[1]}({name})" if found[1] else name
 
 
+def _parts(constant: NamedConstant, length: str) -> tuple[tuple[str, str], ...]:
+    """The parts that its formula still names, since constants may be named for what they mean."""
+    words = set(_WORD.findall(constant.meaning))
+    return tuple(
+        (part.name, f"{part.name} = {part.value!r}{_unit(part, length)}")
+        for part in constant.parts
+        if part.name in words and part.role is not Source.FILE
+    )
+
+
 def _comment(constant: NamedConstant, length: str) -> str:
-    units = {0: "", 1: f" [{length}]"}
     if not constant.meaning:
         return ""
-    return plain(constant.meaning + units.get(constant.power, f" [{length}^{constant.power}]"))
+    return plain(constant.meaning + _unit(constant, length))
+
+
+def _unit(constant: NamedConstant, length: str) -> str:
+    units = {0: "", 1: f" [{length}]"}
+    return units.get(constant.power, f" [{length}^{constant.power}]")

@@ -14,7 +14,8 @@ CONSTANT = re.compile(
     r"\b(?P<name>\w+) = (?P<value>-?\d[\d.e+-]*)[,;](?P<behind> /\*(?:[^*]|\*[^/])*\*/)?"
 )
 UNIT = re.compile(r"\[[^]]*\]")
-ARITHMETIC = re.compile(r"[\w\s.+*/()^-]+")
+ARITHMETIC = re.compile(r"[\w\s.,+*/()^-]+")
+FUNCTIONS = {name: getattr(math, name) for name in ("sqrt", "sin", "cos", "tan", "atan2")}
 EPSILON = math.ulp(1.0)
 
 
@@ -28,22 +29,38 @@ def constants(text: str) -> dict[str, tuple[float, str]]:
                 re.sub(r"^ +\* ", "", comment, flags=re.MULTILINE).strip("/* \n").split()
             )
             found[each["name"]] = float(each["value"]), UNIT.sub("", told).strip()
+    for parts in re.findall(r"/\* In formulas below, ([^/]*)\. \*/", text):
+        for name, value in re.findall(r"(\w+) = (-?\d[\d.e+-]*)", parts):
+            known, formula = found.get(name, (float(value), ""))
+            assert known == float(value), name
+            found[name] = known, formula
     return found
+
+
+def words(formula: str) -> set[str]:
+    """The constants that a formula names."""
+    return set(re.findall(r"[A-Za-z_]\w*", formula)) - FUNCTIONS.keys() - {"pi"}
+
+
+def is_prose(comment: str) -> bool:
+    """Whether words stand side by side, not names and operators in turn."""
+    return not ARITHMETIC.fullmatch(comment) or bool(re.search(r"[a-z]\w* +[a-z]", comment))
+
+
+def is_formula(comment: str) -> bool:
+    """Whether something is calculated."""
+    return not is_prose(comment) and bool(re.search(r"[*/^+]| - |\w\(", comment))
 
 
 def sizes(formula: str, values: dict[str, float]) -> tuple[float, float] | None:
     """A formula's value, and what it would be if nothing cancelled; None for words."""
-    if not ARITHMETIC.fullmatch(formula) or not re.search(r"[*/^+]| - ", formula):
-        return None
-    functions = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan}
-    words = set(re.findall(r"[A-Za-z_]\w*", formula)) - functions.keys() - {"pi"}
-    if not words <= values.keys():
+    if not is_formula(formula):
         return None
     code = formula.replace("^", "**")
-    value = eval(code, {}, {**functions, "pi": math.pi, **values})  # noqa: S307  our own file
+    value = eval(code, {}, {**FUNCTIONS, "pi": math.pi, **values})  # noqa: S307  our own file
     whole = re.sub(r"(?<!e)-", "+", code)
     absolute = {name: abs(number) for name, number in values.items()}
-    return value, abs(eval(whole, {}, {**functions, "pi": math.pi, **absolute}))  # noqa: S307
+    return value, abs(eval(whole, {}, {**FUNCTIONS, "pi": math.pi, **absolute}))  # noqa: S307
 
 
 @pytest.mark.parametrize("path", sorted(GENERATED.glob("*.c")), ids=lambda path: path.stem)
@@ -59,13 +76,23 @@ def test_constants_are_what_their_formulas_say(path: Path) -> None:
 
 
 def test_folded_numbers_of_regular_poses_have_formulas() -> None:
-    """m4 = ... /* k4 * (d4 * k1 + a3 * k2) */: the numbers that only regular poses use."""
+    """m4 = ... /* k4 * (d4 * k1 + a3 * k2) */, turn1 = ... /* atan2(k1, k2) */ as well."""
     silent = [
         (path.stem, name, comment)
         for path in GENERATED.glob("*.c")
         for name, (_, comment) in constants(path.read_text()).items()
-        if re.fullmatch(r"[km]\d+", name)
-        # names and operators in turn, no words side by side
-        and (not ARITHMETIC.fullmatch(comment) or re.search(r"[a-z]\w* +[a-z]", comment))
+        if re.fullmatch(r"([km]|turn)\d+", name) and is_prose(comment)
     ]
     assert silent == []
+
+
+def test_what_a_formula_names_is_told() -> None:
+    """Also numbers that no code needs: doubt_limit1 of doubt_limit1^2."""
+    unknown = [
+        (path.stem, name, comment)
+        for path in GENERATED.glob("*.c")
+        for told in [constants(path.read_text())]
+        for name, (_, comment) in told.items()
+        if is_formula(comment) and not words(comment) <= told.keys()
+    ]
+    assert unknown == []

@@ -35,11 +35,13 @@ class Formula:
         text: How it is written.
         power: The power of a length that its value is.
         binding: How tightly the text binds.
+        names: The constants that it names.
     """
 
     text: str
     power: int = 0
     binding: Binding = ATOM
+    names: frozenset[str] = frozenset()
 
     def within(self, binding: Binding) -> str:
         """The text where something binds this tightly."""
@@ -48,19 +50,20 @@ class Formula:
 
 def combined(operator: Operator, left: Formula, right: Formula) -> Formula:
     """The formula of an operator on two others."""
+    names = left.names | right.names
     match operator:
         case "add" | "sub":
             sign = "+" if operator == "add" else "-"
             text = f"{left.text} {sign} {right.within(PRODUCT)}"
-            return Formula(text, max(left.power, right.power), SUM)
+            return Formula(text, max(left.power, right.power), SUM, names)
         case "mul" if left == right:
-            return Formula(f"{left.within(ATOM)}^2", 2 * left.power, PRODUCT)
+            return Formula(f"{left.within(ATOM)}^2", 2 * left.power, PRODUCT, names)
         case "mul":
             text = f"{left.within(PRODUCT)} * {right.within(PRODUCT)}"
-            return Formula(text, left.power + right.power, PRODUCT)
+            return Formula(text, left.power + right.power, PRODUCT, names)
         case _:
             text = f"{left.within(PRODUCT)} / {right.within(ATOM)}"
-            return Formula(text, left.power - right.power, PRODUCT)
+            return Formula(text, left.power - right.power, PRODUCT, names)
 
 
 Node = int
@@ -117,7 +120,13 @@ class Graph:
         return self._add(Entry(Integer(value), None, (), value=Fraction(value)))
 
     def constant(
-        self, name: str, value: float, meaning: str, power: int = 0, role: Role = Source.MADE
+        self,
+        name: str,
+        value: float,
+        meaning: str,
+        power: int = 0,
+        role: Role = Source.MADE,
+        parts: tuple[NamedConstant, ...] = (),
     ) -> Node:
         """A number with a name.
 
@@ -128,18 +137,23 @@ class Graph:
             meaning: For a comment.
             power: The power of a length that it is.
             role: What it is.
+            parts: The constants that its meaning names, if that is a formula.
         """
         if role is not Source.FILE:
             name = self._constant_name(name, own=role is Source.ARM)
-        self.constants.setdefault(name, NamedConstant(name, value, meaning, power, role))
+        self.constants.setdefault(name, NamedConstant(name, value, meaning, power, role, parts))
         node = self._add(Entry(Variable(name), None, (), value=Fraction(value)))
-        self._formulas.setdefault(node, Formula(name, power))
+        self._formulas.setdefault(node, Formula(name, power, names=frozenset({name})))
         return node
 
     def known(self, constant: NamedConstant) -> Node:
         """A constant of another program."""
         of = constant
-        return self.constant(of.name, of.value, of.meaning, of.power, of.role)
+        return self.constant(of.name, of.value, of.meaning, of.power, of.role, of.parts)
+
+    def angle(self, name: str, value: float, formula: Formula) -> Node:
+        """A constant angle: its formula is more than the four operations."""
+        return self.constant(name, value, f"{formula.text} [rad]", parts=self._parts(formula))
 
     def pose(self, row: int, column: int) -> Node:
         """An entry of the given pose, from 1."""
@@ -259,10 +273,15 @@ class Graph:
         """A constant without a name as yet: most are only parts of others."""
         node = len(self.entries)
         leaf = Variable(f"?{node}")
-        self.folded[leaf] = NamedConstant(leaf.name, float(value), formula.text, formula.power)
+        self.folded[leaf] = NamedConstant(
+            leaf.name, float(value), formula.text, formula.power, parts=self._parts(formula)
+        )
         self.entries.append(Entry(leaf, None, (), value=value))
         self._formulas[node] = formula
         return node
+
+    def _parts(self, formula: Formula) -> tuple[NamedConstant, ...]:
+        return tuple(self.constants[name] for name in sorted(formula.names))
 
 
 def _calculated(operator: Operator, left: Fraction, right: Fraction) -> Fraction:

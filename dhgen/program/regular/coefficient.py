@@ -9,11 +9,12 @@ from functools import reduce
 from typing import TYPE_CHECKING
 
 from dhgen.program.building.graph import ATOM, PRODUCT, Formula, combined
+from dhgen.program.ir import Integer
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from dhgen.program.building.graph import Node
+    from dhgen.program.building.graph import Graph, Node
 
 CANCELLED = Fraction(1, 10**12)  # of its terms a sum that is rounding alone
 ALIKE = Fraction(1, 10**13)  # numbers that differ by no more are one
@@ -42,6 +43,10 @@ class Coefficient:
         if ONE in (self, other):
             return other if self == ONE else self
         return Coefficient(self.value * other.value, factors=(self, other))
+
+    def __add__(self, other: Coefficient) -> Coefficient:
+        """The sum of two."""
+        return Coefficient(self.value + other.value, parts=(self, other))
 
     def __neg__(self) -> Coefficient:
         """The opposite."""
@@ -74,6 +79,15 @@ class Coefficient:
 def whole(value: int) -> Coefficient:
     """A whole number."""
     return Coefficient(Fraction(value))
+
+
+def coefficient(graph: Graph, node: Node) -> Coefficient:
+    """A number of a program as the constant that it is."""
+    entry = graph.entries[node]
+    if isinstance(entry.leaf, Integer):
+        return whole(entry.leaf.value)
+    assert entry.value is not None
+    return Coefficient(entry.value, constant=node)
 
 
 ONE, MINUS_ONE = whole(1), whole(-1)
@@ -126,7 +140,7 @@ def _product(number: Fraction, formulas: Sequence[Formula]) -> Formula:
     above, below = abs(number.numerator), number.denominator
     factors = [] if above == 1 and formulas else [Formula(str(above))]
     for each, times in Counter(formulas).items():
-        power = Formula(f"{each.within(ATOM)}^{times}", times * each.power, PRODUCT)
+        power = Formula(f"{each.within(ATOM)}^{times}", times * each.power, PRODUCT, each.names)
         factors.append(each if times == 1 else power)
     found = reduce(lambda one, other: combined("mul", one, other), factors)
     if below != 1:

@@ -7,12 +7,16 @@ r a signed root and k a length, and the angle of (k, r) depends on fewer signs, 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from mpmath import mp, mpf
 
+from dhgen.program.building.graph import Formula
+from dhgen.program.regular.coefficient import ONE, Coefficient, coefficient
+
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
 
@@ -29,11 +33,13 @@ class TurnedPair:
         sine: Its y, as the factors of a product.
         cosine: Its x.
         turn: The angle.
+        formula: How it is written.
     """
 
     sine: Product
     cosine: Product
     turn: float
+    formula: Formula
 
 
 def turned_pair(builder: Builder, sine: Node, cosine: Node) -> TurnedPair | None:
@@ -44,10 +50,12 @@ def turned_pair(builder: Builder, sine: Node, cosine: Node) -> TurnedPair | None
     one, other = sorted(y)
     for r, k in ((one, other), (other, one)):
         a, b = y[r], x[r]
-        if x[k] == a and y[k] == -b and a != 0 and b != 0:
+        if x[k].value == a.value and y[k].value == -b.value and a.value != 0 and b.value != 0:
             with mp.workdps(DIGITS):
-                turn = float(mp.atan2(_exact(b), _exact(a)))
-            return TurnedPair(r, k, turn)
+                turn = float(mp.atan2(_exact(b.value), _exact(a.value)))
+            y_, x_ = (each.formula(builder.formula) for each in (b, a))
+            formula = Formula(f"atan2({y_.text}, {x_.text})", names=y_.names | x_.names)
+            return TurnedPair(r, k, turn, formula)
     return None
 
 
@@ -55,30 +63,30 @@ def _exact(value: Fraction) -> mpf:
     return mpf(value.numerator) / mpf(value.denominator)
 
 
-def _terms(builder: Builder, node: Node) -> dict[Product, Fraction]:
+def _terms(builder: Builder, node: Node) -> dict[Product, Coefficient]:
     """A sum as products of what is not constant, each with its coefficient."""
     entry = builder.entries[node]
     match entry.operator, entry.operands:
         case "neg", (operand,):
             return {key: -value for key, value in _terms(builder, operand).items()}
         case (("add" | "sub"), (left, right)):
-            sign = 1 if entry.operator == "add" else -1
-            total = _terms(builder, left)
+            found = _terms(builder, left)
             for key, value in _terms(builder, right).items():
-                total[key] = total.get(key, Fraction(0)) + sign * value
-            return total
+                more = value if entry.operator == "add" else -value
+                found[key] = found[key] + more if key in found else more
+            return found
         case _:
             factor, product = _factors(builder, node)
             return {tuple(sorted(product)): factor}
 
 
-def _factors(builder: Builder, node: Node) -> tuple[Fraction, list[Node]]:
+def _factors(builder: Builder, node: Node) -> tuple[Coefficient, list[Node]]:
     """A product as a constant and the rest."""
     entry = builder.entries[node]
     if entry.value is not None:
-        return entry.value, []
+        return coefficient(builder, node), []
     if entry.operator != "mul":
-        return Fraction(1), [node]
+        return ONE, [node]
     (one, first), (two, second) = (_factors(builder, operand) for operand in entry.operands)
     return one * two, first + second
 

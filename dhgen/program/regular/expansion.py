@@ -11,8 +11,7 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import Integer
-from dhgen.program.regular.coefficient import MINUS_ONE, ONE, Coefficient, total, whole
+from dhgen.program.regular.coefficient import MINUS_ONE, ONE, Coefficient, coefficient, total
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -123,7 +122,7 @@ class Expansion:
         def found(each: Node) -> Terms | None:
             entry = entries[each]
             if entry.value is not None:
-                return {(): self._constant(each)} if entry.value else {}
+                return {(): coefficient(self._builder, each)} if entry.value else {}
             if each in ends or ends.isdisjoint(self._reached(each)):
                 negated = entry.operator == "neg"
                 return {(entry.operands[0],): MINUS_ONE} if negated else {(each,): ONE}
@@ -140,14 +139,6 @@ class Expansion:
 
         of(node)
         return known[node]
-
-    def _constant(self, node: Node) -> Coefficient:
-        """A number as the constant that it is."""
-        entry = self._builder.entries[node]
-        if isinstance(entry.leaf, Integer):
-            return whole(entry.leaf.value)
-        assert entry.value is not None
-        return Coefficient(entry.value, constant=node)
 
     def _product(
         self, x: Terms, y: Terms, root: Node, of: Callable[[Node], Terms | None]

@@ -176,7 +176,7 @@ class SignedArithmetic:
         if not own < axes:
             return None
         angle = self.plain(self._angle(r, k))
-        turn = builder.constant(f"turn{len(self._turns) + 1}", found.turn, "a constant angle [rad]")
+        turn = builder.angle(f"turn{len(self._turns) + 1}", found.turn, found.formula)
         self._turns.append(turn)
         return Signed(builder.sub(angle, turn))
 

@@ -9,7 +9,7 @@ from dhgen import __version__
 from dhgen.printing.comments import plain
 from dhgen.program.role import GRAZE, LimitEnd
 from dhgen.targets.c.table import c_ends
-from dhgen.targets.constants import constant_texts
+from dhgen.targets.constants import constant_texts, made_of
 from dhgen.targets.layout import GOES_ON, INDENT, WIDTH, listed, packed, paragraph
 from dhgen.targets.module import made_text
 from dhgen.targets.solver.task import meaning
@@ -84,9 +84,9 @@ def c_tables(module: SolverModule, regular: Sequence[Program]) -> CTables:
     return CTables(
         joints=_joints(module),
         branch_names=listed([f'"{text}"' for text in module.branches], INDENT),
-        constants=_constant_lines(own),
-        regular_constants=_constant_lines([each for each in common if each not in own]),
-        lane_constants=_constant_lines([each for each in lanes if each not in common]),
+        constants=_constant_lines(own, []),
+        regular_constants=_constant_lines([each for each in common if each not in own], own),
+        lane_constants=_constant_lines([each for each in lanes if each not in common], common),
     )
 
 
@@ -126,13 +126,28 @@ def _in_macros(role: Role) -> bool:
     return isinstance(role, LimitEnd) or role == GRAZE
 
 
-def _constant_lines(constants: list[ConstantText]) -> list[str]:
-    """Definitions of those with a comment, and of those whose names say all."""
+def _constant_lines(constants: list[ConstantText], above: list[ConstantText]) -> list[str]:
+    """Definitions of those with a comment, and of those whose names say all.
+
+    Args:
+        constants: The constants.
+        above: Those that stand above them.
+    """
     told = [each for each in constants if each.comment]
-    lines = ["static const double"] if told else []
+    lines = _comment(made_of(constants, above))
+    lines += ["static const double"] if told else []
     for each in told:
         lines += _constant(each, ";" if each is told[-1] else ",")
     return lines + _bare([each for each in constants if not each.comment])
+
+
+def _comment(pieces: list[str]) -> list[str]:
+    if not pieces:
+        return []
+    mark, end = " * ", " */"
+    *others, last = packed(pieces, mark, width=WIDTH - len(end))
+    lines = [*others, last + end]
+    return [f"/* {lines[0].removeprefix(mark)}", *lines[1:]]
 
 
 def _bare(constants: list[ConstantText]) -> list[str]:

@@ -9,9 +9,9 @@ from dhgen.kinematics.link_table import AXES
 from dhgen.printing.comments import plain
 from dhgen.robot.task import Directions, TaskKind
 from dhgen.runtime.python.frames import IDENTITY
-from dhgen.targets.constants import constant_texts
+from dhgen.targets.constants import constant_texts, made_of
 from dhgen.targets.coupled import coupling_fields
-from dhgen.targets.layout import INDENT, WIDTH, listed, paragraph
+from dhgen.targets.layout import INDENT, WIDTH, listed, packed, paragraph
 from dhgen.targets.module import made_text
 from dhgen.targets.python.literal import literal
 from dhgen.targets.python.table import arm_lines
@@ -167,7 +167,7 @@ def python_tables(module: SolverModule, flat: Flat | None) -> PythonTables:
             [f"{_table_name(module)} = (", *(f"{INDENT}{row!r}," for row in module.links.rows), ")"]
         ),
         frames=_frames(module),
-        constants=[line for each in constants for line in _constant(each)],
+        constants=_constants(constants),
     )
 
 
@@ -196,6 +196,13 @@ def _joint_names(module: SolverModule) -> str:
     if len(line) <= WIDTH - len("JOINT_NAMES = "):
         return line
     return "\n".join(["(", *listed(names, INDENT), ")"])
+
+
+def _constants(constants: Sequence[ConstantText]) -> list[str]:
+    return [
+        *packed(made_of(constants, []), "# "),
+        *(line for each in constants for line in _constant(each)),
+    ]
 
 
 def _constant(constant: ConstantText) -> list[str]:
