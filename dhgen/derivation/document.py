@@ -21,14 +21,15 @@ from dhgen.derivation.sections.robot import opening, robot_section
 from dhgen.derivation.sections.shoulder import arm_angle_places
 from dhgen.derivation.sections.velocity import velocity_section
 from dhgen.derivation.sections.whole_example import whole_example_section
+from dhgen.derivation.sections.wrist import wrist_blocks
 from dhgen.derivation.steps import step_blocks
-from dhgen.derivation.text.blocks import Given, Paragraph, Prose, paragraph
+from dhgen.derivation.text.blocks import Given, Paragraph, Prose, paragraph, unfolded
 from dhgen.derivation.text.walk import symbols_of
 from dhgen.derivation.text.words import many
 from dhgen.general.kernel import GeneralKernel
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator, Sequence
 
     from dhgen.derivation.figures.all import Figures
     from dhgen.derivation.step_context import Singularity
@@ -71,7 +72,7 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
     return [
         *forward_section(story),
         *inverse_beginning(story),
-        *(block for blocks, _ in steps for block in blocks),
+        *_steps(story, [blocks for blocks, _ in steps]),
         *joint_values(story),
         *solutions_section(story),
         *example_section(story),
@@ -81,6 +82,12 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
         *singular_blocks(story, places),
         *velocity_section(story, places),
     ]
+
+
+def _steps(story: Story, steps: Sequence[Sequence[Block]]) -> Iterator[Block]:
+    for number, blocks in enumerate(steps, start=1):
+        yield from wrist_blocks(story, number)
+        yield from blocks
 
 
 def singular_places(story: Story) -> list[Singularity]:
@@ -114,7 +121,7 @@ def cited_documents(blocks: Iterable[Block]) -> list[Block]:
 
 
 def _texts(blocks: Iterable[Block]) -> Iterable[str]:
-    for block in blocks:
+    for block in unfolded(blocks):
         if isinstance(block, Paragraph):
             yield from _words(block.prose)
             yield from _words(block.lead) if block.lead else ()

@@ -10,7 +10,7 @@ from itertools import pairwise
 import pytest
 
 from dhgen.derivation.document import document_blocks
-from dhgen.derivation.text.blocks import Display
+from dhgen.derivation.text.blocks import Display, unfolded
 from dhgen.derivation.text.formula import (
     Formula,
     Number,
@@ -109,7 +109,7 @@ def test_all_lines_of_a_derivation_are_worth_its_formulas(name: str) -> None:
     """Each side is compared at letters that are numbers chosen here, not an arm's."""
     sides = [
         side
-        for block in document_blocks(story(name))
+        for block in unfolded(document_blocks(story(name)))
         if isinstance(block, Display)
         for formula in block.formulas
         if isinstance(formula, Relation)
@@ -139,7 +139,7 @@ class Numbers(dict[str, float]):
 
 @pytest.mark.parametrize("name", [*NAMES, *WHOLE])
 def test_no_line_of_a_derivation_ends_inside_a_bracket(name: str) -> None:
-    for block in document_blocks(story(name)):
+    for block in unfolded(document_blocks(story(name))):
         if isinstance(block, Display):
             for left, right in laid_out(block.formulas, LATEX):
                 assert not unbalanced(left + right), right

@@ -11,7 +11,7 @@ import pytest
 from dhgen.derivation.document import document_blocks
 from dhgen.derivation.sections.forward import forward_section
 from dhgen.derivation.steps import step_blocks
-from dhgen.derivation.text.blocks import Display, Paragraph
+from dhgen.derivation.text.blocks import Display, Paragraph, unfolded
 from dhgen.derivation.text.formula import Relation
 from dhgen.derivation.text.lines import width
 from dhgen.derivation.text.markdown import markdown
@@ -37,7 +37,9 @@ def test_what_a_direct_step_solves_is_not_printed_before(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_no_long_entry_of_a_transform_is_printed_twice_in_a_row(name: str) -> None:
-    displays = [each for each in forward_section(story(name)) if isinstance(each, Display)]
+    displays = [
+        each for each in unfolded(forward_section(story(name))) if isinstance(each, Display)
+    ]
     entries = [set(_long_sides(block)) for block in displays]
     for before, after in pairwise([each for each in entries if each]):
         assert not before & after
@@ -52,7 +54,7 @@ def _long_sides(block: Display) -> list[str]:
 def test_columns_that_are_said_to_be_another_s_are(name: str) -> None:
     of = story(name)
     letters = with_pose(of, configuration(of, 5))
-    for block in document_blocks(of):
+    for block in unfolded(document_blocks(of)):
         if isinstance(block, Paragraph) and block.prose.text == "{}; the other entries are":
             told = words(block.prose)
             first, second = told.split(" is " if " is " in told else " are ")

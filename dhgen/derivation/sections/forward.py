@@ -13,7 +13,7 @@ from dhgen.derivation.sections.transforms import (
     matrix_width,
     transform_blocks,
 )
-from dhgen.derivation.text.blocks import Display, Heading, display, paragraph, say
+from dhgen.derivation.text.blocks import Display, Folded, Heading, display, paragraph, say
 from dhgen.derivation.text.formula import (
     Element,
     Listing,
@@ -128,10 +128,8 @@ def _expanded(story: Story) -> list[Block]:
     ]
     if not changed:
         return []
-    return [
-        paragraph("In expanded form the entries of {} that hold sums of angles are", name),
-        display(*changed),
-    ]
+    told = paragraph("In expanded form the entries of {} that hold sums of angles are", name)
+    return [Folded("The same without sums of angles", (told, display(*changed)))]
 
 
 def _tool(story: Story) -> list[Block]:

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
     from dhgen.derivation.text.formula import Formula
 
 
@@ -80,7 +82,29 @@ class Picture:
     caption: Prose
 
 
-Block = Heading | Paragraph | Display | Table | Drawing | Picture
+@dataclass(frozen=True, slots=True)
+class Folded:
+    """What no later line needs: it opens where the reader asks for it, where a format can do that.
+
+    Attributes:
+        title: What is there, without formulas.
+        blocks: It.
+    """
+
+    title: str
+    blocks: tuple[Block, ...]
+
+
+Block = Heading | Paragraph | Display | Table | Drawing | Picture | Folded
+
+
+def unfolded(blocks: Iterable[Block]) -> Iterator[Block]:
+    """Blocks as they are read one after the other, with what is folded."""
+    for block in blocks:
+        if isinstance(block, Folded):
+            yield from unfolded(block.blocks)
+        else:
+            yield block
 
 
 def say(text: str, *parts: Formula | Given | Prose) -> Prose:

@@ -13,6 +13,7 @@ from latex2mathml.converter import convert
 from dhgen.derivation.text.blocks import (
     Display,
     Drawing,
+    Folded,
     Heading,
     Paragraph,
     Picture,
@@ -68,6 +69,9 @@ def html(block: Block, drawings: Mapping[str, str]) -> str:
         case Picture(path, title, caption):
             image = f'<img src="{escape(drawings[path])}" alt="{escape(title)}">'
             return f"<figure>{image}\n<figcaption>{inline(caption)}</figcaption></figure>"
+        case Folded(title, blocks):
+            opened = "\n".join(html(each, drawings) for each in blocks)
+            return f"<details><summary>{escape(title)}</summary>\n{opened}\n</details>"
 
 
 def inline(prose: Prose) -> str:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.text.blocks import (
     Display,
     Drawing,
+    Folded,
     Heading,
     Paragraph,
     Picture,
@@ -56,6 +57,8 @@ def latex(block: Block, drawings: Mapping[str, str]) -> str:
             return f"\\drawing{{%\n{lines}}}"
         case Picture(path, _, caption):
             return f"\\drawn{{%\n{drawings[path]}}}{{{inline(caption)}}}"
+        case Folded(_, blocks):
+            return "\n\n".join(latex(each, drawings) for each in blocks)
 
 
 def inline(prose: Prose) -> str:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.text.blocks import (
     Display,
     Drawing,
+    Folded,
     Heading,
     Paragraph,
     Picture,
@@ -46,6 +47,9 @@ def markdown(block: Block) -> str:
             return f"```text\n{text}\n```"
         case Picture(path, title, caption):
             return f"![{escaped(title)}]({path})\n\n{inline(caption)}"
+        case Folded(title, blocks):
+            opened = f"<details>\n<summary>{title}</summary>"
+            return "\n\n".join([opened, *map(markdown, blocks), "</details>"])
 
 
 def inline(prose: Prose) -> str:

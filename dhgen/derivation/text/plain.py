@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.text.blocks import (
     Display,
     Drawing,
+    Folded,
     Heading,
     Paragraph,
     Picture,
@@ -45,6 +46,8 @@ def plain(block: Block) -> str:
             return textwrap.indent(text, INDENT)
         case Picture(path, _, caption):
             return textwrap.fill(f"{path}: {words(caption)}", COLUMNS, break_on_hyphens=False)
+        case Folded(_, blocks):
+            return "\n\n".join(map(plain, blocks))
 
 
 def words(prose: Prose) -> str:

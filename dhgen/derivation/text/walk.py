@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.text.blocks import Display, Given, Paragraph, Picture, Prose, Table
+from dhgen.derivation.text.blocks import Display, Given, Paragraph, Picture, Prose, Table, unfolded
 from dhgen.derivation.text.formula import Minus, Number, Sum, Symbol
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def symbols_of(blocks: Iterable[Block]) -> frozenset[Symbol]:
     """The symbols anywhere in the blocks."""
     return frozenset(
         symbol
-        for block in blocks
+        for block in unfolded(blocks)
         for formula in _formulas_of(block)
         for symbol in symbols_in(formula)
     )

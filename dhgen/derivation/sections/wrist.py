@@ -1,0 +1,71 @@
+"""The orientation that is left to the wrist, as a matrix: what the steps of its joints read."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.notation.matrices import link_matrix
+from dhgen.derivation.notation.names import product_of, single, target, theta
+from dhgen.derivation.text.blocks import display, joined, paragraph, say
+from dhgen.derivation.text.formula import Matrix, Symbol, equal
+from dhgen.kinematics.transform import compose
+from dhgen.robot.task import TaskKind
+
+if TYPE_CHECKING:
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.blocks import Block
+    from dhgen.paul.knowledge import Knowledge
+
+
+def wrist_blocks(story: Story, number: int) -> list[Block]:
+    """What stands before a step: the rotation of U_{n-3}, before the first one of the wrist.
+
+    Args:
+        story: The arm and its derivation.
+        number: The step, from 1.
+
+    Returns:
+        Nothing before other steps, and where an orientation of the tool is not given, the arm is a
+        wrist alone, or the wrist's joints are not the last ones to be solved.
+    """
+    wrist, n = story.wrist, story.dof
+    if wrist is None or n == len(wrist) or story.algebra.chain.task.kind is not TaskKind.POSE:
+        return []
+    before, after = (story.knowledge[each] for each in (number - 1, number))
+    arm = range(1, wrist[0])
+    if not all(_knows(story, before, joint) for joint in arm):
+        return []
+    if any(_knows(story, before, joint) for joint in wrist):
+        return []
+    if not any(_knows(story, after, joint) for joint in wrist):
+        return []
+    hand = link_matrix(story.algebra, wrist[0])
+    for joint in wrist[1:]:
+        hand = compose(hand, link_matrix(story.algebra, joint), story.algebra.normal)
+    entries = [
+        tuple(story.write_forward(hand.entry(row, column)) for column in range(3))
+        for row in range(3)
+    ]
+    m = wrist[0] - 1
+    rotation = Symbol(f"R_{n}^{m}", f"R{chr(0x2080 + n)}^{m}")
+    known = joined([say("{}", _symbol(story, joint)) for joint in arm])
+    return [
+        paragraph(
+            "With {} the matrix {} is known, too. Its first three rows and columns are the "
+            "orientation that is left to the wrist:",
+            known,
+            equal(target(m), product_of(wrist)),
+        ),
+        display(equal(rotation, Matrix(tuple(entries)))),
+    ]
+
+
+def _knows(story: Story, state: Knowledge, joint: int) -> bool:
+    if joint in story.algebra.slides:
+        return joint in state.slides
+    return state.knows(single(joint))
+
+
+def _symbol(story: Story, joint: int) -> Symbol:
+    slide = story.algebra.slides.get(joint)
+    return theta(single(joint)) if slide is None else story.letters[slide]

@@ -1,0 +1,63 @@
+"""The matrix that is left to a spherical wrist, and what is folded in a document."""
+
+from __future__ import annotations
+
+import re
+from functools import reduce
+
+import numpy as np
+import pytest
+
+from dhgen.derivation.sections.wrist import wrist_blocks
+from dhgen.derivation.text.blocks import Display, Folded, display, paragraph
+from dhgen.derivation.text.formula import Relation, Symbol
+from dhgen.derivation.text.html import html
+from dhgen.derivation.text.latex import latex
+from dhgen.derivation.text.markdown import markdown
+from dhgen.derivation.text.plain import plain
+from tests.derivation.stories import story
+from tests.derivation.test_formulas_hold import configuration, with_pose
+from tests.derivation.values import evaluate, indexed
+
+SPHERICAL = ["kuka_iiwa14_arm_angle", "puma560", "spherical_wrist_general_arm", "stanford"]
+
+
+@pytest.mark.parametrize("name", SPHERICAL)
+def test_the_matrix_of_the_wrist_is_the_product_of_its_joints(name: str) -> None:
+    of = story(name)
+    places = [wrist_blocks(of, number) for number in range(1, len(of.steps) + 1)]
+    (shown,) = [blocks for blocks in places if blocks]
+    matrix = shown[-1]
+    assert isinstance(matrix, Display)
+    (relation,) = matrix.formulas
+    assert isinstance(relation, Relation)
+    for seed in range(3):
+        letters = with_pose(of, configuration(of, seed))
+        joints = [letters[indexed("A", of.dof - k)] for k in (2, 1, 0)]
+        expected = reduce(np.matmul, map(np.asarray, joints))[:3, :3]
+        found = evaluate(relation.sides[1], letters)
+        np.testing.assert_allclose(found, expected, atol=1e-12)
+
+
+@pytest.mark.parametrize("name", ["ur5", "planar_rr", "wrist_zyz"])
+def test_arms_without_one_behind_others_have_no_such_matrix(name: str) -> None:
+    of = story(name)
+    assert not any(wrist_blocks(of, number) for number in range(1, len(of.steps) + 1))
+
+
+def test_what_is_folded_is_whole_in_every_format() -> None:
+    inside = (paragraph("Inside stands"), display(Symbol("x_1", "x₁")))
+    block = Folded("More of it", inside)
+    # GitHub reads Markdown between tags only behind a blank line
+    assert re.fullmatch(
+        r"<details>\n<summary>More of it</summary>\n\nInside stands\n\n"
+        r"```math\nx_1\n```\n\n</details>",
+        markdown(block),
+    )
+    shown = html(block, {})
+    assert shown.startswith("<details><summary>More of it</summary>")
+    assert shown.count("<details>") == shown.count("</details>") == 1
+    assert "Inside stands" in shown
+    for other in (latex(block, {}), plain(block)):
+        assert "Inside stands" in other
+        assert "More of it" not in other
