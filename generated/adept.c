@@ -111,7 +111,7 @@ static void solve(
     const double t34 = T14 - ez * T13;
     const double r3 = d1 - t34;
 
-    /* theta12, type 3: U0[1, 2] and U0[2, 2] */
+    /* theta12, type 3: U0[2, 1] and U0[1, 1] */
     const double w12 = sqrt(T32 * T32 + T22 * T22);
     const int short12 = w12 <= free_limit;
     const double v1 = 1.0 / (short12 ? 1.0 : w12);

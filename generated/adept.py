@@ -167,7 +167,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     t34 = T14 - ez * T13
     r3 = d1 - t34
 
-    # theta12, type 3: U0[1, 2] and U0[2, 2]
+    # theta12, type 3: U0[2, 1] and U0[1, 1]
     w12 = math.sqrt(T32 * T32 + T22 * T22)
     short12 = w12 <= free_limit
     v1 = 1.0 / (1.0 if short12 else w12)
@@ -222,7 +222,7 @@ def _formulas(kept, turns, rows, w):
         t34 = T14 - ez * T13
         q3 = d1 - t34
 
-        # theta12, type 3: U0[1, 2] and U0[2, 2]
+        # theta12, type 3: U0[2, 1] and U0[1, 1]
         v1 = T32 * T32 + T22 * T22
         w12 = math.sqrt(v1)
         v2 = 1.0 / v1

@@ -116,7 +116,7 @@ static void solve(
     /* r3, type 1: U0[3, 4] */
     const double r3 = d1 - T34;
 
-    /* theta12m4, type 3: U0[1, 2] and U0[2, 2] */
+    /* theta12m4, type 3: U0[2, 1] and U0[1, 1] */
     const double w12m4 = sqrt(T21 * T21 + T11 * T11);
     const int short12m4 = w12m4 <= free_limit;
     const double v1 = 1.0 / (short12m4 ? 1.0 : w12m4);

@@ -100,7 +100,7 @@ static void solve(
     /* r2, type 1: U0[3, 4] */
     const double r2 = T34 - d1;
 
-    /* theta1, type 3: U0[1, 3] and U0[2, 3] */
+    /* theta1, type 3: U0[2, 1] and U0[1, 1] */
     const double w1 = sqrt(T21 * T21 + T11 * T11);
     const int short1 = w1 <= free_limit;
     const double v1 = 1.0 / (short1 ? 1.0 : w1);

@@ -144,7 +144,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     # r2, type 1: U0[3, 4]
     r2 = T34 - d1
 
-    # theta1, type 3: U0[1, 3] and U0[2, 3]
+    # theta1, type 3: U0[2, 1] and U0[1, 1]
     w1 = math.sqrt(T21 * T21 + T11 * T11)
     short1 = w1 <= free_limit
     v1 = 1.0 / (1.0 if short1 else w1)
@@ -185,7 +185,7 @@ def _formulas(kept, turns, rows, w):
         # r2, type 1: U0[3, 4]
         q2 = T34 - d1
 
-        # theta1, type 3: U0[1, 3] and U0[2, 3]
+        # theta1, type 3: U0[2, 1] and U0[1, 1]
         v1 = T21 * T21 + T11 * T11
         w1 = math.sqrt(v1)
         v2 = 1.0 / v1

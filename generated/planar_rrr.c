@@ -114,7 +114,7 @@ static void solve(
     (void)moved;
     ENTRIES(double);
 
-    /* theta123, type 3: U0[1, 2] and U0[2, 2] */
+    /* theta123, type 3: U0[2, 1] and U0[1, 1] */
     const double w123 = sqrt(T21 * T21 + T11 * T11);
     const int short123 = w123 <= free_limit;
     const double v1 = 1.0 / (short123 ? 1.0 : w123);

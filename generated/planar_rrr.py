@@ -182,7 +182,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
 
-    # theta123, type 3: U0[1, 2] and U0[2, 2]
+    # theta123, type 3: U0[2, 1] and U0[1, 1]
     w123 = math.sqrt(T21 * T21 + T11 * T11)
     short123 = w123 <= free_limit
     v1 = 1.0 / (1.0 if short123 else w123)
@@ -266,7 +266,7 @@ def _formulas(kept, turns, rows, w):
         T23, T24, T31, T33 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k], kept[10 * w + k]
         T34 = kept[11 * w + k]
 
-        # theta123, type 3: U0[1, 2] and U0[2, 2]
+        # theta123, type 3: U0[2, 1] and U0[1, 1]
         v1 = T21 * T21 + T11 * T11
         v2 = math.sqrt(v1) * (1.0 / v1)
 

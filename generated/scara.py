@@ -194,7 +194,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     # r3, type 1: U0[3, 4]
     t34 = T34 - L4 * T31
 
-    # theta124, type 3: U0[1, 2] and U0[2, 2]
+    # theta124, type 3: U0[2, 1] and U0[1, 1]
     w124 = math.sqrt(T21 * T21 + T11 * T11)
     short124 = w124 <= free_limit
     v1 = 1.0 / (1.0 if short124 else w124)

@@ -105,7 +105,7 @@ static void solve(
     const double T21 = T[4], T23 = T[6], T24 = T[7];
     const double T31 = T[8], T33 = T[10], T34 = T[11];
 
-    /* theta124, type 3: U0[1, 2] and U0[2, 2] */
+    /* theta124, type 3: U0[2, 1] and U0[1, 1] */
     const double w124 = sqrt(T21 * T21 + T11 * T11);
     const int short124 = w124 <= free_limit;
     const double v1 = 1.0 / (short124 ? 1.0 : w124);

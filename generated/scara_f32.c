@@ -1896,7 +1896,7 @@ static void solve(
     /* r3, type 1: U0[3, 4] */
     const float t34 = T34 - L4 * T31;
 
-    /* theta124, type 3: U0[1, 2] and U0[2, 2] */
+    /* theta124, type 3: U0[2, 1] and U0[1, 1] */
     const float w124 = sqrtf(T21 * T21 + T11 * T11);
     const int short124 = w124 <= free_limit;
     const float v1 = 1.0f / (short124 ? 1.0f : w124);

@@ -112,7 +112,7 @@ static void solve(
     (void)moved;
     ENTRIES(double);
 
-    /* theta234, type 3: U0[1, 2] and U0[2, 2] */
+    /* theta234, type 3: U0[2, 1] and U0[1, 1] */
     const double w234 = sqrt(T21 * T21 + T11 * T11);
     const int short234 = w234 <= free_limit;
     const double v1 = 1.0 / (short234 ? 1.0 : w234);

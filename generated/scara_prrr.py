@@ -172,7 +172,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
 
-    # theta234, type 3: U0[1, 2] and U0[2, 2]
+    # theta234, type 3: U0[2, 1] and U0[1, 1]
     w234 = math.sqrt(T21 * T21 + T11 * T11)
     short234 = w234 <= free_limit
     v1 = 1.0 / (1.0 if short234 else w234)

@@ -115,7 +115,8 @@ def common_origins(equations: Sequence[Equation]) -> tuple[Origin, ...]:
     """The places of equations side by side: one element each, in one column or row of one form.
 
     Empty when there is no such line. Paul's U_m come before mixed forms, and among them those
-    with the fewest joints moved.
+    with the fewest joints moved; then columns, which are vectors, before rows, and the first ones
+    before others, as in the courses.
     """
     places = product_of(*(equation.origins for equation in equations))
     return min(filter(_in_line, places), key=_readability, default=())
@@ -130,6 +131,10 @@ def _in_line(origins: tuple[Origin, ...]) -> bool:
     return one_form and (one_column or one_row) and all(origin.row for origin in origins)
 
 
-def _readability(origins: tuple[Origin, ...]) -> tuple[bool, bool, int, int]:
+def _readability(origins: tuple[Origin, ...]) -> tuple[bool, bool, int, int, bool, int, int]:
     first = origins[0]
-    return first.inverse, first.is_mixed, first.m, -first.k
+    in_row = len({origin.column for origin in origins}) > 1
+    line = min(
+        (origin.row, origin.column) if in_row else (origin.column, origin.row) for origin in origins
+    )
+    return first.inverse, first.is_mixed, first.m, -first.k, in_row, *line

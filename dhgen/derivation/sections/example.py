@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.derivation.cuspidal import joined_rows
 from dhgen.derivation.notation.names import joint_symbol, target, unknown_symbol
 from dhgen.derivation.sections.forward import POSE, moved_left
 from dhgen.derivation.sections.roots import quartic_blocks
@@ -58,6 +59,26 @@ def example_section(story: Story) -> list[Block]:
         *_target(story, letters),
         *_steps(story, example, letters),
         *all_rows(story, example),
+        *_cuspidal(story, example),
+    ]
+
+
+def _cuspidal(story: Story, example: Example) -> list[Block]:
+    """What it means that no sign tells solutions apart, where two of them show it."""
+    pair = joined_rows(story.algebra.chain, example.rows)
+    if pair is None:
+        return []
+    return [
+        paragraph(
+            "The determinant of the first three rows of {} has the same sign in rows {} and {}, "
+            "and there is a way from one to the other on which it keeps it: the arm changes its "
+            "posture without passing a singular one. Such an arm is called cuspidal (P. Wenger), "
+            "after the cusps of the singular curves in its workspace, where three solutions meet. "
+            "No sign tells its solutions apart, so its rows have no names like elbow up and elbow "
+            "down.",
+            Symbol("J", "J"),
+            *(Given(str(row)) for row in pair),
+        )
     ]
 
 
