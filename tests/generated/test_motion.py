@@ -12,6 +12,7 @@ from dhgen.survey.oracle.poses import ranges
 from dhgen.survey.singular import is_redundant, task_jacobian
 from tests.generated.asking import POLYNOMIAL, trial
 from tests.generated.solvers import NAMES, robot
+from tests.structures import one_of_each
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -61,7 +62,7 @@ def rows_of(
     return np.asarray(np.nanargmin(gaps, axis=1))
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if name not in POLYNOMIAL])
+@pytest.mark.parametrize("name", one_of_each(name for name in NAMES if name not in POLYNOMIAL))
 def test_a_branch_keeps_its_row(name: str) -> None:
     """From one singular place to the next.
 
@@ -110,7 +111,7 @@ def keep_sums(name: str, q: FloatArray) -> NDArray[np.bool_]:
     return kept
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", one_of_each(NAMES))
 def test_the_nearest_solution_follows_a_motion(name: str) -> None:
     """The nearest, but of a family: there it may be nearer to the seed than the motion is."""
     asked = trial(name)

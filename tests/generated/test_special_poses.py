@@ -13,6 +13,7 @@ from dhgen.survey.oracle.poses import NEAR, right_angles
 from dhgen.survey.singular import in_a_family, singular_sets
 from tests.generated.asking import GENERAL, POLYNOMIAL, trial
 from tests.generated.solvers import NAMES, robot
+from tests.structures import one_of_each
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -48,7 +49,7 @@ def found_again(asked: Trial, rows: FloatArray, q: FloatArray) -> bool:
     return bool(asked.apart(rows, q).min() < NEARLY) or in_a_family(asked.robot, q)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", one_of_each(NAMES))
 def test_beside_singular_poses(name: str) -> None:
     """Both postures are found within 1e-3, every row reaches the pose, at every distance.
 
@@ -78,7 +79,7 @@ def test_beside_singular_poses(name: str) -> None:
     assert flips or name not in {"puma560", "kuka_kr6_r900", "stanford", "wrist_zyz"}
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", one_of_each(NAMES))
 def test_every_solution_at_right_angles(name: str) -> None:
     """What everyone tries first: all isolated solutions are there, whatever else is singular."""
     asked = trial(name)
@@ -92,7 +93,7 @@ def test_every_solution_at_right_angles(name: str) -> None:
             assert asked.apart(rows, solution).min() < SAME, (joints, solution)
 
 
-@pytest.mark.parametrize("name", sorted(POLYNOMIAL - GENERAL))
+@pytest.mark.parametrize("name", one_of_each(sorted(POLYNOMIAL - GENERAL)))
 def test_a_seed_hides_no_solution(name: str) -> None:
     """Roots may lie closer than rounding tells, and the seed be one of them, or half a turn off."""
     asked = trial(name)

@@ -10,6 +10,7 @@ import pytest
 from dhgen.survey.oracle.poses import random_joints, right_angles
 from dhgen.survey.oracle.search import solve
 from tests.oracle.sets import one_joint_at
+from tests.structures import one_of_each
 from tests.targets.calling import HELD, LANGUAGES, OK, Solver
 from tests.targets.made import (
     MADE_UP_NAMES,
@@ -51,7 +52,7 @@ def half_way_miss(name: str, row: FloatArray, other: FloatArray, T: FloatArray) 
     return residual(name, (row + 0.5 * off)[None], T)
 
 
-@pytest.mark.parametrize("name", [*EVERY, "parallel_123"])
+@pytest.mark.parametrize("name", one_of_each([*EVERY, "parallel_123"]))
 def test_no_solution_stands_twice(name: str) -> None:
     """At singular poses branches meet: their rows are one."""
     arm = robot(name)
@@ -68,7 +69,7 @@ def test_no_solution_stands_twice(name: str) -> None:
             assert half_way_miss(name, rows[one[k]], rows[other[k]], T) > 1e-12, (joints, rows)
 
 
-@pytest.mark.parametrize("name", EVERY)
+@pytest.mark.parametrize("name", one_of_each(EVERY))
 def test_every_solution_that_a_search_finds(name: str) -> None:
     """Newton's method from very many starts knows nothing of the arm's structure."""
     q = random_joints(robot(name), 2, seed=31)
@@ -82,7 +83,7 @@ def test_every_solution_that_a_search_finds(name: str) -> None:
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("name", WHOLE_POSES)
+@pytest.mark.parametrize("name", one_of_each(WHOLE_POSES))
 def test_a_pose_in_single_precision(name: str, language: str) -> None:
     """It is solved like the pose with the nearest rotation, with no branch lost."""
     q = random_joints(robot(name), 6, seed=32)
@@ -126,7 +127,7 @@ def brute_force(name: str, T: FloatArray, seed: FloatArray, q: FloatArray) -> Fl
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("name", EVERY)
+@pytest.mark.parametrize("name", one_of_each(EVERY))
 def test_nearest(name: str, language: str) -> None:
     q = random_joints(robot(name), 12, seed=33)
     source = np.random.default_rng(34)
