@@ -29,6 +29,18 @@ pytestmark = [
 POSES = 24
 SMALL = [name for name in NAMES if robot(name).float32]
 BOARDS = {"Cortex-M4": CORTEX_M4, "Cortex-M7": CORTEX_M7}
+# What the floating-point unit knows, and for one arm what it does not, or knows besides.
+SOLVED = [
+    pytest.param(name, board, real, id=f"{name}-{board}-{word}")
+    for name in SMALL
+    for board, real, word in (
+        ("Cortex-M4", np.float32, "float"),
+        ("Cortex-M7", np.float64, "double"),
+        ("Cortex-M4", np.float64, "double"),
+        ("Cortex-M7", np.float32, "float"),
+    )
+    if name == "scara" or (word == "float") == (board == "Cortex-M4")
+]
 # Of the arm's size: what rows may miss a pose by, and what the generating joints may be off by.
 ENOUGH: dict[type, tuple[float, float]] = {np.float64: (1e-11, 1e-6), np.float32: (5e-5, 1e-2)}
 LIBM = {"atan2", "ceil", "cos", "fabs", "floor", "fmod", "fmax", "fmin", "hypot", "sin", "sqrt"}
@@ -52,9 +64,7 @@ def targets(name: str) -> tuple[FloatArray, FloatArray]:
     return q, poses_of(name, q)
 
 
-@pytest.mark.parametrize("real", [np.float64, np.float32], ids=["double", "float"])
-@pytest.mark.parametrize("board", BOARDS)
-@pytest.mark.parametrize("name", SMALL)
+@pytest.mark.parametrize(("name", "board", "real"), SOLVED)
 def test_solves_on_the_board(name: str, board: str, real: type, tmp_path: Path) -> None:
     written(name, tmp_path)
     q, T = targets(name)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     from dhgen.compiler import Compilation
 
-POSES = 3000
+POSES = 1000
 
 
 def compiled(text: str, folder: Path) -> Compilation:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import permutations, product
 from typing import Any
 
@@ -125,6 +126,7 @@ def aligned_rotations() -> list[Any]:
 OFFSETS = (0.0, 1e-17, 1e-16, 3e-16, 1e-15, 3e-15, 1e-14, 1e-12, 1e-9, 1e-8, 1e-6, 1e-3)
 
 
+@cache
 def singular_rotations() -> list[tuple[str, Any]]:
     """At and near every singular orientation of every notation, by name."""
     random = np.random.default_rng(20)

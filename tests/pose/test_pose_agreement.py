@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
 
 from tests.pose import pose_reference as reference
 from tests.pose.pose_libraries import LIBRARIES, NOTATIONS, library, read, write
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 each_library = pytest.mark.parametrize("name", LIBRARIES)
 each_notation = pytest.mark.parametrize("notation", NOTATIONS)
@@ -34,29 +37,41 @@ def orientations(notation: str) -> list[tuple[Any, ...]]:
     return [(angles,) for angles in [*random.uniform(-7, 7, (60, 3)), *special]]
 
 
+def alike(found: Any, wanted: Any, tolerance: float) -> None:
+    """Compared at once: one by one that took longer than what is compared."""
+    np.testing.assert_allclose(np.array(found), np.array(wanted), rtol=0, atol=tolerance)
+
+
+def flat(arguments: Sequence[Any]) -> Any:
+    """Arrays and numbers in a row."""
+    return np.concatenate([np.ravel(each) for each in arguments])
+
+
 @each_library
 @each_notation
 def test_writing_follows_the_definition(name: str, notation: str) -> None:
-    of = library(name)
-    for orientation in orientations(notation):
-        T = write(of, notation, XYZ, *orientation)
-        expected = reference.pose(getattr(reference, notation)(*orientation), XYZ)
-        np.testing.assert_allclose(T, expected, rtol=0, atol=2e-15)
-        assert (T[:3, 3] == XYZ).all()
-        assert T[3].tolist() == [0, 0, 0, 1]
+    of, asked = library(name), orientations(notation)
+    T = np.array([write(of, notation, XYZ, *orientation) for orientation in asked])
+    alike(T, defined(notation, asked), 2e-15)
+    assert (T[:, :3, 3] == XYZ).all()
+    assert (T[:, 3] == [0, 0, 0, 1]).all()
+
+
+def defined(notation: str, asked: Sequence[tuple[Any, ...]]) -> list[Any]:
+    """The poses of orientations by their definition."""
+    return [reference.pose(getattr(reference, notation)(*each), XYZ) for each in asked]
 
 
 @each_library
 @each_notation
 def test_what_is_read_defines_the_pose_again(name: str, notation: str) -> None:
     of = library(name)
-    cases = [("random", R) for R in reference.random_rotations(100)]
-    for label, R in [*cases, *reference.singular_rotations()]:
-        T = reference.pose(R, XYZ)
-        xyz, *orientation = read(of, notation, T)
-        again = reference.pose(getattr(reference, notation)(*orientation), XYZ)
-        np.testing.assert_allclose(again, T, rtol=0, atol=2e-15, err_msg=label)
-        assert (xyz == XYZ).all()
+    singular = [R for _, R in reference.singular_rotations()]
+    rotations = [*reference.random_rotations(100), *singular]
+    T = [reference.pose(R, XYZ) for R in rotations]
+    found = [read(of, notation, each) for each in T]
+    alike(defined(notation, [tuple(orientation) for _, *orientation in found]), T, 2e-15)
+    assert all((xyz == XYZ).all() for xyz, *_ in found)
 
 
 @each_notation
@@ -68,11 +83,9 @@ def test_c_and_python_read_and_write_the_same(notation: str) -> None:
     ]:
         T = reference.pose(R, XYZ)
         expected = read(numba, notation, T)
-        for other in others:
-            for got, wanted in zip(read(other, notation, T), expected, strict=True):
-                np.testing.assert_allclose(got, wanted, rtol=0, atol=1e-15)
-            written, wanted = (write(of, notation, *expected) for of in (other, numba))
-            np.testing.assert_allclose(written, wanted, rtol=0, atol=1e-15)
+        alike([flat(read(of, notation, T)) for of in others], [flat(expected)] * 2, 1e-15)
+        wanted = write(numba, notation, *expected)
+        alike([write(of, notation, *expected) for of in others], [wanted] * 2, 1e-15)
 
 
 @each_library
@@ -81,6 +94,7 @@ def test_rotations_with_rounding_of_their_own_survive(name: str, notation: str) 
     """A pose out of a chain of products is not the nearest double of any rotation."""
     of = library(name)
     rng = np.random.default_rng(5)
+    found, wanted = [], []
     for _ in range(100):
         chain = [
             reference.pose(R) for R in reference.random_rotations(4, seed=int(rng.integers(10**9)))
@@ -88,8 +102,9 @@ def test_rotations_with_rounding_of_their_own_survive(name: str, notation: str) 
         product = chain[0] @ chain[1] @ chain[2] @ chain[3]
         for end in (np.linalg.inv(product), np.eye(4)):
             T = product @ end
-            again = write(of, notation, *read(of, notation, T))
-            np.testing.assert_allclose(again, T, rtol=0, atol=1e-14)
+            found.append(write(of, notation, *read(of, notation, T)))
+            wanted.append(T)
+    alike(found, wanted, 1e-14)
 
 
 @each_library
@@ -98,12 +113,13 @@ def test_rotations_with_rounding_of_their_own_survive(name: str, notation: str) 
 def test_a_rounded_pose_is_read_to_within_its_rounding(
     name: str, notation: str, digits: str
 ) -> None:
-    of = library(name)
+    of, found, wanted = library(name), [], []
     for R in [*reference.random_rotations(50), *dict(reference.singular_rotations()).values()]:
         T = reference.pose(R)
         rounded = T.astype(np.float32) if digits == "float32" else T.round(6)
-        again = write(of, notation, *read(of, notation, rounded))
-        np.testing.assert_allclose(again, T, rtol=0, atol=3e-7 if digits == "float32" else 3e-6)
+        found.append(write(of, notation, *read(of, notation, rounded)))
+        wanted.append(T)
+    alike(found, wanted, 3e-7 if digits == "float32" else 3e-6)
 
 
 @each_library

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
 
+from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.program.interpret import interpret
-from tests.derivation.stories import story
+from tests.generated.asking import labels
+from tests.generated.solvers import library, robot
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
+    from dhgen.kinematics.numeric import NumericArm
 
 POSES = 40
 CLEAR = 1e-3  # of the arm's size: nearer to the border of two postures nothing is seen
@@ -51,22 +54,27 @@ class Drawn:
 
 
 def drawn(name: str) -> list[Drawn]:
-    """All rows of random poses."""
-    of = story(name)
-    arm = numeric_arm(of.algebra.chain)
+    """All rows of random poses, as the written C has them."""
+    arm = model(name)
     turning = np.array(arm.chain.turning)
     source = np.random.default_rng(2)
-    q = source.uniform(-1.0, 1.0, (POSES, of.dof)) * np.where(turning, np.pi, arm.chain.size)
-    rows = interpret(of.program, arm.pose(q), q).q
-    found = []
-    for row, label in enumerate(of.branch_names):
-        found.append(at(name, rows[:, row][~np.isnan(rows[:, row, 0])], label))
-    return found
+    q = source.uniform(-1.0, 1.0, (POSES, arm.chain.dof)) * np.where(turning, np.pi, arm.chain.size)
+    rows, _ = library(name).batch(np.ascontiguousarray(arm.pose(q)))
+    return [
+        at(name, rows[:, row][~np.isnan(rows[:, row, 0])], label)
+        for row, label in enumerate(labels(name))
+    ]
+
+
+@cache
+def model(name: str) -> NumericArm:
+    """The arm in numbers."""
+    return numeric_arm(build_chain(robot(name)))
 
 
 def at(name: str, q: FloatArray, label: str = "") -> Drawn:
     """The arm at joint values (N, n)."""
-    T, J = numeric_arm(story(name).algebra.chain).moved(q)
+    T, J = model(name).moved(q)
     velocities, directions = (np.swapaxes(part, 1, 2) for part in (J[:, :3], J[:, 3:]))
     tool = T[:, :3, 3]
     # v = u x (tool - point), and tool - point is across u where the point is nearest
@@ -163,4 +171,4 @@ def test_level_elbows_are_left_or_right(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["wrist_zyz", "wrist_zxz", "wrist_cardan"])
 def test_wrists_flip(name: str) -> None:
-    assert story(name).branch_names == ("noflip", "flip")
+    assert labels(name) == ["noflip", "flip"]

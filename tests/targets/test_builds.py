@@ -43,6 +43,12 @@ if CLANG:
     ]
 CASES = [(name, build) for name in EVERYWHERE for build in BUILDS]
 CASES += [(name, NATIVE) for name in NATIVELY]
+QUICK = ("ur5-plain", "ur5-native", "scara-native", "scorbot_pointing-native")
+BUILT = [
+    pytest.param(name, build, id=case, marks=() if case in QUICK else pytest.mark.slow)
+    for name, build in CASES
+    for case in [f"{name}-{build.name}"]
+]
 RANDOM = 200
 
 
@@ -90,7 +96,7 @@ def assert_rows(name: str, q: FloatArray, status: NDArray[np.uint8]) -> None:
     assert joints.shape[0] == len(q)
 
 
-@pytest.mark.parametrize(("name", "build"), CASES, ids=[f"{n}-{b.name}" for n, b in CASES])
+@pytest.mark.parametrize(("name", "build"), BUILT)
 def test_one_pose_and_many(name: str, build: Build) -> None:
     joints, T, _ = cases(name)
     solver = in_c(name, build)

@@ -6,7 +6,6 @@ import ast
 import subprocess
 from typing import TYPE_CHECKING
 
-import numba
 import pytest
 
 from dhgen.compiler import verified
@@ -14,7 +13,7 @@ from dhgen.program.regular.flatten import flatten
 from dhgen.targets.c.regular import best_lanes
 from dhgen.targets.module import regular_solver
 from dhgen.verify.native import C_FLAGS, c_compiler
-from tests.compiling import compile_file
+from tests.compiling import compile_file, verify_little
 from tests.compiling import written as written_file
 from tests.headers import VECTORS, read_before
 
@@ -91,7 +90,7 @@ NAMES = (
 )
 
 
-SOME = 20  # poses of each sort: a number that is taken for another is wrong at most of them
+SOME = 8  # poses of each sort: a number that is taken for another is wrong at most of them
 
 
 def robot_file(arm: str, names: tuple[str, ...], folder: Path) -> Path:
@@ -165,7 +164,7 @@ def test_a_name_does_not_say_what_a_constant_is(
     names: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Neither the end of a limit nor a tolerance, though the files have those under such names."""
-    monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
+    verify_little(monkeypatch)
     monkeypatch.setattr("dhgen.verify.verify.COUNT", SOME)
     verified(compile_file(robot_file(PLANAR, names, tmp_path)))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numba
@@ -16,7 +17,7 @@ from dhgen.kinematics.build import build_chain
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.singular import task_jacobian
 from dhgen.verify.languages import Languages
-from dhgen.verify.samples import NEAR, samples
+from dhgen.verify.samples import NEAR, Sample, samples
 from dhgen.verify.verify import verify
 from tests.compiling import compile_file, solvers_of
 from tests.robots.cases import ROBOTS, robot
@@ -25,7 +26,10 @@ from tests.targets.made import robot_path
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from dhgen.kinematics.chain import Chain
+
 COUNT = 30
+ON_THEM = {"right angles", "at joint limits", "singular", "nearly singular"}  # joints on limits
 
 
 def sample_of(name: str, kind: str) -> np.ndarray:
@@ -87,11 +91,25 @@ def test_a_stretched_arm_that_is_said_to_be_out_of_reach(tmp_path: Path) -> None
 
 @pytest.mark.usefixtures("interpreted")
 @pytest.mark.parametrize("name", ["folding_7r", "folding_7r_arm_angle"])
-def test_a_hand_that_folds_back_into_the_shoulder(name: str) -> None:
-    """Beside the fold next to nothing is left of the distance from which the elbow is known."""
+def test_a_hand_that_folds_back_into_the_shoulder(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Beside the fold next to nothing is left of the distance from which the elbow is known.
+
+    Batches are the same poses once more, and in plain Python take as long as all the rest.
+    """
+    monkeypatch.setattr(Languages, "batch", lambda *_: None)
     report = verified(solvers_of(robot_path(name)))
     assert report.poses > 5 * COUNT
     assert report.residual < 1e-11
+
+
+def samples_on_limits(chain: Chain, count: int) -> tuple[Sample, ...]:
+    """As many as there always are of the sorts that come there, and a few others."""
+    return tuple(
+        each if each.name in ON_THEM else replace(each, q=each.q[:COUNT])
+        for each in samples(chain, count)
+    )
 
 
 @pytest.mark.slow
@@ -101,9 +119,10 @@ def test_limits_at_singular_places_refuse_no_arm(
 ) -> None:
     """Joints that stand on their limits there, and joint values that are beyond to begin with.
 
-    Batches are the same poses once more, and in plain Python take as long as all the rest.
+    Without batches, as above.
     """
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
+    monkeypatch.setattr("dhgen.verify.verify.samples", samples_on_limits)
     monkeypatch.setattr(Languages, "batch", lambda *_: None)
-    report = verified(solvers_of(robot_path(name)))  # with as many poses as there always are
+    report = verified(solvers_of(robot_path(name)))
     assert report.residual < 1e-11
