@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import subprocess
-import tempfile
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -27,6 +26,7 @@ from dhgen.verify.native import (
 )
 from tests.derived import derived
 from tests.headers import VECTORS, read_before
+from tests.kept import made_once
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -41,7 +41,6 @@ if TYPE_CHECKING:
 FEW = 4
 PLAIN_C = Build("plain", ("-O0",))  # in place of the build for this machine, at a fifth of its time
 RUNTIME = Path(__file__).resolve().parents[1] / "generated" / "dhgen"
-_KEPT: list[tempfile.TemporaryDirectory[str]] = []
 
 
 def verify_little(patch: pytest.MonkeyPatch) -> None:
@@ -139,10 +138,11 @@ def with_vectors(build: Build) -> Build:
 
 @cache
 def _runtime(part: str, compiler: str, flags: tuple[str, ...]) -> str:
-    """A part of the runtime, compiled once in this process."""
-    kept = tempfile.TemporaryDirectory(prefix="dhgen-runtime-")
-    _KEPT.append(kept)
-    made = f"{kept.name}/{part}.o"
-    own = ("-std=c99", *flags, "-fPIC", "-DDHGEN_SHARED", "-c", "-o", made)
-    subprocess.run([compiler, *own, str(RUNTIME / f"{part}.c")], check=True)
-    return made
+    """A part of the runtime, compiled once in a run."""
+    command = (compiler, "-std=c99", *flags, "-fPIC", "-DDHGEN_SHARED", "-c")
+    source = str(RUNTIME / f"{part}.c")
+
+    def compile_part(folder: Path) -> None:
+        subprocess.run([*command, "-o", str(folder / "made.o"), source], check=True)
+
+    return str(made_once((*command, source), compile_part) / "made.o")

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from tests.kept import make_folder
 from tests.structures import GENERAL
 
 settings.register_profile("untimed", deadline=None)  # how long a case takes, the machine decides
@@ -19,6 +20,11 @@ gc.set_threshold(100_000, 50, 100)
 HERE = Path(__file__).parent
 FILES = [*(HERE.parent / "robots").glob("*.yaml"), *(HERE / "targets").glob("*/*.yaml")]
 ROBOTS = {path.stem for path in FILES}
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """A folder for what workers share."""
+    make_folder(config)
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -1,29 +1,34 @@
-"""Headers that a compiler reads once in a process: its vectors take longer than a robot's C."""
+"""Headers that a compiler reads once in a run: its vectors take longer than a robot's C."""
 
 from __future__ import annotations
 
 import subprocess
-import tempfile
 from functools import cache
-from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tests.kept import made_once
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 VECTORS = """\
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 """
-_KEPT: list[tempfile.TemporaryDirectory[str]] = []
 
 
 @cache
 def read_before(compiler: str, header: str, *flags: str) -> tuple[str, ...]:
     """Further flags with which a compiler, with these flags, goes on from where a header ends."""
-    kept = tempfile.TemporaryDirectory(prefix="dhgen-headers-")
-    _KEPT.append(kept)
-    path = Path(kept.name) / "before.h"
-    path.write_text(header, encoding="utf-8")
-    language = "c++-header" if compiler.endswith("++") else "c-header"
-    # gcc and clang take this file instead of the header's text
-    own = "-x", language, str(path), "-o", f"{path}.gch"
-    subprocess.run([compiler, *flags, *own], check=True)
-    return "-include", str(path)
+
+    def read(folder: Path) -> None:
+        path = folder / "before.h"
+        path.write_text(header, encoding="utf-8")
+        language = "c++-header" if compiler.endswith("++") else "c-header"
+        # gcc and clang take this file instead of the header's text
+        own = "-x", language, str(path), "-o", f"{path}.gch"
+        subprocess.run([compiler, *flags, *own], check=True)
+
+    folder = made_once((compiler, header, *flags), read)
+    return "-include", str(folder / "before.h")

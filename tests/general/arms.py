@@ -19,6 +19,7 @@ from dhgen.general.setup import setup
 from dhgen.runtime.python.general.candidates import PLACES
 from dhgen.targets.c.general import general_sizes, general_source
 from tests.general.solved import solve, solve_slowly
+from tests.kept import made_once
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -159,13 +160,17 @@ def one_by_one(known: GeneralKernel) -> Callable[..., Answer]:
 
 @cache
 def _runtime_without_lanes() -> tuple[str, ...]:
-    folder = Path(tempfile.mkdtemp())
-    objects = [str(folder / f"{name}.o") for name in ("dhgen", "general")]
-    for path in objects:
-        source = C_RUNTIME / "dhgen" / f"{Path(path).stem}.c"
-        flags = ("-DDHGEN_SHARED", "-DDHGEN_GENERAL_LANES=1", "-c", str(source), "-o", path)
-        subprocess.run([*COMMAND, *flags], check=True)
-    return tuple(objects)
+    parts = ("dhgen", "general")
+    command = (*COMMAND, "-DDHGEN_SHARED", "-DDHGEN_GENERAL_LANES=1", "-c")
+
+    def compile_parts(folder: Path) -> None:
+        for part in parts:
+            source = C_RUNTIME / "dhgen" / f"{part}.c"
+            own = (str(source), "-o", str(folder / f"{part}.o"))
+            subprocess.run([*command, *own], check=True)
+
+    folder = made_once(command, compile_parts)
+    return tuple(str(folder / f"{part}.o") for part in parts)
 
 
 def doubtful_in_all_languages(known: GeneralKernel, poses: Sequence[np.ndarray]) -> int:
