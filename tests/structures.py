@@ -47,8 +47,8 @@ ODD = (
 
 # Those whose Python numba compiles in the tests, at up to half a minute each; the Python of the
 # others runs there without it.
-COMPILED = ("scara", "ur5")
-COMPILED_SLOWLY = ("fanuc_crx10ia", "scorbot_pointing")
+COMPILED = ("scara",)
+COMPILED_SLOWLY = ("fanuc_crx10ia", "scorbot_pointing", "ur5")
 
 # Those of the general algorithm whose programs are run: numba compiles it once a process, and a C
 # compiler what they share.

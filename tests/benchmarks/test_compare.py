@@ -35,6 +35,7 @@ def changed(tmp_path: Path) -> Path:
     return folder
 
 
+@pytest.mark.slow
 def test_a_folder_answers_as_itself(capsys: pytest.CaptureFixture[str]) -> None:
     folder = str(GENERATED)
     assert main([folder, folder, "scara", "franka_panda", *FEW]) == 0
@@ -59,6 +60,7 @@ def test_a_changed_constant_is_noticed(
         assert int(differ) > int(calls) / 2, call
 
 
+@pytest.mark.slow
 def test_times_are_told_of_both(capsys: pytest.CaptureFixture[str]) -> None:
     folder, often = str(GENERATED), ("--processes", "2", "--rounds", "2")
     assert main([folder, folder, "scara", "--time", *FEW, *often]) == 0

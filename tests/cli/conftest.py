@@ -31,12 +31,29 @@ def run(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> R
     return done
 
 
-@pytest.fixture(scope="package")
-def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder in which `dhgen robots/planar_rr.yaml` was run."""
+def with_robots(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder for what is made, with a robot file."""
     folder = tmp_path_factory.mktemp("written")
     (folder / "robots").mkdir()
     shutil.copy(PLANAR, folder / "robots")
+    return folder
+
+
+@pytest.fixture(scope="package")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder in which `dhgen robots/planar_rr.yaml` was run; few poses were verified."""
+    folder = with_robots(tmp_path_factory)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        verify_little(patch)
+        assert main(["robots/planar_rr.yaml"]) == 0
+    return folder
+
+
+@pytest.fixture(scope="package")
+def verified(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The same by the command as it is, which takes numba ten seconds."""
+    folder = with_robots(tmp_path_factory)
     done = dhgen("robots/planar_rr.yaml", folder=folder, NUMBA_CACHE_DIR="")
     assert (done.returncode, done.stderr) == (0, "")
     # five sorts of 150, and 15 each at the stretched arm and beside it

@@ -7,17 +7,14 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numba
+import pytest
 
 from dhgen.runtime.python.jit import digest_of
 from dhgen.verify.compiled import compiled_code, import_temporary, keep_compiled, together
 from dhgen.verify.native import import_module
 from tests.cli.commands import ROOT, copy, full_disk
-
-if TYPE_CHECKING:
-    import pytest
 
 BY_NAME = "import planar_rr as robot, dhgen_pose as pose"
 IN_A_PACKAGE = "from generated import planar_rr as robot, dhgen_pose as pose"
@@ -55,9 +52,10 @@ print(sorted({each.data["dispatcher"].py_func.__name__ for _, each in compiled.b
 """
 
 
-def test_nothing_is_left_to_compile_whatever_the_name(written: Path, tmp_path: Path) -> None:
+@pytest.mark.slow
+def test_nothing_is_left_to_compile_whatever_the_name(verified: Path, tmp_path: Path) -> None:
     """numba looks for functions in the module in which they were compiled."""
-    folder = copy(written, tmp_path)
+    folder = copy(verified, tmp_path)
     places = {"PYTHONPATH": f"{folder}:{folder / 'generated'}", "NUMBA_CACHE_DIR": ""}
     for how in (FROM_A_FILE, BY_NAME, IN_A_PACKAGE):
         done = subprocess.run(

@@ -13,6 +13,8 @@ from dhgen.survey.oracle.forward import forward
 from tests.targets.calling import HELD, LANGUAGES, gap
 from tests.targets.made import made_up, solving
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 NAME = "hollow_wrist"
 JOINTS = [
     "theta: q, d: 0.5, a: 0.2, alpha: -pi/2",

@@ -9,6 +9,8 @@ from dhgen.survey.oracle.forward import forward
 from tests.targets.calling import HELD, LANGUAGES, gap
 from tests.targets.made import made_up, solving
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 ARM = ["theta: q, d: 0.4, a: 0.05, alpha: -pi/2", "theta: q, a: 0.5"]
 TURN = np.pi / 2
 # A wrist that is nearly spherical, the joint values of a pose where it is straight, and a solution

@@ -12,6 +12,8 @@ import pytest
 from tests.general.arms import TABLES, compiled, forward, gap, kernel
 from tests.general.solved import solve
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 NAME = "general"
 POSES = 40
 

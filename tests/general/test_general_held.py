@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
     from dhgen.kinematics.chain import Chain
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 HEAD = "name: arm\nconvention: standard\ntask: pose\n"
 SKEW = (
     "{theta: q + 0.7, d: 0.31, a: 0.2, alpha: 80 deg}",

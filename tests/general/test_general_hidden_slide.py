@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
     from dhgen.kinematics.chain import Chain
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 POSES = 3
 
 # Their polynomials in the length are of degree 16, 12 and 8.

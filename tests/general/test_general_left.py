@@ -13,6 +13,8 @@ from dhgen.general.links import Held
 from dhgen.targets.general.left import LEFT, constant_left
 from tests.general.arms import kernel, poses
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 NAME = "jaco2"
 
 

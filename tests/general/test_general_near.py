@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
     from tests.general.arms import Answer
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 ARMS = ("general", "xarm6", "manseur_doty")
 OFF = 1e-3
 

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
     from dhgen.program.interpret import Rows
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 POSES = 2
 # At NEARLY another way to stand takes the tool to the same place but for 8e-6.
 TWISTED = """name: arm

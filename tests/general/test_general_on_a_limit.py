@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.compiler import Compilation
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 ARM = Path(__file__).with_name("near_parallel.yaml")
 RIGHT = np.pi / 2
 REPORTED = (0.0, 0.0, RIGHT, -RIGHT, -RIGHT, RIGHT)

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from dhgen.compiler import Compilation
     from dhgen.verify.native import CompiledSolver
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 JOINTS = (
     "theta: q, d: 0.2, a: 0.2, alpha: 0",
     "theta: q, d: 0, a: 0, alpha: -pi/2",

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.compiler import Compilation
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 TURN = np.pi / 2
 SLIDES_LAST = [
     "theta: q, d: 0.2, a: 0.1, alpha: pi/2",

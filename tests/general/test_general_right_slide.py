@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
     from dhgen.kinematics.chain import Chain
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 POSES = 3
 
 # Axes side by side are parallel, or meet, at several places. One determinant of the last one

@@ -32,6 +32,8 @@ if TYPE_CHECKING:
     from dhgen.compiler import Compilation
     from dhgen.targets.module import SolverModule
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 # xArm6: axes 4 and 5 meet, and axes 1 and 2; at a straight wrist joints turn against each other.
 XARM6 = """
 name: arm

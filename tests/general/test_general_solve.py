@@ -54,6 +54,7 @@ def test_c(name: str) -> None:
     assert doubtful <= 6  # where roots nearly meet it is not certain that there are no others
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lanes", [1, 2, 4])
 def test_c_with_other_lanes(lanes: int) -> None:
     name = "manseur_doty"
@@ -112,6 +113,7 @@ def test_out_of_reach() -> None:
         assert certain
 
 
+@pytest.mark.slow
 def test_silent_c() -> None:
     compiled("general", "-O3")
     compiled("general", "-O3", "-DGENERAL_LANES=1")

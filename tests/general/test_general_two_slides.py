@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
     from dhgen.robot.robot import Robot
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 PLACES = list(combinations(range(6), 2))
 POSES = 3
 DEGREE = 4

@@ -28,6 +28,7 @@ from tests.structures import COMPILED, COMPILED_SLOWLY, STRUCTURES
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from _pytest.mark import ParameterSet
     from numpy.typing import NDArray
 
     from dhgen.arrays import FloatArray
@@ -42,6 +43,13 @@ ASKED = [
     *((name, "Python") for name in COMPILED),
     *(pytest.param(name, "Python", marks=pytest.mark.slow) for name in COMPILED_SLOWLY),
 ]
+
+
+def some_slow(*names: str) -> list[str | ParameterSet]:
+    """The first of some arms, and the others where all is tested: numba takes seconds for each."""
+    return [*names[:1], *(pytest.param(name, marks=pytest.mark.slow) for name in names[1:])]
+
+
 RESIDUAL = 1e-11  # of the arm's size
 POLISHED = 1e-9  # the same for the general arms
 POINTER = ctypes.c_void_p
@@ -175,7 +183,7 @@ def test_a_clean_process_needs_numpy_and_numba_only() -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
-@pytest.mark.parametrize("name", ["scara", "ur5", "scorbot_pointing"])
+@pytest.mark.parametrize("name", some_slow("scara", "ur5", "scorbot_pointing"))
 def test_every_way_to_call_gives_the_same(name: str) -> None:
     """Batches, tables and arrays of the caller; singular, spoiled, rounded and far poses too."""
     arms = robot(name)
@@ -264,7 +272,7 @@ def allocations(python: Any, T: FloatArray) -> tuple[int, int]:
     return counted(T[:1]), counted(T)
 
 
-@pytest.mark.parametrize("name", ["ur5", "scara"])
+@pytest.mark.parametrize("name", some_slow("scara", "ur5"))
 def test_control_loops_allocate_nothing(name: str) -> None:
     """Also where a pose is only rounded, and made a rotation first."""
     q = random_joints(robot(name), 50, seed=74)

@@ -192,6 +192,7 @@ def start(place: Path, **variables: str) -> subprocess.Popen[str]:
     )
 
 
+@pytest.mark.slow
 def test_processes_build_at_once(tmp_path: Path) -> None:
     answers = [process.communicate() for process in [start(tmp_path) for _ in range(3)]]
     assert answers == [("[0, 0]\n", "")] * 3

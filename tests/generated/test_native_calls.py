@@ -100,6 +100,7 @@ def test_mistakes_are_told_and_nothing_is_written() -> None:
     assert not status.any()
 
 
+@pytest.mark.slow
 def test_nothing_is_held_when_a_call_is_over() -> None:
     """Neither after answers, nor after conversions, nor after mistakes.
 

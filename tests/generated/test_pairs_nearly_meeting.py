@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.survey.trial import Trial
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 # Six turns, a slide, two of them, five joints that point, a given joint; axes that nearly meet.
 ARMS = [
     "general_6r",
@@ -80,10 +82,9 @@ def test_the_other_end_of_what_is_nearly_a_continuum() -> None:
     assert np.isfinite(rows).all(axis=-1).sum() % 2 == 0
 
 
-# numba takes up to a quarter of a minute for the others.
-@pytest.mark.parametrize(
-    "name", [ARMS[0], *(pytest.param(name, marks=pytest.mark.slow) for name in ARMS[1:])]
-)
+# numba takes seconds for each, and the Python of general arms is one for all but for how the
+# polynomials come about: turns alone, a slide, two of them.
+@pytest.mark.parametrize("name", ARMS[:3])
 def test_python_has_the_rows_of_c(name: str) -> None:
     asked = trial(name)
     q = beside_singular_places(asked, 20)

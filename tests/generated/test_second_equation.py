@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
     from dhgen.arrays import FloatArray
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 
 ON_AXIS_1 = ["katana_400", "kuka_youbot", "scorbot_pointing", "xarm5"]
 BESIDE = [0.0, 1e-12, 1e-6]

@@ -13,6 +13,8 @@ from dhgen.robot.load import load_text
 from dhgen.targets.reserved import RESERVED
 from tests.nominal.twins import seven, twin
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 POSES = 3000
 
 

@@ -14,6 +14,8 @@ from tests.compiling import library
 from tests.targets.calling import HELD, gap
 from tests.targets.made import folder, made_up, without_numba
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 ARMS = {
     # a row that turns back by twice what another does
     "back_twice": (

@@ -22,6 +22,8 @@ from tests.robots.cases import robot
 if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 
 def nearly_meeting(miss: float) -> Robot:
     """An iiwa 14 whose axes 1, 2, 3 miss one point, as in a published URDF; joint 3 is given."""
@@ -46,7 +48,6 @@ def share(arm: Robot) -> float:
     return close_share(pool, step)
 
 
-@pytest.mark.slow
 def test_the_less_axes_miss_a_point_by_the_more_roots_are_close() -> None:
     """Two roots become one where they meet: they are apart by what the axes miss."""
     shares = [share(nearly_meeting(miss)) for miss in (0.0002, 0.00043624, 0.002, 0.05)]

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.chain import Chain
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 POSES = 40
 
 

@@ -143,9 +143,7 @@ def test_equal_choices_are_taken_in_the_same_order_again(name: str) -> None:
     assert shown(again) == shown(derivation(name))
 
 
-@pytest.mark.parametrize(
-    "name", ["franka_panda", "kuka_iiwa14", pytest.param("concurrent_345", marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize("name", ["franka_panda", "kuka_iiwa14"])
 def test_the_simplest_equations_give_the_order_that_all_of_them_give(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

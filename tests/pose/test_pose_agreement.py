@@ -8,12 +8,14 @@ import numpy as np
 import pytest
 
 from tests.pose import pose_reference as reference
-from tests.pose.pose_libraries import LIBRARIES, NOTATIONS, library, read, write
+from tests.pose.pose_libraries import NOTATIONS, library, read, write
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-each_library = pytest.mark.parametrize("name", LIBRARIES)
+# numba compiles what stands in the same file for the others, in seconds.
+SLOW = pytest.param("numba", marks=pytest.mark.slow)
+each_library = pytest.mark.parametrize("name", ["plain", "c", SLOW])
 each_notation = pytest.mark.parametrize("notation", NOTATIONS)
 
 XYZ = np.array([0.3, -250.0, 1e-3])
@@ -75,17 +77,19 @@ def test_what_is_read_defines_the_pose_again(name: str, notation: str) -> None:
 
 
 @each_notation
-def test_c_and_python_read_and_write_the_same(notation: str) -> None:
-    numba, others = library("numba"), [library("plain"), library("c")]
+@pytest.mark.parametrize("name", ["c", SLOW])
+def test_all_read_and_write_what_plain_python_does(notation: str, name: str) -> None:
+    plain, other = library("plain"), library(name)
+    found, wanted = [], []
     for R in [
         *reference.random_rotations(100, seed=2),
         *dict(reference.singular_rotations()).values(),
     ]:
         T = reference.pose(R, XYZ)
-        expected = read(numba, notation, T)
-        alike([flat(read(of, notation, T)) for of in others], [flat(expected)] * 2, 1e-15)
-        wanted = write(numba, notation, *expected)
-        alike([write(of, notation, *expected) for of in others], [wanted] * 2, 1e-15)
+        expected = read(plain, notation, T)
+        found += [flat(read(other, notation, T)), flat(write(other, notation, *expected))]
+        wanted += [flat(expected), flat(write(plain, notation, *expected))]
+    alike(np.concatenate(found), np.concatenate(wanted), 1e-15)
 
 
 @each_library

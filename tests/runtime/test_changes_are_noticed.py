@@ -84,6 +84,7 @@ def asked(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Mapping[str, 
     return folder, first
 
 
+@pytest.mark.slow
 def test_a_tolerance_of_the_runtime(asked: tuple[Path, Mapping[str, float]]) -> None:
     """Angles are not moved near to a seed that is farther away than this."""
     tolerances = asked[0] / "dhgen_runtime" / "tolerances.py"

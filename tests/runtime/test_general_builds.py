@@ -54,6 +54,7 @@ def test_nothing_is_said_of_it(compiler: str, lanes: int, tmp_path: Path) -> Non
     assert said(compiler, text, *wide, folder=tmp_path) == ""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("flags", ["-march=native", "-Os", "-DDHGEN_TRAITS=0x200u"])
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_nothing_is_said_of_it_in_a_robots_file(compiler: str, flags: str, tmp_path: Path) -> None:
@@ -106,6 +107,7 @@ IN_LANES = """\
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("source", TIDY)
 def test_clang_tidy_finds_nothing(source: str, tmp_path: Path) -> None:
     if shutil.which("clang-tidy") is None:

@@ -12,7 +12,7 @@ from dhgen.status import HELD
 from dhgen.survey.oracle.forward import jacobian
 from dhgen.survey.oracle.poses import random_joints, right_angles
 from tests.oracle.sets import one_joint_at
-from tests.structures import one_of_each
+from tests.structures import STRUCTURES, one_of_each
 from tests.targets.made import (
     MADE_UP_NAMES,
     NAMES,
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
 COUNT = 12
-FEW = 4  # of general arms, whose Python is slow without numba
+FEW = 4  # of general arms, whose Python is slow without numba, and of those made up for tests
 EVERY = one_of_each([*NAMES, *MADE_UP_NAMES])
 POLISHED = 1e-9  # of general arms, where solutions meet
 ROOTS = 16  # rows that are sorted by their values
@@ -40,7 +40,8 @@ SIGNIFICANT = 1e-6  # poles of atan2: nearer to a singular pose rounding decides
 
 def joints(name: str) -> dict[str, FloatArray]:
     arm = robot(name)
-    count = FEW if made(name).module.solver.rows == ROOTS else COUNT
+    few = name not in STRUCTURES or made(name).module.solver.rows == ROOTS
+    count = FEW if few else COUNT
     return {
         "random": random_joints(arm, COUNT, seed=21)[:count],
         "singular": one_joint_at(arm, (0.0, np.pi), 2, seed=22),

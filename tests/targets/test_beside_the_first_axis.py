@@ -19,6 +19,8 @@ from tests.targets.made import folder, made_up
 if TYPE_CHECKING:
     from dhgen.compiler import Compilation
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 JOINTS = ("theta: q, d: 0, a: 0.25, alpha: -pi/2", "theta: q, d: 0, a: 0.4, alpha: pi")
 ON_THE_AXIS = float(np.arccos(-0.25 / 0.4))
 

@@ -31,6 +31,8 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.verify.native import CompiledSolver
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 SLACK = 1.001e-9
 WRIST = (3, 4, 5)  # the joints, from 0, of arms with a wrist
 LIMITED = {"abb_irb120": 3, "hard_wrist": 3, "hard_stops": 3}  # a joint that a straight wrist frees

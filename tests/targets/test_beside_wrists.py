@@ -23,6 +23,7 @@ POSES = 3
 # Without vectors, and with libm's arctangent, the formulas are the same of all arms.
 CASES = [(name, build) for name in STRAIGHT for build in ("vectors", "portable", "Python")]
 CASES += [("puma560", build) for build in ("scalar", "libm")]
+QUICK = ("portable", "Python")
 NEARLY = 1e-3  # [rad or arm sizes]
 WRIST = 4  # joint 5, from 0
 SIGNIFICANT = 1e-13  # singular values below it say nothing
@@ -50,7 +51,10 @@ def steps_to_solutions(name: str, rows: FloatArray, T: FloatArray) -> FloatArray
     return np.asarray((np.linalg.pinv(J, rcond=SIGNIFICANT) @ missed)[..., 0])
 
 
-@pytest.mark.parametrize(("name", "build"), CASES)
+@pytest.mark.parametrize(
+    ("name", "build"),
+    [pytest.param(*case, marks=() if case[1] in QUICK else pytest.mark.slow) for case in CASES],
+)
 def test_every_branch(name: str, build: str) -> None:
     solve = solver(name, build)
     for near in NEAR:

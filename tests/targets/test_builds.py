@@ -25,8 +25,7 @@ if TYPE_CHECKING:
 
 EVERYWHERE = ["ur5"]
 NATIVELY = [
-    *("scara", "kuka_kr6_r900", "kuka_iiwa14", "kuka_youbot", "scorbot_pointing", "wrist_oblique"),
-    "cartesian",
+    *("scara", "kuka_iiwa14", "kuka_youbot", "scorbot_pointing", "wrist_oblique"),
 ]
 CLANG = shutil.which("clang")
 BUILDS = [

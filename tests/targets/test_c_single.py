@@ -110,6 +110,7 @@ def test_sabotage_is_seen(right: str, wrong: str, complaint: str, tmp_path: Path
         verify_single(module_of(SCARA), tmp_path)
 
 
+@pytest.mark.slow
 def test_verification_reports_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
     monkeypatch.setattr("dhgen.verify.verify.COUNT", 20)
@@ -130,6 +131,7 @@ float32: true
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(c_compiler() is None, reason="there is no C compiler")
 def test_the_edge_of_a_hollow_wrist_is_reached(tmp_path: Path) -> None:
     """Where the wrist tilts the tool as far as it can, rounding puts poses out of its reach."""

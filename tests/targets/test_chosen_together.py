@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from dhgen.compiler import Compilation
     from dhgen.verify.native import CompiledSolver
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 ROWS = (
     "theta: q, d: 0.38, a: 0, alpha: pi/2",
     "theta: q, d: 1.36, a: 0, alpha: pi/2",

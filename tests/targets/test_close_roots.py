@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     from dhgen.compiler import Compilation
     from dhgen.verify.native import CompiledSolver
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 TOUCHING = "touching"
 MEETING = "meeting"
 SLIDING = "sliding"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import subprocess
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -40,6 +41,7 @@ PATHS = [
 ]
 
 
+@cache
 def made(path: str = "robots/planar_rr.yaml", title: str = "an arm") -> Mapping[str, str]:
     return compile_loaded(RobotFile(Path(path), replace(ROBOT.robot, title=title))).files
 

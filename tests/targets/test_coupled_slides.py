@@ -18,6 +18,8 @@ from tests.targets.made import in_c, poses_of, residual, robot
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 NAME = "coupled_slides"
 SLIDES = [0, 2, 4]
 

@@ -8,6 +8,8 @@ import pytest
 from tests.targets.calling import FREE_JOINT, LANGUAGES, OK, OUT_OF_LIMITS, Solver
 from tests.targets.made import poses_of, residual, robot
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 WRIST, RAIL = "hard_stops", "short_rail"
 COUNT = 25
 TURN = 2 * np.pi

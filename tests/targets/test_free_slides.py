@@ -8,6 +8,8 @@ import pytest
 from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, OK, UNREACHABLE, Solver
 from tests.targets.made import poses_of, residual, robot
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 NAME = "folding_slides"  # slides 1 and 4 are parallel at q3 = 90 degrees
 COUNT = 30
 

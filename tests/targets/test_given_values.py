@@ -8,6 +8,8 @@ import pytest
 from tests.targets.calling import HELD, LANGUAGES, OK, Solver, gap
 from tests.targets.made import poses_of, residual
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 ARM, GIVEN = "upright_shoulder", 2  # the joint, from 0
 ELBOW = 3
 

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from dhgen.compiler import Compilation
     from dhgen.verify.native import CompiledSolver
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 ARMS = {
     "crossed": (  # 3R1P
         "theta: q, d: 0.4, a: 0, alpha: pi/2",

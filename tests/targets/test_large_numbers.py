@@ -6,6 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 import numpy as np
+import pytest
 
 from tests.compiling import library, written
 from tests.targets.calling import HELD, gap
@@ -13,6 +14,8 @@ from tests.targets.made import ROBOTS
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
 
 
 def test_a_stretched_arm_beside_a_straight_wrist_is_not_out_of_reach(tmp_path: Path) -> None:

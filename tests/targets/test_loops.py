@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 COUNT = 203  # no multiple of the lanes
 IN_LANES = Build("lanes", ("-O1", "-march=native", *FAST_FLAGS))
+# Long sources have lanes in loops; the others are short.
+CASES = [(name, PORTABLE) for name in ("ur5", "kuka_iiwa14", "scara", "wrist_oblique")]
+CASES += [(name, IN_LANES) for name in ("ur5", "kuka_iiwa14")]
 
 
 def function(name: str) -> str:
@@ -43,8 +46,7 @@ def test_only_long_sources_have_loops() -> None:
         assert "    KNOWN(double);\n" in made(name).files[f"{name}.c"]
 
 
-@pytest.mark.parametrize("build", [PORTABLE, IN_LANES], ids=lambda build: build.name)
-@pytest.mark.parametrize("name", ["ur5", "kuka_iiwa14", "scara", "wrist_oblique"])
+@pytest.mark.parametrize(("name", "build"), CASES, ids=lambda each: getattr(each, "name", each))
 def test_loops_give_the_rows_of_branches_written_out(
     name: str, build: Build, tmp_path: Path
 ) -> None:

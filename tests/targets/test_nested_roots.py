@@ -13,6 +13,8 @@ import pytest
 from tests.targets.calling import HELD, LANGUAGES, UNREACHABLE, Solver, gap
 from tests.targets.made import poses_of
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 PANDA, UR = "franka_panda", "ur5"
 # where the points on axes 3 and 5 that are next to axis 4 are in line with it, from the data sheet
 STRETCHED = -(np.arctan2(0.0825, 0.316) + np.arctan2(0.0825, 0.384))

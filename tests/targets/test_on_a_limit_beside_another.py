@@ -16,6 +16,8 @@ from tests.targets.made import folder, made, made_up, poses_of, residual, robot
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 INSIDE = (OK, FREE_JOINT)
 # Right angles of five digits, and limits that leave a gap of 5e-6 rad.
 FIVE_DIGITS = """theta: q, d: 0.4865, a: 0.15, alpha: -1.5708, limits: [-3.14159, 3.14159]

@@ -159,6 +159,7 @@ def check_names(folder: Path) -> None:
         assert (done.returncode, done.stderr) == (0, "")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("names", [("low2", "high1"), ("doubt_limit_squared2", "free_limit")])
 def test_a_name_does_not_say_what_a_constant_is(
     names: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch

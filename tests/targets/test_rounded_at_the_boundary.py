@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+import pytest
 
 from dhgen.survey.oracle.forward import forward
 from tests.compiling import library
@@ -14,6 +15,8 @@ from tests.targets.made import folder, made_up
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.robot.robot import Robot
+
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
 
 NAME = "five_with_a_slide"
 ROWS = (

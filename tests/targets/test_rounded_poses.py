@@ -18,6 +18,8 @@ from tests.targets.made import made, model, poses_of, robot
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 ARMS = ("five_joints_offset", "so101_pose")
 DIGITS = {"six digits": 6, "single precision": None}
 

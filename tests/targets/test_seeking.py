@@ -8,6 +8,8 @@ import pytest
 from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, OUT_OF_LIMITS, Solver
 from tests.targets.made import poses_of, residual
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 NAME = "two_free"
 COUNT = 40
 FEW = 10  # in plain Python, which is slow

@@ -42,6 +42,8 @@ if TYPE_CHECKING:
 
     from dhgen.arrays import FloatArray
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 
 # Of arms: the joint, from 0, that makes them singular, and its value there.
 SINGULAR = {"hard_wrist": (4, 0.0), "hard_stops": (4, 0.0), "puma560": (4, 0.0), "scara": (1, 0.0)}

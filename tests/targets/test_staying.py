@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from dhgen.compiler import Compilation
     from dhgen.verify.native import Build, CompiledSolver
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 FOLDING, TWINS = "staubli_tx40", "prismatic_2_wrist"
 FOLDED = (
     (3.1, 1.5, np.pi, 0.4, 0.0, 3.0),
@@ -155,7 +157,6 @@ def test_half_a_turn_away_is_no_solution(language: str) -> None:
     assert np.abs(made_poses("abb_irb120", held) - T).max() < EXACT
 
 
-@pytest.mark.slow
 def test_solutions_of_roots_that_nearly_meet_have_the_same_rows_everywhere() -> None:
     q = np.array(TWIN)
     T = poses_of(TWINS, q[None])[0]

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.compiler import Compilation
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 NAME = "folded_wrist"
 ROWS = (
     "theta: q, d: 0.3, a: 0, alpha: 60 deg",

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from dhgen.compiler import Compilation
     from dhgen.verify.native import CompiledSolver
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 NAME = "parallel_ends"
 ROWS = (
     "theta: q, d: 0, a: 0.25, alpha: 60 deg",

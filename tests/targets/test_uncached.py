@@ -27,6 +27,7 @@ print({call})
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "call"),
     [

@@ -20,6 +20,8 @@ from tests.targets.made import poses_of, residual, robot
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 COUNT = {"C": 1000, "Python": 25}  # plain Python is slow: 64 and more solves a row
 GRID = np.linspace(-np.pi, np.pi, 4097)
 SLACK = 1e-9  # of the square of reach: nearer to its bounds rounding may decide

@@ -89,6 +89,7 @@ def test_a_stretched_arm_that_is_said_to_be_out_of_reach(tmp_path: Path) -> None
         verify(compilation.module, tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("interpreted")
 @pytest.mark.parametrize("name", ["folding_7r", "folding_7r_arm_angle"])
 def test_a_hand_that_folds_back_into_the_shoulder(
