@@ -82,6 +82,7 @@ def test_streams_that_are_closed_change_nothing_but_what_is_told(
     assert (done.returncode, not done.stdout) == ((0, False) if closed == "2>&-" else (2, True))
 
 
+@pytest.mark.slow
 def test_files_are_written_where_all_streams_are_closed(tmp_path: Path) -> None:
     done = in_shell(f"--out x {PLANAR} <&- >&- 2>&-", tmp_path, HASTY)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")

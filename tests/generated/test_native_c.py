@@ -202,16 +202,16 @@ def test_processes_build_at_once(tmp_path: Path) -> None:
     assert [each.stat().st_mtime_ns for each in (tmp_path / "kept").iterdir()] == [built]
 
 
-@pytest.mark.parametrize("left", [0, 100, 0.5])
-def test_a_damaged_library_is_built_again(left: float, tmp_path: Path) -> None:
+def test_a_damaged_library_is_built_again(tmp_path: Path) -> None:
     """A power cut may leave nothing, a head, or half: to open that is fatal."""
     assert start(tmp_path).communicate() == ("[0, 0]\n", "")
     (library,) = (tmp_path / "kept").iterdir()
     whole = library.read_bytes()
-    library.write_bytes(whole[: int(left if left > 1 else left * len(whole))])
-    assert start(tmp_path).communicate() == ("[0, 0]\n", "")
-    assert list((tmp_path / "kept").iterdir()) == [library]
-    assert library.read_bytes() == whole
+    for left in (0, 100, len(whole) // 2):
+        library.write_bytes(whole[:left])
+        assert start(tmp_path).communicate() == ("[0, 0]\n", "")
+        assert list((tmp_path / "kept").iterdir()) == [library]
+        assert library.read_bytes() == whole
 
 
 def test_without_a_compiler(tmp_path: Path) -> None:

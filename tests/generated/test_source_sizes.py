@@ -38,6 +38,7 @@ def size_of(text: str, folder: Path, name: str) -> int:
     return len(made.files[f"{name}.c"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ur5", "kuka_kr40pa", "franka_panda", "techman_tm5_900"])
 def test_on_any_base_with_any_tool(name: str, tmp_path: Path) -> None:
     text = (ROBOTS / f"{name}.yaml").read_text(encoding="utf-8")
@@ -51,6 +52,7 @@ def rounded(name: str) -> str:
     return re.sub(r"(alpha: -?)pi/2", r"\g<1>1.5708", text)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["doosan_m1013", "stanford"])
 def test_with_rounded_twists(name: str, tmp_path: Path) -> None:
     assert size_of(rounded(name), tmp_path, name) <= MOST

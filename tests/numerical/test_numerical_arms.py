@@ -182,6 +182,7 @@ def test_what_is_no_pose(folder: Path) -> None:
     assert solver.ik(far, np.zeros(4))[1].tolist() == [1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("build", [PORTABLE, NATIVE], ids=lambda build: build.name)
 def test_arms_of_three_joints_compile_without_a_warning(build: Build, folder: Path) -> None:
     """In loops so short compilers look for values that are not set."""

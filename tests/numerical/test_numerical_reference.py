@@ -34,9 +34,7 @@ def solve(T: np.ndarray, seed: np.ndarray, arm: NumericalKernel) -> Found:
     return Found(q[found], chosen[found])
 
 
-@pytest.mark.parametrize(
-    "name", ["puma560", pytest.param("ur5", marks=pytest.mark.slow), "rrprrr", "cuspidal_3r"]
-)
+@pytest.mark.parametrize("name", ["puma560", "rrprrr", "cuspidal_3r"])
 def test_the_same_solutions_as_a_closed_form(name: str) -> None:
     arm, closed = kernel(name), in_c(name)
     chain = arm.arm.chain

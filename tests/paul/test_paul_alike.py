@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
     from dhgen.paul.derivation import Derivation
 
+pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
+
 # a cylindrical arm with a spherical wrist, but the wrist stands on the floor
 WRIST_FIRST = """\
   - {theta: q, d: 0.1, a: 0, alpha: pi/2}

@@ -73,6 +73,7 @@ def test_rows_are_those_of_what_is_multiplied_out(monkeypatch: pytest.MonkeyPatc
     assert np.nanmin(np.abs(apart).max(axis=-1), axis=1).max() < 1e-8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
     [

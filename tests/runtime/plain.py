@@ -8,10 +8,13 @@ from functools import cache
 from types import ModuleType
 from typing import Any
 
+import pytest
+
 import dhgen.runtime.python as runtime
 from dhgen.runtime.python.jit import COMPILED
 
-KINDS = ["plain", "compiled"] if COMPILED else ["plain"]
+# numba takes seconds for what plain Python shows to be right.
+KINDS = ["plain", *([pytest.param("compiled", marks=pytest.mark.slow)] if COMPILED else [])]
 
 
 @cache

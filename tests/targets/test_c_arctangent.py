@@ -56,6 +56,7 @@ int main(void)
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "flags", ["-O1", "-O3 -mavx2 -mfma", "-O3 -march=native", "-O2 -DSCARA_LIBM"]
 )

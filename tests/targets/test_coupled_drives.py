@@ -141,6 +141,7 @@ def gaps(name: str, rows: FloatArray, q: FloatArray) -> FloatArray:
     return np.asarray(np.abs(np.where(turning(name), turned, off)).max(axis=-1))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*NAMES, *GENERAL])
 def test_own_values_are_found_and_rows_keep_limits_where_a_copy_does(name: str) -> None:
     q = drawn(name, FEWER if name in GENERAL else POSES)

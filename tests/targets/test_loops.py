@@ -46,6 +46,7 @@ def test_only_long_sources_have_loops() -> None:
         assert "    KNOWN(double);\n" in made(name).files[f"{name}.c"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "build"), CASES, ids=lambda each: getattr(each, "name", each))
 def test_loops_give_the_rows_of_branches_written_out(
     name: str, build: Build, tmp_path: Path
