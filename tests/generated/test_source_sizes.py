@@ -59,6 +59,7 @@ def test_with_rounded_twists(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_with_seven_rounded_twists(tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["franka_panda"])
+def test_with_seven_rounded_twists(name: str, tmp_path: Path) -> None:
     """Columns that are carried from link to link: multiplied out it was 91.6 kB."""
-    assert size_of(rounded("franka_panda"), tmp_path, "franka_panda") <= MOST
+    assert size_of(rounded(name), tmp_path, name) <= MOST

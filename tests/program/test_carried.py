@@ -13,7 +13,6 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.paul.derive import derive
 from dhgen.program.count import count_operations
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering import lower as lowering
@@ -21,6 +20,7 @@ from dhgen.program.lowering import polynomials
 from dhgen.robot.load import load_text
 from dhgen.survey.oracle.forward import forward
 from tests.derivation.stories import story
+from tests.derived import derived
 from tests.robots.cases import ROBOTS
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def arm(name: str) -> tuple[Robot, Derivation]:
     """A robot with twists as data sheets write them, and its derivation."""
     text = Path(ROBOTS / f"{name}.yaml").read_text(encoding="utf-8")
     robot = load_text(re.sub(r"(alpha: -?)pi/2", r"\g<1>1.5708", text), f"{name}.yaml")
-    return robot, derive(build_chain(robot))
+    return robot, derived(build_chain(robot))
 
 
 @pytest.mark.slow
