@@ -26,6 +26,9 @@ SLIP = 1e-3  # what is nearer than this to a multiple of pi/2 probably means it
 MOST_QUARTERS = 2  # pi/2 and pi are what radians in a file of degrees mean as a rule
 ROUGH = 2e-3  # how far 3.14 is from pi, nearly
 MOST_TURNS = 2  # an angle of more looks like degrees
+MOST_HALF_TURNS = 21  # unless it is so many half turns: some wrists make ten whole ones
+ROUNDED_PI = 3.14
+TYPED = 6e-3  # how far a number of radians is from what is meant, with two decimals
 LARGEST_ANGLE = (
     1e4  # beyond, doubles are too coarse to distinguish a multiple of pi/12 from its neighbours
 )
@@ -158,6 +161,16 @@ def turns_notice(value: float, meant: str) -> str | None:
         return None
     turns = abs(value) / (2.0 * math.pi)
     return f"is {turns:.3g} turns: write {meant} if degrees are meant"
+
+
+def is_half_turns(value: float) -> bool:
+    """Whether radians are written that are half turns: 15.708 are five, 62.83 twenty.
+
+    No more than twenty-one are, and no whole number is: 22 and 355 are near some by chance.
+    """
+    halves = round(value / math.pi)
+    near = min(abs(value - halves * pi) for pi in (math.pi, ROUNDED_PI))
+    return abs(halves) <= MOST_HALF_TURNS and near < TYPED and not value.is_integer()
 
 
 def degrees_text(number: Expression) -> str:

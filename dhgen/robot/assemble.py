@@ -88,7 +88,7 @@ class _Assembly:
         note_slips(self.report, self.cells.slips)
         note_snapped(self.report, self.cells.snapped)
         in_radians = "angle" in units.model_fields_set
-        note_turns(self.report, self.cells.turned, in_radians=in_radians)
+        note_turns(self.report, self.cells.many_turns, in_radians=in_radians)
         note_spread(self.report, self.cells.lengths, units.length)
         note_distance(self.report, self.cells.lengths)
 

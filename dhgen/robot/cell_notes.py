@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
+from dhgen.robot.angles import is_half_turns
 from dhgen.robot.expression import ZERO, Expression, Name, parts, to_text
 from dhgen.robot.source import quoted
 
@@ -125,22 +126,48 @@ def note_snapped(report: Report, cells: Sequence[NearCell]) -> None:
         report.notice(cell.path, message)
 
 
-def note_turns(report: Report, turned: Sequence[tuple[Path, str]], *, in_radians: bool) -> None:
+@dataclass(frozen=True, slots=True)
+class ManyTurns:
+    """A plain number of many turns.
+
+    Attributes:
+        path: Where it is.
+        message: What there is to say of it alone.
+        value: Its value [rad].
+    """
+
+    path: Path
+    message: str
+    value: float
+
+    @property
+    def may_be_degrees(self) -> bool:
+        """Whether nobody would have meant radians: 62.83 rad are ten turns of a wrist."""
+        return not is_half_turns(self.value)
+
+
+def note_turns(report: Report, turned: Sequence[ManyTurns], *, in_radians: bool) -> None:
     """Reports angles of many turns; several are a mistake, unless the file says that it means rad.
 
     Args:
         report: Where mistakes and notices go.
-        turned: The places of such angles, and what there is to say of each of them alone.
+        turned: Such angles.
         in_radians: Whether the file names the unit.
     """
-    if len(turned) > 1 and not in_radians:
-        path, message = turned[0]
-        head = f"{message.split(':')[0]}, and {_more(len(turned) - 1)} many turns, too"
+    doubtful = [each for each in turned if each.may_be_degrees]
+    if len(doubtful) > 1 and not in_radians:
+        path, message = doubtful[0].path, doubtful[0].message
+        head = f"{message.split(':')[0]}, and {_more(len(doubtful) - 1)} many turns, too"
         units = "`units: {angle: deg}` if degrees are meant, `units: {angle: rad}` if not"
         report.error(path, f"{head}: write {units}")
         return
-    for path, message in turned:
-        report.notice(path, message)
+    joints: set[Path] = set()  # of whose ends one is told: they are mended together
+    for each in turned:
+        limits = each.path[:-1]
+        if limits not in joints:
+            report.notice(each.path, each.message)
+        if limits[-1] == "limits":
+            joints.add(limits)
 
 
 def _more(count: int) -> str:

@@ -19,7 +19,7 @@ from dhgen.robot.angles import (
     unit_notice,
 )
 from dhgen.robot.arithmetic import parse
-from dhgen.robot.cell_notes import NearCell, Taken, UsedNames, taken
+from dhgen.robot.cell_notes import ManyTurns, NearCell, Taken, UsedNames, taken
 from dhgen.robot.exact import canonical, rational
 from dhgen.robot.expression import (
     ZERO,
@@ -59,7 +59,7 @@ class Cells:
         self.taken: list[Taken] = []
         self.snapped: list[NearCell] = []
         self.slips: list[NearCell] = []
-        self.turned: list[tuple[Path, str]] = []
+        self.many_turns: list[ManyTurns] = []
 
     def announce(self, parameters: Mapping[str, str]) -> None:
         """Which parameters there will be, for the messages about cells that use them too early."""
@@ -138,25 +138,32 @@ class Cells:
         return expression if expression == INVALID else self.units.radians(expression)
 
     def note_unit(self, path: Path, text: str, angle: Expression) -> bool:
-        """Whether an angle as written looks like the other unit, of which there is a notice then.
+        """Whether there is a notice now that an angle as written looks like the other unit.
 
-        Only plain numbers do: what holds pi names its unit, but for what is added to it.
+        Only plain numbers do: what holds pi names its unit, but for what is added to it. Those of
+        many turns are counted first.
         """
         if self.units.speaks_of_pi(angle):
             notice = self.units.mixed_notice(angle)
         else:
             value = self.value(self.radians(angle))
             notice = unit_notice(value, "" if self.units.degrees else "pi")
-        if notice:
-            self._notice_unit(path, quoted(text.strip()), notice, angle)
-        return notice is not None
+        if notice is None:
+            return False
+        return self._notice_unit(path, quoted(text.strip()), notice, angle)
 
-    def _notice_unit(self, path: Path, what: str, notice: str, angle: Expression) -> None:
-        """Reports an angle that looks like the other unit; many turns with those of other cells."""
-        if self.units.degrees or self.units.speaks_of_pi(angle):
+    def _notice_unit(self, path: Path, what: str, notice: str, angle: Expression) -> bool:
+        """Reports an angle that looks like the other unit; many turns with those of other cells.
+
+        Returns:
+            Whether it is reported at once.
+        """
+        at_once = self.units.degrees or self.units.speaks_of_pi(angle)
+        if at_once:
             self.report.notice(path, f"{what} {notice}")
         else:
-            self.turned.append((path, f"{what} {notice}"))
+            self.many_turns.append(ManyTurns(path, f"{what} {notice}", self.value(angle)))
+        return at_once
 
     def note_mixture(self, path: Path, text: str, angle: Expression) -> None:
         """Reports a plain number that is added to what holds pi."""

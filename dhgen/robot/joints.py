@@ -87,7 +87,7 @@ def _look_at_units(
 ) -> None:
     ways = [(*path, i) for i in range(len(ends))]
     if kind is JointKind.REVOLUTE:
-        # Of both ends one is reported: they are mended together.
+        # Of both ends one is told: they are mended together. Of many turns both are counted.
         any(map(cells.note_unit, ways, entry, ends))
     else:
         for way, text, end in zip(ways, entry, ends, strict=True):

@@ -77,7 +77,7 @@ def test_notes_are_told_once_and_before_a_refusal(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    Path("slip.yaml").write_text(UNSOLVABLE.replace("0.4, alpha: 0", "0.4, limits: [-90, 90]"))
+    Path("slip.yaml").write_text(UNSOLVABLE.replace("0.4, alpha: 0", "0.4, limits: [-90, 1]"))
     assert main([*verb, "slip.yaml"]) == 1
     note, refusal = capsys.readouterr().err.split("slip.yaml: ", 1)
     assert note.startswith("note: slip.yaml:6:39: '-90' is 14.3 turns: write -90 deg")

@@ -131,7 +131,7 @@ def test_cells_that_nearly_say_what_is_meant(cell: str, told: str) -> None:
 
 
 def test_one_angle_of_many_turns_is_noted() -> None:
-    arm = dhgen.load(with_rows({"theta": "q", "a": 0.4, "limits": [-160, 160]}, {"theta": "q"}))
+    arm = dhgen.load(with_rows({"theta": "q", "a": 0.4, "limits": [-160, 1]}, {"theta": "q"}))
     (note,) = arm.notes
     assert note.endswith("'-160' is 25.5 turns: write -160 deg if degrees are meant")
     assert f"note: {note}" in str(arm)

@@ -99,7 +99,7 @@ def test_degrees_in_several_cells_are_a_mistake() -> None:
     (found,) = mistakes(table(*DEGREES, parameters=named))
     assert marked(found) == "-90"
     assert found.message == (
-        "'-90' is 14.3 turns, and 3 more angles are of many turns, too: write `units: {angle: deg}`"
+        "'-90' is 14.3 turns, and 5 more angles are of many turns, too: write `units: {angle: deg}`"
         " if degrees are meant, `units: {angle: rad}` if not"
     )
     in_degrees = robot(table(*DEGREES, parameters=named, units="{angle: deg}"))
@@ -159,16 +159,39 @@ def test_what_is_multiplied_with_pi_or_adds_angles_is_no_mixture(cell: str) -> N
     assert not told_of_cells(text)
 
 
+@pytest.mark.parametrize("limits", ["[-120, 120]", "[-92.5, w]", "[-355, 355]", "[-22, 22]"])
+def test_limits_in_degrees_are_a_mistake_even_of_one_joint(limits: str) -> None:
+    """Both ends count; whole numbers are no half turns, however near they come to some."""
+    (found,) = mistakes(table(f"theta: q, limits: {limits}", parameters="{w: 160}"))
+    assert "turns, and one more angle is of many turns, too: write `units: {angle: deg}`" in (
+        found.message
+    )
+    joint = row(f"theta: q, limits: {limits}", parameters="{w: 160}", units="{angle: deg}")
+    assert joint.limits
+    assert joint.limits[1] < math.tau
+
+
 @pytest.mark.parametrize(
-    ("limits", "message"),
-    [
-        ("[-170, 170]", "'-170' is 27.1 turns: write -170 deg if degrees are meant"),
-        ("[0, w]", "'w' is 25.5 turns: write 160 deg if degrees are meant"),
-    ],
+    "limits",
+    ["[-62.83, 62.83]", "[-62.8, 62.8]", "[-31.4159, 31.4159]", "[-15.708, 15.71]", "[-1, 18.85]"],
 )
-def test_limits_of_many_turns_are_told_once_a_joint(limits: str, message: str) -> None:
-    text = table(f"theta: q, limits: {limits}", parameters="{w: 160}")
-    assert told_of_cells(text) == [message]
+def test_limits_that_are_half_turns_are_radians(limits: str) -> None:
+    """Ten turns of a wrist, or five: a note says it, and the arm is the one that is written."""
+    text = table(f"theta: q, limits: {limits}", f"theta: q, limits: {limits}")
+    assert len(told_of_cells(text)) == 2
+    assert robot(text).joints[0].limits
+
+
+@pytest.mark.parametrize("limits", ["[-720 deg, 720 deg]", "[-20*pi, 4*pi]", "[-12.566, 12.56]"])
+def test_limits_that_name_their_unit_or_are_two_turns_are_nothing_to_speak_of(limits: str) -> None:
+    assert not told_of_cells(table(f"theta: q, limits: {limits}", f"theta: q, limits: {limits}"))
+
+
+def test_limits_of_many_turns_are_told_once_a_joint() -> None:
+    text = table("theta: q, limits: [-170, 170]", units="{angle: rad}")
+    assert told_of_cells(text) == ["'-170' is 27.1 turns: write -170 deg if degrees are meant"]
+    text = table("theta: q, limits: [0, w]", parameters="{w: 160}")
+    assert told_of_cells(text) == ["'w' is 25.5 turns: write 160 deg if degrees are meant"]
 
 
 @pytest.mark.parametrize(

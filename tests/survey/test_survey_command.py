@@ -71,7 +71,7 @@ def test_a_file_with_mistakes_stands_in_the_table(
 def test_a_note_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     planar = (ROBOTS / "planar_rr.yaml").read_text(encoding="utf-8")
     slip = tmp_path / "slip.yaml"
-    slip.write_text(planar.replace("a1, alpha: 0", "a1, alpha: 0, limits: [-90, 90]"))
+    slip.write_text(planar.replace("a1, alpha: 0", "a1, alpha: 0, limits: [-90, 1]"))
     assert main(["survey", str(slip), "--poses", "2"]) == 0
     err = capsys.readouterr().err
     assert err.startswith(f"note: {slip}:")
