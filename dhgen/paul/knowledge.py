@@ -95,7 +95,9 @@ class Knowledge:
         return cut[0], self.components[cut[0]][cut[1]]
 
     def knows(self, angle: AngleSum) -> bool:
-        """Whether an angle sum is known."""
+        """Whether an angle sum is known: never that of a passive row which is no sum of joints'."""
+        if angle.terms[0][0] not in self.runs.place:
+            return False
         start, end, _ = self.runs.ends(angle)
         return self.component(start) == self.component(end)
 

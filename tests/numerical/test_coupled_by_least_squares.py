@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from dhgen.compiler import compile_loaded
+from dhgen.derivation.figures.all import figures_of
+from dhgen.derivation.story import Story
 from dhgen.errors import UnsolvedError
 from dhgen.method import Method
 from dhgen.robot_files import RobotFile
@@ -40,6 +42,17 @@ ARMS = {
         ),
         "task: position\n",
     ),
+    # gears of halves and thirds: a whole turn of one joint is half a turn of another one's drive
+    "halves": (
+        (
+            "theta: q, d: 0.4, a: 0.1, alpha: -pi/2, limits: [-3, 3]",
+            "theta: q, a: 0.5",
+            "theta: q + 1/2*q2, a: 0.4",
+            "theta: -2*q2, a: 0.1, alpha: -pi/2",
+            "theta: q + 1/3*q1, d: 0.1",
+        ),
+        "task: [x, y, z, pitch]\n",
+    ),
     # a given drive, whose joint another drive moves, too
     "given_in_part": (
         ("theta: q, a: 0.4", "theta: q, a: 0.3", "theta: q - q2, a: 0.2", "theta: q, a: 0.1"),
@@ -59,7 +72,9 @@ def test_own_values_are_found_and_both_languages_agree(name: str) -> None:
     free = [np.ascontiguousarray(q[:, [n - 1 for n in made.robot.free]])] if made.robot.free else []
     # from a seed near by: that all solutions are found is nowhere said of least squares
     one = [solver.ik(T[k], q[k] + 0.02, *(each[k] for each in free)) for k in range(len(q))]
-    own = [gap(f[np.isin(s, HELD)], each).min() for (f, s), each in zip(one, q, strict=True)]
+    # solutions are told without turns, which move other drives, but of angles none but one
+    M = made.module.chain.drives.matrix.T
+    own = [gap(f[np.isin(s, HELD)] @ M, r @ M).min() for (f, s), r in zip(one, q, strict=True)]
     assert max(own) < 1e-6
     found, status = solver.batch(T, *free)
     held = np.isin(status, HELD)
@@ -90,11 +105,22 @@ def test_a_joint_that_is_given_in_part_is_refused_with_what_may_be_given() -> No
     assert "--numerical would give" in told
 
 
-def test_a_joint_that_half_turns_of_another_move_is_refused() -> None:
-    """A turn of joint 1, without which values are told, would turn joint 2 half round."""
+def test_a_given_joint_that_half_turns_of_another_move_is_refused() -> None:
+    """A turn of joint 2, without which values are told, would turn joint 3 half round."""
+    rows, rest = ARMS["given_in_part"]
+    halves = (*rows[:2], "theta: q - 1/2*q2, a: 0.2", rows[3])
+    joints = "".join(f"  - {{{row}}}\n" for row in halves)
     path = folder() / "half.yaml"
-    rows = "  - {theta: q, a: 0.4}\n  - {theta: q + 1/2*q1, a: 0.3}\n  - {theta: q, a: 0.1}\n"
-    path.write_text(f"name: half\nnumerical: true\njoints:\n{rows}", encoding="utf-8")
+    path.write_text(f"name: half\nnumerical: true\njoints:\n{joints}{rest}", encoding="utf-8")
     with pytest.raises(UnsolvedError) as stopped:
         compile_loaded(RobotFile.read(path))
-    assert "a whole turn of joint 1 would move joint 2" in str(stopped.value)
+    assert "joint 3 is free, and a whole turn of joint 2 would move it" in str(stopped.value)
+
+
+def test_figures_of_an_arm_with_a_passive_row_that_is_no_sum() -> None:
+    """Its links' lengths are written in the order of what is known, of which its angle never is."""
+    rows, rest = ARMS["halves"]
+    made = made_up("halves", rows, f"{rest}numerical: true\n")
+    story = Story(made.robot, made.derivation, made.module.solver, made.module.nominal)
+    drawn = figures_of(story).arm.file("halves", "halves.yaml")
+    assert all(f'>a<tspan dy="4" font-size="10">{number}</' in drawn for number in (1, 2, 3, "3p"))

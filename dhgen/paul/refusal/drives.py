@@ -5,10 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.errors import UnsolvedError
-from dhgen.kinematics.turns import coupled_turns
+from dhgen.kinematics.turns import TURN, turns_together
 from dhgen.paul.refusal.unsolved import NUMERICAL
+from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain, Passive
 
 NOTHING = 1e-9  # what rounding leaves of whole turns, and of a length for a turn [1, length/rad]
@@ -47,20 +49,21 @@ def demand_sums(chain: Chain) -> None:
 
 
 def demand_whole_turns(chain: Chain) -> None:
-    """Refuses joints and passive rows that whole turns of others move.
+    """Refuses given joints and passive rows that are elsewhere after whole turns of other joints.
 
-    Least squares tell joint values without turns.
+    Least squares tell solutions without turns: of what is solved for, drives that hang together
+    are turned together.
 
     Raises:
         UnsolvedError: There is one.
     """
-    turns = coupled_turns(chain)
-    for drive, moves in zip(turns.drives, turns.moves, strict=True) if turns else ():
-        others = [joint for joint, move in enumerate(moves, start=1) if move and joint != drive]
-        if others:
+    for drive, moves in turns_together(chain):
+        joint = _given_apart(chain, moves)
+        if joint:
             raise UnsolvedError(
-                f"least squares do not take this coupling: a whole turn of joint "
-                f"{chain.told([drive])} would move joint {chain.told(others[:1])}"
+                f"joint {chain.told([joint])} is free, and a whole turn of joint "
+                f"{chain.told([drive])} would move it: least squares tell solutions without whole "
+                f"turns\nlist under `free` a joint that its own drive moves alone"
             )
     for row in chain.passive:
         joint = _turned_apart(chain, row)
@@ -69,6 +72,23 @@ def demand_whole_turns(chain: Chain) -> None:
                 f"the passive row {row.label}: {row.apart}, and least squares do not take it "
                 f"either: a whole turn of joint {chain.told([joint])} would move the tool"
             )
+
+
+def _given_apart(chain: Chain, moves: FloatArray) -> int:
+    """The number of a given joint that is elsewhere after a whole turn; zero without any.
+
+    Args:
+        chain: The arm.
+        moves: By how much the turn moves every drive: those that are given stay.
+    """
+    for number in chain.free:
+        joint = chain.joints[number - 1]
+        others = (share for share in joint.shares if share.drive not in chain.free)
+        turns = sum(share.factor * moves[share.drive - 1] for share in others) / TURN
+        turned = joint.kind is JointKind.REVOLUTE
+        if abs(turns - round(turns) if turned else turns) > NOTHING:
+            return number
+    return 0
 
 
 def _turned_apart(chain: Chain, row: Passive) -> int:
