@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhgen.descriptions.model import Motion
@@ -40,12 +40,15 @@ class ArmChain:
         tip: The link that poses are of.
         joints: From base to tip, fixed ones too.
         notes: What was chosen, and what was left out.
+        driven_end: The last link that a drive of its own moves, where the tip is moved on from
+            there by joints that follow others; else empty.
     """
 
     base: str
     tip: str
     joints: tuple[Joint, ...]
     notes: tuple[str, ...] = ()
+    driven_end: str = ""
 
     @property
     def actuated(self) -> tuple[Joint, ...]:
@@ -74,12 +77,19 @@ def choose_chain(description: Description, base: str | None, tip: str | None) ->
         joints = _from_base(description, joints, base, end)
     elif joints:
         joints = _from_first_moving(joints)
-    joints = joints if tip is not None else (*joints, *_fixed_end(description, end))
+    passive: tuple[Joint, ...] = ()
+    if tip is None:
+        fixed = _fixed_end(description, end)
+        passive = () if fixed else _passive_end(description, joints)
+        if passive:
+            fixed = _fixed_end(description, passive[-1].child)
+        joints = (*joints, *passive, *fixed)
     chain = ArmChain(
         joints[0].parent if joints else end, joints[-1].child if joints else end, joints
     )
     _refuse_unfit(description, chain)
-    return ArmChain(chain.base, chain.tip, chain.joints, tuple(_notes(description, chain)))
+    notes = [*_passive_notes(passive, end), *_notes(description, chain)]
+    return replace(chain, notes=tuple(notes), driven_end=end if passive else "")
 
 
 def _is_hand(joint: Joint, children: dict[str, list[Joint]]) -> bool:
@@ -186,6 +196,27 @@ def _fixed_end(description: Description, link: str) -> tuple[Joint, ...]:
     return ()
 
 
+def _passive_end(description: Description, joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
+    """The joints behind the last drive that joints of the arm move, as rods keep a tool level.
+
+    None where several ways lead on: which of them carries the tool nobody says.
+    """
+    children = description.children()
+    own = {joint.name for joint in joints}
+    ways: list[tuple[Joint, ...]] = []
+    waiting: list[tuple[Joint, ...]] = [()]
+    while waiting:
+        way = waiting.pop()
+        names = own.union(joint.name for joint in way)
+        for joint in children.get((way or joints)[-1].child, ()):
+            follows = joint.mimics is not None and joint.mimics.joint in names
+            if (follows or joint.motion is Motion.FIXED) and not _is_hand(joint, children):
+                waiting.append((*way, joint))
+                ways += [waiting[-1]] * follows
+    farthest = max(ways, key=len, default=())
+    return farthest if all(way == farthest[: len(way)] for way in ways) else ()
+
+
 def _refuse_unfit(description: Description, chain: ArmChain) -> None:
     """Stops where the chain holds what no serial arm has."""
     mistakes: list[Diagnostic] = []
@@ -203,6 +234,13 @@ def _refuse_unfit(description: Description, chain: ArmChain) -> None:
         raise _refusal(description, f"{len(chain.actuated)} joints: at most {MAX_JOINTS} are read")
 
 
+def _passive_notes(passive: tuple[Joint, ...], end: str) -> list[str]:
+    """What is said of joints behind the last drive that move the tip."""
+    followed = [f"{each.name} follows {each.mimics.joint}" for each in passive if each.mimics]
+    told = " and ".join(followed)
+    return [f"the tip is moved by the arm, too: {told} (--tip {end} ends before)"] * bool(passive)
+
+
 def _notes(description: Description, chain: ArmChain) -> list[str]:
     inside = {joint.child for joint in chain.joints}
     children = description.children()
@@ -210,12 +248,21 @@ def _notes(description: Description, chain: ArmChain) -> list[str]:
     sides = [
         joint for link in links for joint in children.get(link, ()) if joint.child not in inside
     ]
-    notes = []
+    notes = [
+        f"left out: the {joint.motion.value} joint {joint.name}, before the arm's base"
+        for joint in description.joints_to(chain.base)
+        if joint.motion in {Motion.FLOATING, Motion.PLANAR}
+    ]
     moving = [joint for joint in sides if _count(children, joint)]
     for joint in moving[:6]:
         moved = _count(children, joint)
         joints = "1 joint" if moved == 1 else f"{moved} joints"
-        notes.append(f"left out: {joint.child} on {joint.parent}, with {joints} of its own")
+        told = f"left out: {joint.child} on {joint.parent}"
+        follows = joint.mimics and joint.mimics.joint
+        if moved == 1 and follows in {each.name for each in chain.joints}:
+            notes.append(f"{told}, which follows {follows} (--tip {joint.child} takes it)")
+        else:
+            notes.append(f"{told}, with {joints} of its own")
     still = [joint.child for joint in sides if not _count(children, joint)]
     if still:
         shown = ", ".join(still[:6]) + (", ..." if len(still) > 6 else "")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
@@ -15,6 +15,7 @@ from dhgen.descriptions.misses import misses_note
 from dhgen.descriptions.snap import DEFAULT, LEAST, LITTLE, snap
 from dhgen.descriptions.table import cheapest_table, farthest_offset
 from dhgen.descriptions.write import (
+    FEW_TURNS,
     MOST_TURNS,
     Heading,
     axes_text,
@@ -95,7 +96,12 @@ def convert(description: Description, wishes: Wishes) -> Import:
     joints, narrowed = with_followers_limits(chain.joints)
     snapped = snap(joints, near, little)
     arm = arm_of(snapped.joints, near, little)
-    demand_followed(description, chain.joints, arm.axes)
+    try:
+        demand_followed(description, chain.joints, arm.axes)
+    except RobotFileError:
+        if not chain.driven_end:
+            raise
+        return convert(description, replace(wishes, tip=chain.driven_end))
     heading = _heading(description, chain, free_joints(arm) if wishes.free is None else wishes.free)
     text, notes = robot_file_text(heading, arm, as_axes=wishes.as_axes)
     robot = load_text(text, f"{heading.name}.yaml")
@@ -107,7 +113,7 @@ def convert(description: Description, wishes: Wishes) -> Import:
         *chain.notes,
         *_limit_notes(chain.actuated),
         *narrowed,
-        *_unit_notes(arm),
+        *_unit_notes(chain, arm),
         *([] if off.is_rounding else [_snap_note(snapped, off, near)]),
         *filter(None, [misses_note(arm)]),
         *notes,
@@ -179,8 +185,11 @@ def _some(values: Iterable[float]) -> str:
     return ", ".join(shown[:SHOWN]) + (", ..." if len(shown) > SHOWN else "")
 
 
-def _unit_notes(arm: Arm) -> list[str]:
+def _unit_notes(chain: ArmChain, arm: Arm) -> list[str]:
     notes = []
+    if turned := [each.name for each in chain.joints if max(map(abs, each.rpy)) > FEW_TURNS]:
+        shown = ", ".join(turned[:SHOWN]) + (", ..." if len(turned) > SHOWN else "")
+        notes.append(f"the rpy of {shown} are many turns: they are in rad, not in degrees")
     if not SHORTEST < arm.size < LONGEST:
         notes.append(f"the arm is {arm.size:g} m long: lengths of a description are in m")
     if wide := [axis.joint.name for axis in arm.axes if looks_like_degrees(axis)]:

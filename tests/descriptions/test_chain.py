@@ -109,6 +109,13 @@ def test_what_is_beside_the_arm_is_told() -> None:
     )
 
 
+@pytest.mark.parametrize("kind", ["floating", "planar"])
+def test_a_free_joint_before_the_arm_is_told(kind: str) -> None:
+    chain = chosen(tree(f"room world {kind} odom", *ARM))
+    assert chain.base == "base"
+    assert chain.notes == (f"left out: the {kind} joint odom, before the arm's base",)
+
+
 def test_an_arm_on_wheels_starts_behind_them() -> None:
     chain = chosen(tree("odom chassis floating", "chassis l1 revolute", "l1 l2 revolute"))
     assert chain.base == "chassis"

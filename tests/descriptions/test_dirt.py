@@ -172,6 +172,16 @@ def test_limits_in_degrees_are_told() -> None:
     assert result.robot.joints[0].limits == (-170.0, 170.0)  # rad, as URDF says
 
 
+def test_frames_in_degrees_are_told() -> None:
+    """-90 rad are fourteen turns and some, and another arm without a word."""
+    told = note(
+        imported(CLEAN.replace(f'"-{RIGHT}', '"-90').replace(f'"{RIGHT}', '"90')), "the rpy"
+    )
+    assert told.endswith("are many turns: they are in rad, not in degrees")
+    assert "panda_joint2" in told
+    assert not note(imported(CLEAN), "the rpy")
+
+
 def test_lengths_in_millimetres_are_told() -> None:
     text = re.sub(
         'xyz="([^"]*)"',

@@ -38,7 +38,7 @@ def joint(name: str, parent: str, child: str, words: str = "", *, mimic: str = "
 
 
 def imported(*joints: str, **wishes: object) -> Import:
-    links = [f'<link name="l{number}"/>' for number in range(9)]
+    links = [f'<link name="{name}"/>' for name in (*(f"l{number}" for number in range(9)), "tool0")]
     used = [link for link in links if any(link.split('"')[1] in each for each in joints)]
     text = f'<robot name="arm">{"".join(used)}{"".join(joints)}</robot>'
     return convert(read_urdf(text.encode(), "arm.urdf"), Wishes(**wishes))  # type: ignore[arg-type]
@@ -187,3 +187,44 @@ def test_axes_hold_no_joints_that_follow_others() -> None:
 def test_numbers_that_are_none(word: str) -> None:
     with pytest.raises(RobotFileError, match="'twice' is not a number"):
         imported(joint("a", "l0", "l1"), joint("b", "l1", "l2", mimic=f'"a" {word}="twice"'))
+
+
+LEVEL = (
+    joint("turn", "l0", "l1", "axis=0 0 1"),
+    joint("upper", "l1", "l2"),
+    joint("fore", "l2", "l3", f"xyz={UPPER} 0 0"),
+)
+KEPT = joint("rods", "l3", "l4", f"xyz={FORE} 0 0", mimic='"fore" multiplier="-1"')
+
+
+def test_a_tool_that_rods_hold_is_the_end_of_its_arm() -> None:
+    """It turns back by what the forearm has turned, so that it leans as the upper arm does."""
+    made = imported(*LEVEL, KEPT)
+    assert made.chain.tip == "l4"
+    assert made.notes == (
+        "the tip is moved by the arm, too: rods follows fore (--tip l3 ends before)",
+    )
+    q = np.array([[0.0, 0.4, -0.9], [0.0, 0.4, 1.1]])
+    np.testing.assert_allclose(forward(made.robot, q)[:, 2, 0], -np.sin([0.4, 0.4]), atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("more", "told"),
+    [
+        # a frame says where the arm ends
+        ((KEPT, joint("f", "l3", "tool0", "type=fixed")), "left out: l4 on l3, which follows fore"),
+        # two ways lead on
+        ((KEPT, KEPT.replace("l4", "l5").replace("rods", "cover")), "left out: l5 on l3, which"),
+        # no row can hold it
+        (
+            (KEPT.replace('"-1"', '"-0.5"').replace("fore", "upper"),),
+            "left out: l4 on l3, which follows upper (--tip l4 takes it)",
+        ),
+        # no joint of the arm moves it
+        ((joint("claws", "l3", "l4", mimic='"other"'), joint("other", "l1", "l5")), "left out: l4"),
+    ],
+)
+def test_what_follows_the_arm_beside_its_end_is_left_out(more: tuple[str, ...], told: str) -> None:
+    made = imported(*LEVEL, *more)
+    assert made.chain.joints[-1].name == ("f" if "tool0" in "".join(more) else "fore")
+    assert any(note.startswith(told) for note in made.notes)
