@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
 NAMES = (
     "abb_irb2400",
+    "abb_irb460",
     "dobot_magician",
     "fanuc_on_a_rail",
     "fanuc_lrmate200id_j23",
@@ -53,6 +54,7 @@ NAMES = (
 )
 GIVEN = ("fanuc_on_a_rail", "given_forearm", "screw_four_turns")  # by the caller: a drive's value
 PASSIVE = (
+    "abb_irb460",
     "kuka_kr40pa_level",
     "level_modified",
     "level_palletizer",

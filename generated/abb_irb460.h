@@ -1,0 +1,93 @@
+/* abb_irb460: ABB IRB 460 palletizer, by its four drives
+ *
+ * Inverse kinematics, generated from robots/abb_irb460.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/abb_irb460.yaml. The formulas and where they come from:
+ * abb_irb460.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, x = T[0, 3] and y = T[1, 3] and z = T[2, 3] and the yaw atan2(T[1, 0], T[0, 0]) counts;
+ * other entries are ignored.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 986ae3a113b87162
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ABB_IRB460_H
+#define ABB_IRB460_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define ABB_IRB460_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+#define ABB_IRB460_JOINT_TYPES "RRRR"
+#define ABB_IRB460_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
+#define ABB_IRB460_JOINT_LIMITS \
+    { -2.8797932657906435, 2.8797932657906435 }, { -0.6981317007977318, 1.4835298641951802 }, \
+    { -0.3490658503988659, 2.0943951023931953 }, { -5.235987755982989, 5.235987755982989 }
+
+enum {
+    ABB_IRB460_DOF = 4, /* joints */
+    ABB_IRB460_ROWS = 4 /* branches */
+};
+
+/* What a row of abb_irb460_ik holds. */
+enum {
+    /* joint values */
+    ABB_IRB460_OK = 0,
+    /* NaN: no solution in this branch, or one that an earlier row holds */
+    ABB_IRB460_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
+    ABB_IRB460_FREE_JOINT = 2,
+    /* joint values, at least one beyond its limits */
+    ABB_IRB460_OUT_OF_LIMITS = 3,
+    /* NaN: T is not a valid pose */
+    ABB_IRB460_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const abb_irb460_branches[4];
+
+/* The pose T of the joint values q. */
+void abb_irb460_fk(const double q[4], double T[16]);
+
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void abb_irb460_frames(const double q[4], double frames[7][16]);
+
+/* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void abb_irb460_jacobian(const double q[4], double J[24]);
+
+/* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
+ * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
+ * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
+ * the twist, lengths in arm sizes. */
+void abb_irb460_joint_velocities(const double q[4], const double twist[6], double velocities[4]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -ABB_IRB460_INVALID_POSE, also for a seed that is
+ * not finite where it may be needed. */
+int abb_irb460_ik(
+    const double T[16], const double *q_seed, double q[4][4], unsigned char status[4]);
+
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
+ * q_seed.
+ * Returns ABB_IRB460_OK or ABB_IRB460_FREE_JOINT, or, with NaN in q,
+ * minus ABB_IRB460_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
+int abb_irb460_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
+
+/* abb_irb460_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 4 x 4, status n x 4. */
+void abb_irb460_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

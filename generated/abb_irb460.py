@@ -1,0 +1,510 @@
+"""abb_irb460: ABB IRB 460 palletizer, by its four drives.
+
+Inverse kinematics, generated from robots/abb_irb460.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/abb_irb460.yaml. The formulas and where they come from: abb_irb460.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, x =
+T[0, 3] and y = T[1, 3] and z = T[2, 3] and the yaw atan2(T[1, 0], T[0, 0]) counts; other entries
+are ignored.
+"""
+
+import math
+import sys
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+
+# The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
+# in a package named after the folder. A dot in a name would be one between packages.
+_BESIDE = str(Path(__file__).resolve().parent)
+_FOLDER = _BESIDE.replace("%", "%25").replace(".", "%2E")
+sys.modules.setdefault(_FOLDER, ModuleType(_FOLDER)).__path__ = [_BESIDE]
+
+
+def _runtime(name):
+    return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
+
+
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
+_atan2 = _runtime("angles").atan2
+_wrap = _runtime("angles").wrap
+_of_joints = _runtime("entry").of_joints(_HOW, 4)
+
+NAME = "abb_irb460"
+METHOD = "closed form"
+DOF = 4
+JOINT_TYPES = "RRRR"
+JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4")
+JOINT_LIMITS = (
+    (-2.8797932657906435, 2.8797932657906435),
+    (-0.6981317007977318, 1.4835298641951802),
+    (-0.3490658503988659, 2.0943951023931953),
+    (-5.235987755982989, 5.235987755982989),
+)
+BRANCHES = (
+    "back-down",
+    "back-up",
+    "front-up",
+    "front-down",
+)
+MAX_SOLUTIONS = 4
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
+OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
+INVALID_POSE = 4  # NaN: T is not a valid pose
+
+d1 = 0.7425  # joint offset 1 [m]
+a1 = 0.26  # link length 1 [m]
+a2 = 0.945  # link length 2 [m]
+a3 = 1.025  # link length 3 [m]
+a4 = 0.22  # link length 3p [m]
+d5 = 0.2515  # joint offset 4 [m]
+steep_limit = 1e-06  # a vertical axis, which has no yaw, is no longer seen from above
+free_limit1 = 3.444e-12  # a length that fixes no angle [m]
+offset4 = 3.141592653589793  # offset of joint 4 [rad]
+longest3 = 3.880899999999999  # square of the longest reach [m^2]
+shortest3 = 0.006399999999999993  # square of the shortest reach [m^2]
+longest3_reach = 3.880900000001356  # the longest, with what rounding adds [m^2]
+shortest3_reach = 0.006399999999944889  # the shortest, with what rounding adds [m^2]
+longest3_apart = 3.8808999999998632  # the longest, where branches merge [m^2]
+shortest3_apart = 0.006400000000005505  # the shortest, where branches merge [m^2]
+free_limit_squared2 = 1.1861135999999999e-23  # square of a length that fixes no angle [m^2]
+offset2 = -1.5707963267948966  # offset of joint 2 [rad]
+offset3 = 1.5707963267948966  # offset of joint 3 [rad]
+k1 = 0.49100000000000005  # d1 - d5 [m]
+k2 = 0.48  # a1 + a4 [m]
+k3 = 1.9436499999999997  # a2^2 + a3^2 [m^2]
+k4 = 0.5161956381468578  # 1 / (2 * a3 * a2) [m^-2]
+high1 = 2.8797932667906436
+low2 = -0.6981317017977318
+high2 = 1.4835298651951803
+low3 = -0.3490658513988659
+high3 = 2.0943951033931953
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
+m1 = 1e-12  # steep_limit^2
+m2 = 1.1861135999999998e-07  # doubt_limit1^2 [m^2]
+# 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
+m4 = 5.265108349305861e-10
+m5 = 0.5291005291005292  # a3 * k4 [m^-1]
+m6 = 0.08338624338624337  # a3 * k3 * k4 - a2 [m]
+turn = 2.0 * math.pi  # [rad]
+half_turn = 0.5 * turn
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 1e-09, 1e-09),
+        weights=(1.0, 1.0, 1.0, 1.0),
+        paces=(1.0, 1.0, 1.0, 1.0),
+        fan_steps=(0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103),
+        rows=4,
+        directions='yaw',
+        miss_weights=(0.2904, 0.2904, 0.2904, 0.0, 0.0, 1.0),
+        size=3.444,
+        clamped=1e-14,
+        clamped_again=1e-14,
+        steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
+        choosable=(3, 1, 0),
+        cuts=52,
+    ),
+)
+
+
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.7425, 0.26, -1.5707963267948966),
+    (-1.5707963267948966, 0.0, 0.945, 0.0),
+    (1.5707963267948966, 0.0, 1.025, 0.0),
+    (0.0, 0.0, 0.22, -1.5707963267948966),
+    (3.141592653589793, 0.2515, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types="RRRRR",
+    table=TABLE,
+    convention="standard",
+    drives=(
+        (1.0, 0.0, 0.0, 0.0),
+        (0.0, 1.0, 0.0, 0.0),
+        (0.0, -1.0, 1.0, 0.0),
+        (0.0, 0.0, -1.0, 0.0),
+        (0.0, 0.0, 0.0, 1.0),
+    ),
+)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the message says which."""
+
+
+@_of_joints
+def fk(q):
+    """The pose (4, 4) of the joint values q (4,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 4 joint values")
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    v1 = q[1] + offset2
+    c2 = math.cos(v1)
+    s2 = math.sin(v1)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v2 = c1 * s2
+    v3 = s1 * s2
+    v4 = q[2] - q[1] + offset3
+    c3 = math.cos(v4)
+    s3 = math.sin(v4)
+    v5 = x2_x * c3 - v2 * s3
+    v6 = x2_y * c3 - v3 * s3
+    v7 = s2 * c3 + c2 * s3
+    v8 = v2 * c3 + x2_x * s3
+    v9 = v3 * c3 + x2_y * s3
+    v10 = s2 * s3 - c2 * c3
+    c3p = math.cos(-q[2])
+    s3p = math.sin(-q[2])
+    x3_x = v5 * c3p - v8 * s3p
+    x3_y = v6 * c3p - v9 * s3p
+    x3_z = v10 * s3p - v7 * c3p
+    v11 = v8 * c3p + v5 * s3p
+    v12 = v9 * c3p + v6 * s3p
+    z3_z = v10 * c3p + v7 * s3p
+    v13 = q[3] + offset4
+    c4 = math.cos(v13)
+    s4 = math.sin(v13)
+    T[0, 0] = x3_x * c4 + s1 * s4
+    T[0, 1] = s1 * c4 - x3_x * s4
+    T[0, 2] = -v11
+    T[0, 3] = c1 * a1 + x2_x * a2 + v5 * a3 + x3_x * a4 - v11 * d5
+    T[1, 0] = x3_y * c4 - c1 * s4
+    T[1, 1] = -(c1 * c4 + x3_y * s4)
+    T[1, 2] = -v12
+    T[1, 3] = s1 * a1 + x2_y * a2 + v6 * a3 + x3_y * a4 - v12 * d5
+    T[2, 0] = x3_z * c4
+    T[2, 1] = -(x3_z * s4)
+    T[2, 2] = z3_z
+    T[2, 3] = d1 - s2 * a2 - v7 * a3 + x3_z * a4 + z3_z * d5
+    T[3, 3] = 1.0
+    return T
+
+
+@_of_joints
+def jacobian(q):
+    """The geometric Jacobian (6, 4): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 4 joint values")
+    J = np.zeros((6, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    p1_x = c1 * a1
+    p1_y = s1 * a1
+    v1 = q[1] + offset2
+    c2 = math.cos(v1)
+    s2 = math.sin(v1)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v2 = c1 * s2
+    v3 = s1 * s2
+    p2_x = p1_x + x2_x * a2
+    p2_y = p1_y + x2_y * a2
+    p2_z = d1 - s2 * a2
+    v4 = q[2] - q[1] + offset3
+    c3 = math.cos(v4)
+    s3 = math.sin(v4)
+    v5 = x2_x * c3 - v2 * s3
+    v6 = x2_y * c3 - v3 * s3
+    v7 = s2 * c3 + c2 * s3
+    v8 = v2 * c3 + x2_x * s3
+    v9 = v3 * c3 + x2_y * s3
+    v10 = s2 * s3 - c2 * c3
+    v11 = p2_x + v5 * a3
+    v12 = p2_y + v6 * a3
+    v13 = p2_z - v7 * a3
+    c3p = math.cos(-q[2])
+    s3p = math.sin(-q[2])
+    v14 = v8 * c3p + v5 * s3p
+    v15 = v9 * c3p + v6 * s3p
+    z3_z = v10 * c3p + v7 * s3p
+    p3_x = v11 + (v5 * c3p - v8 * s3p) * a4
+    p3_y = v12 + (v6 * c3p - v9 * s3p) * a4
+    p3_z = v13 + (v10 * s3p - v7 * c3p) * a4
+    p4_x = p3_x - v14 * d5
+    p4_y = p3_y - v15 * d5
+    p4_z = p3_z + z3_z * d5
+    v16 = p4_z - d1
+    v17 = p4_z - p2_z
+    v18 = c1 * v17
+    v19 = s1 * v17
+    v20 = s1 * (p4_y - p2_y) + c1 * (p4_x - p2_x)
+    v21 = p4_x - p3_x
+    v22 = p4_y - p3_y
+    v23 = p4_z - p3_z
+    v24 = p4_z - v13
+    J[0, 0] = -p4_y
+    J[0, 1] = c1 * v16 - v18
+    J[0, 2] = v18 - c1 * v24
+    J[0, 3] = -(v15 * v23 + z3_z * v22)
+    J[1, 0] = p4_x
+    J[1, 1] = s1 * v16 - v19
+    J[1, 2] = v19 - s1 * v24
+    J[1, 3] = z3_z * v21 + v14 * v23
+    J[2, 1] = v20 - (s1 * (p4_y - p1_y) + c1 * (p4_x - p1_x))
+    J[2, 2] = s1 * (p4_y - v12) + c1 * (p4_x - v11) - v20
+    J[2, 3] = v15 * v21 - v14 * v22
+    J[3, 3] = -v14
+    J[4, 3] = -v15
+    J[5, 0] = 1.0
+    J[5, 3] = z3_z
+    return J
+
+
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, _, _, T14, T21, _, _, T24, _, _, _, T34 = pose
+
+    # the yaw's cosine and sine
+    level = math.sqrt(T11 * T11 + T21 * T21)
+    steep = level <= steep_limit
+    factor_yaw = 1.0 / (1.0 if steep else level)
+    t11 = T11 * factor_yaw
+    t21 = T21 * factor_yaw
+
+    # theta1, type 2: U1[3, 4]
+    w1 = math.sqrt(T14 * T14 + T24 * T24)
+    free1 = w1 <= free_limit1
+    divisor1 = 1.0 if free1 else w1
+
+    # theta4, type 3: U1[1, 1] and U1[3, 1]
+    v1 = seed[3] + offset4
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    Z1_3 = T34 - k1
+    v3 = Z1_3 * Z1_3
+
+    # theta2, type 3: U1[1, 4] and U1[2, 4]
+    v8 = seed[1] + offset2
+
+    for i1 in range(2):  # back, front
+        e1 = 1.0 - 2.0 * i1
+        # theta1
+        if e1 < 0.0 and free1:
+            continue  # both signs give the same
+        factor1 = e1 / divisor1
+        c1 = math.cos(seed[0]) if free1 else -(T14 * factor1)
+        s1 = math.sin(seed[0]) if free1 else -(T24 * factor1)
+        q1 = _atan2(s1, c1)
+
+        # theta4
+        c4 = math.cos(v1) if steep else t11 * c1 + t21 * s1
+        s4 = math.sin(v1) if steep else t11 * s1 - t21 * c1
+
+        # theta3
+        v2 = w1 * e1 + k2
+        N3 = v3 + v2 * v2
+        K3 = N3 - k3
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        apart3 = shortest3_apart < N3 and N3 < longest3_apart
+        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            continue  # out of reach
+        w3 = math.sqrt(D3 if apart3 else 0.0)
+        c3 = K3 * k4
+
+        # theta2
+        Y1_2 = a2 + a3 * c3
+        v5 = Z1_3 * Y1_2
+        v6 = v2 * Y1_2
+
+        # joint values
+        q4 = _wrap(_atan2(s4, c4) - offset4)
+
+        for i2 in range(2):  # +, -
+            e3 = 1.0 - 2.0 * i2
+            # theta3
+            if e3 < 0.0 and not apart3:
+                continue  # both signs give the same
+            s3 = w3 * e3 * k4
+
+            # theta2
+            v4 = a3 * s3
+            S2 = v2 * v4 - v5
+            v7 = Z1_3 * v4 + v6
+            w2 = math.sqrt(S2 * S2 + v7 * v7)
+            free2 = w2 <= free_limit_squared2
+            factor2 = 1.0 / (1.0 if free2 else w2)
+            c2 = math.cos(v8) if free2 else -(v7 * factor2)
+            s2 = math.sin(v8) if free2 else S2 * factor2
+
+            # joint values
+            q2 = _wrap(_atan2(s2, c2) - offset2)
+            q3 = _wrap(q2 + (_atan2(s3, c3) - offset3))
+            row = 2 * i1 + i2
+            q[row, 0] = q1
+            q[row, 1] = q2
+            q[row, 2] = q3
+            q[row, 3] = q4
+            status[row] = FREE_JOINT if free1 or free2 or steep else OK
+
+
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
+
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
+    """
+    for k in range(w):
+        T11, T14, T21, T24 = kept[0 * w + k], kept[3 * w + k], kept[4 * w + k], kept[7 * w + k]
+        T34 = kept[11 * w + k]
+
+        # theta1, type 2: U1[3, 4]
+        v1 = T14 * T14 + T24 * T24
+        w1 = math.sqrt(v1)
+
+        # theta4, type 3: U1[1, 1] and U1[3, 1]
+        s4 = T14 * T21 - T24 * T11
+
+        # theta3, type 8: U1[2, 4] and U1[1, 4]
+        Z1_3 = T34 - k1
+        v2 = k2 + w1
+        v3 = k2 - w1
+        v4 = Z1_3 * Z1_3
+        N3_p = v4 + v2 * v2
+        N3_m = v4 + v3 * v3
+        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p = math.sqrt(D3_p)
+        w3_m = math.sqrt(D3_m)
+        v5 = w3_p - w3_p
+        v6 = w3_m - w3_m
+
+        # theta2, type 3: U1[1, 4] and U1[2, 4]
+        v7 = m6 - m5 * N3_p
+        v8 = m6 - m5 * N3_m
+        v9 = Z1_3 * v7
+        v10 = Z1_3 * v8
+        v11 = m5 * Z1_3
+        v12 = m5 * -Z1_3
+        v13 = v2 * -v7
+        v14 = v3 * -v8
+
+        # joint values
+        v15 = w3_p * (m5 * v2)
+
+        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        kept[16 * w + k] = (
+            1.0 if v1 <= m2 or T11 * T11 + T21 * T21 <= m1 or abs(D3_p) <= m4 or abs(D3_m) <= m4
+            else kept[16 * w + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], turns[0 * w + k] = s4, v5, v6, -T24
+        turns[1 * w + k], turns[2 * w + k] = v9 + v15, v9 - v15
+        turns[3 * w + k], turns[4 * w + k] = v10 + w3_m * (m5 * v3), v10 + w3_m * (m5 * -v3)
+        turns[5 * w + k], turns[6 * w + k], turns[7 * w + k] = w3_p, w3_m, s4
+        turns[8 * w + k], turns[9 * w + k] = -T14, -(v13 + w3_p * v11)
+        turns[10 * w + k], turns[11 * w + k] = -(v13 + w3_p * v12), -(v14 + w3_m * v11)
+        turns[12 * w + k], turns[13 * w + k] = -(v14 + w3_m * v12), N3_p - k3
+        turns[14 * w + k], turns[15 * w + k] = N3_m - k3, -(T14 * T11 + T24 * T21)
+    if w == 1 and kept[16] != 0.0:
+        return
+    for k in range(0 * w, 8 * w):
+        turns[k] = _atan2(turns[k], turns[k + 8 * w])
+    for k in range(w):
+        T24, s4, v5, v6 = kept[7 * w + k], kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8 = turns[6 * w + k], turns[7 * w + k]
+
+        # theta1, type 2: U1[3, 4]
+        q1__m = angle1 - math.copysign(half_turn, -T24)
+
+        # joint values
+        v16 = angle2 - offset2
+        v17 = angle3 - offset2
+        v18 = angle4 - offset2
+        v19 = angle5 - offset2
+        q2_pp = v16 + (-turn if half_turn < v16 else 0.0)
+        q2_pm = v17 + (-turn if half_turn < v17 else 0.0)
+        q2_mp = v18 + (-turn if half_turn < v18 else 0.0)
+        q2_mm = v19 + (-turn if half_turn < v19 else 0.0)
+        q3_pp = _wrap(q2_pp + (angle6 - offset3))
+        q3_pm = _wrap(q2_pm - (offset3 + angle6))
+        q3_mp = _wrap(q2_mp + (angle7 - offset3))
+        q3_mm = _wrap(q2_mm - (offset3 + angle7))
+        v20 = angle8 - offset4
+        v21 = angle8 - math.copysign(half_turn, s4) - offset4
+        v22 = abs(angle1) - high1
+        v23 = abs(q1__m) - high1
+        q1_pp = angle1 + v5
+        q1_mp = q1__m + v6
+        q4_pp = v5 + (v20 + (turn if v20 <= -half_turn else 0.0))
+        q4_mp = v6 + (v21 + (turn if v21 <= -half_turn else 0.0))
+        excess_pp = (
+            max(max(low3 - q3_pp, q3_pp - high3), max(v22, max(low2 - q2_pp, q2_pp - high2)))
+        )
+        excess_pm = (
+            max(max(low3 - q3_pm, q3_pm - high3), max(v22, max(low2 - q2_pm, q2_pm - high2)))
+        )
+        excess_mp = (
+            max(max(low3 - q3_mp, q3_mp - high3), max(v23, max(low2 - q2_mp, q2_mp - high2)))
+        )
+        excess_mm = (
+            max(max(low3 - q3_mm, q3_mm - high3), max(v23, max(low2 - q2_mm, q2_mm - high2)))
+        )
+        outside_pp = 0.0 < excess_pp
+        outside_pm = 0.0 < excess_pm
+        outside_mp = 0.0 < excess_mp
+        outside_mm = 0.0 < excess_mm
+
+        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        kept[16 * w + k] = (
+            1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
+            abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else kept[16 * w + k]
+        )
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_pp, q2_pp, q3_pp
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q4_pp, q2_pm, q3_pm
+        rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q1_mp, q2_mp, q3_mp
+        rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = q4_mp, q2_mm, q3_mm
+        rows[12 * w + k] = UNREACHABLE if q1_pp != q1_pp else (OUT_OF_LIMITS if outside_pp else OK)
+        rows[13 * w + k] = UNREACHABLE if q1_pp != q1_pp else (OUT_OF_LIMITS if outside_pm else OK)
+        rows[14 * w + k] = UNREACHABLE if q1_mp != q1_mp else (OUT_OF_LIMITS if outside_mp else OK)
+        rows[15 * w + k] = UNREACHABLE if q1_mp != q1_mp else (OUT_OF_LIMITS if outside_mm else OK)
+
+
+# Where in rows the joint values of each row are.
+_PLACES = np.array([
+    [0, 1, 2, 3],
+    [0, 4, 5, 3],
+    [6, 7, 8, 9],
+    [6, 10, 11, 9],
+])
+
+
+_CALLS = _functions.of_robot(
+    globals(),
+    _HOW,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
+        task="yaw",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 20, 16, _PLACES),
+        kinematics=(fk, jacobian),
+        given=0,
+        apart=(),
+        words={
+            "no_pose": "not finite",
+            "no_row": "the pose is out of reach",
+            "allocates": "only where a pose is singular or rounded",
+        },
+    ),
+)
+ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
+ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
+joint_velocities = _CALLS["joint_velocities"]
