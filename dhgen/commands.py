@@ -221,6 +221,7 @@ def import_description(options: argparse.Namespace) -> int:
     from dhgen.descriptions.convert import Wishes  # noqa: PLC0415
     from dhgen.descriptions.expand import Outside  # noqa: PLC0415
     from dhgen.descriptions.files import import_file  # noqa: PLC0415
+    from dhgen.descriptions.write import plain  # noqa: PLC0415
 
     chosen = options.base, options.tip, options.snap
     wishes = Wishes(*chosen, as_axes=options.axes, free=options.free)
@@ -234,7 +235,7 @@ def import_description(options: argparse.Namespace) -> int:
         return 0
     chain, off = imported.chain, imported.difference
     joints = len(chain.actuated)
-    print(f"{imported.robot.name}: {joints} joints, from {chain.base} to {chain.tip}")
+    print(f"{imported.robot.name}: {joints} joints, from {plain(chain.base)} to {plain(chain.tip)}")
     print(
         f"compared with {options.file.name} at {SAMPLES} random joint values: the tools are "
         f"{off.moved:.1e} {imported.robot.length_unit} apart at most "

@@ -36,14 +36,17 @@ def demand_followed(
     """
     places = {axis.joint.name: place for place, axis in enumerate(axes)}
     mistakes = []
+    begun = False  # whether a drive of the arm's own moves what comes now
     for joint in joints:
+        begun |= joint.is_driven
         if joint.mimics is None or not joint.motion.is_actuated:
             continue
         other = joint.mimics.joint
         reason = _why_not(joint, axes, places)
         if reason:
-            message = f"{quoted(joint.name)} follows {quoted(other)} (mimic), {reason}: end before "
-            message += f"it, --tip {joint.parent}"
+            message = f"{quoted(joint.name)} follows {quoted(other)} (mimic), {reason}: "
+            before, behind = f"end before it, --tip {joint.parent}", f"--base {joint.child}"
+            message += before if begun else f"start behind it, {behind}"
             mistakes.append(description.source.point(joint.place, message))
     if mistakes:
         raise RobotFileError(tuple(mistakes))

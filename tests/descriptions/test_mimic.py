@@ -228,3 +228,14 @@ def test_what_follows_the_arm_beside_its_end_is_left_out(more: tuple[str, ...], 
     made = imported(*LEVEL, *more)
     assert made.chain.joints[-1].name == ("f" if "tool0" in "".join(more) else "fore")
     assert any(note.startswith(told) for note in made.notes)
+
+
+def test_an_arm_that_begins_with_what_follows_another_is_told_where_to_start() -> None:
+    """There is nothing before it at which it might end."""
+    first = joint("lift", "l0", "l1", mimic='"leg"')
+    with pytest.raises(RobotFileError) as stopped:
+        imported(first, joint("turn", "l1", "l2"), joint("fore", "l2", "l3"))
+    told = "'lift' follows 'leg' (mimic), which is no joint of this arm with a drive of its own"
+    assert f"{told}: start behind it, --base l1" in str(stopped.value)
+    again = imported(first, joint("turn", "l1", "l2"), joint("fore", "l2", "l3"), base="l1")
+    assert [each.name for each in again.chain.joints] == ["turn", "fore"]
