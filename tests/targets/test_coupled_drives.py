@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from itertools import product
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -29,6 +29,8 @@ from tests.targets.made import (
 )
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from numpy.typing import NDArray
 
     from dhgen.arrays import FloatArray
@@ -63,6 +65,19 @@ PASSIVE = (
 )
 # Solved by the general algorithm, which takes a second a pose where Python is not compiled.
 GENERAL = ("geared_5r1p", "near_structure", "railed_6r")
+# One by links, by a screw and by gears, with a passive row, and one that is given.
+FIRST = {"dobot_magician", "scara_ball_screw", "geared_3r", "level_palletizer", "given_forearm"}
+
+
+def first_of(cases: Iterable[Any]) -> list[Any]:
+    """Names, or tuples that begin with them: but for one arm of each kind they are slow."""
+    tuples = [case if isinstance(case, tuple) else (case,) for case in cases]
+    return [
+        pytest.param(*each, marks=() if each[0] in FIRST else pytest.mark.slow) for each in tuples
+    ]
+
+
+EVERY = first_of([*NAMES, *GENERAL])
 POSES, FEWER, AT_ONCE = 10_000, 200, 1_000
 TURNS = (-2, -1, 0, 1, 2)
 CLEAR = 1e-6  # [rad, length] what is as far inside limits is so whatever rounding does
@@ -144,7 +159,7 @@ def gaps(name: str, rows: FloatArray, q: FloatArray) -> FloatArray:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [*NAMES, *GENERAL])
+@pytest.mark.parametrize("name", EVERY)
 def test_own_values_are_found_and_rows_keep_limits_where_a_copy_does(name: str) -> None:
     q = drawn(name, FEWER if name in GENERAL else POSES)
     solver = in_c(name)
@@ -165,7 +180,7 @@ def test_own_values_are_found_and_rows_keep_limits_where_a_copy_does(name: str) 
         assert not (held & ~solved & some_copy).any()
 
 
-@pytest.mark.parametrize("name", [*NAMES, *GENERAL])
+@pytest.mark.parametrize("name", EVERY)
 def test_some_rows_are_beyond_limits_and_some_need_turns(name: str) -> None:
     """The test above would say nothing otherwise."""
     q = drawn(name, 500)
@@ -175,7 +190,7 @@ def test_some_rows_are_beyond_limits_and_some_need_turns(name: str) -> None:
     assert np.isfinite(rows).any()
 
 
-@pytest.mark.parametrize("name", [*PASSIVE, *GIVEN, *GENERAL])
+@pytest.mark.parametrize("name", first_of([*PASSIVE, *GIVEN, *GENERAL]))
 def test_an_independent_search_finds_the_rows(name: str) -> None:
     """Of arms with passive rows it looks for the drives' values, not for the joints'."""
     q = drawn(name, 3)
@@ -189,7 +204,7 @@ def test_an_independent_search_finds_the_rows(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "language"), [*product(NAMES, LANGUAGES), *product(GENERAL, ("C",))]
+    ("name", "language"), first_of([*product(NAMES, LANGUAGES), *product(GENERAL, ("C",))])
 )
 def test_the_nearest_row_is_the_nearest_of_all_copies(name: str, language: str) -> None:
     count = {"C": 40 if name in GENERAL else 150, "Python": 12}[language]
@@ -211,7 +226,7 @@ def test_the_nearest_row_is_the_nearest_of_all_copies(name: str, language: str) 
         assert np.abs(solver.nearest(T, q, *values)[1] - q).max() < 1e-6
 
 
-@pytest.mark.parametrize("name", GIVEN)
+@pytest.mark.parametrize("name", first_of(GIVEN))
 def test_the_seed_gives_what_the_caller_leaves_out(name: str) -> None:
     """And where its value has no row inside the limits, of sums too, the nearest that has one."""
     for q, seed in zip(drawn(name, 6), drawn(name, 6, seed=5), strict=True):
@@ -222,7 +237,7 @@ def test_the_seed_gives_what_the_caller_leaves_out(name: str) -> None:
         assert is_inside(name, found, -SLACK)
 
 
-@pytest.mark.parametrize("name", [*NAMES, *GENERAL])
+@pytest.mark.parametrize("name", EVERY)
 def test_the_jacobian_is_the_derivative_by_the_drives(name: str) -> None:
     step = 1e-6
     for q in drawn(name, 20):
@@ -237,7 +252,7 @@ def test_the_jacobian_is_the_derivative_by_the_drives(name: str) -> None:
             np.testing.assert_allclose(J[:, drive], [*rate[:3, 3], *turns], atol=1e-8)
 
 
-@pytest.mark.parametrize("name", [*NAMES, *GENERAL])
+@pytest.mark.parametrize("name", EVERY)
 def test_frames_are_of_the_drives_values(name: str) -> None:
     for q in drawn(name, 5):
         frames = np.empty((len(made(name).module.links.rows) + 2, 16))  # of passive rows, too
@@ -248,7 +263,7 @@ def test_frames_are_of_the_drives_values(name: str) -> None:
         np.testing.assert_allclose(in_python(name).frames(q)[-1], T, atol=1e-12)
 
 
-@pytest.mark.parametrize("name", [*NAMES, *GENERAL])
+@pytest.mark.parametrize("name", EVERY)
 def test_c_and_python_are_alike(name: str) -> None:
     q = drawn(name, 1 if name in GENERAL else 40)
     T = poses_of(name, q)
