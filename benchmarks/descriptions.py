@@ -159,9 +159,13 @@ def _compared(path: Path, imported: Import) -> tuple[str, float]:
     joints = imported.chain.actuated
     q = np.random.default_rng(3).uniform(-3.0, 3.0, (POSES, len(joints)))
     ours = robot_pose(imported.robot, q)
-    names = [joint.name for joint in joints]
+    values = {joint.name: column for joint, column in zip(joints, q.T, strict=True)}
+    for joint in imported.chain.joints:  # the referees move those that follow others as any
+        if joint.mimics and joint.motion.is_actuated:
+            drive = values[joint.mimics.joint]
+            values[joint.name] = joint.mimics.multiplier * drive + joint.mimics.offset
     for name, ask in (("MuJoCo", _of_mujoco), ("Pinocchio", _of_pinocchio)):
-        theirs = ask(path, names, imported, q)
+        theirs = ask(path, [*values], imported, np.stack([*values.values()], axis=1))
         if theirs is not None:
             moved = np.abs(ours[:, :3, 3] - theirs[:, :3, 3]).max() / imported.difference.size
             turned = np.abs(ours[:, :3, :3] - theirs[:, :3, :3]).max()

@@ -106,6 +106,8 @@ def _merged(axes: Sequence[Axis], near: float, little: float) -> tuple[Axis, ...
         if (
             before is None
             or (before.joint.is_driven and axis.joint.is_driven)
+            or _follows(before, axis)
+            or _follows(axis, before)
             or not _is_same_line(before, axis, near, little)
         ):
             found.append(axis)
@@ -117,6 +119,11 @@ def _merged(axes: Sequence[Axis], near: float, little: float) -> tuple[Axis, ...
                 kept, shares=(*kept.shares, *shares), offset=kept.offset + sign * other.offset
             )
     return tuple(found)
+
+
+def _follows(one: Axis, other: Axis) -> bool:
+    """Whether a joint follows another one: in that one's own row the drive would count twice."""
+    return any(name == other.joint.name for name, _ in one.shares)
 
 
 def _is_same_line(one: Axis, other: Axis, near: float, little: float) -> bool:

@@ -239,3 +239,22 @@ def test_an_arm_that_begins_with_what_follows_another_is_told_where_to_start() -
     assert f"{told}: start behind it, --base l1" in str(stopped.value)
     again = imported(first, joint("turn", "l1", "l2"), joint("fore", "l2", "l3"), base="l1")
     assert [each.name for each in again.chain.joints] == ["turn", "fore"]
+
+
+def test_stages_of_a_telescope_that_follow_the_first_are_a_row_of_their_own() -> None:
+    """Three stages that go out as far as the first, on its line: in its own row d would be 4 q."""
+    stage = "axis=1 0 0,type=prismatic,xyz=0.1 0 0"
+    made = imported(
+        joint("turn", "l0", "l1", "axis=0 0 1"),
+        joint("first", "l1", "l2", stage),
+        *(joint(f"s{n}", f"l{n}", f"l{n + 1}", stage, mimic='"first"') for n in (2, 3, 4)),
+        joint("wrist", "l5", "l6", "axis=0 0 1"),
+        joint("end", "l6", "l7", "type=fixed,xyz=0.2 0 0"),
+        tip="l7",
+    )
+    assert [each.name for each in made.robot.joints] == ["turn", "first", "wrist"]
+    assert made.difference.is_rounding
+    reached = forward(made.robot, np.array([[0.0, 0.3, 0.0], [0.0, 0.5, 0.0]]))[:, 0, 3]
+    np.testing.assert_allclose(reached, [0.4 + 4 * 0.3 + 0.2, 0.4 + 4 * 0.5 + 0.2], atol=1e-12)
+    assert "d: 3*q2" in made.text
+    assert derive(build_chain(made.robot)).branches
