@@ -310,3 +310,17 @@ def test_a_given_joint_that_a_given_one_moves_is_refused_with_the_reason() -> No
     assert general_kernel(chain) is None
     (told,) = held_back(chain)
     assert "without what moves the free joint 1 besides its drive" in told
+
+
+def test_all_that_keeps_the_general_algorithm_from_an_arm_is_told_at_once() -> None:
+    """Mending the first of two mistakes would only bring the second one up."""
+    text = robot_path("railed_6r").read_text(encoding="utf-8")
+    rows = [line for line in text.splitlines() if line.startswith("  - ")]
+    assert len(rows) == 7
+    text = text.replace("d: q, a: 0.1", "d: q + 0.1*q8, a: 0.1").replace(
+        "free: [1]", "free: [1, 7]"
+    )
+    text = text.replace(rows[3], f"  - {{theta: -q3, a: 0.05, alpha: pi/3}}\n{rows[3]}")
+    (told,) = held_back(build_chain(load_text(text, "moved_rail")))
+    expected = "without the passive row 3p and what moves the free joint 1 besides its drive"
+    assert expected in told

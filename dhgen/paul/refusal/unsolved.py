@@ -54,9 +54,13 @@ def held_back(chain: Chain) -> list[str]:
     moved = [joint.number for joint in chain.joints if joint.shares and joint.number in chain.free]
     if not is_general(chain) or not (moved or chain.passive):
         return []
-    if chain.passive:
-        return [COUPLED.format(f"the passive row {chain.passive[0].label}")]
-    return [COUPLED.format(f"what moves the free joint {chain.told(moved[:1])} besides its drive")]
+    rows = ", ".join(row.label for row in chain.passive)
+    what = [f"the passive row{'s' * (len(chain.passive) > 1)} {rows}"] if rows else []
+    if moved:
+        several = len(moved) > 1
+        joints, drives = ("joints", "their drives") if several else ("joint", "its drive")
+        what.append(f"what moves the free {joints} {chain.told(moved)} besides {drives}")
+    return [COUPLED.format(" and ".join(what))]
 
 
 def _nearest(search: Search, state: Knowledge) -> list[str]:
