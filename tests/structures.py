@@ -27,8 +27,9 @@ STRUCTURES = (
 )
 
 # Of the arms made up for tests, one of each that has code of its own: another task, oblique slides,
-# a given joint that a step or an elbow hangs on, two of them, limits that choose rows, a general
-# arm that stops where solutions meet, quotients that vanish, right angles written with four digits.
+# a given joint that a step or an elbow hangs on, two of them, awkward names, limits that choose
+# rows, a general arm that stops where solutions meet, quotients that vanish, right angles written
+# with four digits.
 ODD = (
     "coupled_slides",
     "given_shoulder",
