@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/abb_irb460.yaml. The formulas and where they come from:
  * abb_irb460.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 986ae3a113b87162
+ * dhgen 0.1.0; SHA-256 of the robot file: 7588972aa36a489a
  * SPDX-License-Identifier: MIT
  */
 #include "abb_irb460.h"
