@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections import UserList
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -51,6 +52,11 @@ def _matrix_of(values: Any, name: str) -> Any:  # noqa: ANN401
     Raises:
         ValueError: It is a rotation, which has no position.
     """
+    if isinstance(values, UserList) and values.data and np.shape(values.data[0]) == (4, 4):
+        poses = values.data  # spatialmath's: numpy would see the first pose alone
+        return poses[0] if len(poses) == 1 else poses
+    if isinstance(values, (list, tuple)) and any(hasattr(each, "as_matrix") for each in values):
+        return [_matrix_of(each, name) for each in values]
     if not hasattr(values, "as_matrix"):
         return values
     matrix = values.as_matrix()

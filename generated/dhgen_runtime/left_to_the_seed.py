@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from .retry import HALVINGS
@@ -15,26 +16,37 @@ if TYPE_CHECKING:
 
     FloatArray = NDArray[np.float64]
 
-FAN = 64  # values that are tried to each side of the seed's
+FAN = 64  # values that are tried to each side of the seed's in half a turn, or a slide's stroke
 
 
 def nearest_that_works(
-    attempt: Callable[[float], FloatArray | None], value: float, reach: float
+    attempt: Callable[[float], FloatArray | None],
+    value: float,
+    reach: float,
+    within: tuple[float, float],
 ) -> FloatArray | None:
     """The solution with the value nearest to the seed's that has one; None if none is found.
 
     A fan of values shows where it works, bisection the end that is nearest to the seed; of two that
     are equally near the lower one. What works only between two values of the fan is overlooked.
+    Values beyond the limits are not tried: they would be moved by whole turns, which is far.
 
     Args:
         attempt: The solution with a value, or None.
         value: The seed's.
-        reach: How far from it others are tried [rad or length].
+        reach: Half a turn, or a slide's stroke [rad or length].
+        within: The limits of the value, infinite where there are none.
     """
-    for k in range(1, FAN + 1):
+    low, high = within
+    start = min(max(value, low), high)
+    if start != value and (first := attempt(start)) is not None:
+        return first
+    limited = math.isfinite(low) or math.isfinite(high)
+    for k in range(1, (2 * FAN if limited else FAN) + 1):
         for side in (-1.0, 1.0):
-            outer, inner = value + side * reach * k / FAN, value + side * reach * (k - 1) / FAN
-            found = attempt(outer)
+            ends = [start + side * reach * j / FAN for j in (k, k - 1)]
+            outer, inner = (min(max(end, low), high) for end in ends)
+            found = attempt(outer) if outer != inner else None
             if found is not None:
                 return _nearest_end(attempt, inner, outer, found)
     return None

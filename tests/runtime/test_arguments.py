@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import UserList
 from typing import Any
 
 import numpy as np
@@ -110,3 +111,18 @@ def test_branches() -> None:
     for wrong in ("left", 2, -1, True, 1.0):
         with pytest.raises(ValueError, match="give a row, from 0, or a name: up, down"):
             span(wrong, names)
+
+
+def test_several_poses_of_spatialmath_are_all_seen() -> None:
+    """Its poses are lists of matrices, of which numpy takes the first one alone for an array."""
+
+    class Poses(UserList[np.ndarray]):
+        @property
+        def __array_interface__(self) -> object:
+            return self.data[0].__array_interface__
+
+    two = Poses([np.eye(4), 2.0 * np.eye(4)])
+    np.testing.assert_array_equal(numbers(two, (2, 4, 4), "T")[1], 2.0 * np.eye(4))
+    assert numbers(Poses([np.eye(4)]), (4, 4), "T").shape == (4, 4)
+    with pytest.raises(ValueError, match="ik_batch takes many poses"):
+        array_of(two, (4, 4), "T")

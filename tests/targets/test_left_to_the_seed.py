@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -34,6 +36,13 @@ def test_without_a_seed_there_is_nothing_to_take_it_from() -> None:
             call(np.eye(4))
 
 
+TURNING = (
+    "theta: q, d: 0, a: 1, alpha: 0, limits: [-170 deg, 170 deg]",
+    "theta: q, d: 0, a: 0.5, alpha: 0",
+    "theta: q, d: 0, a: 0.4, alpha: 0",
+)
+
+
 def rail() -> object:
     """A rail along z, and two links in a plane that holds it; the caller gives where they start."""
     made = made_up("rail_left_to_the_seed", ROWS, "task: [x, z]\nfree: [1]\n")
@@ -52,3 +61,19 @@ def test_the_nearest_value_that_reaches() -> None:
     T[2, 3] = 3.0  # farther than the rail's end and both links
     with pytest.raises(robot.Unreachable):  # type: ignore[attr-defined]
         robot.ik(T, q_seed=[0.1, 0.2, 0.3])  # type: ignore[attr-defined]
+
+
+def test_the_nearest_value_is_not_taken_across_the_limits() -> None:
+    """Links of 0.5 and 0.4 behind one of 1: within 15 degrees of the target, by cosines.
+
+    From 100 degrees the near end is -135. By way of 180, which the limits forbid, it is -165.
+    """
+    made = made_up("arm_left_to_the_seed", TURNING, "task: [x, y]\nfree: [1]\n")
+    robot: Any = without_numba(made.files["arm_left_to_the_seed.py"], "arm_left_to_the_seed")
+    far = np.cos(np.radians(15.0)) + np.sqrt(0.9**2 - np.sin(np.radians(15.0)) ** 2)
+    T = np.eye(4)
+    T[:2, 3] = far * np.cos(np.radians(-150.0)), far * np.sin(np.radians(-150.0))
+    seed = np.radians([100.0, 20.0, 30.0])
+    assert np.degrees(robot.ik(T, q_seed=seed)[0]) == pytest.approx(-135.0, abs=1e-4)
+    around = np.degrees(robot.ik(T, q_seed=seed, limits=False)[0])
+    assert np.cos(np.radians(around + 165.0)) == pytest.approx(1.0, abs=1e-9)

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 # Names of modules take their time in a call that is over in half a microsecond.
 empty, contiguous = np.empty, np.ascontiguousarray
+FREELY = (-math.inf, math.inf)
 
 # Of the robot:
 DOF: int
@@ -33,7 +34,8 @@ ROWS: int
 GIVEN: int  # how many values the caller gives
 choice: Choice
 given_of_joints: Callable[[FloatArray], Any]  # what the caller would give, of joint values
-reach: float  # how far from the seed's value others of a single one are tried
+reach: float  # half a turn, or the stroke of the joint, where a single value is given
+within: tuple[float, float]  # the limits of this value
 kinematics: tuple[Callable[[Any], Any], ...]  # its functions of joint values, fk first
 velocities_at: Callable[[FloatArray, FloatArray], FloatArray]  # of a twist, compiled
 apart: tuple[Callable[[], None], ...]  # each compiles what stands apart in a file
@@ -211,7 +213,7 @@ def ik(
             except choice.unreachable:
                 return None
 
-        found = nearest_that_works(attempt, values[0], reach)
+        found = nearest_that_works(attempt, values[0], reach, within if limits else FREELY)
         if found is None:
             raise
         return found

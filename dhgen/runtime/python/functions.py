@@ -196,12 +196,14 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
 def _given_names(robot: Mapping[str, Any], solver: Solver) -> dict[str, Any]:
     """What functions name that leave to the seed what the caller gives."""
     if "FREE_JOINTS" not in robot:  # the arm angle
-        return {"given_of_joints": lambda q: [robot["arm_angle"](q)], "reach": math.pi}
+        freely = {"reach": math.pi, "within": (-math.inf, math.inf)}
+        return {"given_of_joints": lambda q: [robot["arm_angle"](q)], **freely}
     places = [number - 1 for number in robot["FREE_JOINTS"]]
     low, high = robot["JOINT_LIMITS"][places[0]]
     stroke = high - low if math.isfinite(high - low) else 1.0 / solver.arm[PER_LENGTH]
     turns = robot["JOINT_TYPES"][places[0]] == "R"
-    return {"given_of_joints": lambda q: q[places], "reach": math.pi if turns else stroke}
+    near = {"reach": math.pi if turns else stroke, "within": (low, high)}
+    return {"given_of_joints": lambda q: q[places], **near}
 
 
 def _needed(solver: Solver) -> list[Callable[[], None]]:
