@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     Statuses = NDArray[np.uint8]
 
 # Names of modules take their time in a call that is over in half a microsecond.
-empty, contiguous = np.empty, np.ascontiguousarray
+empty, contiguous, plain = np.empty, np.ascontiguousarray, np.ndarray
 FREELY = (-math.inf, math.inf)
 
 # Of the robot:
@@ -160,7 +160,7 @@ def ik_all(
     q, status = empty((ROWS, DOF)), empty(ROWS, BYTE)
     values = given_values(q_free, q_seed)
     try:
-        pose = contiguous(T)
+        pose = contiguous(T) if type(T) is plain else numbers(T, (4, 4), "T")
         if pose.dtype is not FLOAT:
             pose = numbers(T, (4, 4), "T")
         if q_seed is None:

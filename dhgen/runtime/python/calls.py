@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     Statuses = NDArray[np.uint8]
 
 # Names of modules take their time in a call that is over in half a microsecond.
-empty, contiguous = np.empty, np.ascontiguousarray
+empty, contiguous, plain = np.empty, np.ascontiguousarray, np.ndarray
 NOTHING = np.empty((0, 0))  # where other robots' callers give values
 
 # Of the robot:
@@ -133,7 +133,7 @@ def ik_all(T: ArrayLike, q_seed: ArrayLike | None = None) -> tuple[FloatArray, S
     """
     q, status = empty((ROWS, DOF)), empty(ROWS, BYTE)
     try:
-        pose = contiguous(T)
+        pose = contiguous(T) if type(T) is plain else numbers(T, (4, 4), "T")
         if pose.dtype is not FLOAT:
             pose = numbers(T, (4, 4), "T")
         if q_seed is None:
