@@ -214,6 +214,21 @@ MEETING = ("theta: q, alpha: 80 deg", "theta: q, alpha: 20 deg", "theta: q, alph
 PARALLEL = ("theta: q, a: 0.3",) * 3
 
 
+def test_a_spherical_wrist_that_points_is_said_to_leave_its_eight_rows() -> None:
+    """The tool lies on axis 6, so the wrist centre is known, as for whole poses."""
+    rows = (
+        "theta: q, d: 0.6, alpha: -pi/2",
+        "theta: q, d: 0.2, a: 0.4",
+        "theta: q, a: 0.02, alpha: pi/2",
+        "theta: q, d: 0.4, alpha: -pi/2",
+        "theta: q, alpha: pi/2",
+        "theta: q, d: 0.06",
+    )
+    assert "  free: [6] leaves a closed form with 8 rows" in refused(*rows, task="pointing")
+    robot = table(*rows, task="pointing", free="[6]")
+    assert derive(build_chain(robot)).branches == 8
+
+
 @pytest.mark.parametrize(
     ("rows", "said"),
     [

@@ -20,6 +20,7 @@ from dhgen.paul.mobility import surplus
 from dhgen.paul.refusal.drives import is_given_alone
 from dhgen.paul.refusal.size_limits import are_too_many_given
 from dhgen.robot.robot import JointKind
+from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -132,6 +133,11 @@ def _has_structure(chain: Chain) -> bool:
     q = source.uniform(-2.0, 2.0, (POSITIONS, chain.dof)) * units(chain)
     # the given joints take several values: axes on both sides of one must not meet by chance
     directions, points = arm.axes(q)
+    if chain.task.kind is TaskKind.POINTING:  # the tool may turn about its z axis: one axis more
+        T = arm.pose(q)
+        directions = np.concatenate([directions, T[:, None, :3, 2]], axis=1)
+        points = np.concatenate([points, T[:, None, :3, 3]], axis=1)
+        places.append(chain.dof)
     for first in range(len(places) - 2):
         triple = places[first : first + 3]
         z, p = directions[:, triple], points[:, triple] / chain.size
