@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/abb_irb460.yaml. The formulas and where they come from:
  * abb_irb460.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 7588972aa36a489a
+ * dhgen 0.1.0; SHA-256 of the robot file: 36838a5ade4d8ab2
  * SPDX-License-Identifier: MIT
  */
 #include "abb_irb460.h"
@@ -233,6 +233,7 @@ static void solve(
 
 #ifndef ABB_IRB460_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+/* In formulas below, doubt_limit1 = 0.00034439999999999997 [m]. */
 static const double
     m1 = 1e-12, /* steep_limit^2 */
     m2 = 1.1861135999999998e-07, /* doubt_limit1^2 [m^2] */

@@ -59,6 +59,7 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, doubt_limit1 = 0.00034439999999999997 [m].
 d1 = 0.7425  # joint offset 1 [m]
 a1 = 0.26  # link length 1 [m]
 a2 = 0.945  # link length 2 [m]
