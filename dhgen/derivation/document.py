@@ -17,6 +17,7 @@ from dhgen.derivation.sections.general import general_section, numerical_section
 from dhgen.derivation.sections.inverse import inverse_beginning
 from dhgen.derivation.sections.joints import joint_values
 from dhgen.derivation.sections.nearest import nearest_blocks
+from dhgen.derivation.sections.other_ways import other_way
 from dhgen.derivation.sections.robot import opening, robot_section
 from dhgen.derivation.sections.shoulder import arm_angle_places
 from dhgen.derivation.sections.velocity import velocity_section
@@ -88,6 +89,7 @@ def _steps(story: Story, steps: Sequence[Sequence[Block]]) -> Iterator[Block]:
     for number, blocks in enumerate(steps, start=1):
         yield from wrist_blocks(story, number)
         yield from blocks
+        yield from other_way(story, number)
 
 
 def singular_places(story: Story) -> list[Singularity]:

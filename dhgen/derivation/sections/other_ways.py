@@ -1,0 +1,63 @@
+"""What else a step could have been, and why it is not: one line, as a teacher says it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.notation.matrices import element_of
+from dhgen.derivation.notation.names import unknown_symbol
+from dhgen.derivation.text.blocks import joined, paragraph, say
+from dhgen.derivation.text.words import counted, numeral
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.blocks import Block
+    from dhgen.paul.step import Step
+
+
+def other_way(story: Story, number: int) -> list[Block]:
+    """The best step that could stand in place of one; nothing where only steps that follow could.
+
+    Another equation for the same unknown comes before those for others.
+
+    Args:
+        story: The arm and its derivation.
+        number: The step, from 1.
+    """
+    step = story.steps[number - 1]
+    others = list(_others(story, number))
+    same = [other for other in others if other.unknowns == step.unknowns]
+    if not others:
+        return []
+    other = (same or others)[0]
+    unknowns = joined([say("{}", unknown_symbol(unknown)) for unknown in other.unknowns])
+    elements = joined([say("{}", element_of(origin)) for origin in other.origins])
+    chosen = number <= len(story.robot.steps)
+    why = "but the robot file chooses this step" if chosen else _difference(step, other)
+    text = f"Also possible: {{}} from {{}}, type {other.kind.number}, {why}."
+    return [paragraph(text, unknowns, elements)]
+
+
+def _others(story: Story, number: int) -> Iterator[Step]:
+    """The offers that no step of the derivation takes, cheapest first."""
+    taken = [_what(step) for step in story.steps]
+    for offer in story.derivation.offers[number - 1]:
+        if _what(offer) not in taken:
+            yield offer
+
+
+def _what(step: Step) -> object:
+    return step.kind, step.unknowns, frozenset(step.origins)
+
+
+def _difference(step: Step, other: Step) -> str:
+    """What speaks against the other one: its values, its degenerate places, its length."""
+    if other.roots != step.roots:
+        return f"with {counted(other.roots, 'value')} instead of {numeral(step.roots)}"
+    if other.degenerate > step.degenerate:
+        return "which loses the angle at poses where this step does not"
+    if other.penalty > step.penalty:
+        return "which is longer or worse conditioned"
+    return "with which all steps together are no shorter"
