@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.derivation.text.formula import Formula
 
-_RISKY = re.compile(r"\}_|\\[^A-Za-z]|[|<>*`]|\[[^\]]*\]\(")
+_RISKY = re.compile(r"\}_|\\[^A-Za-z]|[|*`]|[<>](?! )|\[[^\]]*\]\(")
 _SPECIAL = re.compile(r"([\\`*_\[\]<>#|~$&])")
 
 

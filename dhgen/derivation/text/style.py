@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _LATEX_SIGNS = {
-    "=": "=", "<": r"\lt", ">": r"\gt", "<=": r"\le", ">=": r"\ge", "!=": r"\ne", "->": r"\to",
+    "=": "=", "<": "<", ">": ">", "<=": r"\le", ">=": r"\ge", "!=": r"\ne", "->": r"\to",
     "in": r"\in",
 }  # fmt: skip
 _PLAIN_SIGNS = {"<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "in": "∈"}
