@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.robot.cell_notes import note_slips, note_snapped, note_turns
+from dhgen.robot.cell_notes import note_slips, note_snapped, note_tiny_limits, note_turns
 from dhgen.robot.cells import INVALID, Cells
 from dhgen.robot.couplings import check_couplings, numbers_of
 from dhgen.robot.frames import IDENTITY_FRAME, read_frame
@@ -89,6 +89,7 @@ class _Assembly:
         note_snapped(self.report, self.cells.snapped)
         in_radians = "angle" in units.model_fields_set
         note_turns(self.report, self.cells.many_turns, in_radians=in_radians)
+        note_tiny_limits(self.report, self.cells.limits_in_degrees)
         note_spread(self.report, self.cells.lengths, units.length)
         note_distance(self.report, self.cells.lengths)
 

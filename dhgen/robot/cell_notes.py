@@ -5,6 +5,7 @@ The parameters that they use, exact values in their place, slips, degrees in a f
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from itertools import takewhile
 from typing import TYPE_CHECKING
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from dhgen.robot.reader import Path
     from dhgen.robot.report import Report
 
+FURTHEST = 6.3  # degrees; as radians, a turn, rounded
 ALONE = 5  # so many notes of a kind are given one by one; of more the first, with a list
 
 
@@ -168,6 +170,37 @@ def note_turns(report: Report, turned: Sequence[ManyTurns], *, in_radians: bool)
             report.notice(each.path, each.message)
         if limits[-1] == "limits":
             joints.add(limits)
+
+
+@dataclass(frozen=True, slots=True)
+class PlainLimit:
+    """An end of a turning joint's way that a file of degrees gives as a plain number.
+
+    Attributes:
+        path: Where it is.
+        text: Its text.
+        degrees: Its value.
+    """
+
+    path: Path
+    text: str
+    degrees: float
+
+
+def note_tiny_limits(report: Report, limits: Sequence[PlainLimit]) -> None:
+    """Reports an arm in degrees of which no joint can turn further than radians go.
+
+    Twists in degrees beside limits in radians are not rare: these come from a URDF or a data sheet.
+    One joint may be so narrow, and ends that hold pi or deg are what they say.
+    """
+    joints = {limit.path[:-1] for limit in limits}
+    if len(joints) < 2 or not all(abs(limit.degrees) <= FURTHEST for limit in limits):
+        return
+    first = next((limit for limit in limits if limit.degrees), limits[0])
+    most = max(abs(limit.degrees) for limit in limits)
+    text, meant = quoted(first.text.strip()), math.degrees(first.degrees)
+    message = f"all these limits are within {most:.4g} degrees: write {meant:.6g} for {text}"
+    report.notice(first.path, f"{message}, and the others so, if they are in rad")
 
 
 def _more(count: int) -> str:

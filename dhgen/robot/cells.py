@@ -19,7 +19,7 @@ from dhgen.robot.angles import (
     unit_notice,
 )
 from dhgen.robot.arithmetic import parse
-from dhgen.robot.cell_notes import ManyTurns, NearCell, Taken, UsedNames, taken
+from dhgen.robot.cell_notes import ManyTurns, NearCell, PlainLimit, Taken, UsedNames, taken
 from dhgen.robot.exact import canonical, rational
 from dhgen.robot.expression import (
     ZERO,
@@ -60,6 +60,7 @@ class Cells:
         self.snapped: list[NearCell] = []
         self.slips: list[NearCell] = []
         self.many_turns: list[ManyTurns] = []
+        self.limits_in_degrees: list[PlainLimit] = []
 
     def announce(self, parameters: Mapping[str, str]) -> None:
         """Which parameters there will be, for the messages about cells that use them too early."""

@@ -7,6 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 from dhgen.robot.angles import LARGEST_ANGLE, LARGEST_LENGTH, SNAP
+from dhgen.robot.cell_notes import PlainLimit
 from dhgen.robot.cells import INVALID
 from dhgen.robot.couplings import read_couplings
 from dhgen.robot.frames import read_lengths
@@ -89,6 +90,9 @@ def _look_at_units(
     if kind is JointKind.REVOLUTE:
         # Of both ends one is told: they are mended together. Of many turns both are counted.
         any(map(cells.note_unit, ways, entry, ends))
+        if cells.units.degrees and not any(map(cells.units.speaks_of_pi, ends)):
+            numbers = zip(ways, entry, map(cells.value, ends), strict=True)
+            cells.limits_in_degrees += [PlainLimit(*each) for each in numbers]
     else:
         for way, text, end in zip(ways, entry, ends, strict=True):
             cells.refuse_degrees(way, text, end)

@@ -30,6 +30,9 @@ FAR = 300.0
 GAP = 300.0
 GAP_BELOW_LONG = 50.0
 LONG = 10.0  # m
+# In a file of mm what is shorter than the others by so much is in m, if it is no longer than these
+# then: 0.27 beside 302.
+LIKE_OTHERS = 100.0
 # Neither arms of 100 m are built nor arms of less than 5 mm, but in micrometres.
 LONGEST = 100.0  # m
 SHORTEST = 5e-3  # m
@@ -68,21 +71,58 @@ def note_spread(report: Report, lengths: Iterable[Length], unit: str) -> None:
     if ratio < COARSE:
         why = "rounding may exceed what is promised if it alone separates two axes"
         report.doubt(shortest.path, f"{text}, and {why}: {write}")
-    elif not _note_gap(report, links, unit):
+    elif not _note_gap(report, [*links, *_farthest(arm)], unit):
         _note_unit(report, max(links, key=_value), unit)
+        _note_base(report, lengths, max(links, key=_value), unit)
 
 
-def _note_gap(report: Report, links: list[Length], unit: str) -> bool:
-    """Whether lengths are of two sizes, as in two units; there is a notice then."""
-    by_value = sorted(links, key=_value)
-    wide = GAP_BELOW_LONG if by_value[-1].value * METRES[unit] > LONG else GAP
+def _farthest(arm: list[Length]) -> list[Length]:
+    """How far each slide goes at most: where it begins may be next to nothing."""
+    ends: dict[Path, Length] = {}
+    for each in arm:
+        if "limits" in each.path:
+            joint = each.path[:-1]
+            ends[joint] = max(each, ends.get(joint, each), key=_value)
+    return list(ends.values())
+
+
+def _note_gap(report: Report, lengths: list[Length], unit: str) -> bool:
+    """Whether lengths are of two sizes, as in two units; there is a notice then.
+
+    It stands at the one that no arm has: too long in metres, too short in what is smaller.
+    """
+    by_value = sorted(lengths, key=_value)
     below, above = max(pairwise(by_value), key=_ratio, default=(by_value[0],) * 2)
-    if _ratio((below, above)) < wide:
+    if _ratio((below, above)) < _gap(by_value, below, unit):
         return False
-    times = f"{quoted(above.text)} is {_ratio((below, above)):.0f} times as long as"
-    message = f"{times} {quoted(below.text)}, and no length is between: are both in {unit}?"
-    report.notice(above.path, message)
+    factor = f"{_ratio((below, above)):.0f}"
+    between = f"and no length is between: are both in {unit}?"
+    if METRES[unit] < 1.0:
+        times = f"{quoted(below.text)} is 1/{factor} of {quoted(above.text)}"
+        report.notice(below.path, f"{times}, {between}")
+    else:
+        times = f"{quoted(above.text)} is {factor} times as long as {quoted(below.text)}"
+        report.notice(above.path, f"{times}, {between}")
     return True
+
+
+def _gap(by_value: list[Length], below: Length, unit: str) -> float:
+    """How wide a gap must be to look like one between two units."""
+    longest = by_value[-1].value * METRES[unit]
+    if longest > LONG:
+        return GAP_BELOW_LONG
+    return LIKE_OTHERS if unit == "mm" and below.value <= longest else GAP
+
+
+def _note_base(report: Report, lengths: Iterable[Length], longest: Length, unit: str) -> None:
+    """Reports a base in metres below an arm in mm: what is so short beside the arm is none."""
+    places = [each for each in lengths if each.value > SNAP and each.path[0] == "base"]
+    far = max(places, key=_value, default=longest)
+    if unit == "mm" and GAP * far.value < longest.value <= GAP * far.value / METRES[unit]:
+        message = (
+            f"{quoted(far.text)} is 1/{longest.value / far.value:.0f} of {quoted(longest.text)}"
+        )
+        report.notice(far.path, f"{message}: are both in {unit}?")
 
 
 def _note_unit(report: Report, longest: Length, unit: str) -> None:

@@ -222,9 +222,11 @@ def test_lengths_that_may_be_out_of_proportion_are_a_doubt() -> None:
     [
         (["d: 0.29", "a: 270", "d: 0.302"], "m", "'270' is 894 times as long as '0.302', and no"),
         (["d: 0.9", "a: 70", "a: 455"], "m", "'70' is 78 times as long as '0.9', and no"),
-        (["d: 0.29", "a: 270", "d: 0.302"], "mm", "'270' is 894 times as long as '0.302', and no"),
+        (["d: 0.29", "a: 270", "d: 0.302"], "mm", "'0.302' is 1/894 of '270', and no length is b"),
         (["d: 0.4", "a: 1.0", "d: 0.2"], "mm", "the longest length of this arm is 1 mm: write `un"),
         (["d: 400", "a: 1000", "d: 0"], "m", "the longest length of this arm is 1000 m: write `un"),
+        (["d: 290", "a: 0.27", "a: 70"], "mm", "'0.27' is 1/259 of '70', and no length is"),
+        (["d: 290", "a: 0.8", "a: 110"], "mm", ""),  # 0.8 m would be longer than the others
         (["d: 0.00035", "a: 0.4", "d: 0.01"], "m", ""),  # an offset of Kinova's Gen3
         (["d: 400", "a: 1000", "d: 10"], "mm", ""),
         (["d: 0.4", "a: 1", "d: 0.2"], "um", ""),
@@ -234,6 +236,41 @@ def test_lengths_that_may_be_out_of_proportion_are_a_doubt() -> None:
 def test_lengths_in_another_unit_are_told(rows: list[str], unit: str, told: str) -> None:
     text = table(*(f"theta: q, {row}" for row in rows), units=f"{{length: {unit}}}")
     assert [notice.message[: len(told)] for notice in robot(text).notices] == [told] * bool(told)
+
+
+@pytest.mark.parametrize(
+    ("unit", "links", "limits", "told"),
+    [
+        ("m", (0.3, 0.25), "[0, 200]", "'200' is 667 times as long as '0.3', and no length is"),
+        ("m", (0.3, 0.25), "[1e-4, 0.2]", ""),  # where a slide begins is no length
+        ("m", (0.8, 0.7), "[-6, 0]", ""),  # a rail
+        ("mm", (300, 250), "[0, 0.2]", "'0.2' is 1/1250 of '250', and no length is"),
+    ],
+)
+def test_slides_that_go_as_far_as_in_another_unit_are_told(
+    unit: str, links: tuple[float, float], limits: str, told: str
+) -> None:
+    rows = [f"theta: q, a: {link}" for link in links]
+    text = table(*rows, f"d: q, limits: {limits}", units=f"{{length: {unit}}}")
+    assert [notice.message[: len(told)] for notice in robot(text).notices] == [told] * bool(told)
+
+
+@pytest.mark.parametrize(
+    ("unit", "base", "told"),
+    [
+        ("mm", "[0.2, 0.4, 0.8]", ["'0.8' is 1/625 of '500': are both in mm?"]),
+        ("mm", "[200, 0, 0.8]", []),
+        ("mm", "[0, 0, 1e-6]", []),  # no base is a micrometre away
+        ("m", "[0, 0, 800]", []),  # a place in the world
+    ],
+)
+def test_a_base_in_metres_below_an_arm_in_millimetres_is_told(
+    unit: str, base: str, told: list[str]
+) -> None:
+    links = (0.5, 0.4) if unit == "m" else (500, 400)
+    text = table(*(f"theta: q, a: {link}" for link in links), units=f"{{length: {unit}}}")
+    notices = robot(f"{text}base: {{xyz: {base}}}\n").notices
+    assert [notice.message for notice in notices] == told
 
 
 @pytest.mark.parametrize(

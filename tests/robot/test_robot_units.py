@@ -225,3 +225,29 @@ def test_limits_of_degrees_that_look_like_radians_are_told_once_a_joint(
 def test_limits_of_turns_that_are_meant_are_left_alone(joint: str, unit: str) -> None:
     text = table(joint, parameters="{w: 1080 deg}", units=f"{{angle: {unit}}}")
     assert not told_of_cells(text)
+
+
+STIFF = ("theta: q, alpha: -90, limits: [-2.9, 2.9]", "theta: q, limits: [0, w]")
+
+
+def test_limits_in_radians_beside_twists_in_degrees_are_told() -> None:
+    """2.9 rad are 166 degrees: nobody builds an arm of which no joint turns by six degrees."""
+    (message,) = told_of_cells(table(*STIFF, parameters="{w: 6.1}", units="{angle: deg}"))
+    degrees = math.degrees(-2.9)
+    told = f"all these limits are within 6.1 degrees: write {degrees:.6g} for '-2.9'"
+    assert message == f"{told}, and the others so, if they are in rad"
+
+
+@pytest.mark.parametrize(
+    ("rows", "parameters"),
+    [
+        (STIFF, "{w: 8}"),  # one joint that turns
+        (STIFF, "{w: pi}"),  # one plain pair of limits: the other says what it is
+        ((STIFF[0], "d: q, limits: [0, w]"), "{w: 6}"),  # a slide has lengths
+        ((STIFF[0], "theta: q, d: w"), "{w: 6}"),
+    ],
+)
+def test_limits_of_a_few_degrees_that_may_be_meant_are_left_alone(
+    rows: tuple[str, ...], parameters: str
+) -> None:
+    assert not told_of_cells(table(*rows, parameters=parameters, units="{angle: deg}"))
