@@ -137,18 +137,7 @@ def crowded_axes(chain: Chain) -> list[str]:
 
     Three joints already do whatever turns about parallel axes do, or about one point.
     """
-    directions, points = numeric_arm(chain).axes(np.zeros(chain.dof))
-    turning = [j.number for j in chain.solved if j.kind is JointKind.REVOLUTE]
-    parallel: list[tuple[int, int]] = []
-    same: dict[tuple[int, int], float] = {}
-    for pair in pairwise(turning):
-        first, second = (number - 1 for number in pair)
-        z, between = directions[first], points[second] - points[first]
-        if np.linalg.norm(np.cross(z, directions[second])) < SAME_LINE:
-            parallel.append(pair)  # slides between turn no axis, but move it aside
-            apart = float(np.linalg.norm(np.cross(z, between)))
-            if second == first + 1 and apart < SAME_LINE * chain.size:
-                same[pair] = apart if apart > ROUNDING * chain.size else 0.0
+    parallel, same = list(_apart(chain)), axes_on_one_line(chain)
     meeting = [t.joints for t in axis_triples(chain) if t.miss < EXACT * chain.size]
     lines = _runs(list(same))
     return [
@@ -160,6 +149,31 @@ def crowded_axes(chain: Chain) -> list[str]:
         ),
         *(f"axes {_listed(run)} meet in one point" for run in _runs(meeting) if len(run) > 3),
     ]
+
+
+def _apart(chain: Chain) -> dict[tuple[int, int], float]:
+    """The pairs of neighbours whose axes are parallel, and how far these are apart.
+
+    Slides between them turn no axis, but move it aside.
+    """
+    directions, points = numeric_arm(chain).axes(np.zeros(chain.dof))
+    turning = [j.number for j in chain.solved if j.kind is JointKind.REVOLUTE]
+    apart: dict[tuple[int, int], float] = {}
+    for pair in pairwise(turning):
+        first, second = (number - 1 for number in pair)
+        z, between = directions[first], points[second] - points[first]
+        if np.linalg.norm(np.cross(z, directions[second])) < SAME_LINE:
+            apart[pair] = float(np.linalg.norm(np.cross(z, between)))
+    return apart
+
+
+def axes_on_one_line(chain: Chain) -> dict[tuple[int, int], float]:
+    """The pairs of neighbours whose axes count as one line, and how far these are apart."""
+    return {
+        pair: apart if apart > ROUNDING * chain.size else 0.0
+        for pair, apart in _apart(chain).items()
+        if pair[1] == pair[0] + 1 and apart < SAME_LINE * chain.size
+    }
 
 
 def _one_line(run: tuple[int, ...], apart: float) -> str:

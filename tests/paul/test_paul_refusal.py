@@ -200,6 +200,21 @@ def test_an_arm_that_neither_convention_makes_proper_gets_no_such_line(conventio
     assert other_convention(table(*["theta: q, a: 0.3"] * 3, task="[x, y]")) == []
 
 
+SRS = ("-pi/2", "pi/2") * 3  # twists of an arm of seven joints, each axis square to the next
+
+
+@pytest.mark.parametrize("own", ["standard", "modified"])
+def test_a_table_of_seven_joints_under_the_other_convention_is_told_so(own: str) -> None:
+    """The first or last two axes are one line then, and six joints are left, as many as count."""
+    lengths = ("0.34", "0", "0.4", "0", "0.4", "0", "0.12")
+    twists = (*SRS, "0") if own == "standard" else ("0", *SRS)
+    rows = [f"theta: q, d: {d}, alpha: {alpha}" for d, alpha in zip(lengths, twists, strict=True)]
+    other = "modified" if own == "standard" else "standard"
+    (line,) = other_convention(table(*rows, convention=other))
+    assert line.startswith(f"with `convention: {own}` no two neighbouring axes of this table are")
+    assert not other_convention(table(*rows, convention=own))
+
+
 @pytest.mark.slow  # it derives all that is said
 def test_what_free_joints_are_said_to_leave_comes_out() -> None:
     """Of five joints asked for a whole pose, without three axes that belong together."""
