@@ -47,23 +47,22 @@ def telling_entries(task: Task) -> frozenset[str]:
     return task_entries(task) - ({STEEPNESS} if task.directions is Directions.YAW else set())
 
 
-def task_jacobian(arm: NumericArm, q: FloatArray) -> FloatArray:
+def task_jacobian(arm: NumericArm, q: FloatArray, task: Task | None = None) -> FloatArray:
     """How the numbers that the task names change with the joints, all lengths in arm sizes.
 
     Args:
         arm: The arm.
         q: Joint values (..., n), lengths in the file's unit.
+        task: Another than the arm's.
 
     Returns:
         Shape (..., m, n).
     """
-    chain = arm.chain
+    chain, task = arm.chain, task or arm.chain.task
     full = arm.jacobian(q) * units(chain)
     full[..., :3, :] /= chain.size
-    named = [full[..., list(chain.task.position_rows), :]]
-    named.append(
-        _direction_rates(chain.task.directions, arm.pose(q)[..., :3, :3], full[..., 3:, :])
-    )
+    named = [full[..., list(task.position_rows), :]]
+    named.append(_direction_rates(task.directions, arm.pose(q)[..., :3, :3], full[..., 3:, :]))
     return np.concatenate(named, axis=-2)
 
 

@@ -114,6 +114,19 @@ def _keeps_level(chain: Chain) -> bool:
     return bool(np.abs(numeric_arm(chain).pose(q)[..., 2, 0]).max() < EXACT)
 
 
+def _pitch_is_a_sum(chain: Chain) -> bool:
+    """Whether the pitch is a sum of joint angles: axes that are parallel and level tilt the tool.
+
+    Any four joints have a pitch, of which few arms get a closed form; that of an arm in an upright
+    plane is as good as a joint's angle.
+    """
+    q = np.random.default_rng(5).uniform(-2.0, 2.0, (POSITIONS, chain.dof)) * units(chain)
+    arm = numeric_arm(chain)
+    most = np.linalg.norm(arm.pose(q)[..., :2, 0], axis=-1)[..., None]  # the cosine of the pitch
+    rates = np.abs(task_jacobian(arm, q, Task(TaskKind.LIST, (), ("pitch",)))[..., 0, :])
+    return bool(rates.max() > EXACT and np.minimum(rates, np.abs(rates - most)).max() < EXACT)
+
+
 def determining_tasks(chain: Chain) -> dict[str, Task]:
     """Other tasks that fix every joint, as the file writes them; first those that ask for least."""
     moving = moving_coordinates(chain)
@@ -122,6 +135,8 @@ def determining_tasks(chain: Chain) -> dict[str, Task]:
         tasks.insert(0, Task(TaskKind.LIST, moving))
     if _keeps_level(chain):
         tasks.append(Task(TaskKind.LIST, moving, ("yaw",)))
+    elif _pitch_is_a_sum(chain):
+        tasks.append(Task(TaskKind.LIST, moving, ("pitch",)))
     tasks.sort(key=lambda task: task.dimension)
     return {
         task.text: task

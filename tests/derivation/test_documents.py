@@ -225,6 +225,10 @@ def test_summary(name: str) -> None:
         (("theta: q, a: 0.4", "theta: q, a: 0.3"), ["[x, y]"]),
         (("theta: q, alpha: pi/2", "theta: q, a: 0.3", "theta: q, a: 0.2"), ["position"]),
         (("theta: q, a: 0.4", "theta: q, a: 0.3", "theta: q, a: 0.2"), ["[x, y, yaw]"]),
+        (
+            ("theta: q, alpha: pi/2", *(f"theta: q, a: 0.{n}" for n in (3, 2, 1))),
+            ["[x, y, z, pitch]"],
+        ),
     ],
 )
 def test_a_task_that_asks_for_as_much_as_the_arm_can_choose_is_named(

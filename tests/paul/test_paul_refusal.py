@@ -6,7 +6,7 @@ from dhgen.errors import UnsolvedError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
 from dhgen.paul.derive import derive
-from dhgen.paul.mobility import Surplus, crowded_axes
+from dhgen.paul.mobility import Surplus, crowded_axes, determining_tasks
 from dhgen.paul.pool import build_pool
 from dhgen.paul.problem import build_problem
 from dhgen.paul.refusal.free_joint_advice import GENERAL, Choice, choices_text
@@ -102,6 +102,23 @@ def test_a_tool_that_points_along_the_axis_of_the_last_joint() -> None:
     assert lines[3] == "  free: [5] leaves a closed form with 4 rows"
     assert lines[4] == "`task: pose` determines every joint of poses that the arm can take"
     assert derive(build_chain(table(*rows, task="pose"))).method is Method.CLOSED_FORM
+
+
+LEVEL = ("theta: q, alpha: pi/2", "theta: q, a: 0.3", "theta: q, a: 0.2", "theta: q, a: 0.1")
+
+
+def test_a_pitch_is_proposed_where_level_axes_tilt_the_tool() -> None:
+    """The arm stands in an upright plane, and what its three angles sum up to is the pitch."""
+    lines = refused(*LEVEL, task="position")
+    assert "`task: [x, y, z, pitch]` determines every joint" in lines
+    assert derive(build_chain(table(*LEVEL, task="[x, y, z, pitch]"))).branches == 8
+
+
+@pytest.mark.parametrize("third", ["theta: q, a: 0.2, alpha: pi/4", "theta: q + pi/7, a: 0.2"])
+def test_a_pitch_that_is_no_sum_of_angles_is_not_proposed(third: str) -> None:
+    """Behind a twist the tool leaves the plane; the second arm keeps to it."""
+    tasks = determining_tasks(build_chain(table(*LEVEL[:2], third, LEVEL[3])))
+    assert ("[x, y, z, pitch]" in tasks) == ("alpha" not in third)
 
 
 def test_where_no_other_task_serves_none_is_named() -> None:
