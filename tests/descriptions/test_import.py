@@ -158,7 +158,6 @@ def derivation_of(path: Path) -> str:
         ("ur5", "ur5"),
         ("irb140", "abb_irb120"),
         pytest.param("panda", "franka_panda", marks=pytest.mark.slow),
-        pytest.param("kr16", "kuka_kr210", marks=pytest.mark.slow),
     ],
 )
 def test_a_derivation_is_not_longer_than_from_a_data_sheet(name: str, own: str) -> None:

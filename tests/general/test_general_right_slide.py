@@ -83,7 +83,7 @@ def test_all_solutions(tmp_path: Path, rows: tuple[str, ...]) -> None:
     assert_all_solutions(robot, known(chain), poses(chain, POSES, seed=1))
 
 
-@pytest.mark.parametrize("rows", ARMS[::3])
+@pytest.mark.parametrize("rows", ARMS[:1])
 def test_c_and_python_agree(tmp_path: Path, rows: tuple[str, ...]) -> None:
     chain = build_chain(written(tmp_path, rows))
     kernel = known(chain)

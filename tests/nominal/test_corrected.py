@@ -41,8 +41,6 @@ def compiled(text: str, folder: Path) -> Compilation:
         twin("puma560", 1e-4),
         twin("ur5e", 1e-4),
         seven("shoulder_missed"),
-        twin("puma560", 1e-6),
-        twin("ur5e", 1e-5),
         twin("kuka_kr6_r900", 1e-4),
         seven("wrist_missed"),
     ],

@@ -35,8 +35,10 @@ def compiled(a2: float, a3: float) -> Compilation:
     return made_up(name, joints, "tool: {xyz: [0.2, 0, 0.13]}\n", convention="modified")
 
 
-@pytest.mark.parametrize("build", [PORTABLE, pytest.param(NATIVE, marks=pytest.mark.slow)])
-@pytest.mark.parametrize(("a2", "a3"), LENGTHS)
+@pytest.mark.parametrize(
+    ("a2", "a3", "build"),
+    [*((*each, PORTABLE) for each in LENGTHS), (*LENGTHS[2], NATIVE)],
+)
 def test_rows_reach_the_pose(a2: float, a3: float, build: Build) -> None:
     robot = compiled(a2, a3).robot
     solver = library(compiled(a2, a3).module, folder(), build)
