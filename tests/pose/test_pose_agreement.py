@@ -13,9 +13,7 @@ from tests.pose.pose_libraries import NOTATIONS, library, read, write
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-# numba compiles what stands in the same file for the others, in seconds.
-SLOW = pytest.param("numba", marks=pytest.mark.slow)
-each_library = pytest.mark.parametrize("name", ["plain", "c", SLOW])
+each_library = pytest.mark.parametrize("name", ["plain", "c"])
 each_notation = pytest.mark.parametrize("notation", NOTATIONS)
 
 XYZ = np.array([0.3, -250.0, 1e-3])
@@ -77,7 +75,7 @@ def test_what_is_read_defines_the_pose_again(name: str, notation: str) -> None:
 
 
 @each_notation
-@pytest.mark.parametrize("name", ["c", SLOW])
+@pytest.mark.parametrize("name", ["c", pytest.param("numba", marks=pytest.mark.slow)])
 def test_all_read_and_write_what_plain_python_does(notation: str, name: str) -> None:
     plain, other = library("plain"), library(name)
     found, wanted = [], []
