@@ -117,9 +117,7 @@ def test_formulas_read_the_constants(names: tuple[str, ...], tmp_path: Path) -> 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "arm", [PLANAR + MOUNTING, AHEAD + MOUNTING, WRIST], ids=["planar", "ahead", "wrist"]
-)
+@pytest.mark.parametrize("arm", [AHEAD + MOUNTING, WRIST], ids=["ahead", "wrist"])
 @pytest.mark.parametrize("words", NUMBERED)
 def test_numbered_names(arm: str, words: str, tmp_path: Path) -> None:
     """Names that the programs of an arm give in passing, each to a number of the arm."""
