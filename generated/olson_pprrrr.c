@@ -48,7 +48,7 @@ static const double
     const number T33 = T[10], T34 = T[11]
 
 const char *const olson_pprrrr_branches[4] = {
-    "elbow+-noflip", "elbow+-flip", "elbow--noflip", "elbow--flip",
+    "elbow3+-elbow4+", "elbow3+-elbow4-", "elbow3--elbow4+", "elbow3--elbow4-",
 };
 
 static const struct dhgen_joint joints[6] = {
@@ -146,7 +146,7 @@ static void solve(
     /* r1, type 1: U0 A6^-1 [2, 4] */
     const double wy = T24 - T23 * d6;
 
-    for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
+    for (int i1 = 0; i1 < 2; i1++) { /* elbow3+, elbow3- */
         const double e3 = i1 == 0 ? 1.0 : -1.0;
         /* theta3 */
         if (e3 < 0.0 && free3) continue; /* both signs give the same */
@@ -171,7 +171,7 @@ static void solve(
         /* theta6, type 3: U3[2, 2] and U3[2, 1] */
         const double q6 = atan2(-(T11 * c3 + T21 * s3), -(T12 * c3 + T22 * s3));
 
-        for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
+        for (int i2 = 0; i2 < 2; i2++) { /* elbow4+, elbow4- */
             const double e4 = i2 == 0 ? 1.0 : -1.0;
             /* theta4 */
             if (e4 < 0.0 && (!apart4 || (near3 && !(blur_slack1 * (v3 + blur_slack1) < D4))))

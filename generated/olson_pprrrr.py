@@ -47,10 +47,10 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "elbow+-noflip",
-    "elbow+-flip",
-    "elbow--noflip",
-    "elbow--flip",
+    "elbow3+-elbow4+",
+    "elbow3+-elbow4-",
+    "elbow3--elbow4+",
+    "elbow3--elbow4-",
 )
 MAX_SOLUTIONS = 4
 
@@ -233,7 +233,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     # r1, type 1: U0 A6^-1 [2, 4]
     wy = T24 - T23 * d6
 
-    for i1 in range(2):  # elbow+, elbow-
+    for i1 in range(2):  # elbow3+, elbow3-
         e3 = 1.0 - 2.0 * i1
         # theta3
         if e3 < 0.0 and free3:
@@ -261,7 +261,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta6, type 3: U3[2, 2] and U3[2, 1]
         q6 = _atan2(-(T11 * c3 + T21 * s3), -(T12 * c3 + T22 * s3))
 
-        for i2 in range(2):  # noflip, flip
+        for i2 in range(2):  # elbow4+, elbow4-
             e4 = 1.0 - 2.0 * i2
             # theta4
             if e4 < 0.0 and (not apart4 or (near3 and not (blur_slack1 * (v3 + blur_slack1) < D4))):

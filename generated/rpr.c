@@ -43,7 +43,7 @@ static const double
     const number T34 = T[11]
 
 const char *const rpr_branches[4] = {
-    "shoulder+-noflip", "shoulder+-flip", "shoulder--noflip", "shoulder--flip",
+    "shoulder+-elbow+", "shoulder+-elbow-", "shoulder--elbow+", "shoulder--elbow-",
 };
 
 static const struct dhgen_joint joints[3] = {
@@ -124,7 +124,7 @@ static void solve(
         const double q1 = atan2(s1, c1);
         const double root1 = w1 * e1;
 
-        for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
+        for (int i2 = 0; i2 < 2; i2++) { /* elbow+, elbow- */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e3 < 0.0 && !apart3) continue; /* both signs give the same */

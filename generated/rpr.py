@@ -42,10 +42,10 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "shoulder+-noflip",
-    "shoulder+-flip",
-    "shoulder--noflip",
-    "shoulder--flip",
+    "shoulder+-elbow+",
+    "shoulder+-elbow-",
+    "shoulder--elbow+",
+    "shoulder--elbow-",
 )
 MAX_SOLUTIONS = 4
 
@@ -190,7 +190,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         q1 = _atan2(s1, c1)
         root1 = w1 * e1
 
-        for i2 in range(2):  # noflip, flip
+        for i2 in range(2):  # elbow+, elbow-
             e3 = 1.0 - 2.0 * i2
             # theta3
             if e3 < 0.0 and not apart3:

@@ -137,6 +137,18 @@ def test_elbows_that_are_up_are_above(name: str) -> None:
     assert seen > FEWEST
 
 
+@pytest.mark.parametrize("name", ["rpr", "olson_pprrrr"])
+def test_joints_that_carry_a_link_are_no_wrists(name: str) -> None:
+    """The one is asked for positions alone; of the other axes 4 and 5 are parallel, and 6 meets 5.
+
+    Its joint 4 moves axis 5, which a wrist's joint leaves where it is.
+    """
+    assert not any("flip" in word for label in labels(name) for word in label.split("-"))
+    places = at(name, np.random.default_rng(4).uniform(-1.0, 1.0, (20, model(name).chain.dof)))
+    if name == "olson_pprrrr":
+        assert np.linalg.norm(places.points[:, 4] - places.points[:, 3], axis=1).min() > CLEAR
+
+
 @pytest.mark.parametrize("name", FACING)
 def test_arms_that_face_the_wrist_are_in_front(name: str) -> None:
     """They face where their shoulder is; those with none beside axis 1, where they are at zero."""

@@ -37,6 +37,20 @@ def test_what_is_no_number(values: Any) -> None:
         numbers(values, (2,), "q")
 
 
+class Tensor:
+    """An array of another library, which refuses to be one of numpy's."""
+
+    def __array__(self, *_type: Any, **_copy: Any) -> Any:
+        raise TypeError("Use Tensor.cpu() to copy the tensor to host memory first.")
+
+
+def test_what_another_library_says_of_its_array_is_passed_on() -> None:
+    """That of a tensor on a graphics card names what to call; numpy's own words help nobody."""
+    told = r"^q must hold real numbers, with shape \(2,\): Use Tensor.cpu\(\) to copy the tensor"
+    with pytest.raises(ValueError, match=told):
+        numbers(Tensor(), (2,), "q")
+
+
 def test_shapes_are_named() -> None:
     with pytest.raises(ValueError, match=r"^q must have shape \(2,\), not \(3,\)$"):
         array_of([1, 2, 3], (2,), "q")

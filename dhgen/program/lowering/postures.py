@@ -88,8 +88,22 @@ def _part(chain: Chain, step: Step) -> str:
     places = bool(chain.task.position_rows)
     if joint == 1 and places:
         return "shoulder"
+    return "wrist" if _turns_the_tool(chain, joint) else "elbow"
+
+
+def _turns_the_tool(chain: Chain, joint: int) -> bool:
+    """Whether a joint is one of a wrist's: it turns the tool, and carries no link with an axis.
+
+    Of an arm that is asked for positions no joint is, nor one whose next axis is parallel.
+    """
     turning = [number for number, turns in enumerate(chain.turning, 1) if turns]
-    return "wrist" if joint in turning[-WRIST:] else "elbow"
+    if not chain.task.directions.dimension or joint not in turning[-WRIST:]:
+        return False
+    if joint == turning[-1]:
+        return True
+    directions, _ = numeric_arm(chain).axes(np.zeros(chain.dof))
+    after = turning[turning.index(joint) + 1]
+    return bool(np.linalg.norm(np.cross(directions[joint - 1], directions[after - 1])) > EXACT)
 
 
 def _joint(step: Step) -> int:
