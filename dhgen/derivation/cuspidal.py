@@ -38,7 +38,9 @@ def joined_rows(chain: Chain, rows: FloatArray) -> tuple[int, int] | None:
         Their rows; None where there are none, or for arms with other joints, limits or tasks.
     """
     free = all(chain.turning) and not any(joint.limits for joint in chain.joints)
-    if chain.dof != JOINTS or not free or chain.task.kind is not TaskKind.POSITION:
+    if chain.dof != JOINTS or not free or chain.is_coupled:
+        return None
+    if chain.task.kind is not TaskKind.POSITION:
         return None
     step = 2.0 * math.pi / CELLS
     regions = _regions(_determinants(chain, step))

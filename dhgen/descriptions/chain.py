@@ -260,7 +260,9 @@ def _notes(description: Description, chain: ArmChain) -> list[str]:
         told = f"left out: {joint.child} on {joint.parent}"
         follows = joint.mimics and joint.mimics.joint
         if moved == 1 and follows in {each.name for each in chain.joints}:
-            notes.append(f"{told}, which follows {follows} (--tip {joint.child} takes it)")
+            may_be_held = joint.mimics is not None and abs(joint.mimics.multiplier) == 1.0
+            how = f" (--tip {joint.child} takes it)" if may_be_held else ""
+            notes.append(f"{told}, which follows {follows}{how}")
         else:
             notes.append(f"{told}, with {joints} of its own")
     still = [joint.child for joint in sides if not _count(children, joint)]

@@ -56,9 +56,12 @@ def _why_not(joint: Joint, axes: Sequence[Axis], places: dict[str, int]) -> str:
     """Why a joint can't follow another one; empty where it can."""
     assert joint.mimics is not None
     other, factor = places.get(joint.mimics.joint), abs(joint.mimics.multiplier)
+    own = places.get(joint.name)
+    if own is not None:  # joints on one line are one row
+        factor = abs(sum(each for name, each in axes[own].shares if name == joint.mimics.joint))
     if other is None or not axes[other].joint.is_driven:
         return "which is no joint of this arm with a drive of its own"
-    turns, own = joint.motion.turns, places.get(joint.name)
+    turns = joint.motion.turns
     same_kind = turns == axes[other].turns
     if own is None:  # it adds to what a drive does
         too_fine = Fraction(str(factor)).limit_denominator() != Fraction(str(factor))
@@ -67,6 +70,8 @@ def _why_not(joint: Joint, axes: Sequence[Axis], places: dict[str, int]) -> str:
         return "an angle by a length or the other way round, which makes equations transcendental"
     if own < other:
         return "which comes behind it"
+    if not factor:
+        return "and with those on its line it stands still"
     if turns and factor != 1.0:
         return f"{factor:g} times, which makes the equations of another degree"
     if not factor.is_integer() or not 0.0 < factor <= MOST_TIMES:

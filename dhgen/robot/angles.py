@@ -28,6 +28,7 @@ ROUGH = 2e-3  # how far 3.14 is from pi, nearly
 MOST_TURNS = 2  # an angle of more looks like degrees
 MOST_HALF_TURNS = 21  # unless it is so many half turns: some wrists make ten whole ones
 ROUNDED_PI = 3.14
+TYPED_TENTHS = 0.05  # half of the last digit of a number with one decimal
 TYPED = 6e-3  # how far a number of radians is from what is meant, with two decimals
 LARGEST_ANGLE = (
     1e4  # beyond, doubles are too coarse to distinguish a multiple of pi/12 from its neighbours
@@ -170,7 +171,8 @@ def is_half_turns(value: float) -> bool:
     """
     halves = round(value / math.pi)
     near = min(abs(value - halves * pi) for pi in (math.pi, ROUNDED_PI))
-    return abs(halves) <= MOST_HALF_TURNS and near < TYPED and not value.is_integer()
+    typed = TYPED_TENTHS if round(value, 1) == value else TYPED
+    return abs(halves) <= MOST_HALF_TURNS and near < typed and not value.is_integer()
 
 
 def degrees_text(number: Expression) -> str:

@@ -49,14 +49,29 @@ def test_two_solutions_of_the_cuspidal_arm_are_joined() -> None:
     assert pair[::-1] in joined
 
 
+@pytest.mark.parametrize(
+    ("limits", "more"),
+    [(", limits: [-3, 3]", ""), ("", "limits:\n  - {of: q2 + q3, from: -1, to: 1}\n")],
+)
+def test_nothing_is_said_where_limits_may_be_between(limits: str, more: str) -> None:
+    of = story("cuspidal_3r")
+    assert of.example is not None
+    links = (f"d: 0, a: {A1}, alpha: -pi/2", f"d: {D2}, a: {A2}, alpha: pi/2", f"d: 0, a: {A3}")
+    joints = "".join(f"  - {{theta: q, {cells}{limits}}}\n" for cells in links)
+    plain, limited = (
+        build_chain(load_text(f"name: arm\nsource: a test\ntask: position\njoints:\n{text}", "arm"))
+        for text in (joints.replace(limits, "") if limits else joints, joints + more)
+    )
+    assert joined_rows(plain, of.example.rows) is not None
+    assert joined_rows(limited, of.example.rows) is None
+
+
 HEAD = "name: arm\nsource: a test\njoints:\n"
 ELBOW = "  - {theta: q, d: 0.4, alpha: -pi/2}\n  - {theta: q, a: 0.4}\n  - {theta: q, a: 0.3}\n"
-LIMITED = ELBOW.replace("a: 0.3", "a: 0.3, limits: [-2, 2]")
 
 
-@pytest.mark.parametrize("joints", [ELBOW, LIMITED])
-def test_where_a_sign_tells_them_apart_they_are_not(joints: str) -> None:
+def test_where_a_sign_tells_them_apart_they_are_not() -> None:
     """An elbow: det J = -a2 a3 s3 (a2 c2 + a3 c23) has another sign in up and in down."""
-    chain = build_chain(load_text(f"{HEAD}{joints}task: position\n", "arm"))
+    chain = build_chain(load_text(f"{HEAD}{ELBOW}task: position\n", "arm"))
     rows = np.array([[0.3, -0.5, 1.1], [0.3, 0.2, -1.1]])
     assert joined_rows(chain, rows) is None

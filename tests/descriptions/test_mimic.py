@@ -218,7 +218,7 @@ def test_a_tool_that_rods_hold_is_the_end_of_its_arm() -> None:
         # no row can hold it
         (
             (KEPT.replace('"-1"', '"-0.5"').replace("fore", "upper"),),
-            "left out: l4 on l3, which follows upper (--tip l4 takes it)",
+            "left out: l4 on l3, which follows upper",
         ),
         # no joint of the arm moves it
         ((joint("claws", "l3", "l4", mimic='"other"'), joint("other", "l1", "l5")), "left out: l4"),
@@ -227,7 +227,27 @@ def test_a_tool_that_rods_hold_is_the_end_of_its_arm() -> None:
 def test_what_follows_the_arm_beside_its_end_is_left_out(more: tuple[str, ...], told: str) -> None:
     made = imported(*LEVEL, *more)
     assert made.chain.joints[-1].name == ("f" if "tool0" in "".join(more) else "fore")
-    assert any(note.startswith(told) for note in made.notes)
+    (note,) = (note for note in made.notes if note.startswith(told))
+    assert ("--tip" in note) == ('"-1"' in "".join(more))
+
+
+def test_followers_on_one_line_are_judged_together() -> None:
+    """Two that turn against each other are no row, halves that add up to one are."""
+    halves = [
+        joint(name, *links, f"xyz={x} 0 0", mimic=f'"fore" multiplier="{factor}"')
+        for factor in ("0.5", "-0.5")
+        for name, links, x in (("a", ("l3", "l4"), FORE), ("b", ("l4", "l5"), 0))
+    ]
+    a, b, _, against = halves
+    made = imported(*LEVEL, a, b)
+    assert made.chain.tip == "l5"
+    q = np.array([[0.0, 0.4, -0.9]])
+    np.testing.assert_allclose(forward(made.robot, q)[:, 2, 0], -np.sin([0.4 - 1.8]), atol=1e-12)
+    still = imported(*LEVEL, a, against)
+    assert still.chain.tip == "l3"
+    assert any("left out: l4" in note for note in still.notes)
+    with pytest.raises(RobotFileError, match="with those on its line it stands still"):
+        imported(*LEVEL, a, against, tip="l5")
 
 
 def test_an_arm_that_begins_with_what_follows_another_is_told_where_to_start() -> None:

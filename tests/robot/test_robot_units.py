@@ -173,7 +173,14 @@ def test_limits_in_degrees_are_a_mistake_even_of_one_joint(limits: str) -> None:
 
 @pytest.mark.parametrize(
     "limits",
-    ["[-62.83, 62.83]", "[-62.8, 62.8]", "[-31.4159, 31.4159]", "[-15.708, 15.71]", "[-1, 18.85]"],
+    [
+        "[-62.83, 62.83]",
+        "[-62.8, 62.8]",
+        "[-31.4159, 31.4159]",
+        "[-15.708, 15.71]",
+        "[-1, 18.85]",
+        "[-12.6, 18.8]",
+    ],
 )
 def test_limits_that_are_half_turns_are_radians(limits: str) -> None:
     """Ten turns of a wrist, or five: a note says it, and the arm is the one that is written."""

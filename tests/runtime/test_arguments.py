@@ -138,5 +138,9 @@ def test_several_poses_of_spatialmath_are_all_seen() -> None:
     two = Poses([np.eye(4), 2.0 * np.eye(4)])
     np.testing.assert_array_equal(numbers(two, (2, 4, 4), "T")[1], 2.0 * np.eye(4))
     assert numbers(Poses([np.eye(4)]), (4, 4), "T").shape == (4, 4)
+    several = numbers([two, Poses([3.0 * np.eye(4)])], (3, 4, 4), "T")
+    assert several[:, 0, 0].tolist() == [1.0, 2.0, 3.0]
+    with pytest.raises(ValueError, match="T holds no pose"):
+        numbers(Poses([]), (4, 4), "T")
     with pytest.raises(ValueError, match="ik_batch takes many poses"):
         array_of(two, (4, 4), "T")

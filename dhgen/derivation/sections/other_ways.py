@@ -53,11 +53,11 @@ def _what(step: Step) -> object:
 
 
 def _difference(step: Step, other: Step) -> str:
-    """What speaks against the other one: its values, its degenerate places, its length."""
-    if other.roots != step.roots:
+    """What speaks against the other one, of what the search weighs: values, then the equations."""
+    if other.roots > step.roots:
         return f"with {counted(other.roots, 'value')} instead of {numeral(step.roots)}"
-    if other.degenerate > step.degenerate:
-        return "which loses the angle at poses where this step does not"
-    if other.penalty > step.penalty:
+    if (other.unknowns, other.roots) == (step.unknowns, step.roots) and (
+        other.penalty > step.penalty
+    ):
         return "which is longer or worse conditioned"
-    return "with which all steps together are no shorter"
+    return "but no order that begins like this is rated better as a whole"

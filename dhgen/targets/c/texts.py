@@ -164,5 +164,6 @@ def _constant(constant: ConstantText, end: str) -> list[str]:
     if len(line) + len(constant.comment) + 7 <= WIDTH:
         return [f"{line} /* {constant.comment} */"]
     # the end of a comment has to fit, too
-    told = paragraph(f"{constant.comment} ##", f"{INDENT} * ").replace(" ##", "").rstrip()
+    mark = "###"  # as long as the end, which stays beside the last word
+    told = paragraph(f"{constant.comment}{mark}", f"{INDENT} * ").removesuffix(mark)
     return [f"{INDENT}/* {told} */", line]
