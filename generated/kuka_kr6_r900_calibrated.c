@@ -310,12 +310,12 @@ static const double
     near_k3 = 0.384225221238, /* near_a2^2 + (near_a3^2 + near_d4^2) [m^2] */
     near_turn1 = -1.6303303533892188, /* atan2(-near_k1, near_k2) [rad] */
     near_m1 = 8.560190953689999e-09, /* near_doubt_limit1^2 [m^2] */
-    /* 1000 * (near_longest3 - near_longest3_apart) * (near_longest3_apart - near_shortest3) [m^4]
-     * */
+    /* 1000 * (near_longest3 - near_longest3_apart) * (near_longest3_apart - near_shortest3)
+     * [m^4] */
     near_m3 = 1.2417915714465629e-11,
     near_m4 = 1.0986330807209672, /* near_k4 * (near_d4 * near_k1 + near_a3 * near_k2) [m^-1] */
-    /* near_a2 - near_d4 * near_k1 * near_k3 * near_k4 - near_a3 * near_k2 * near_k3 * near_k4 [m]
-     * */
+    /* near_a2 - near_d4 * near_k1 * near_k3 * near_k4 - near_a3 * near_k2 * near_k3 * near_k4
+     * [m] */
     near_m5 = 0.032988461500600814,
     near_m6 = 1.1860189164290886, /* near_a2 * near_k1 * near_k4 [m^-1] */
     near_m7 = 0.07069201936857687, /* -near_a2 * near_k2 * near_k4 [m^-1] */

@@ -54,9 +54,10 @@ def _matrix_of(values: Any, name: str) -> Any:  # noqa: ANN401
     Raises:
         ValueError: It is a rotation, which has no position.
     """
-    if isinstance(values, UserList) and values.data and np.shape(values.data[0]) == (4, 4):
-        poses = values.data  # spatialmath's: numpy would see the first pose alone
-        return poses[0] if len(poses) == 1 else poses
+    if isinstance(values, UserList):  # spatialmath's: numpy would see the first pose alone
+        return _poses_of(values, name)
+    if isinstance(values, (list, tuple)) and any(isinstance(each, UserList) for each in values):
+        return [pose for each in values for pose in _listed(_matrix_of(each, name))]
     if isinstance(values, (list, tuple)) and any(hasattr(each, "as_matrix") for each in values):
         return [_matrix_of(each, name) for each in values]
     if not hasattr(values, "as_matrix"):
@@ -66,6 +67,18 @@ def _matrix_of(values: Any, name: str) -> Any:  # noqa: ANN401
         told = f"put {name}.as_matrix() into the upper left of a matrix (4, 4)"
         raise ValueError(f"{name} is a rotation without a position: {told}")
     return matrix
+
+
+def _poses_of(values: UserList[Any], name: str) -> Any:  # noqa: ANN401
+    poses = values.data
+    if not poses:
+        raise ValueError(f"{name} holds no pose")
+    alone = len(poses) == 1 and np.shape(poses[0]) == (4, 4)
+    return poses[0] if alone else poses
+
+
+def _listed(poses: Any) -> Any:  # noqa: ANN401
+    return [poses] if np.ndim(poses) == 2 else poses
 
 
 def array_of(values: Any, shape: tuple[int, ...], name: str) -> FloatArray:  # noqa: ANN401
