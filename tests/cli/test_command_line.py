@@ -338,7 +338,7 @@ def test_a_full_disk_behind_what_is_said(tmp_path: Path) -> None:
         pytest.skip("no device that is full")
     (tmp_path / "wrong.yaml").write_text(WRONG)
     told = f"dhgen: {os.strerror(errno.ENOSPC)}: output\n"
-    done = in_shell(f"explain {PLANAR} >{full}", tmp_path)
+    done = in_shell(f"survey {PLANAR} --poses 1 >{full}", tmp_path)
     assert (done.returncode, done.stderr) == (1, told)
     done = in_shell(f"explain wrong.yaml 2>{full}", tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
