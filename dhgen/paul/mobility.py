@@ -9,7 +9,7 @@ concurrent).
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -163,7 +163,27 @@ def crowded_axes(chain: Chain) -> list[str]:
             if len(run) > 3 and run not in lines
         ),
         *(f"axes {_listed(run)} meet in one point" for run in _runs(meeting) if len(run) > 3),
+        *_crowded_slides(chain),
     ]
+
+
+def _crowded_slides(chain: Chain) -> list[str]:
+    """Slides without a turn between them, of which one goes where the others go: the smallest sets.
+
+    Two along one direction, or three in one plane.
+    """
+    directions, _ = numeric_arm(chain).axes(np.zeros(chain.dof))
+    slides = [j.number for j in chain.solved if j.kind is not JointKind.REVOLUTE]
+    for count, where in ((2, "along one direction"), (3, "in one plane")):
+        found = [
+            group
+            for group in combinations(slides, count)
+            if not any(chain.turning[group[0] - 1 : group[-1]])
+            and np.linalg.svd(directions[[n - 1 for n in group]])[1].min() < SAME_LINE
+        ]
+        if found:
+            return [f"joints {_listed(group)} slide {where}" for group in found]
+    return []
 
 
 def _apart(chain: Chain) -> dict[tuple[int, int], float]:

@@ -114,6 +114,27 @@ def test_a_pitch_is_proposed_where_level_axes_tilt_the_tool() -> None:
     assert derive(build_chain(table(*LEVEL, task="[x, y, z, pitch]"))).branches == 8
 
 
+TURNS = ("theta: q, d: 0.1, alpha: pi/2", "theta: q, alpha: pi/2", "theta: q, d: 0.1")
+
+
+@pytest.mark.parametrize(
+    ("slides", "said"),
+    [
+        (("d: q", "d: q, alpha: pi/2"), ["joints 1 and 2 slide along one direction"]),
+        (
+            ("d: q, alpha: pi/2", "d: q, alpha: pi/3", "d: q"),
+            ["joints 1, 2 and 3 slide in one plane"],  # twists about x: all are across it
+        ),
+        (("d: q, alpha: pi/2", "theta: pi/2, d: q, alpha: pi/2", "d: q"), []),
+        (("d: q, alpha: pi/2", "theta: q, alpha: -pi/2", "d: q"), []),  # a turn takes them apart
+    ],
+)
+def test_slides_that_leave_a_joint_too_many_are_the_reason(
+    slides: tuple[str, ...], said: list[str]
+) -> None:
+    assert crowded_axes(build_chain(table(*slides, *TURNS))) == said
+
+
 @pytest.mark.parametrize("third", ["theta: q, a: 0.2, alpha: pi/4", "theta: q + pi/7, a: 0.2"])
 def test_a_pitch_that_is_no_sum_of_angles_is_not_proposed(third: str) -> None:
     """Behind a twist the tool leaves the plane; the second arm keeps to it."""
