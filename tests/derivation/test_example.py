@@ -166,7 +166,7 @@ def polynomial_blocks(of: Story) -> list[Block]:
     return blocks[begin : begin + 5]
 
 
-QUARTICS = [name for name in NAMES if "type 9" in document(name)]
+QUARTICS = [name for name in NAMES if "— type 9" in document(name)]
 
 
 @pytest.mark.parametrize("name", QUARTICS)
