@@ -31,8 +31,8 @@ GAP = 300.0
 GAP_BELOW_LONG = 50.0
 LONG = 10.0  # m
 # In a file of mm what is shorter than the others by so much is in m, if it is no longer than these
-# then: 0.27 beside 302.
-LIKE_OTHERS = 100.0
+# then: 0.27 beside 302, 0.4 between 35 and 455.
+LIKE_OTHERS = 50.0
 # Neither arms of 100 m are built nor arms of less than 5 mm, but in micrometres.
 LONGEST = 100.0  # m
 SHORTEST = 5e-3  # m

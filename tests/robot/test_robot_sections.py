@@ -226,6 +226,7 @@ def test_lengths_that_may_be_out_of_proportion_are_a_doubt() -> None:
         (["d: 0.4", "a: 1.0", "d: 0.2"], "mm", "the longest length of this arm is 1 mm: write `un"),
         (["d: 400", "a: 1000", "d: 0"], "m", "the longest length of this arm is 1000 m: write `un"),
         (["d: 290", "a: 0.27", "a: 70"], "mm", "'0.27' is 1/259 of '70', and no length is"),
+        (["d: 0.4", "a: 455", "a: 35"], "mm", "'0.4' is 1/88 of '35', and no length is"),
         (["d: 290", "a: 0.8", "a: 110"], "mm", ""),  # 0.8 m would be longer than the others
         (["d: 0.00035", "a: 0.4", "d: 0.01"], "m", ""),  # an offset of Kinova's Gen3
         (["d: 400", "a: 1000", "d: 10"], "mm", ""),
