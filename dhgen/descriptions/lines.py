@@ -50,6 +50,14 @@ class Axis:
     shares: tuple[tuple[str, float], ...] = ()
     offset: float = 0.0
 
+    @property
+    def totals(self) -> dict[str, float]:
+        """The shares added up: of joints on one line several may follow the same one."""
+        found: dict[str, float] = {}
+        for name, factor in self.shares:
+            found[name] = found.get(name, 0.0) + factor
+        return found
+
 
 @dataclass(frozen=True, slots=True)
 class Arm:

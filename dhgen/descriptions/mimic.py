@@ -58,7 +58,7 @@ def _why_not(joint: Joint, axes: Sequence[Axis], places: dict[str, int]) -> str:
     other, factor = places.get(joint.mimics.joint), abs(joint.mimics.multiplier)
     own = places.get(joint.name)
     if own is not None:  # joints on one line are one row
-        factor = abs(sum(each for name, each in axes[own].shares if name == joint.mimics.joint))
+        factor = abs(axes[own].totals.get(joint.mimics.joint, 0.0))
     if other is None or not axes[other].joint.is_driven:
         return "which is no joint of this arm with a drive of its own"
     turns = joint.motion.turns

@@ -221,10 +221,7 @@ def _row(
 def _variable(row: Row, numbers: Mapping[str, int]) -> str:
     """What moves a row: q, -q, q - q2, -q3; what others move has their numbers."""
     text = ("-q" if row.sign < 0 else "q") if row.axis.joint.is_driven else ""
-    totals: dict[str, float] = {}
-    for name, factor in row.axis.shares:
-        totals[name] = totals.get(name, 0.0) + factor
-    for name, factor in totals.items():
+    for name, factor in row.axis.totals.items():
         signed = row.sign * factor
         if signed:
             mark = (" - " if signed < 0 else " + ") if text else "-" * (signed < 0)
