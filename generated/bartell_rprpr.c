@@ -109,7 +109,8 @@ static void solve(
     (void)moved;
     ENTRIES(double);
 
-    /* theta1, type 2: U1[2, 3] and, where that is degenerate, U1[3] x U1[4], element 2 */
+    /* theta1, type 2: U1[2, 3], so theta1 = atan2(T23, T13) or half a turn from it. Where both are
+     * small, U1[3] x U1[4], element 2 says more: its vector, along the same line, is added */
     const double v1 = T34 - d1;
     const double X2_1 = T23 * v1 - T24 * T33;
     const double Y2_1 = T13 * v1 - T33 * T14;

@@ -180,7 +180,8 @@ def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
 
-    # theta1, type 2: U1[2, 3] and, where that is degenerate, U1[3] x U1[4], element 2
+    # theta1, type 2: U1[2, 3], so theta1 = atan2(T23, T13) or half a turn from it. Where both are
+    # small, U1[3] x U1[4], element 2 says more: its vector, along the same line, is added
     v1 = T34 - d1
     X2_1 = T23 * v1 - T24 * T33
     Y2_1 = T13 * v1 - T33 * T14
@@ -261,7 +262,8 @@ def _formulas(kept, turns, rows, w):
         T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
         T31, T33, T34 = kept[8 * w + k], kept[10 * w + k], kept[11 * w + k]
 
-        # theta1, type 2: U1[2, 3] and, where that is degenerate, U1[3] x U1[4], element 2
+        # theta1, type 2: U1[2, 3], so theta1 = atan2(T23, T13) or half a turn from it. Where both
+        # are small, U1[3] x U1[4], element 2 says more: its vector, along the same line, is added
         v1 = T34 - d1
         X2_1 = v1 * T23 - T24 * T33
         Y2_1 = v1 * T13 - T33 * T14
@@ -333,7 +335,8 @@ def _formulas(kept, turns, rows, w):
         v9, angle1, angle2 = kept[20 * w + k], turns[0 * w + k], turns[1 * w + k]
         angle3 = turns[2 * w + k]
 
-        # theta1, type 2: U1[2, 3] and, where that is degenerate, U1[3] x U1[4], element 2
+        # theta1, type 2: U1[2, 3], so theta1 = atan2(T23, T13) or half a turn from it. Where both
+        # are small, U1[3] x U1[4], element 2 says more: its vector, along the same line, is added
         q1_m = angle1 - math.copysign(half_turn, Yhat1)
 
         # theta5, type 3: U1[2, 2] and U1[2, 1]

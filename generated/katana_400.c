@@ -139,7 +139,8 @@ static void solve(
     (void)moved;
     ENTRIES(double);
 
-    /* theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3] */
+    /* theta1, type 2: U1[3, 4], so theta1 = atan2(T24, T14) or half a turn from it. Where both are
+     * small, U1[3, 3] says more: its vector, along the same line, is added */
     const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23);
     const double Xhat1 = T14 + T13 * sigma1;
     const double Yhat1 = T24 + T23 * sigma1;

@@ -295,7 +295,8 @@ def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     _, _, T13, T14, _, _, T23, T24, _, _, T33, T34 = pose
 
-    # theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3]
+    # theta1, type 2: U1[3, 4], so theta1 = atan2(T24, T14) or half a turn from it. Where both are
+    # small, U1[3, 3] says more: its vector, along the same line, is added
     sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
     Xhat1 = T14 + T13 * sigma1
     Yhat1 = T24 + T23 * sigma1
@@ -410,7 +411,8 @@ def _formulas(kept, turns, rows, w):
         T13, T14, T23, T24 = kept[2 * w + k], kept[3 * w + k], kept[6 * w + k], kept[7 * w + k]
         T33, T34, given1 = kept[10 * w + k], kept[11 * w + k], kept[16 * w + k]
 
-        # theta1, type 2: U1[3, 4] and, where that is degenerate, U1[3, 3]
+        # theta1, type 2: U1[3, 4], so theta1 = atan2(T24, T14) or half a turn from it. Where both
+        # are small, U1[3, 3] says more: its vector, along the same line, is added
         sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
         Xhat1 = T14 + T13 * sigma1
         Yhat1 = T24 + T23 * sigma1

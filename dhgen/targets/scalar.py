@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 class ScalarLanguage(Dialect, Protocol):
     """The statements of a scalar language, each as its lines."""
 
-    def comment(self, text: str) -> str:
-        """A comment line."""
+    def comment(self, text: str, indent: str) -> str:
+        """A comment."""
         ...
 
     def lets(self, values: list[NamedText], indent: str) -> list[str]:
@@ -156,7 +156,7 @@ class _Printer:
         language = self._language
         match node:
             case Heading(text, detail):
-                return ["", indent + language.comment(f"{text}, {detail}" if detail else text)]
+                return ["", language.comment(f"{text}, {detail}" if detail else text, indent)]
             case Roots(axis, coefficients):
                 texts = [expression_text(each, language) for each in coefficients]
                 lines = _indented(language.roots(self._program.axes[axis], texts), indent)

@@ -7,12 +7,14 @@ import re
 import pytest
 
 from dhgen.derivation import alternatives_text
+from dhgen.derivation.notation.names import unknown_symbol
 from dhgen.derivation.sections.other_ways import other_way
+from dhgen.derivation.text.blocks import paragraph
 from dhgen.derivation.text.plain import plain
 from tests.derivation.stories import story
 from tests.derived import derived
 
-SAID = re.compile(r"Also possible: (\S+) from (.*), type (\d), (.*)\.")
+SAID = re.compile(r"Also possible(| instead of this step): (\S+) from (.*), type (\d), (.*)\.")
 
 
 def listed(name: str) -> list[list[str]]:
@@ -28,7 +30,11 @@ def test_it_is_listed_among_the_alternatives_and_not_taken(name: str) -> None:
         for block in other_way(of, number):
             found = SAID.fullmatch(" ".join(plain(block).split()))
             assert found is not None
-            unknown, places, kind, why = found.groups()
+            instead, unknown, places, kind, why = found.groups()
+            unknowns = [
+                plain(paragraph("{}", unknown_symbol(u))) for u in of.steps[number - 1].unknowns
+            ]
+            assert (unknown not in unknowns) == bool(instead)
             here = [line for line in lines[number - 1] if f"{unknown}: type {kind}," in line]
             parts = places.split(" and ")
             here = [line for line in here if all(part in line for part in parts)]

@@ -36,7 +36,8 @@ def other_way(story: Story, number: int) -> list[Block]:
     elements = joined([say("{}", element_of(origin)) for origin in other.origins])
     chosen = number <= len(story.robot.steps)
     why = "but the robot file chooses this step" if chosen else _difference(step, other)
-    text = f"Also possible: {{}} from {{}}, type {other.kind.number}, {why}."
+    place = "Also possible" if same else "Also possible instead of this step"
+    text = f"{place}: {{}} from {{}}, type {other.kind.number}, {why}."
     return [paragraph(text, unknowns, elements)]
 
 
@@ -60,4 +61,6 @@ def _difference(step: Step, other: Step) -> str:
         other.penalty > step.penalty
     ):
         return "which is longer or worse conditioned"
-    return "but no order that begins like this is rated better as a whole"
+    return (
+        "but a whole solution that begins so is rated no better (degenerate cases, values, length)"
+    )

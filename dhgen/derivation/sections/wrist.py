@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.matrices import link_matrix
-from dhgen.derivation.notation.names import product_of, single, target, theta
-from dhgen.derivation.text.blocks import display, joined, paragraph, say
-from dhgen.derivation.text.formula import Matrix, Symbol, equal
+from dhgen.derivation.notation.names import inverse, link, product_of, single, target, theta
+from dhgen.derivation.text.blocks import Given, display, joined, paragraph, say
+from dhgen.derivation.text.formula import Matrix, Product, Symbol, equal
 from dhgen.kinematics.transform import compose
 from dhgen.robot.task import TaskKind
 
@@ -57,7 +57,19 @@ def wrist_blocks(story: Story, number: int) -> list[Block]:
             equal(target(m), product_of(wrist)),
         ),
         display(equal(rotation, Matrix(tuple(entries)))),
+        *_turned(story, number, wrist[0]),
     ]
+
+
+def _turned(story: Story, number: int, first: int) -> list[Block]:
+    """Which matrix the step reads, where that is the one of the wrist without its first joint."""
+    taken = (first, story.dof, False, False)
+    if any(origin.matrix != taken for origin in story.steps[number - 1].origins):
+        return []
+    before = Product((inverse(link(first)), target(first - 1)))
+    form = equal(target(first), before, product_of(range(first + 1, story.dof + 1)))
+    text = "Step {} reads {}: the same, with {} taken to the known side."
+    return [paragraph(text, Given(str(number)), form, _symbol(story, first))]
 
 
 def _knows(story: Story, state: Knowledge, joint: int) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial, reduce
 from typing import TYPE_CHECKING, Literal
 
@@ -9,6 +10,7 @@ from dhgen.program.building.graph import Graph
 from dhgen.program.building.schedule import Mark, Names, scheduled
 from dhgen.program.ir import Integer, Joint, Variable
 from dhgen.program.reserved import NOTHING, Reserved
+from dhgen.program.text import expression_text
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -201,6 +203,20 @@ class Builder(Graph):
     def heading(self, text: str, detail: str = "") -> None:
         """A step begins; the detail is for the first time it is named."""
         self._marks.append(Mark(len(self.entries), heading=text, detail=detail))
+
+    def explain(self, more: str) -> None:
+        """Something more for the detail of the heading that was given last."""
+        last = max(k for k, mark in enumerate(self._marks) if mark.heading is not None)
+        detail = f"{self._marks[last].detail}, {more}"
+        self._marks[last] = replace(self._marks[last], detail=detail)
+
+    def spelled(self, node: Node, wanted: str) -> str:
+        """How a value reads in a comment: as the number that is given, or by its name."""
+        leaf = self.entries[node].leaf
+        if leaf is not None:
+            return expression_text(leaf)
+        self.name(node, wanted)
+        return self._names[node]
 
     def guard(
         self,

@@ -129,8 +129,6 @@ def _unknowns(step: Step) -> str:
 def _source(step: Step) -> str:
     """The type, and the places of its equations."""
     places = " and ".join(origin.name for origin in step.origins)
-    if step.fallback is not None:
-        places += f" and, where that is degenerate, {step.fallback.origins[0].name}"
     return f"type {step.kind.number}: {places}"
 
 

@@ -60,9 +60,9 @@ class C:
         """A conditional expression."""
         return f"{condition} ? {yes} : {no}"
 
-    def comment(self, text: str) -> str:
-        """A comment line."""
-        return f"/* {text} */"
+    def comment(self, text: str, indent: str) -> str:
+        """A comment, which the last stage lays out in lines."""
+        return f"{indent}/* {text} */"
 
     def lets(self, values: list[NamedText], indent: str) -> list[str]:
         """Constant locals."""

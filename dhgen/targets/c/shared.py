@@ -129,7 +129,7 @@ def _values(body: Sequence[Statement], told: dict[str, Declaration]) -> list[str
             values.append(told[statement.name])
         elif isinstance(statement, Heading):
             if values:
-                lines += [INDENT + C().comment(heading)] if heading else []
+                lines += [C().comment(heading, INDENT)] if heading else []
                 lines += dense(values, INDENT, WIDTH - len(GOES_ON))
             heading, values = statement.text, []
     return lines

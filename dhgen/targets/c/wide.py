@@ -58,13 +58,13 @@ def lets(statements: Iterable[Statement], text: LaneText, indent: str = INDENT) 
     sections: list[tuple[str, list[Declaration]]] = [("", [])]
     for statement in statements:
         if isinstance(statement, Heading):
-            sections.append((C().comment(statement.text), []))
+            sections.append((C().comment(statement.text, indent), []))
         elif isinstance(statement, Let):
             sections[-1][1].append(text.let(statement))
     lines: list[str] = []
     for heading, values in sections:
         if heading and values:
-            lines += ["", indent + heading]
+            lines += ["", heading]
         lines += dense(values, indent)
     return lines
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from dhgen.program.ir import Heading, Joint, Let, Pose, Variable
 from dhgen.program.walk import names_in, parts
 from dhgen.targets.dialect import expression_text
-from dhgen.targets.layout import INDENT, WIDTH
+from dhgen.targets.layout import INDENT, WIDTH, paragraph
 from dhgen.targets.python.language import Python
 from dhgen.targets.stages import staged
 
@@ -129,7 +129,7 @@ class _Printing:
         for let in stage.lets:
             if self._titles.get(let.name, title) != title:
                 title = self._titles[let.name]
-                lines += ["", f"{LOOP}# {title}"]
+                lines += ["", f"{LOOP}# {paragraph(title, f'{LOOP}# ')}"]
             lines += _assigned(let.name, expression_text(let.expression, self._language))
         if self._doubts[number]:
             lines += ["", f"{LOOP}# {self._reason()}"]

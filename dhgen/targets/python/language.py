@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.layout import WIDTH, wrapped
+from dhgen.targets.layout import WIDTH, paragraph, wrapped
 from dhgen.targets.scalar import close_name, close_texts, output_texts, row_text
 
 if TYPE_CHECKING:
@@ -59,9 +59,9 @@ class Python:
         """A conditional expression."""
         return f"{yes} if {condition} else {no}"
 
-    def comment(self, text: str) -> str:
-        """A comment line."""
-        return f"# {text}"
+    def comment(self, text: str, indent: str) -> str:
+        """A comment, in as many lines as it needs."""
+        return f"{indent}# {paragraph(text, f'{indent}# ')}"
 
     def lets(self, values: list[NamedText], indent: str) -> list[str]:
         """Assignments."""

@@ -117,7 +117,10 @@ def _lower_homogeneous(
     """Type 2 with Z = 0: the angle of a vector or its opposite, always solvable."""
     angle = step.angle
     builder = context.builder
-    x, y = vector if step.fallback is None else _lengthened(context, vector, step.fallback, degree)
+    x, y = vector
+    if step.fallback is not None:
+        builder.explain(_plain_formula(context, step, step.fallback, vector))
+        x, y = _lengthened(context, vector, step.fallback, degree)
     square = builder.add(builder.square(x), builder.square(y))
     length = builder.name(builder.apply("sqrt", square), f"w{angle.suffix}")
     free = is_short(context, length, degree, f"free{angle.suffix}")
@@ -134,6 +137,21 @@ def _lower_homogeneous(
     if step.fallback is None:
         root = builder.hint(builder.mul(sign, length), f"root{angle.suffix}")
         remember(context, step, angle, builder.integer(0), root)
+
+
+def _plain_formula(context: Lowering, step: Step, second: Step, vector: tuple[Node, Node]) -> str:
+    """What the first equation alone says, which a reader looks for, and then what protects it."""
+    builder = context.builder
+    opposite = [builder.entries[each].operator == "neg" for each in vector]
+    x, y = (
+        builder.spelled(builder.neg(each) if minus else each, f"{letter}{step.angle.suffix}")
+        for letter, each, minus in zip("XY", vector, opposite, strict=True)
+    )
+    x = x if opposite[0] != opposite[1] else f"-{x}"
+    return (
+        f"so theta{step.angle.suffix} = atan2({y}, {x}) or half a turn from it. Where both are "
+        f"small, {second.origins[0].name} says more: its vector, along the same line, is added"
+    )
 
 
 def _lengthened(
