@@ -284,11 +284,10 @@ SHARED = {
         },
     ),
     solutions: (
-        "NEIGHBOURS STEPS_ASIDE FEELER FELT",
+        "NEIGHBOURS STEPS_ASIDE FEELER FELT TIE",
         {
             "STAYING_PART": "STAYS",
             "SINGULAR_LENGTH": "SINGULAR",
-            "ROW_TIE": "TIE",
         },
     ),
     family: (

@@ -112,7 +112,7 @@ IN_DESCENTS = {
     "SINGULAR_LENGTH": solutions.SINGULAR,
     "FEELER": solutions.FEELER,
     "FELT": solutions.FELT,
-    "ROW_TIE": solutions.TIE,
+    "TIE": solutions.TIE,
     "SLOWEST_REGULAR": pairs.SLOWEST_REGULAR,
     "STILL": pairs.STILL,
     "BEND_STEP": pairs.BEND_STEP,
@@ -149,7 +149,7 @@ def test_completed_rows_are_alike_in_python() -> None:
 def test_descents_are_alike_in_python() -> None:
     files = c_runtime_files()
     found = table(DOUBLE)
-    for name in ("descent", "pull", "solutions", "family", "keep", "pairs"):
+    for name in ("arm", "descent", "pull", "solutions", "family", "keep", "pairs"):
         found |= defined(files[f"dhgen/numerical/{name}.h"])
     assert {name: found[name] for name in IN_DESCENTS} == pytest.approx(IN_DESCENTS, abs=0.0)
     turns_in_c = [found[f"ANY_TURN_{axis}"] for axis in "XYZ"]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
-from ..numerical.solutions import TIE
+from ..numerical.solutions import TIE, order_of
 from ..tolerances import EXACT
 from .attempts import try_closed_form, try_formulation
 from .candidates import PLACES, count_singular, in_loop, keep_solution, offer, rank
@@ -128,7 +128,7 @@ def _from_anywhere(
 
 
 @inner
-def _comes_before(q: Floats, ranks: Ints, i: int, j: int) -> bool:
+def _comes_before(arm: Floats, q: Floats, ranks: Ints, i: int, j: int) -> bool:
     """Whether solution i comes before solution j.
 
     By rank, then by the first angle, angles that agree to rounding by the next.
@@ -136,18 +136,20 @@ def _comes_before(q: Floats, ranks: Ints, i: int, j: int) -> bool:
     if ranks[i] != ranks[j]:
         return bool(ranks[i] < ranks[j])
     for k in range(6):
-        if abs(q[i, k] - q[j, k]) > TIE:
-            return bool(q[i, k] < q[j, k])
+        turns = arm[SLIDES + k] == 0.0
+        gap = order_of(q[i, k], turns) - order_of(q[j, k], turns)
+        if abs(gap) > TIE:
+            return bool(gap < 0.0)
     return False
 
 
 @inner
-def _in_order(q: Floats, ranks: Ints, count: int) -> Ints:
+def _in_order(arm: Floats, q: Floats, ranks: Ints, count: int) -> Ints:
     """Returns the places of solutions in their order."""
     order = np.empty(PLACES, dtype=np.int64)
     for i in range(count):
         j = i
-        while j > 0 and _comes_before(q, ranks, i, order[j - 1]):
+        while j > 0 and _comes_before(arm, q, ranks, i, order[j - 1]):
             order[j] = order[j - 1]
             j -= 1
         order[j] = i
@@ -219,7 +221,7 @@ def solve_loop(
         count = _from_anywhere(arm, loop, found, missing, marks, count)
     regular = count_singular(marks) == 0 and doubles_met[0] == 0
     rank(arm, found, marks, count)
-    order = _in_order(found, marks, count)
+    order = _in_order(arm, found, marks, count)
     certified = certified and count <= most
     members = 0
     for i in range(count):

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..jit import of_file
+from ..turns import TURN
 from .descent import (
     FLOOR,
     SOLUTION,
@@ -22,8 +24,12 @@ from .goal import GOAL, take_units
 from .places import (
     CHECKED,
     EQUATIONS,
+    PLACE,
+    RECORD,
     RESIDUAL,
     SOLVED,
+    TURNS,
+    UNIT,
 )
 
 if TYPE_CHECKING:
@@ -58,7 +64,10 @@ FEELER = 0.05  # how far a continuum is looked for in that direction [rad, arm s
 FELT = 0.01  # how far from where it began, and from the other side, a solution must then be
 # Solutions that are still to be kept, and which of them a walk along a continuum came by.
 AHEAD = "Tuple((float64[:, ::1], boolean[::1]))"
-TIE = 1e-9  # values closer than this don't decide which of two rows comes first [rad or length]
+# Values closer than this don't decide which of two rows comes first [rad, arm sizes], and an angle
+# as close to -pi comes where pi does: where solutions meet they are known to 1e-8, and rounding,
+# which differs between machines, decides the rest.
+TIE = 1e-6
 
 
 @apart(f"float64(float64[::1], {GOAL}, float64[::1], float64[::1])")
@@ -193,11 +202,20 @@ def pass_by(arm: Floats, goal: Goal, q: Floats, member: Floats, ahead: Ahead) ->
 
 
 @inner
-def _comes_before(a: Floats, b: Floats) -> bool:
+def order_of(value: float, turns: bool) -> float:
+    """A joint value as it counts where rows are put in order."""
+    return value + TURN if turns and value < TIE - math.pi else value
+
+
+@inner
+def _comes_before(arm: Floats, a: Floats, b: Floats) -> bool:
     """Whether a row of joint values comes before another."""
-    for i in range(len(a)):
-        if abs(a[i] - b[i]) > TIE:
-            return bool(a[i] < b[i])
+    for j in range(int(arm[SOLVED])):
+        at = RECORD * j
+        place, turns = int(arm[PLACE + at]), arm[TURNS + at] > 0.0
+        gap = order_of(a[place], turns) - order_of(b[place], turns)
+        if abs(gap) > TIE * arm[UNIT + at]:
+            return bool(gap < 0.0)
     return False
 
 
@@ -219,7 +237,7 @@ def sort_rows(
     for k in range(count):
         row = k
         take_units(arm, kept[k], joints)
-        while row > 0 and _comes_before(joints, q[row - 1]):
+        while row > 0 and _comes_before(arm, joints, q[row - 1]):
             take(q[row], q[row - 1])
             chosen[row] = chosen[row - 1]
             row -= 1

@@ -22,9 +22,10 @@ from ..refine import copy_row
 from ..retry import TASK
 from ..status import CLOSE, OK, UNREACHABLE
 from ..tolerances import TOGETHER
-from .goal import GOAL, goal_of
+from .goal import GOAL, goal_of, in_units
 from .other_values import add_other_values
 from .refine_rows import ROW_STEPS, SURE, approach, empty_row, exactness, rows_apart
+from .solutions import is_same
 
 if TYPE_CHECKING:
     from ..arrays import Bytes, Floats
@@ -62,18 +63,30 @@ def is_solution(descents: Floats, goal: Goal, steps: int, exact: float, q: Float
 
 
 @inner
-def is_new(descents: Floats, known: Floats, count: int, q: Floats) -> bool:
+def are_one(descents: Floats, goal: Goal, q: Floats, other: Floats) -> bool:
+    """Whether two solutions are one.
+
+    Two that nearly meet are next to each other, too, but between them the pose is missed.
+    """
+    if rows_apart(descents, q, other) >= TOGETHER:
+        return False
+    u, v = in_units(descents, q), in_units(descents, other)
+    return bool(is_same(descents, goal, q.copy(), u, v, True))
+
+
+@inner
+def is_new(descents: Floats, goal: Goal, known: Floats, count: int, q: Floats) -> bool:
     """Whether a solution is none of the first that are known."""
     new = True
     for k in range(count):
-        new = new and rows_apart(descents, known[k], q) >= TOGETHER
+        new = new and not are_one(descents, goal, known[k], q)
     return new
 
 
 @inner
-def add_known(descents: Floats, known: Floats, count: int, q: Floats) -> int:
+def add_known(descents: Floats, goal: Goal, known: Floats, count: int, q: Floats) -> int:
     """Puts a solution behind those that are known, unless it is one of them; how many there are."""
-    if not is_new(descents, known, count, q):
+    if not is_new(descents, goal, known, count, q):
         return count
     copy_row(q, known[count])
     return count + 1
@@ -100,7 +113,7 @@ def leads_elsewhere(
         return False
     copy_row(q[row], end)
     solves = is_solution(descents, goal, ROW_STEPS, exact, end)
-    return solves and is_new(descents, solutions, others, end)
+    return solves and is_new(descents, goal, solutions, others, end)
 
 
 @inner
@@ -135,7 +148,7 @@ def find_first(task: Task, goal: Goal, known: Known, row: int, end: Floats) -> b
     """
     descents, (exact, _, solutions, others) = descents_of(task[0]), known
     solves = is_solution(descents, goal, ROW_STEPS, exact, end)
-    if solves and is_new(descents, solutions, others, end):
+    if solves and is_new(descents, goal, solutions, others, end):
         return True
     for power in range(FIRST_POWER, LAST_POWER + 1, POWER_STEP):
         for side in (1.0, -1.0):
@@ -163,8 +176,8 @@ def find_other(
     for part in ACROSS:
         if not leads_elsewhere(task, goal, known, part * off, row, other):
             continue
-        if rows_apart(descents, end, other) >= TOGETHER:
-            return add_known(descents, solutions, count, other)
+        if not are_one(descents, goal, end, other):
+            return add_known(descents, goal, solutions, count, other)
     return count
 
 
@@ -203,7 +216,7 @@ def _split_rows(task: Task, seed: Floats, q: Floats, status: Bytes) -> None:
             doubtful[row] = 0
             continue
         status[row] = UNREACHABLE
-        count = add_known(descents, solutions, count, ends[row])
+        count = add_known(descents, goal, solutions, count, ends[row])
         off[row] = root_between(arm, own[row], ends[row])
         count = find_other(task, goal, known, count, row, off[row], ends[row])
     place_solutions(descents, known, count, q, status)

@@ -27,7 +27,7 @@ extern "C" {
  * T: row by row. q, residual: room for DHGEN_PLACES rows. nearby, nearby_count: joint values with
  * one solution near each and no other one, as dhgen_near_solutions has them, or none where that is
  * not known. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1 agree
- * to DHGEN_ORDER_TIE in the order of q2, and so on, singular ones and nearly singular ones last.
+ * to DHGEN_TIE in the order of q2, and so on, singular ones and nearly singular ones last.
  * residual: by how much the loop stays open, in radians and arm sizes. Returns how many; -1 - count
  * when it is not certain that these are all: for want of a certificate of its own (where every
  * polynomial vanishes identically there may be a continuum, which poses close by do not have), or

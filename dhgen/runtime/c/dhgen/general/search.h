@@ -25,8 +25,6 @@
 #define DHGEN_BATCHES 16
 /* Singular solutions closer than this may be one, which their last digits show [rad, arm sizes]. */
 #define DHGEN_SINGULAR_TOGETHER 0.001
-/* Values closer than this don't decide which of two solutions comes first [rad, arm sizes]. */
-#define DHGEN_ORDER_TIE 1e-09
 
 /* From a pose to poses close by, for those at which the formulations fail: where roots crowd, they
  * come apart only at some distance. */
@@ -185,15 +183,18 @@ DHGEN_FN void dhgen_rank(
 
 /* Whether solution i comes before solution j: by rank, then by the first angle, angles that agree
  * to rounding by the next. */
-DHGEN_FN int dhgen_precedes(const dhgen_found *found, const int *rank, int i, int j)
+DHGEN_FN int dhgen_precedes(
+    const dhgen_general_arm *arm, const dhgen_found *found, const int *rank, int i, int j)
 {
     const double *const a = found->q[i], *const b = found->q[j];
     if (rank[i] != rank[j]) {
         return rank[i] < rank[j];
     }
     for (int k = 0; k < 6; k++) {
-        if (fabs(a[k] - b[k]) > DHGEN_ORDER_TIE) {
-            return a[k] < b[k];
+        const int turns = !dhgen_is_slide(arm, k);
+        const double gap = dhgen_order_of(a[k], turns) - dhgen_order_of(b[k], turns);
+        if (fabs(gap) > DHGEN_TIE) {
+            return gap < 0.0;
         }
     }
     return 0;
@@ -220,7 +221,7 @@ DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double
     dhgen_rank(arm, &found, rank);
     for (int i = 0; i < found.count; i++) {
         int j = i;
-        for (; j > 0 && dhgen_precedes(&found, rank, i, order[j - 1]); j--) {
+        for (; j > 0 && dhgen_precedes(arm, &found, rank, i, order[j - 1]); j--) {
             order[j] = order[j - 1];
         }
         order[j] = i;

@@ -8,6 +8,10 @@
 
 /* Equations, at most. */
 #define DHGEN_MOST_EQUATIONS 7
+/* Values closer than this don't decide which of two rows comes first [rad, arm sizes], and an angle
+ * as close to -pi comes where pi does: where solutions meet they are known to 1e-8, and rounding,
+ * which differs between machines, decides the rest. */
+#define DHGEN_TIE 1e-06
 
 /* Drives of which one moves more than its own joint. */
 struct dhgen_drives {
@@ -48,5 +52,11 @@ struct dhgen_numerical_arm {
         const double *T, const double *free_joints, const double *q, double *off);
     const struct dhgen_drives *drives; /* 0 where every drive moves its own joint alone */
 };
+
+/* A joint value as it counts where rows are put in order. */
+DHGEN_INLINE double dhgen_order_of(double value, int turns)
+{
+    return turns && value < DHGEN_TIE - DHGEN_HALF_TURN ? value + DHGEN_TURN : value;
+}
 
 #endif

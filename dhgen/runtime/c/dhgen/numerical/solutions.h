@@ -22,8 +22,6 @@
 #define DHGEN_SAME_BETWEEN 1e-13
 #define DHGEN_NEXT_TO 1e-05
 #define DHGEN_SAME_NEXT_TO 1e-12
-/* Values closer than this don't decide which of two rows comes first [rad or length]. */
-#define DHGEN_ROW_TIE 1e-09
 
 /* As many solutions as a general arm's algorithm offers at most, the seed's, and those of the
  * starts beside them. */
@@ -162,9 +160,12 @@ DHGEN_FN void dhgen_pass_by(
 DHGEN_FN int dhgen_row_precedes(
     const struct dhgen_numerical_arm *arm, const double *a, const double *b)
 {
-    for (int i = 0; i < dhgen_dof(arm); i++)
-        if (fabs(a[i] - b[i]) > DHGEN_ROW_TIE)
-            return a[i] < b[i];
+    for (int j = 0; j < arm->solved; j++) {
+        const int i = arm->joint[j], turns = arm->turning[j];
+        const double gap = dhgen_order_of(a[i], turns) - dhgen_order_of(b[i], turns);
+        if (fabs(gap) > DHGEN_TIE * arm->unit[j])
+            return gap < 0.0;
+    }
     return 0;
 }
 

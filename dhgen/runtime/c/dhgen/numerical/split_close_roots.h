@@ -9,6 +9,7 @@
 
 #include "other_values.h"
 #include "refine_rows.h"
+#include "solutions.h"
 
 /* How far a seed is turned so that no close root takes its value [rad]: beyond a right angle, where
  * the hidden root is, and no part of a turn, where others are at home poses. */
@@ -44,11 +45,26 @@ DHGEN_FN int dhgen_is_solution(struct dhgen_descent *d, int steps, double exact,
     return dhgen_approach(d, steps, exact, q, &ahead) <= exact && ahead <= DHGEN_SURE;
 }
 
+/* Whether two solutions are one. Two that nearly meet are next to each other, too, but between them
+ * the pose is missed. */
+DHGEN_FN int dhgen_are_one(struct dhgen_close_rows *rows, const double *q, const double *other)
+{
+    const struct dhgen_numerical_arm *const arm = rows->d.arm;
+    double u[2][DHGEN_JOINTS];
+    if (dhgen_rows_apart(arm, q, other) >= DHGEN_TOGETHER)
+        return 0;
+    for (int j = 0; j < arm->solved; j++) {
+        u[0][j] = q[arm->joint[j]] / arm->unit[j];
+        u[1][j] = other[arm->joint[j]] / arm->unit[j];
+    }
+    return dhgen_is_same(&rows->d, u[0], u[1], 1);
+}
+
 /* Whether a solution is none of the first that are known. */
-DHGEN_FN int dhgen_is_new(const struct dhgen_close_rows *rows, int count, const double *q)
+DHGEN_FN int dhgen_is_new(struct dhgen_close_rows *rows, int count, const double *q)
 {
     for (int k = 0; k < count; k++)
-        if (dhgen_rows_apart(rows->d.arm, rows->known[k], q) < DHGEN_TOGETHER)
+        if (dhgen_are_one(rows, rows->known[k], q))
             return 0;
     return 1;
 }
@@ -139,7 +155,7 @@ DHGEN_FN void dhgen_split_row(
     rows->off[row] = off = dhgen_wrap(off);
     for (int k = 0; k < 5; k++) {
         if (!dhgen_leads_elsewhere(rows, dhgen_across[k] * off, row, other)
-            || dhgen_rows_apart(rows->d.arm, end, other) < DHGEN_TOGETHER)
+            || dhgen_are_one(rows, end, other))
             continue;
         dhgen_add_known(rows, other);
         break;
