@@ -181,23 +181,24 @@ DHGEN_FN void dhgen_rank(
     }
 }
 
-/* Whether solution i comes before solution j: by rank, then by the first angle, angles that agree
- * to rounding by the next. */
-DHGEN_FN int dhgen_precedes(
-    const dhgen_general_arm *arm, const dhgen_found *found, const int *rank, int i, int j)
+/* The places of solutions in their order: by rank, then by the first angle, angles that agree to
+ * rounding by the next. */
+DHGEN_FN void dhgen_put_in_order(
+    const dhgen_general_arm *arm, const dhgen_found *found, const int *rank, int *order)
 {
-    const double *const a = found->q[i], *const b = found->q[j];
-    if (rank[i] != rank[j]) {
-        return rank[i] < rank[j];
+    double value[DHGEN_PLACES] = { 0.0 };
+    unsigned char first[DHGEN_PLACES] = { 0 };
+    for (int i = 0; i < found->count; i++) {
+        order[i] = i;
+        value[i] = rank[i];
     }
-    for (int k = 0; k < 6; k++) {
-        const int turns = !dhgen_is_slide(arm, k);
-        const double gap = dhgen_order_of(a[k], turns) - dhgen_order_of(b[k], turns);
-        if (fabs(gap) > DHGEN_TIE) {
-            return gap < 0.0;
+    int single = dhgen_order_blocks(value, 0.0, found->count, order, first);
+    for (int k = 0; k < 6 && !single; k++) {
+        for (int i = 0; i < found->count; i++) {
+            value[i] = dhgen_order_of(found->q[i][k], !dhgen_is_slide(arm, k));
         }
+        single = dhgen_order_blocks(value, DHGEN_TIE, found->count, order, first);
     }
-    return 0;
 }
 
 DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double T[16],
@@ -219,13 +220,7 @@ DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double
         dhgen_search_everywhere(loop, &found);
     }
     dhgen_rank(arm, &found, rank);
-    for (int i = 0; i < found.count; i++) {
-        int j = i;
-        for (; j > 0 && dhgen_precedes(arm, &found, rank, i, order[j - 1]); j--) {
-            order[j] = order[j - 1];
-        }
-        order[j] = i;
-    }
+    dhgen_put_in_order(arm, &found, rank, order);
     for (int i = 0; i < found.count; i++) {
         members += rank[i] < 2;
     }

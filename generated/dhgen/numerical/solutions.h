@@ -156,19 +156,6 @@ DHGEN_FN void dhgen_pass_by(
             ahead->passed[k] = dhgen_is_same(d, member, ahead->u[k], 1);
 }
 
-/* Whether a row of joint values comes before another. */
-DHGEN_FN int dhgen_row_precedes(
-    const struct dhgen_numerical_arm *arm, const double *a, const double *b)
-{
-    for (int j = 0; j < arm->solved; j++) {
-        const int i = arm->joint[j], turns = arm->turning[j];
-        const double gap = dhgen_order_of(a[i], turns) - dhgen_order_of(b[i], turns);
-        if (fabs(gap) > DHGEN_TIE * arm->unit[j])
-            return gap < 0.0;
-    }
-    return 0;
-}
-
 /* Rows of joint values by the first joint, then by the second and so on; which rows there are, and
  * which were chosen from a continuum. */
 DHGEN_FN void dhgen_sort_rows(
@@ -176,21 +163,25 @@ DHGEN_FN void dhgen_sort_rows(
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
     const int dof = dhgen_dof(arm);
+    int order[DHGEN_BRANCHES], single = kept->count < 2;
+    unsigned char first[DHGEN_BRANCHES] = { 0 };
+    for (int k = 0; k < kept->count; k++)
+        order[k] = k;
+    for (int j = 0; j < arm->solved && !single; j++) {
+        double value[DHGEN_BRANCHES];
+        for (int k = 0; k < kept->count; k++)
+            value[k] = dhgen_order_of(kept->u[k][j], arm->turning[j]);
+        single = dhgen_order_blocks(value, DHGEN_TIE, kept->count, order, first);
+    }
     for (int row = 0; row < dhgen_rows(arm); row++)
         found[row] = chosen[row] = 0;
-    for (int k = 0; k < kept->count; k++) {
-        int row = k;
+    for (int row = 0; row < kept->count; row++) {
         for (int j = 0; j < arm->solved; j++)
-            d->q[arm->joint[j]] = arm->unit[j] * kept->u[k][j];
-        for (; row > 0 && dhgen_row_precedes(arm, d->q, q + dof * (row - 1)); row--) {
-            chosen[row] = chosen[row - 1];
-            for (int i = 0; i < dof; i++)
-                q[dof * row + i] = q[dof * (row - 1) + i];
-        }
-        found[k] = 1;
-        chosen[row] = kept->chosen[k];
+            d->q[arm->joint[j]] = arm->unit[j] * kept->u[order[row]][j];
         for (int i = 0; i < dof; i++)
             q[dof * row + i] = d->q[i];
+        found[row] = 1;
+        chosen[row] = kept->chosen[order[row]];
     }
 }
 

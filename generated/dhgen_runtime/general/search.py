@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
-from ..numerical.solutions import TIE, order_of
+from ..numerical.solutions import TIE, order_blocks, order_of
 from ..tolerances import EXACT
 from .attempts import try_closed_form, try_formulation
 from .candidates import PLACES, count_singular, in_loop, keep_solution, offer, rank
@@ -128,31 +128,20 @@ def _from_anywhere(
 
 
 @inner
-def _comes_before(arm: Floats, q: Floats, ranks: Ints, i: int, j: int) -> bool:
-    """Whether solution i comes before solution j.
+def _in_order(arm: Floats, q: Floats, ranks: Ints, count: int) -> Ints:
+    """Returns the places of solutions in their order.
 
     By rank, then by the first angle, angles that agree to rounding by the next.
     """
-    if ranks[i] != ranks[j]:
-        return bool(ranks[i] < ranks[j])
-    for k in range(6):
-        turns = arm[SLIDES + k] == 0.0
-        gap = order_of(q[i, k], turns) - order_of(q[j, k], turns)
-        if abs(gap) > TIE:
-            return bool(gap < 0.0)
-    return False
-
-
-@inner
-def _in_order(arm: Floats, q: Floats, ranks: Ints, count: int) -> Ints:
-    """Returns the places of solutions in their order."""
-    order = np.empty(PLACES, dtype=np.int64)
+    order, first, value = np.empty(PLACES, np.int64), np.zeros(PLACES, np.bool_), np.empty(PLACES)
     for i in range(count):
-        j = i
-        while j > 0 and _comes_before(arm, q, ranks, i, order[j - 1]):
-            order[j] = order[j - 1]
-            j -= 1
-        order[j] = i
+        order[i], value[i] = i, ranks[i]
+    single = order_blocks(value, 0.0, count, order, first)
+    for k in range(6):
+        if not single:
+            for i in range(count):
+                value[i] = order_of(q[i, k], arm[SLIDES + k] == 0.0)
+            single = order_blocks(value, TIE, count, order, first)
     return order
 
 

@@ -24,12 +24,10 @@ from .goal import GOAL, take_units
 from .places import (
     CHECKED,
     EQUATIONS,
-    PLACE,
     RECORD,
     RESIDUAL,
     SOLVED,
     TURNS,
-    UNIT,
 )
 
 if TYPE_CHECKING:
@@ -208,15 +206,23 @@ def order_of(value: float, turns: bool) -> float:
 
 
 @inner
-def _comes_before(arm: Floats, a: Floats, b: Floats) -> bool:
-    """Whether a row of joint values comes before another."""
-    for j in range(int(arm[SOLVED])):
-        at = RECORD * j
-        place, turns = int(arm[PLACE + at]), arm[TURNS + at] > 0.0
-        gap = order_of(a[place], turns) - order_of(b[place], turns)
-        if abs(gap) > TIE * arm[UNIT + at]:
-            return bool(gap < 0.0)
-    return False
+def order_blocks(value: Floats, tie: float, count: int, order: Ints, first: Bools) -> bool:
+    """Puts rows in order by one value more; returns whether each row is a block by now.
+
+    `order` holds their places, and `first` says which of them begin a block: those of a block agree
+    so far. They are sorted by the value, and the block ends wherever it rises by more than `tie`.
+    """
+    for i in range(1, count):
+        row, place = order[i], i
+        while place > 0 and not first[place] and value[row] < value[order[place - 1]]:
+            order[place] = order[place - 1]
+            place -= 1
+        order[place] = row
+    single = True
+    for i in range(1, count):
+        first[i] = first[i] or value[order[i]] - value[order[i - 1]] > tie
+        single = single and first[i]
+    return single
 
 
 @apart(
@@ -234,13 +240,18 @@ def sort_rows(
     chosen: Bools,
 ) -> None:
     """Fills rows by the first joint, then by the second and so on."""
+    order, first, value = np.empty(count, np.int64), np.zeros(count, np.bool_), np.empty(count)
     for k in range(count):
-        row = k
-        take_units(arm, kept[k], joints)
-        while row > 0 and _comes_before(arm, joints, q[row - 1]):
-            take(q[row], q[row - 1])
-            chosen[row] = chosen[row - 1]
-            row -= 1
+        order[k] = k
+    single = count < 2
+    for j in range(int(arm[SOLVED])):
+        if not single:
+            turns = arm[TURNS + RECORD * j] > 0.0
+            for k in range(count):
+                value[k] = order_of(kept[k, j], turns)
+            single = order_blocks(value, TIE, count, order, first)
+    for row in range(count):
+        take_units(arm, kept[order[row]], joints)
         take(q[row], joints)
-        chosen[row] = kinds[k] == 1
-        found[k] = True
+        chosen[row] = kinds[order[row]] == 1
+        found[row] = True

@@ -59,4 +59,29 @@ DHGEN_INLINE double dhgen_order_of(double value, int turns)
     return turns && value < DHGEN_TIE - DHGEN_HALF_TURN ? value + DHGEN_TURN : value;
 }
 
+/* Puts rows in order by one value more. `order` holds their places, and `first` says which of them
+ * begin a block: those of a block agree so far. They are sorted by the value, and the block ends
+ * wherever it rises by more than `tie`. Returns whether each row is a block by now. */
+DHGEN_FN int dhgen_order_blocks(
+    const double *value, double tie, int count, int *order, unsigned char *first)
+{
+    int single = 1;
+    for (int i = 1; i < count; i++) {
+        const int row = order[i];
+        int place = i;
+        for (int j = i; j > 0 && !first[j]; j--) {
+            if (!(value[row] < value[order[j - 1]]))
+                break;
+            order[j] = order[j - 1];
+            place = j - 1;
+        }
+        order[place] = row;
+    }
+    for (int i = 1; i < count; i++) {
+        first[i] |= value[order[i]] - value[order[i - 1]] > tie;
+        single &= first[i];
+    }
+    return single;
+}
+
 #endif
