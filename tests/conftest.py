@@ -11,7 +11,7 @@ from hypothesis import settings
 from tests.kept import make_folder
 from tests.structures import GENERAL
 
-settings.register_profile("untimed", deadline=None)  # how long a case takes, the machine decides
+settings.register_profile("untimed", deadline=None, max_examples=40)  # the machine decides how long
 settings.load_profile("untimed")
 
 # Derivations keep many small values alive: looking through them again and again took 8 % of a run.

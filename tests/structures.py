@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Collection, Iterable
 
     from _pytest.mark import ParameterSet
+
+BREADTH = pytest.mark.breadth  # once before a release: see pyproject.toml
 
 STRUCTURES = (
     "cartesian",
@@ -29,38 +31,51 @@ STRUCTURES = (
 # Of the arms made up for tests, one of each that has code of its own: another task, oblique slides,
 # a given joint that a step or an elbow hangs on, two of them, awkward names, limits that choose
 # rows, a general arm that stops where solutions meet, quotients that vanish, right angles written
-# with four digits.
+# with four digits. What is particular to the later ones, tests of their own ask for.
 ODD = (
-    "coupled_slides",
-    "given_shoulder",
-    "hard_wrist",
-    "named_badly",
-    "offset_stop",
-    "pan_tilt",
-    "pitch_arm",
-    "planar_4r",
-    "rounded_twists",
-    "slide_by_quotient",
-    "tilting_gantry",
-    "turned_head",
-    "two_free",
-    "yaw_checked",
+    *("coupled_slides", "given_shoulder", "hard_wrist", "offset_stop", "pitch_arm"),
+    *("rounded_twists", "two_free"),
+    *("named_badly", "pan_tilt", "planar_4r", "slide_by_quotient", "tilting_gantry"),
+    *("turned_head", "yaw_checked"),
 )
+OFTEN_ODD = ODD[:7]
 
 # Those whose Python numba compiles in the tests, at up to half a minute each; the Python of the
 # others runs there without it.
 COMPILED = ("scara",)
-COMPILED_SLOWLY = ("fanuc_crx10ia", "scorbot_pointing", "ur5")
+COMPILED_SLOWLY = ("fanuc_crx10ia", "scorbot_pointing")
 
 # Those of the general algorithm whose programs are run: numba compiles it once a process, and a C
 # compiler what they share.
 GENERAL = frozenset({"close_pair", "fanuc_crx10ia", "offset_stop"})
 
 
-def one_of_each(names: Iterable[str]) -> list[str | ParameterSet]:
-    """All names, as a test takes them: but for an arm of each of these structures they are slow.
+def one_of_each(names: Iterable[str]) -> list[ParameterSet]:
+    """All names, as a test takes them: those of structures, slow odd ones, and others as breadth.
 
     What is the same for all arms of a structure fails for the first of them.
     """
-    first = {*STRUCTURES, *ODD}
-    return [name if name in first else pytest.param(name, marks=pytest.mark.slow) for name in names]
+    marks: dict[str, Any] = {
+        **dict.fromkeys(STRUCTURES, ()),
+        **dict.fromkeys(OFTEN_ODD, pytest.mark.slow),
+    }
+    return [pytest.param(name, marks=marks.get(name, BREADTH)) for name in names]
+
+
+def those_in(first: Collection[str], names: Iterable[str]) -> list[ParameterSet]:
+    """All names, as a test takes them, of which those that are not among the first are breadth."""
+    return [pytest.param(name, marks=() if name in first else BREADTH) for name in names]
+
+
+def first_of(cases: Iterable[Any], count: int = 1) -> list[ParameterSet]:
+    """All cases, as a test takes them: those behind the first ones are breadth.
+
+    Args:
+        cases: Values of one parameter, or tuples of those of several, in an order of which the
+            first ones fail where any does.
+        count: How many of them always run.
+    """
+    values = [case if isinstance(case, tuple) else (case,) for case in cases]
+    return [
+        pytest.param(*each, marks=BREADTH if k >= count else ()) for k, each in enumerate(values)
+    ]
