@@ -68,6 +68,7 @@ def known() -> list[tuple[np.ndarray, np.ndarray]]:
     return made
 
 
+@pytest.mark.breadth
 def test_in_python(known: list[tuple[np.ndarray, np.ndarray]]) -> None:
     for q, T in known[:6]:
         assert gap(solve(T, kernel(NAME)).q, q).min() < 1e-3

@@ -166,6 +166,7 @@ def test_more_structure_at_a_value_of_the_joint_that_is_given(name: str, value: 
     assert certain >= 3
 
 
+@pytest.mark.breadth
 def test_a_second_formulation_serves_where_the_first_ones_vanish() -> None:
     """Of 60 poses one is not certain by what serves best there, and took ten times longer."""
     arm = build_chain(robot("kinova_gen3_7"))
@@ -202,6 +203,7 @@ def test_roots_that_another_formulation_tells_apart_are_simple(others: tuple[flo
     assert len(found.q) == 8
 
 
+@pytest.mark.breadth
 def test_an_arm_on_a_vehicle_with_a_lift_and_a_waist(tmp_path: Path) -> None:
     """Each given joint leaves another point standing still, for which there once was no name."""
     arm = chain(tmp_path, VEHICLE + OFFSET_WRIST, [1, 2, 3, 4, 5])

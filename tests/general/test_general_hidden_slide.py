@@ -14,6 +14,7 @@ from dhgen.runtime.plain import plain
 from tests.general.arms import doubtful_in_all_languages
 from tests.general.files import assert_all_solutions, kernel_by, poses, written
 from tests.general.solved import solve
+from tests.structures import first_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -60,19 +61,19 @@ def known(chain: Chain) -> GeneralKernel:
     return kernel
 
 
-@pytest.mark.parametrize("rows", ARMS)
+@pytest.mark.parametrize("rows", first_of((rows,) for rows in ARMS[::-1]))
 def test_all_solutions(tmp_path: Path, rows: tuple[str, ...]) -> None:
     robot = written(tmp_path, rows)
     chain = build_chain(robot)
     assert_all_solutions(robot, known(chain), poses(chain, 1, seed=1))
 
 
-@pytest.mark.parametrize(("rows", "most"), [(ARMS[0], 12), (ARMS[2], 200)])
+@pytest.mark.parametrize(("rows", "most"), first_of([(ARMS[0], 3), (ARMS[2], 60)]))
 def test_c_and_python_agree(tmp_path: Path, rows: tuple[str, ...], most: int) -> None:
     """Far out the determinant loses digits, and roots of the other arm are double at every pose."""
     chain = build_chain(written(tmp_path, rows))
     kernel = known(chain)
-    assert doubtful_in_all_languages(kernel, poses(chain, 200, seed=5)) <= most  # of 200
+    assert doubtful_in_all_languages(kernel, poses(chain, 60, seed=5)) <= most  # of 60
 
 
 @pytest.mark.parametrize("d", [-3.0, 0.0, 0.4, 25.0])

@@ -9,6 +9,7 @@ import pytest
 
 from tests.general.arms import compiled, gap, kernel, one_by_one, poses
 from tests.general.solved import solve_slowly
+from tests.structures import first_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -26,7 +27,7 @@ def solver(name: str, how: str) -> Callable[..., Answer]:
 
 
 @pytest.mark.parametrize("how", ["lanes", "one"])
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("name", first_of(ARMS))
 def test_from_near_all(name: str, how: str) -> None:
     """Those that the elimination finds; but for rounding these are other numbers."""
     rng, moved, solve = np.random.default_rng(1), 0, solver(name, how)
@@ -48,7 +49,7 @@ def test_from_near_all(name: str, how: str) -> None:
     assert moved > 20
 
 
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("name", first_of(ARMS))
 def test_two_that_lead_to_one_are_not_all(name: str) -> None:
     """Then the elimination has the last word, to the last digit."""
     for number, (_, T) in enumerate(poses(name, 10)):
@@ -65,7 +66,7 @@ def test_two_that_lead_to_one_are_not_all(name: str) -> None:
             np.testing.assert_allclose(gap(slowly.q, wanted), 0.0, atol=1e-8)
 
 
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("name", first_of(ARMS))
 def test_what_leads_nowhere(name: str) -> None:
     """As many as there are solutions, from anywhere, and no numbers at all."""
     rng = np.random.default_rng(2)

@@ -34,6 +34,7 @@ joints:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("place", "free"), [*((place, None) for place in range(6)), (0, 1), (0, 6), (3, 6)]
 )
@@ -63,6 +64,7 @@ def test_all_solutions(tmp_path: Path, place: int, free: int | None) -> None:
 
 
 # q: where two and four of a pose's solutions used to be found
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("d4", "q"),
     [

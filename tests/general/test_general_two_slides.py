@@ -27,6 +27,7 @@ from tests.general.files import (
     written,
 )
 from tests.general.solved import four_turns_samples, joint_values, solve
+from tests.structures import first_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -86,7 +87,7 @@ SPECIAL = (
 )
 
 
-@pytest.mark.parametrize("slides", PLACES)
+@pytest.mark.parametrize("slides", first_of(((each,) for each in PLACES[::-1]), count=2))
 def test_wherever_the_slides_are(tmp_path: Path, slides: tuple[int, ...]) -> None:
     compare(written(tmp_path, random_rows(slides, seed=10 * slides[0] + slides[1])))
 
@@ -197,6 +198,7 @@ def test_roots_of_rounding_certify_nothing(tmp_path: Path) -> None:
     assert not solve(T, kernel).certain
 
 
+@pytest.mark.breadth
 def test_beside_parallel_slides_there_are_solutions(tmp_path: Path) -> None:
     """Others would need slides that reach far, but not these.
 
@@ -218,6 +220,7 @@ def test_beside_parallel_slides_there_are_solutions(tmp_path: Path) -> None:
                 assert off.max(axis=1).min() < 2e-9 / distance, (distance, q.tolist())
 
 
+@pytest.mark.breadth
 def test_roots_that_rounding_moves_are_not_given_up(tmp_path: Path) -> None:
     """Slides that are nearly parallel for the whole pose: far roots and near ones look alike."""
     (tmp_path / "arm.yaml").write_text(POINTING, encoding="utf-8")
@@ -231,10 +234,10 @@ def test_roots_that_rounding_moves_are_not_given_up(tmp_path: Path) -> None:
 def test_c_and_python_agree(tmp_path: Path) -> None:
     chain = build_chain(written(tmp_path, random_rows((0, 3), seed=7)))
     kernel = known(chain)
-    assert not doubtful_in_all_languages(kernel, poses(chain, 200, seed=5))
+    assert not doubtful_in_all_languages(kernel, poses(chain, 60, seed=5))
 
 
-@pytest.mark.parametrize("slides", [(0, 1), (1, 3), (2, 5)])
+@pytest.mark.parametrize("slides", first_of([((1, 3),), ((0, 1),), ((2, 5),)]))
 def test_every_turn_can_be_hidden(tmp_path: Path, slides: tuple[int, ...]) -> None:
     chain = build_chain(written(tmp_path, random_rows(slides, seed=3)))
     kernel = known(chain)
@@ -246,7 +249,7 @@ def test_every_turn_can_be_hidden(tmp_path: Path, slides: tuple[int, ...]) -> No
         np.testing.assert_allclose(solve(T, kernel).q, solve(T, other).q, atol=1e-8)
 
 
-@pytest.mark.parametrize("slides", PLACES)
+@pytest.mark.parametrize("slides", first_of(((each,) for each in PLACES), count=2))
 def test_the_polynomial_has_degree_four(tmp_path: Path, slides: tuple[int, ...]) -> None:
     chain = build_chain(written(tmp_path, random_rows(slides, seed=4)))
     kernel = known(chain)
@@ -272,6 +275,7 @@ def test_a_longer_arm_with_joints_given(tmp_path: Path) -> None:
             np.testing.assert_allclose(numeric_arm(chain).pose(full) - T, 0.0, atol=1e-9)
 
 
+@pytest.mark.breadth
 def test_parallel_slides_are_refused(tmp_path: Path) -> None:
     rows = random_rows((1, 2), seed=6)
     rows[1] = "{theta: 0.3, d: q, a: 0.2, alpha: 0}"
