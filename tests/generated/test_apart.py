@@ -13,6 +13,8 @@ from tests.compiling import written
 if TYPE_CHECKING:
     from pathlib import Path
 
+pytestmark = pytest.mark.breadth  # numba takes seconds for each process
+
 ARM = """
 name: chain
 title: Planar arm with two links
@@ -112,7 +114,6 @@ print([each.data["dispatcher"].py_func.__name__ for _, each in compiled.buffer])
 """
 
 
-@pytest.mark.slow
 def test_warm_up_leaves_nothing_to_compile(folder: Path) -> None:
     answer = run(WARM, folder)
     assert answer.stdout == "[]\n", answer.stderr
@@ -139,7 +140,6 @@ print("done")
 """
 
 
-@pytest.mark.slow
 def test_two_texts_of_one_name_in_a_process(folder: Path, tmp_path: Path) -> None:
     write(tmp_path, 0.8)
     paths = [str(each / "chain.py") for each in (folder, tmp_path)]
@@ -164,7 +164,6 @@ print(calls_fk.call(np.zeros(2)).shape, calls_jacobian.call(np.zeros(2)).shape)
 """
 
 
-@pytest.mark.slow
 def test_callers_out_of_the_cache_call_what_they_were_made_for(folder: Path) -> None:
     """Code of one name, made in two processes, numba takes for the same."""
     for name in ("fk", "jacobian"):

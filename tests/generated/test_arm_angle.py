@@ -11,7 +11,7 @@ from dhgen.status import HELD, Status
 from dhgen.survey.oracle.arm_angle import arm_angle, elbow_of, given_values
 from dhgen.survey.oracle.poses import random_joints
 from tests.generated.asking import trial
-from tests.generated.solvers import NAMES, library, module, robot
+from tests.generated.solvers import NAMES, library, robot, short_module
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -65,7 +65,7 @@ def test_every_row_has_the_arm_angle_that_was_asked_for(name: str) -> None:
 def test_the_files_know_the_arm_angle_of_joint_values(name: str) -> None:
     q = random_joints(robot(name), POSES, seed=84)
     psi = given_values(robot(name), q)[:, 0]
-    python = module(name).arm_angle
+    python = short_module(name).arm_angle
     assert apart(np.array([python(each) for each in q]), psi) < SAME
     assert apart(np.array([library(name).arm_angle(each) for each in q]), psi) < SAME
     with pytest.raises(ValueError, match=r"q must have shape \(7,\), not"):
@@ -110,7 +110,7 @@ def test_an_arm_angle_that_is_no_number() -> None:
     for psi in (np.nan, np.inf):
         _, status = library(IIWA).ik(T, np.zeros(7), np.array([psi]))
         assert (status == Status.INVALID_POSE).all()
-        _, status = module(IIWA).ik_all(T, np.array([psi]))
+        _, status = short_module(IIWA).ik_all(T, np.array([psi]))
         assert (status == Status.INVALID_POSE).all()
 
 

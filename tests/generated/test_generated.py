@@ -23,12 +23,11 @@ from dhgen.survey.oracle.problem import task_entries
 from dhgen.survey.singular import is_redundant
 from tests.generated.solvers import GENERATED, NAMES, given, library, module, robot
 from tests.oracle.sets import joint_sets
-from tests.structures import COMPILED, COMPILED_SLOWLY, STRUCTURES
+from tests.structures import BREADTH, COMPILED, COMPILED_SLOWLY, STRUCTURES, first_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from _pytest.mark import ParameterSet
     from numpy.typing import NDArray
 
     from dhgen.arrays import FloatArray
@@ -39,15 +38,11 @@ GENERAL = {"C": 150, "Python": 60}  # for arms with 16 rows
 # numba takes seconds for each; the modules of all arms run without it in clean processes
 ASKED = [
     *((name, "C") for name in STRUCTURES),
-    *(pytest.param(name, "C", marks=pytest.mark.slow) for name in NAMES if name not in STRUCTURES),
+    *(pytest.param(name, "C", marks=BREADTH) for name in NAMES if name not in STRUCTURES),
     *((name, "Python") for name in COMPILED),
     *(pytest.param(name, "Python", marks=pytest.mark.slow) for name in COMPILED_SLOWLY),
+    *first_of([("ur5", "Python")], count=0),  # as long as all others together
 ]
-
-
-def some_slow(*names: str) -> list[str | ParameterSet]:
-    """The first of some arms, and the others where all is tested: numba takes seconds for each."""
-    return [*names[:1], *(pytest.param(name, marks=pytest.mark.slow) for name in names[1:])]
 
 
 RESIDUAL = 1e-11  # of the arm's size
@@ -183,7 +178,7 @@ def test_a_clean_process_needs_numpy_and_numba_only() -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
-@pytest.mark.parametrize("name", some_slow("scara", "ur5", "scorbot_pointing"))
+@pytest.mark.parametrize("name", first_of(["scara", "ur5", "scorbot_pointing"]))
 def test_every_way_to_call_gives_the_same(name: str) -> None:
     """Batches, tables and arrays of the caller; singular, spoiled, rounded and far poses too."""
     arms = robot(name)
@@ -272,7 +267,7 @@ def allocations(python: Any, T: FloatArray) -> tuple[int, int]:
     return counted(T[:1]), counted(T)
 
 
-@pytest.mark.parametrize("name", some_slow("scara", "ur5"))
+@pytest.mark.parametrize("name", first_of(["scara", "ur5"]))
 def test_control_loops_allocate_nothing(name: str) -> None:
     """Also where a pose is only rounded, and made a rotation first."""
     q = random_joints(robot(name), 50, seed=74)
@@ -300,6 +295,7 @@ def test_nobody_counts_holders_of_arrays_while_solving() -> None:
     assert "NRT_incref" not in solver.split("\n}")[0]
 
 
+@pytest.mark.breadth
 def test_polynomials_allocate_and_say_so() -> None:
     name = "cuspidal_3r"
     q = random_joints(robot(name), 50, seed=74)

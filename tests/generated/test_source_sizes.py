@@ -9,6 +9,7 @@ import pytest
 
 from tests.compiling import solvers_of
 from tests.robots.cases import ROBOTS
+from tests.structures import first_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -39,7 +40,9 @@ def size_of(text: str, folder: Path, name: str) -> int:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["ur5", "kuka_kr40pa", "franka_panda", "techman_tm5_900"])
+@pytest.mark.parametrize(
+    "name", first_of(["kuka_kr40pa", "ur5", "franka_panda", "techman_tm5_900"])
+)
 def test_on_any_base_with_any_tool(name: str, tmp_path: Path) -> None:
     text = (ROBOTS / f"{name}.yaml").read_text(encoding="utf-8")
     text = re.sub(r"(?m)^(base|tool):.*\n", "", text)
@@ -52,13 +55,13 @@ def rounded(name: str) -> str:
     return re.sub(r"(alpha: -?)pi/2", r"\g<1>1.5708", text)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["doosan_m1013", "stanford"])
+@pytest.mark.breadth
+@pytest.mark.parametrize("name", ["stanford", "doosan_m1013"])
 def test_with_rounded_twists(name: str, tmp_path: Path) -> None:
     assert size_of(rounded(name), tmp_path, name) <= MOST
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 @pytest.mark.parametrize("name", ["franka_panda"])
 def test_with_seven_rounded_twists(name: str, tmp_path: Path) -> None:
     """Columns that are carried from link to link: multiplied out it was 91.6 kB."""
