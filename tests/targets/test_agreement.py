@@ -12,7 +12,7 @@ from dhgen.status import HELD
 from dhgen.survey.oracle.forward import jacobian
 from dhgen.survey.oracle.poses import random_joints, right_angles
 from tests.oracle.sets import one_joint_at
-from tests.structures import ODD, STRUCTURES
+from tests.structures import ODD, STRUCTURES, one_of_each
 from tests.targets.made import (
     NAMES,
     apart,
@@ -48,7 +48,7 @@ def joints(name: str) -> dict[str, FloatArray]:
     }
 
 
-@pytest.mark.parametrize("name", EVERY)
+@pytest.mark.parametrize("name", one_of_each(EVERY))
 def test_random_poses(name: str) -> None:
     """To 1e-12 times what the arm's condition makes of rounding."""
     q = joints(name)["random"]
@@ -77,7 +77,7 @@ def condition(name: str, rows: FloatArray) -> float:
     return worst
 
 
-@pytest.mark.parametrize("name", EVERY)
+@pytest.mark.parametrize("name", one_of_each(EVERY))
 @pytest.mark.parametrize("kind", ["singular", "right angles"])
 def test_singular_poses(name: str, kind: str) -> None:
     """The same rows in C and in Python, and every row gives the pose again."""
@@ -101,7 +101,7 @@ def test_singular_poses(name: str, kind: str) -> None:
             assert residual(name, found, T[k]) < (POLISHED if rows.shape[0] == ROOTS else 1e-11)
 
 
-@pytest.mark.parametrize("name", EVERY)
+@pytest.mark.parametrize("name", one_of_each(EVERY))
 def test_forward_models(name: str) -> None:
     q = np.concatenate([joints(name)["random"], joints(name)["right angles"]])
     T = poses_of(name, q)

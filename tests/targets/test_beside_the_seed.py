@@ -14,6 +14,7 @@ import pytest
 
 from dhgen.robot.robot import JointKind
 from tests.compiling import library, written
+from tests.structures import first_of
 from tests.targets.calling import (
     FREE_JOINT,
     HELD,
@@ -41,7 +42,7 @@ IN_METRES = "d1: 0.3, a1: 0.1, a2: 0.15, d3: 0.1, a3: 0.08, d4: 0.43, d6: 0.08"
 IN_MILLIMETRES = "d1: 300, a1: 100, a2: 150, d3: 100, a3: 80, d4: 430, d6: 80"
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", first_of(LANGUAGES))
 @pytest.mark.parametrize("name", LIMITED)
 @pytest.mark.parametrize("off", [0.0, 1e-12, 1e-10])
 def test_a_seed_beyond_a_limit_ends_no_row_inside(name: str, language: str, off: float) -> None:
@@ -64,7 +65,7 @@ def test_a_seed_beyond_a_limit_ends_no_row_inside(name: str, language: str, off:
         assert np.abs(found - seed).max() < 0.1
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", first_of(LANGUAGES))
 @pytest.mark.parametrize("name", ["ur5", "ur10e"])
 @pytest.mark.parametrize("turns", [(-6, -5, -4, -3, 4, -7), (-6, 0, -4, -4, 4, 4)])
 def test_no_answer_is_farther_from_the_seed_than_need_be(
@@ -109,7 +110,7 @@ def test_the_unit_of_slides_does_not_count() -> None:
         assert np.abs(found - seed).max() < 0.03
 
 
-@pytest.mark.parametrize("near", [3e-5, 1e-4, 1e-3])
+@pytest.mark.parametrize("near", first_of([1e-4, 3e-5, 1e-3]))
 def test_single_precision_is_not_left_at_what_is_enough(near: float) -> None:
     """There a pose may be missed by 5e-5; joint values of the seed's often do."""
     name, source = "puma560", np.random.default_rng(4)
@@ -169,6 +170,7 @@ def test_a_limit_makes_no_copy_of_another_solution(language: str) -> None:
     assert min(gaps) > 1e-3
 
 
+@pytest.mark.breadth
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_solution_far_from_the_seed_keeps_its_row(language: str) -> None:
     """The seed's solution takes the place of one of its own family, though others are nearer."""
@@ -251,7 +253,7 @@ def _root(solver: CompiledSolver, q: FloatArray, low: float, high: float) -> flo
     return low
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", first_of(LANGUAGES))
 def test_of_two_solutions_that_meet_at_a_limit_the_one_inside_is_kept(language: str) -> None:
     """They are 1e-5 apart, joint 3 stops between them, and the wrist is straight."""
     name, source = "offset_stop", np.random.default_rng(3)
@@ -266,6 +268,7 @@ def test_of_two_solutions_that_meet_at_a_limit_the_one_inside_is_kept(language: 
             assert np.abs(found - seed).max() < 0.15
 
 
+@pytest.mark.breadth
 @pytest.mark.parametrize("off", [1e-3, 1e-2, 3e-2])
 def test_where_two_things_are_singular_steps_may_lose_before_they_gain(off: float) -> None:
     """Twists of 1.5708, all joints at right angles or nearly so: 2 of 100 seeds were left."""
@@ -294,6 +297,7 @@ def test_rounding_of_single_precision_turns_no_joint_away_from_the_seed(off: flo
         assert np.abs(held - seed).max(axis=1).min() < 0.01
 
 
+@pytest.mark.breadth
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize(("singular", "beside"), [(3, -0.467004), (4, np.pi / 2 - 1e-6)])
 def test_a_given_joint_beyond_its_limit_ends_no_row(

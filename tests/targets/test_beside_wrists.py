@@ -12,6 +12,7 @@ from dhgen.status import HELD
 from dhgen.survey.oracle.forward import forward_with_derivatives
 from dhgen.survey.oracle.poses import NEAR, random_joints
 from dhgen.verify.native import NATIVE, PORTABLE, Build
+from tests.structures import BREADTH
 from tests.targets.made import apart, in_c, in_python, model, poses_of, residual, robot, size
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def steps_to_solutions(name: str, rows: FloatArray, T: FloatArray) -> FloatArray
 
 @pytest.mark.parametrize(
     ("name", "build"),
-    [pytest.param(*case, marks=() if case[1] in QUICK else pytest.mark.slow) for case in CASES],
+    [pytest.param(*case, marks=() if case[1] in QUICK else BREADTH) for case in CASES],
 )
 def test_every_branch(name: str, build: str) -> None:
     solve = solver(name, build)

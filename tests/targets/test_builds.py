@@ -15,6 +15,7 @@ from dhgen.program.interpret import interpret
 from dhgen.status import HELD, Status
 from dhgen.targets.layout import WIDTH
 from dhgen.verify.native import FAST_FLAGS, NATIVE, Build
+from tests.structures import BREADTH
 from tests.targets.made import ROBOTS, apart, given, in_c, made, poses_of, residual, robot, turning
 
 if TYPE_CHECKING:
@@ -42,9 +43,9 @@ if CLANG:
     ]
 CASES = [(name, build) for name in EVERYWHERE for build in BUILDS]
 CASES += [(name, NATIVE) for name in NATIVELY]
-QUICK = ("ur5-plain", "ur5-native", "scara-native", "scorbot_pointing-native")
+QUICK = ("ur5-clang-native", "ur5-plain", "ur5-native", "scara-native", "scorbot_pointing-native")
 BUILT = [
-    pytest.param(name, build, id=case, marks=() if case in QUICK else pytest.mark.slow)
+    pytest.param(name, build, id=case, marks=() if case in QUICK else BREADTH)
     for name, build in CASES
     for case in [f"{name}-{build.name}"]
 ]

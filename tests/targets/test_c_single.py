@@ -23,6 +23,7 @@ from dhgen.tolerances import SINGLE
 from dhgen.verify.native import c_compiler
 from dhgen.verify.single import RESIDUAL, verify_single
 from tests.compiling import compile_file, library, solvers_of, written
+from tests.structures import first_of
 from tests.targets.made import ROBOTS, made, robot_path
 
 if TYPE_CHECKING:
@@ -79,7 +80,7 @@ def test_nothing_is_left_of_double_precision() -> None:
 
 
 @pytest.mark.skipif(c_compiler() is None, reason="there is no C compiler")
-@pytest.mark.parametrize("level", ["-O0", "-O3"])
+@pytest.mark.parametrize("level", first_of(["-O0", "-O3"]))
 def test_nothing_is_promoted_and_nothing_loses_digits(level: str, tmp_path: Path) -> None:
     flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
     more = ["-Wdouble-promotion", "-Wfloat-conversion"]
@@ -110,7 +111,7 @@ def test_sabotage_is_seen(right: str, wrong: str, complaint: str, tmp_path: Path
         verify_single(module_of(SCARA), tmp_path)
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_verification_reports_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
     monkeypatch.setattr("dhgen.verify.verify.COUNT", 20)
@@ -131,7 +132,7 @@ float32: true
 """
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 @pytest.mark.skipif(c_compiler() is None, reason="there is no C compiler")
 def test_the_edge_of_a_hollow_wrist_is_reached(tmp_path: Path) -> None:
     """Where the wrist tilts the tool as far as it can, rounding puts poses out of its reach."""
@@ -171,6 +172,7 @@ def test_without_asking_there_is_none(tmp_path: Path) -> None:
     assert [name for name in compilation.files if SINGLE.suffix in name] == []
 
 
+@pytest.mark.slow
 def test_files_that_are_no_longer_asked_for_are_found(tmp_path: Path) -> None:
     """Checking one robot says nothing of its neighbours' files, but of its own."""
     own, other = ROBOTS / "scara.yaml", ROBOTS / "ur5.yaml"

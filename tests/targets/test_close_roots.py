@@ -195,6 +195,7 @@ def test_rows_that_miss_the_pose_by_far_lead_to_it(distance: float) -> None:
         assert np.abs(poses_of(SLIDING, held) - T).max() < EXACT
 
 
+@pytest.mark.breadth
 def test_a_double_root_of_what_cancelling_leaves_is_found() -> None:
     """The polynomial touches zero there, up to the rounding of what it is a difference of."""
     q = np.array(CROSSED)

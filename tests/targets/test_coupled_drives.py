@@ -17,6 +17,7 @@ from dhgen.robot.load import load_text
 from dhgen.robot.robot import DhTable
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.search import solve
+from tests.structures import BREADTH
 from tests.targets.calling import HELD, LANGUAGES, OK, Solver
 from tests.targets.made import (
     in_c,
@@ -31,6 +32,7 @@ from tests.targets.made import (
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from _pytest.mark import ParameterSet
     from numpy.typing import NDArray
 
     from dhgen.arrays import FloatArray
@@ -69,15 +71,13 @@ GENERAL = ("geared_5r1p", "near_structure", "railed_6r")
 FIRST = {"dobot_magician", "scara_ball_screw", "geared_3r", "level_palletizer", "given_forearm"}
 
 
-def first_of(cases: Iterable[Any]) -> list[Any]:
-    """Names, or tuples that begin with them: but for one arm of each kind they are slow."""
+def of_each_kind(cases: Iterable[Any]) -> list[ParameterSet]:
+    """Names, or tuples that begin with them: but for one arm of each kind they are breadth."""
     tuples = [case if isinstance(case, tuple) else (case,) for case in cases]
-    return [
-        pytest.param(*each, marks=() if each[0] in FIRST else pytest.mark.slow) for each in tuples
-    ]
+    return [pytest.param(*each, marks=() if each[0] in FIRST else BREADTH) for each in tuples]
 
 
-EVERY = first_of([*NAMES, *GENERAL])
+EVERY = of_each_kind([*NAMES, *GENERAL])
 POSES, FEWER, AT_ONCE = 10_000, 200, 1_000
 TURNS = (-2, -1, 0, 1, 2)
 CLEAR = 1e-6  # [rad, length] what is as far inside limits is so whatever rounding does
@@ -190,7 +190,7 @@ def test_some_rows_are_beyond_limits_and_some_need_turns(name: str) -> None:
     assert np.isfinite(rows).any()
 
 
-@pytest.mark.parametrize("name", first_of([*PASSIVE, *GIVEN, *GENERAL]))
+@pytest.mark.parametrize("name", of_each_kind([*PASSIVE, *GIVEN, *GENERAL]))
 def test_an_independent_search_finds_the_rows(name: str) -> None:
     """Of arms with passive rows it looks for the drives' values, not for the joints'."""
     q = drawn(name, 3)
@@ -204,7 +204,7 @@ def test_an_independent_search_finds_the_rows(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "language"), first_of([*product(NAMES, LANGUAGES), *product(GENERAL, ("C",))])
+    ("name", "language"), of_each_kind([*product(NAMES, LANGUAGES), *product(GENERAL, ("C",))])
 )
 def test_the_nearest_row_is_the_nearest_of_all_copies(name: str, language: str) -> None:
     count = {"C": 40 if name in GENERAL else 150, "Python": 12}[language]
@@ -226,7 +226,7 @@ def test_the_nearest_row_is_the_nearest_of_all_copies(name: str, language: str) 
         assert np.abs(solver.nearest(T, q, *values)[1] - q).max() < 1e-6
 
 
-@pytest.mark.parametrize("name", first_of(GIVEN))
+@pytest.mark.parametrize("name", of_each_kind(GIVEN))
 def test_the_seed_gives_what_the_caller_leaves_out(name: str) -> None:
     """And where its value has no row inside the limits, of sums too, the nearest that has one."""
     for q, seed in zip(drawn(name, 6), drawn(name, 6, seed=5), strict=True):

@@ -82,7 +82,7 @@ def same(one: float, other: float) -> bool:
 
 
 @given(REALS)
-@settings(max_examples=200)
+@settings(max_examples=50)
 def test_python_means_the_same(expression: Expression) -> None:
     text = expression_text(expression, Python())
     tree = ast.fix_missing_locations(FloatDivision().visit(ast.parse(text, mode="eval")))
@@ -107,6 +107,7 @@ class Safe:
 
 
 @given(REALS)
+@settings(max_examples=50)
 def test_no_parentheses_without_need(expression: Expression) -> None:
     """Python's own printer of its syntax tree, which writes only what it needs, writes no fewer.
 
@@ -130,7 +131,7 @@ def test_c_means_the_same(tmp_path: Path) -> None:
     found: list[Any] = []
 
     @given(REALS)
-    @settings(max_examples=100, database=None)
+    @settings(max_examples=50, database=None)
     def collect(expression: Expression) -> None:
         found.append(expression)
 

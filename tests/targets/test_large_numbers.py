@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
 
 
+@pytest.mark.breadth
 def test_a_stretched_arm_beside_a_straight_wrist_is_not_out_of_reach(tmp_path: Path) -> None:
     text = (ROBOTS / "ur5.yaml").read_text(encoding="utf-8").replace("name: ur5", "name: ur5um")
     large = re.sub(r"(\b[ad]\d: -?)([\d.]+)", lambda m: f"{m[1]}{round(float(m[2]) * 1e6)}", text)

@@ -62,7 +62,7 @@ def asked(language: str) -> FloatArray:
     return q[::4] if language == "Python" else q
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_rows_at_right_angles_are_exact_and_have_the_arm_angle(language: str) -> None:
     robot, q = compiled().robot, asked(language)

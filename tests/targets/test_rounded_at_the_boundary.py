@@ -40,6 +40,7 @@ def turned_to_the_top(robot: Robot, q: FloatArray, side: float) -> FloatArray:
     return np.array([*q[:2], at, *q[3:]])
 
 
+@pytest.mark.breadth
 def test_what_rounding_puts_out_of_reach_is_led_back() -> None:
     """Rows are refined: branches end far outside of where they meet, also for fast code."""
     compilation = made_up(NAME, ROWS, "")

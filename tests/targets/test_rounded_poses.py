@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from dhgen.survey.oracle.forward import jacobian
+from tests.structures import first_of
 from tests.targets.calling import HELD, LANGUAGES, UNREACHABLE, Solver, gap
 from tests.targets.made import made, model, poses_of, robot
 
@@ -45,7 +46,7 @@ def regular(name: str, count: int, least: float) -> FloatArray:
     return np.asarray(tried[least_of_each > least][:count])
 
 
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("name", first_of(ARMS))
 @pytest.mark.parametrize("digits", DIGITS.values(), ids=DIGITS)
 def test_own_values_are_found(name: str, digits: int | None) -> None:
     """As far off at most as the pose is rounded, over the smallest singular value."""
@@ -74,6 +75,7 @@ BELOW_ZERO = {
 }
 
 
+@pytest.mark.breadth
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("name", BELOW_ZERO)
 def test_rounding_below_a_root_loses_no_solution(name: str, language: str) -> None:
@@ -86,6 +88,7 @@ def test_rounding_below_a_root_loses_no_solution(name: str, language: str) -> No
         assert np.any((gap(rows, q) < 1e-3) & np.isin(status, HELD)), q
 
 
+@pytest.mark.breadth
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_reported_pose(language: str) -> None:
     """Its smallest singular value is 0.1, and a solution misses it by 1e-6."""
@@ -108,7 +111,7 @@ def test_a_reported_pose(language: str) -> None:
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("name", first_of(ARMS))
 def test_rows_miss_a_rounded_pose_by_no_more_than_it_may_be_rounded_by(
     name: str, language: str
 ) -> None:
@@ -122,7 +125,7 @@ def test_rows_miss_a_rounded_pose_by_no_more_than_it_may_be_rounded_by(
         assert off.max() < 1e-5 + 1e-6  # the pose's own rotation is not quite one
 
 
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("name", first_of(ARMS))
 def test_what_is_farther_off_than_rounding_is_out_of_reach(name: str) -> None:
     """A pose that is a thousandth aside in the one direction of six that no joint moves in."""
     solver = Solver(name, "C")

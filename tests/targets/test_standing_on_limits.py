@@ -13,6 +13,7 @@ import pytest
 
 from dhgen.survey.oracle.forward import forward
 from tests.compiling import library, written
+from tests.structures import first_of
 from tests.targets.calling import (
     FREE_JOINT,
     HELD,
@@ -201,7 +202,7 @@ GIVEN = [
 ]
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", first_of(LANGUAGES))
 def test_a_joint_that_is_given_beyond_its_limit_stays_there(language: str) -> None:
     """No row can be inside then, and none is: seven joints could move through, and it with them."""
     compiled = made_up("given_beyond", GIVEN, "free: [3]\n")
@@ -226,6 +227,7 @@ TURNED_DOWN = [
 ]
 
 
+@pytest.mark.breadth
 def test_single_precision_turns_no_joint_past_its_other_end() -> None:
     compiled = made_up("turned_down", TURNED_DOWN, "float32: true\n")
     assert compiled.single is not None
@@ -256,6 +258,7 @@ IN_PYTHON = (1, 6, 9)  # of the seeds: a beginning that would lead beyond the li
 FOLDED = np.array([np.pi / 2, 0.0, -5 * np.pi / 6, np.pi / 2, -np.pi / 2])
 
 
+@pytest.mark.breadth
 def test_where_many_roots_meet_a_joint_stands_on_its_limit(tmp_path: Path) -> None:
     """Joint values beside the solution miss the pose by next to nothing, some beyond the limit."""
     path = tmp_path / "welding.yaml"
@@ -317,6 +320,7 @@ NEXT_TO_AN_END = (
 )
 
 
+@pytest.mark.breadth
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize(("joints", "near"), NEXT_TO_AN_END)
 def test_a_general_arm_does_not_turn_to_the_other_end(
@@ -332,6 +336,7 @@ def test_a_general_arm_does_not_turn_to_the_other_end(
 
 
 # The largest angle, and the number of a generator whose joint values rounding puts beyond it.
+@pytest.mark.breadth
 @pytest.mark.parametrize(("most", "number"), [(270, 20), (90, 31)])
 def test_the_seed_is_a_solution_with_several_joints_on_limits(
     most: int, number: int, tmp_path: Path
@@ -400,6 +405,7 @@ ON_ENDS = (  # several joints on the ends of their ranges, or nearly so, where t
 )
 
 
+@pytest.mark.breadth
 def test_joints_are_put_on_their_ends_one_by_one() -> None:
     """The farthest first: with it the others come inside, and could not if they were held, too."""
     compilation = made_up("long_arm", LONG_ARM, "task: pose\nfree: [1]\n")

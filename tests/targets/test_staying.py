@@ -66,6 +66,7 @@ def poses_of(name: str, q: FloatArray) -> FloatArray:
     return np.asarray(forward(compiled(name).robot, q), dtype=float)
 
 
+@pytest.mark.breadth
 @pytest.mark.parametrize("joints", FOLDED)
 def test_the_solution_that_the_arm_is_at_is_among_the_rows(joints: tuple[float, ...]) -> None:
     q = np.array(joints)
@@ -81,6 +82,7 @@ def test_the_solution_that_the_arm_is_at_is_among_the_rows(joints: tuple[float, 
         assert np.abs(poses_of(FOLDING, held) - T).max() < EXACT
 
 
+@pytest.mark.breadth
 def test_a_motion_through_the_fold_is_followed() -> None:
     """Joints move by no more than they have to, though other solutions take the poses, too."""
     times = np.arange(-1.0, 1.0, STEP)[:, None]
@@ -157,6 +159,7 @@ def test_half_a_turn_away_is_no_solution(language: str) -> None:
     assert np.abs(made_poses("abb_irb120", held) - T).max() < EXACT
 
 
+@pytest.mark.breadth
 def test_solutions_of_roots_that_nearly_meet_have_the_same_rows_everywhere() -> None:
     q = np.array(TWIN)
     T = poses_of(TWINS, q[None])[0]
@@ -170,6 +173,7 @@ def test_solutions_of_roots_that_nearly_meet_have_the_same_rows_everywhere() -> 
         assert gap(rows[held], meant[held]).max() < 1e-6
 
 
+@pytest.mark.breadth
 def test_of_rows_that_rounding_tells_apart_the_first_is_taken() -> None:
     """Half way to two is a solution, too, but for rounding, which the languages do differently."""
     name, source = "rounded_7r", np.random.default_rng(18)

@@ -14,6 +14,7 @@ import pytest
 
 from dhgen.survey.oracle.poses import random_joints
 from tests.robots.cases import dh, lengths
+from tests.structures import first_of
 from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, Solver, gap
 from tests.targets.made import poses_of, residual, robot
 
@@ -100,7 +101,7 @@ def test_a_stretched_arm_whose_wrist_is_just_not_straight(name: str, straight: f
         assert residual(name, held, T) < 1e-11
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", first_of(LANGUAGES))
 @pytest.mark.parametrize("off", [1e-10, 1e-11])
 def test_beside_three_singularities_at_once_there_is_a_row(language: str, off: float) -> None:
     """Wrist and elbow straight, link 5 in line with the arm: one value of q6 and none beside it.
