@@ -58,7 +58,7 @@ frames = frames_of(lengths)
 vectors = st.builds(lambda x, y, z: np.array([x, y, z]), *[st.integers(-3, 3)] * 3)
 
 
-@settings(max_examples=40)
+@settings(max_examples=20)
 @given(
     rows=st.lists(st.one_of(revolute, revolute, prismatic), min_size=1, max_size=4),
     convention=st.sampled_from(["standard", "modified"]),
@@ -99,7 +99,7 @@ directions = st.tuples(*[st.integers(-5, 5)] * 3).filter(any).map(lambda v: ", "
 entries = st.builds(entry, kinds, st.one_of(directions, st.sampled_from(EXACT)), points)
 
 
-@settings(max_examples=40)
+@settings(max_examples=20)
 @given(st.lists(exact_entries, min_size=1, max_size=4), frames_of(lettered), st.integers(0, 999))
 def test_axes_with_exact_directions_stay_as_they_are(
     given_axes: list[str], home: str, seed: int
@@ -111,7 +111,7 @@ def test_axes_with_exact_directions_stay_as_they_are(
     np.testing.assert_allclose(poses(algebra_of(arm), q), forward(arm, q), atol=1e-12)
 
 
-@settings(max_examples=40)
+@settings(max_examples=20)
 @given(st.lists(entries, min_size=1, max_size=6), frames, frames, st.integers(0, 999))
 def test_axes_in_any_direction(given_axes: list[str], home: str, tool: str, seed: int) -> None:
     skew = "type: revolute, direction: [1, 2, 3], point: [L, 0, 0.1]"

@@ -19,6 +19,7 @@ from dhgen.program.lowering.lower import lower
 from dhgen.survey.oracle.arm_angle import arm_angle
 from dhgen.survey.oracle.forward import forward
 from tests.kinematics.values import table
+from tests.structures import first_of
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -71,7 +72,7 @@ def turned(angles: FloatArray) -> FloatArray:
     return np.asarray(np.abs(np.remainder(angles + np.pi, 2 * np.pi) - np.pi))
 
 
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("name", first_of(ARMS, count=2))
 def test_joint_values_are_found_again_and_every_row_has_the_arm_angle(name: str) -> None:
     robot = arm(name)
     q = np.random.default_rng(9).uniform(-3.0, 3.0, (60, 7))
@@ -84,6 +85,7 @@ def test_joint_values_are_found_again_and_every_row_has_the_arm_angle(name: str)
     assert turned(arm_angle(robot, rows.q) - psi[:, None]).max() < 1e-9
 
 
+@pytest.mark.breadth
 def test_oblique_axes_need_no_quartic() -> None:
     """z of axis 3 is no column of frame 3 then, but one of B A_3^-1."""
     rows = (

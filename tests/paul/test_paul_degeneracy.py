@@ -22,6 +22,7 @@ from dhgen.survey.oracle.search import solve
 from tests.derived import derived
 from tests.kinematics.values import table
 from tests.robots.cases import robot
+from tests.structures import first_of
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -108,7 +109,7 @@ def rows_at(
     return rows, np.abs(reached - arm.pose(q)[:, None]).max(axis=(2, 3))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", first_of(NAMES))
 def test_an_order_is_taken_in_which_no_step_is_silent(name: str) -> None:
     q = degenerate_places(cheapest(name).pool, cheapest(name).steps)
     assert len(q)
@@ -122,6 +123,7 @@ def test_an_order_is_taken_in_which_no_step_is_silent(name: str) -> None:
     assert np.where(rows.solved, away, np.inf).min(axis=1).max() < EXACT
 
 
+@pytest.mark.breadth
 @pytest.mark.parametrize("name", NAMES)
 def test_rows_of_a_step_that_is_silent_are_checked(name: str) -> None:
     made = cheapest(name)

@@ -185,6 +185,7 @@ def test_axes_that_are_nearly_one_line_are_told_so() -> None:
     assert second == "axes 1 and 2 are 0.001 apart, which at the arm's size counts as one line"
 
 
+@pytest.mark.breadth
 def test_axes_that_leave_a_joint_too_many_are_the_reason() -> None:
     """Six joints on five lines: a pose is in reach only by chance, and then joints 5, 6 turn."""
     first, second, third, *_ = refused(*SKEW, "theta: q, d: 0.2", "theta: q")
@@ -253,7 +254,7 @@ def test_a_table_of_seven_joints_under_the_other_convention_is_told_so(own: str)
     assert not other_convention(table(*rows, convention=own))
 
 
-@pytest.mark.slow  # it derives all that is said
+@pytest.mark.breadth  # it derives all that is said
 def test_what_free_joints_are_said_to_leave_comes_out() -> None:
     """Of five joints asked for a whole pose, without three axes that belong together."""
     (advice,) = (line for line in refused(*SAME_LINE) if line.startswith("  free: "))

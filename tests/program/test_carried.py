@@ -22,6 +22,7 @@ from dhgen.survey.oracle.forward import forward
 from tests.derivation.stories import story
 from tests.derived import derived
 from tests.robots.cases import ROBOTS
+from tests.structures import first_of
 
 if TYPE_CHECKING:
     from dhgen.paul.derivation import Derivation
@@ -43,7 +44,7 @@ def arm(name: str) -> tuple[Robot, Derivation]:
     return robot, derived(build_chain(robot))
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 @pytest.mark.parametrize("name", COUNTS)
 def test_operations(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     best, long = COUNTS[name]
@@ -57,7 +58,7 @@ def counted(name: str) -> tuple[int, int]:
     return found.additions, found.multiplications
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_rows_are_those_of_what_is_multiplied_out(monkeypatch: pytest.MonkeyPatch) -> None:
     robot, derivation = arm("franka_panda")
     q = np.random.default_rng(3).uniform(-1.5, 1.5, (200, len(robot.joints)))
@@ -76,10 +77,13 @@ def test_rows_are_those_of_what_is_multiplied_out(monkeypatch: pytest.MonkeyPatc
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
-    [
-        *("stanford", "ur5", "kuka_iiwa14_arm_angle", "prismatic_2_wrist", "welding_5r"),
-        *("rrprrr", "scorbot_pointing", "spherical_wrist_general_arm"),
-    ],
+    first_of(
+        [
+            *("stanford", "scorbot_pointing", "welding_5r", "ur5", "kuka_iiwa14_arm_angle"),
+            *("prismatic_2_wrist", "rrprrr", "spherical_wrist_general_arm"),
+        ],
+        count=3,
+    ),
 )
 def test_every_kind_of_column(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Slides, sums of angles, points by name, inverted forms: as if coefficients were long."""

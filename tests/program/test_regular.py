@@ -25,6 +25,7 @@ from dhgen.tolerances import SINGLE, TOLERANCES
 from tests.derivation.stories import story
 from tests.kinematics.values import table
 from tests.program.doubts import any_told, doubtful
+from tests.structures import first_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -96,7 +97,7 @@ def assert_same(name: str, q: FloatArray, doubt: NDArray[Any] | np.bool_) -> Non
         assert np.where(missing[sure].any(-1), 0.0, off - known).max() < 1e-12
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", first_of(NAMES, count=6))
 def test_regular_and_flat_programs_are_the_program(name: str) -> None:
     program = story(name).program
     solver = regular(program)
@@ -241,6 +242,7 @@ ROUNDED = (
 )
 
 
+@pytest.mark.breadth
 def test_rows_that_would_be_tightened_are_exact_or_a_doubt() -> None:
     """Also where the size of a miss stands in several conditions, and so has a name."""
     chain = build_chain(table(*ROUNDED, tool="{xyz: [0, 0, 0.097]}"))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
@@ -24,6 +25,7 @@ COUNT = 150
 NEAR = 1e-3  # [rad] two solutions meet here
 
 
+@pytest.mark.breadth
 def test_joints_that_a_slight_twist_fixes_are_found() -> None:
     """Joint 4 turns a vector of 4e-4 to the edge of its reach, by angles that were rounded."""
     chain = build_chain(table(*WRIST, tool="{xyz: [0.065, 0, 0.049], rpy: [0, 30 deg, 0]}"))

@@ -8,13 +8,12 @@ from functools import cache
 from types import ModuleType
 from typing import Any
 
-import pytest
-
 import dhgen.runtime.python as runtime
 from dhgen.runtime.python.jit import COMPILED
+from tests.structures import first_of
 
-# numba takes seconds for what plain Python shows to be right.
-KINDS = ["plain", *([pytest.param("compiled", marks=pytest.mark.slow)] if COMPILED else [])]
+# numba takes seconds for what plain Python shows to be right, and for what all modules contain.
+KINDS = first_of(["plain", "compiled"] if COMPILED else ["plain"])
 
 
 @cache

@@ -74,6 +74,7 @@ def test_steps_lead_to_a_solution(kind: str, bend: float) -> None:
     np.testing.assert_allclose(position(q), position(target), atol=1e-12)
 
 
+@pytest.mark.slow
 def test_steps_lead_to_where_four_solutions_meet(kind: str) -> None:
     """Some get slow far from there, at joint values that are singular."""
     upright = np.array([0.7, -0.7, np.pi, np.pi / 2, 0.0, 0.0, -np.pi / 2])
