@@ -21,6 +21,7 @@ from dhgen.robot_files import RobotFile
 from tests.compiling import worked_out_once
 from tests.descriptions.described import urdf_of
 from tests.descriptions.reference import ARMS, FILES, worst_difference
+from tests.structures import BREADTH, first_of
 
 ROOT = Path(__file__).parents[2]
 TABLES = sorted(
@@ -87,7 +88,7 @@ def test_a_table_has_the_lengths_of_the_data_sheet(name: str) -> None:
     assert table_of(result).convention is Convention.STANDARD
 
 
-@pytest.mark.parametrize("name", TABLES)
+@pytest.mark.parametrize("name", first_of(TABLES, count=30))
 def test_a_table_described_and_imported_has_no_more_letters(name: str) -> None:
     """The frames of a description may be anywhere along the axes; here they are the table's."""
     robot = load(ROOT / "robots" / f"{name}.yaml")
@@ -155,9 +156,9 @@ def derivation_of(path: Path) -> str:
 @pytest.mark.parametrize(
     ("name", "own"),
     [
-        ("ur5", "ur5"),
         ("irb140", "abb_irb120"),
-        pytest.param("panda", "franka_panda", marks=pytest.mark.slow),
+        pytest.param("ur5", "ur5", marks=BREADTH),
+        pytest.param("panda", "franka_panda", marks=BREADTH),
     ],
 )
 def test_a_derivation_is_not_longer_than_from_a_data_sheet(name: str, own: str) -> None:

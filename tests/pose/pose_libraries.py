@@ -16,15 +16,21 @@ import tempfile
 from contextlib import nullcontext
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from unittest.mock import patch
 
 import numpy as np
 import pytest
 
 from dhgen.runtime.helpers import helper_files
+from tests.structures import first_of
 
-LIBRARIES = ("numba", "plain", "c")
+if TYPE_CHECKING:
+    from _pytest.mark import ParameterSet
+
+# numba takes seconds for what plain Python shows to be right; with one notation it always runs.
+each_library = pytest.mark.parametrize("name", first_of(["plain", "c", "numba"], count=2))
+both_pythons = pytest.mark.parametrize("name", first_of(["plain", "numba"]))
 
 # The orientation of each notation: how many numbers each argument has, 0 for a lone number.
 NOTATIONS: dict[str, tuple[int, ...]] = {
@@ -40,6 +46,17 @@ NOTATIONS: dict[str, tuple[int, ...]] = {
     "wpr": (3,),
     "wpr_deg": (3,),
 }
+
+
+def numba_or(name: str) -> list[ParameterSet]:
+    """A library and numba, each with every notation, as a test takes them."""
+    numba = [("numba", notation) for notation in NOTATIONS]
+    return [
+        *first_of(((name, notation) for notation in NOTATIONS), count=len(NOTATIONS)),
+        pytest.param(*numba[0], marks=pytest.mark.slow),
+        *first_of(numba[1:], count=0),
+    ]
+
 
 FILES = ("dhgen_pose.py", "dhgen_pose.h", "dhgen_pose.c")
 
@@ -74,7 +91,7 @@ def run(*command: str | Path) -> None:
 
 
 def library(name: str) -> Any:
-    """One of `LIBRARIES`; C is skipped where there is no compiler."""
+    """One of the libraries; C is skipped where there is no compiler."""
     if name == "c":
         compiler()
         return _c_library()

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tests.pose import pose_reference as reference
-from tests.pose.pose_libraries import NOTATIONS, library, read, write
+from tests.pose.pose_libraries import NOTATIONS, library, numba_or, read, write
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -74,8 +74,7 @@ def test_what_is_read_defines_the_pose_again(name: str, notation: str) -> None:
     assert all((xyz == XYZ).all() for xyz, *_ in found)
 
 
-@each_notation
-@pytest.mark.parametrize("name", ["c", pytest.param("numba", marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("name", "notation"), numba_or("c"))
 def test_all_read_and_write_what_plain_python_does(notation: str, name: str) -> None:
     plain, other = library("plain"), library(name)
     found, wanted = [], []

@@ -8,9 +8,7 @@ import numpy as np
 import pytest
 
 from tests.pose import pose_reference as reference
-from tests.pose.pose_libraries import LIBRARIES, NOTATIONS, library, read, write
-
-each_library = pytest.mark.parametrize("name", LIBRARIES)
+from tests.pose.pose_libraries import NOTATIONS, each_library, library, read, write
 
 ORIGIN = np.zeros(3)
 

@@ -14,6 +14,7 @@ import pytest
 
 from dhgen.printing.templates import render
 from tests.pose.pose_libraries import FILES, WARNINGS, compiler, emitted, run
+from tests.structures import first_of
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -77,7 +78,7 @@ def test_the_header_serves_cpp(tmp_path: Path) -> None:
     run(tmp_path / "uses")
 
 
-@pytest.mark.parametrize("optimization", ["-O0", "-O3"])
+@pytest.mark.parametrize("optimization", first_of(["-O0", "-O3"]))
 def test_a_walk_over_singular_and_broken_inputs_is_clean_under_sanitizers(
     tmp_path: Path, optimization: str
 ) -> None:

@@ -9,11 +9,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tests.pose.pose_libraries import LIBRARIES, library, read, write
+from tests.pose.pose_libraries import each_library, library, read, write
 
-each_library = pytest.mark.parametrize("name", LIBRARIES)
 # No database: the tests leave no folder behind.
-thorough = settings(database=None, max_examples=200)
+thorough = settings(database=None, max_examples=50)
 
 finite = st.floats(allow_nan=False, allow_infinity=False)
 positions = st.tuples(finite, finite, finite).map(np.array)

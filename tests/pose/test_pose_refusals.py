@@ -8,9 +8,17 @@ import numpy as np
 import pytest
 
 from tests.pose import pose_reference as reference
-from tests.pose.pose_libraries import LIBRARIES, NOTATIONS, call_c, library, read, write
+from tests.pose.pose_libraries import (
+    NOTATIONS,
+    both_pythons,
+    call_c,
+    each_library,
+    library,
+    numba_or,
+    read,
+    write,
+)
 
-each_library = pytest.mark.parametrize("name", LIBRARIES)
 each_notation = pytest.mark.parametrize("notation", NOTATIONS)
 not_finite = pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
 
@@ -107,8 +115,7 @@ def test_a_zero_axis_with_an_angle(name: str, angle: float) -> None:
         library(name).from_xyz_axis_angle(XYZ, np.zeros(3), angle)
 
 
-@pytest.mark.parametrize("name", ["numba", "plain"])
-@each_notation
+@pytest.mark.parametrize(("name", "notation"), numba_or("plain"))
 def test_wrong_shapes(name: str, notation: str) -> None:
     """Numba checks no index: without a check these would read foreign memory."""
     of = library(name)
@@ -121,7 +128,7 @@ def test_wrong_shapes(name: str, notation: str) -> None:
         write(of, notation, XYZ, first[:-1], *rest)
 
 
-@pytest.mark.parametrize("name", ["numba", "plain"])
+@both_pythons
 @each_notation
 def test_arrays_of_any_kind_come_in_and_float64_comes_out(name: str, notation: str) -> None:
     of = library(name)
@@ -142,7 +149,7 @@ def test_arrays_of_any_kind_come_in_and_float64_comes_out(name: str, notation: s
         assert (np.asarray(got) == wanted).all()
 
 
-@pytest.mark.parametrize("name", ["numba", "plain"])
+@both_pythons
 @each_notation
 def test_results_share_no_memory_with_the_arguments(name: str, notation: str) -> None:
     of = library(name)
@@ -163,7 +170,7 @@ def test_wxyz_in_c_refuses_with_nan_everywhere() -> None:
     assert np.isnan(q).all()
 
 
-@pytest.mark.parametrize("name", ["numba", "plain"])
+@both_pythons
 def test_lists_and_tuples_of_numbers(name: str) -> None:
     of = library(name)
     T = of.from_xyz_rpy([0.3, 0, 0.2], (0, 0, 1.57))
