@@ -6,6 +6,7 @@ import math
 from functools import cache, reduce
 
 import numpy as np
+import pytest
 
 from dhgen.survey.oracle.forward import forward
 from tests.derivation.made import made_for
@@ -30,6 +31,7 @@ def written(third: float = 0.3) -> str:
     )
 
 
+@pytest.mark.breadth
 def test_entries_of_the_pose_and_points_of_axes_have_letters_of_their_own() -> None:
     text = written()
     assert r"With $\mathit{POS} = (m_{ij})$ its entries are" in text

@@ -17,7 +17,7 @@ from dhgen.derivation.text.plain import words
 from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import PLAIN
 from dhgen.paul.kind import Kind
-from tests.derivation.stories import NAMES, OWN, story
+from tests.derivation.stories import EACH, OWN, story
 from tests.derivation.test_formulas_hold import configuration, with_pose
 from tests.derivation.values import evaluate
 
@@ -45,7 +45,7 @@ def in_joints(name: str, condition: str) -> str:
     return words(Prose("{}", (found.joints,)))
 
 
-@pytest.mark.parametrize("name", [*NAMES, *OWN])
+@pytest.mark.parametrize("name", [*EACH, *OWN])
 def test_what_the_pose_tells_is_worth_the_same_by_the_joints(name: str) -> None:
     of = story(name)
     letters = with_pose(of, configuration(of, 3))
@@ -61,7 +61,7 @@ def test_what_the_pose_tells_is_worth_the_same_by_the_joints(name: str) -> None:
                 assert found == pytest.approx(expected, abs=1e-9 * max(1.0, letters["size"] ** 2))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_the_root_of_a_step_vanishes_with_what_is_said_of_the_joints(name: str) -> None:
     """One is the other but for a factor that does not move."""
     of = story(name)
@@ -80,6 +80,7 @@ def test_the_root_of_a_step_vanishes_with_what_is_said_of_the_joints(name: str) 
             assert max(ratios) == pytest.approx(min(ratios), rel=1e-6), (number, each.joints)
 
 
+@pytest.mark.breadth
 def test_long_and_hidden_conditions_are_told() -> None:
     assert in_joints("abb_irb4600", "t₁₄ = t₂₄ = 0") == "a₁ + a₂ s₂ + d₄ c₂₃ + a₃ s₂₃ = 0"
     assert in_joints("staubli_rx90", "Z₁ = Z₂ = 0") == "a₂ − d₄ s₃ = c₃ = 0"

@@ -28,7 +28,7 @@ from tests.derivation.golden import NAMES as GOLDEN
 from tests.derivation.made import made_of
 from tests.derivation.stories import (
     ALL_WHOLE,
-    NAMES,
+    EACH,
     WITH_STEPS,
     document,
     story,
@@ -179,7 +179,7 @@ def test_braces_are_balanced(name: str) -> None:
         assert formula.count(r"\begin") == formula.count(r"\end")
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_the_tree_has_a_leaf_for_every_row(name: str) -> None:
     of = story(name)
     lines = tree_text(of).splitlines()
@@ -197,7 +197,7 @@ def test_the_tree_of_an_arm_with_three_signs() -> None:
         assert tuple(signs[place] for place in range(3)) == choice
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_the_terminal_says_the_same(name: str) -> None:
     of = story(name)
     text = derivation_terminal(of)
@@ -208,7 +208,7 @@ def test_the_terminal_says_the_same(name: str) -> None:
     assert tree_text(of).splitlines()[-1] in text
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_summary(name: str) -> None:
     of = story(name)
     text = derivation_summary(of)

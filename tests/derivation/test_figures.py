@@ -21,7 +21,7 @@ from dhgen.robot.load import load_text
 from dhgen.robot.robot import Convention, DhTable, JointKind
 from dhgen.survey.oracle.arm import base_frame
 from dhgen.survey.oracle.forward import forward
-from tests.derivation.stories import GENERATED, NAMES, ROBOTS, WHOLE, story, story_of
+from tests.derivation.stories import EACH, GENERATED, ROBOTS, WHOLE, story, story_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -41,7 +41,7 @@ def parsed(text: str) -> ET.Element:
     return ET.fromstring(text)  # noqa: S314 - our own
 
 
-@pytest.mark.parametrize("name", [*NAMES, *WHOLE, "puma", "general_4r2p", "dobot_magician"])
+@pytest.mark.parametrize("name", [*EACH, *WHOLE, "puma", "general_4r2p", "dobot_magician"])
 def test_the_tool_is_where_an_independent_model_has_it(name: str) -> None:
     of = story(name)
     q = np.random.default_rng(3).uniform(-1.5, 1.5, (5, of.dof))

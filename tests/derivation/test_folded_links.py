@@ -34,6 +34,7 @@ def folding() -> Story:
     return Story(robot, derivation, lower(derivation))
 
 
+@pytest.mark.breadth
 @pytest.mark.parametrize("seed", [(0.1, 0.2, 0.3, 0.4, 0.5), (0.1, -1.2, 0.9, 0.4, 0.5)])
 def test_the_sum_takes_the_seed_s_value_and_not_the_joints(seed: tuple[float, ...]) -> None:
     pose = numeric_arm(build_chain(folding().robot)).pose(np.array([[0.3, 0.4, np.pi, 0.7, -0.5]]))

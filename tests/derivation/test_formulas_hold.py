@@ -25,7 +25,7 @@ from dhgen.derivation.text.style import PLAIN
 from dhgen.program.interpret import interpret
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward, jacobian
-from tests.derivation.stories import NAMES, OWN, WHOLE, story
+from tests.derivation.stories import EACH, OWN, WHOLE, story
 from tests.derivation.values import Letters, evaluate, indexed, letters_of, sign_letter
 
 if TYPE_CHECKING:
@@ -98,7 +98,7 @@ def with_pose(of: Story, q: list[float]) -> Letters:
     return {**letters_of(of, q), "size": of.algebra.chain.size, "ℓ": of.algebra.chain.size}
 
 
-@pytest.mark.parametrize("name", [*NAMES, *WHOLE])
+@pytest.mark.parametrize("name", [*EACH, *WHOLE])
 def test_forward_model(name: str) -> None:
     of = story(name)
     printed = relations(list(forward_section(of)))
@@ -113,7 +113,7 @@ def test_forward_model(name: str) -> None:
                 assert holds(relation, letters), box(relation)
 
 
-@pytest.mark.parametrize("name", [*NAMES, *WHOLE])
+@pytest.mark.parametrize("name", [*EACH, *WHOLE])
 def test_jacobian(name: str) -> None:
     of = story(name)
     q = configuration(of, 7)
@@ -122,7 +122,7 @@ def test_jacobian(name: str) -> None:
         np.testing.assert_allclose(found, jacobian(of.robot, q), atol=1e-9 * of.algebra.chain.size)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_matrices_of_the_inverse(name: str) -> None:
     of = story(name)
     printed = relations(list(inverse_beginning(of)))
@@ -134,7 +134,7 @@ def test_matrices_of_the_inverse(name: str) -> None:
             assert holds(relation, letters), box(relation)
 
 
-@pytest.mark.parametrize("name", [*NAMES, *OWN])
+@pytest.mark.parametrize("name", [*EACH, *OWN])
 def test_steps_with_the_branch_signs_of_the_program(name: str) -> None:
     """The program finds a configuration in one row; the steps hold with just that row's signs."""
     of = story(name)
@@ -186,7 +186,7 @@ def _steps_hold(of: Story, place: Letters, signs: tuple[float, ...]) -> bool:
     return all(holds(relation, letters) for relation in last)
 
 
-@pytest.mark.parametrize("name", [*NAMES, *WHOLE])
+@pytest.mark.parametrize("name", [*EACH, *WHOLE])
 def test_no_formula_is_wider_than_a_page(name: str) -> None:
     for relation in relations(list(unfolded(document_blocks(story(name))))):
         if len(box(relation)) == 1:

@@ -19,6 +19,7 @@ from dhgen.derivation.handouts import derivation_html, derivation_latex
 from dhgen.derivation.text.latex_text import latex_text
 from dhgen.robot.load import load_text
 from tests.derivation.stories import document, story, story_of
+from tests.structures import first_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -66,7 +67,7 @@ def lines_of(displays: list[str]) -> list[str]:
     return [" ".join(line.replace("&", " ").split()) for line in bare.split("\\\\\n")]
 
 
-@pytest.mark.parametrize("name", KINDS)
+@pytest.mark.parametrize("name", first_of(KINDS, count=3))
 def test_latex_has_the_formulas_of_the_markdown(name: str) -> None:
     markdown, latex = document(name), handout(name, "latex")
     expected = re.findall(r"```math\n(.*?)\n```", markdown, re.DOTALL)
@@ -79,7 +80,7 @@ def test_latex_has_the_formulas_of_the_markdown(name: str) -> None:
     assert not inline - Counter(re.findall(r"\$([^$\n]+)\$", latex))
 
 
-@pytest.mark.parametrize("name", KINDS)
+@pytest.mark.parametrize("name", first_of(KINDS, count=3))
 def test_html_has_the_words_of_the_markdown(name: str) -> None:
     markdown, html = document(name), handout(name, "html")
     left_out = re.compile(
@@ -115,7 +116,7 @@ class Tags(HTMLParser):
         assert self.open.pop() == tag
 
 
-@pytest.mark.parametrize("name", KINDS)
+@pytest.mark.parametrize("name", first_of(KINDS, count=3))
 def test_html_is_whole_and_needs_no_other_file(name: str) -> None:
     html = handout(name, "html")
     tags = Tags()
@@ -164,8 +165,8 @@ def compiled(engine: str, text: str, folder: Path) -> str:
 @pytest.mark.parametrize(
     ("name", "engine"),
     [
-        *((name, "pdflatex") for name in [*KINDS, "hostile"]),
-        *((name, "xelatex") for name in ["kuka_kr6_r900", "hostile"]),  # for its fonts
+        *first_of(((name, "pdflatex") for name in ["hostile", *KINDS]), count=2),
+        *first_of((name, "xelatex") for name in ["hostile", "kuka_kr6_r900"]),  # for its fonts
     ],
 )
 def test_latex_compiles_without_a_warning(name: str, engine: str, tmp_path: Path) -> None:
@@ -196,7 +197,7 @@ window.onload = () => {
 </script>"""
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 @pytest.mark.skipif(BROWSER is None, reason="no chromium")
 def test_html_fits_the_window(tmp_path: Path) -> None:
     """Neither the page nor a formula, table or tree in it is wider than its room."""

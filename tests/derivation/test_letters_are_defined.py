@@ -11,7 +11,7 @@ from dhgen.derivation.notation.names import cosine, sine, single
 from dhgen.derivation.steps import step_blocks
 from dhgen.derivation.text.blocks import Paragraph
 from tests.derivation.made import made_of
-from tests.derivation.stories import NAMES, story
+from tests.derivation.stories import EACH, story
 from tests.derivation.test_wording import text_of
 
 
@@ -20,7 +20,7 @@ def legend(name: str) -> str:
     return "".join(re.findall(r"^In these names .*$", text_of(name), re.MULTILINE))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_every_word_of_a_branch_is_explained(name: str) -> None:
     of = story(name)
     if of.has_branch_words:

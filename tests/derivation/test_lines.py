@@ -28,7 +28,7 @@ from dhgen.derivation.text.formula import (
 )
 from dhgen.derivation.text.lines import laid_out, terms_within, width
 from dhgen.derivation.text.style import LATEX, PLAIN, Style
-from tests.derivation.stories import ALL_WHOLE, NAMES, WHOLE, WITH_STEPS, document, story
+from tests.derivation.stories import ALL_WHOLE, EACH, WHOLE, WITH_STEPS, document, story
 from tests.derivation.values import evaluate
 
 LETTERS = tuple(Symbol(f"x_{{{i}}}", f"x{i}") for i in range(30))
@@ -104,7 +104,7 @@ def test_what_has_no_plus_or_minus_outside_stays_whole() -> None:
     assert terms_within(times(A, whole), 40) == (times(A, whole),)
 
 
-@pytest.mark.parametrize("name", [*NAMES, *WHOLE])
+@pytest.mark.parametrize("name", [*EACH, *WHOLE])
 def test_all_lines_of_a_derivation_are_worth_its_formulas(name: str) -> None:
     """Each side is compared at letters that are numbers chosen here, not an arm's."""
     sides = [
@@ -137,7 +137,7 @@ class Numbers(dict[str, float]):
         return 0.5 + sum((place + 3) * ord(each) for place, each in enumerate(text)) % 97 / 97
 
 
-@pytest.mark.parametrize("name", [*NAMES, *WHOLE])
+@pytest.mark.parametrize("name", [*EACH, *WHOLE])
 def test_no_line_of_a_derivation_ends_inside_a_bracket(name: str) -> None:
     for block in unfolded(document_blocks(story(name))):
         if isinstance(block, Display):

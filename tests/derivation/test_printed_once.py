@@ -18,13 +18,13 @@ from dhgen.derivation.text.markdown import markdown
 from dhgen.derivation.text.plain import words
 from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import PLAIN
-from tests.derivation.stories import NAMES, story
+from tests.derivation.stories import EACH, story
 from tests.derivation.test_formulas_hold import configuration, with_pose
 
 LONG = 30  # visible characters
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_what_a_direct_step_solves_is_not_printed_before(name: str) -> None:
     of = story(name)
     for number in range(1, len(of.steps) + 1):
@@ -35,7 +35,7 @@ def test_what_a_direct_step_solves_is_not_printed_before(name: str) -> None:
             assert len(displays) == 1, told
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_no_long_entry_of_a_transform_is_printed_twice_in_a_row(name: str) -> None:
     displays = [
         each for each in unfolded(forward_section(story(name))) if isinstance(each, Display)
@@ -50,7 +50,7 @@ def _long_sides(block: Display) -> list[str]:
     return [show(side, PLAIN) for side in sides if width(side) > LONG]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_columns_that_are_said_to_be_another_s_are(name: str) -> None:
     of = story(name)
     letters = with_pose(of, configuration(of, 5))

@@ -10,7 +10,7 @@ from dhgen.derivation.document import document_blocks
 from dhgen.derivation.sections.general import near_blocks
 from dhgen.derivation.text.markdown import markdown
 from tests.derivation.made import made_of
-from tests.derivation.stories import NAMES, WHOLE, story
+from tests.derivation.stories import EACH, WHOLE, story
 
 ENDS = "A branch ends where a square root has a negative argument"
 
@@ -20,7 +20,7 @@ def text_of(name: str) -> str:
     return "\n\n".join(markdown(block) for block in document_blocks(story(name)))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_branches_end_only_where_a_step_says_that_there_may_be_no_solution(name: str) -> None:
     text = text_of(name)
     if ENDS in text:
@@ -51,13 +51,13 @@ def test_only_axes_that_miss_are_what_keeps_an_arm_from_a_closed_form() -> None:
     assert told.endswith("is 0.076 m.")
 
 
-@pytest.mark.parametrize("name", [*NAMES, *WHOLE])
+@pytest.mark.parametrize("name", [*EACH, *WHOLE])
 def test_formulas_in_sentences_are_formulas(name: str) -> None:
     for line in re.sub(r"```text.*?```", "", text_of(name), flags=re.DOTALL).splitlines():
         assert not set(line) & set("φθβγδ√⁻"), line
 
 
-@pytest.mark.parametrize("name", [*NAMES, *WHOLE])
+@pytest.mark.parametrize("name", [*EACH, *WHOLE])
 def test_the_half_angle_s_tangent_is_written_in_one_way(name: str) -> None:
     text = text_of(name)
     assert "tan(" not in text
