@@ -40,7 +40,7 @@ def changed(tmp_path: Path) -> Path:
     return folder
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_a_folder_answers_as_itself(capsys: pytest.CaptureFixture[str]) -> None:
     folder = str(GENERATED)
     assert main([folder, folder, "scara", "franka_panda", *FEW]) == 0
@@ -49,9 +49,10 @@ def test_a_folder_answers_as_itself(capsys: pytest.CaptureFixture[str]) -> None:
         assert re.search(rf"^{name}: 0 of \d{{4,}} calls differ, 0 in sets$", told, re.MULTILINE)
 
 
+@pytest.mark.breadth
 @pytest.mark.parametrize(
     ("name", "way"),
-    [("scara", ()), pytest.param("planar_rr", ("--python",), marks=pytest.mark.slow)],
+    [("scara", ()), ("planar_rr", ("--python",))],
 )
 def test_a_changed_constant_is_noticed(
     name: str,
@@ -69,7 +70,7 @@ def test_a_changed_constant_is_noticed(
         assert int(differ) > int(calls) / 2, call
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_times_are_told_of_both(capsys: pytest.CaptureFixture[str]) -> None:
     folder, often = str(GENERATED), ("--processes", "2", "--rounds", "2")
     assert main([folder, folder, "scara", "--time", *FEW, *often]) == 0

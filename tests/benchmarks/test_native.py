@@ -56,7 +56,7 @@ def test_what_does_not_compile_is_told(tmp_path: Path) -> None:
         compiled(source, Interface(COUNTING, rows=1, dof=2), NATIVE, tmp_path)
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_our_solvers_give_back_the_joints(tmp_path: Path) -> None:
     arm = read_arm(next(case for case in CASES if case.name == "scara"))
     T = arm.random_poses(5)

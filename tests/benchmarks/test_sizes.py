@@ -9,7 +9,7 @@ import pytest
 from benchmarks.sizes import CALLS, HEAD, measure
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_first_calls_and_those_from_the_cache() -> None:
     figures = measure("planar_rr", with_numba=True)
     assert len(figures) == len(HEAD) - 1

@@ -69,7 +69,7 @@ def test_every_arm_is_solved_completely(name: str) -> None:
     assert float(row["residual"]) <= BOUNDS[row["method"]]
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_some_arms_surveyed_again() -> None:
     lines = survey([ROBOTS / f"{name}.yaml" for name in AGAIN], 4)
     assert [line.name for line in lines] == list(AGAIN)

@@ -181,7 +181,7 @@ def test_mistakes_are_told_at_their_place(
     assert not list(Path().glob("*_calibrated.yaml"))
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_all_calibrated_arms_are_solved(tmp_path: Path) -> None:
     """By the general algorithm: no two axes are parallel any more."""
     assert calibrated("ur5e", MEASURED) == 0

@@ -215,7 +215,7 @@ for name in ("scara", "puma560", "ur5"):
 """
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 @pytest.mark.parametrize(("seed", "types"), [("1", "python"), ("2", "flint")])
 def test_neither_hash_seed_nor_ground_type_changes_a_byte(seed: str, types: str) -> None:
     """Of what is committed, which was made with others."""

@@ -26,6 +26,7 @@ from tests.cli.commands import (
     in_shell,
     names,
 )
+from tests.structures import first_of
 
 
 @pytest.mark.parametrize("words", [[""], ["explain", ""], ["survey", ""], ["--out", "", "x"]])
@@ -70,7 +71,7 @@ def test_links_that_lead_in_a_circle(run: Run, tmp_path: Path) -> None:
     assert "loop/planar_rr.c: can't be read (Too many levels of symbolic links)" in done.stderr
 
 
-@pytest.mark.parametrize("closed", ["2>&-", "<&- >&- 2>&-"])
+@pytest.mark.parametrize("closed", first_of(["<&- >&- 2>&-", "2>&-"]))
 def test_streams_that_are_closed_change_nothing_but_what_is_told(
     closed: str, tmp_path: Path
 ) -> None:
@@ -82,7 +83,7 @@ def test_streams_that_are_closed_change_nothing_but_what_is_told(
     assert (done.returncode, not done.stdout) == ((0, False) if closed == "2>&-" else (2, True))
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_files_are_written_where_all_streams_are_closed(tmp_path: Path) -> None:
     done = in_shell(f"--out x {PLANAR} <&- >&- 2>&-", tmp_path, HASTY)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
@@ -206,10 +207,15 @@ def test_html_without_its_package(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "reader", "passes"),
     [
-        (f"explain {PLANAR}", "head -1", True),
         (f"explain {PLANAR}", "true", True),
-        (f"--check --out . {PLANAR}", "head -1", False),
         ("broken.yaml", "true", False),
+        *first_of(
+            [
+                (f"explain {PLANAR}", "head -1", True),
+                (f"--check --out . {PLANAR}", "head -1", False),
+            ],
+            count=0,
+        ),
     ],
 )
 def test_a_reader_who_has_seen_enough(
@@ -338,7 +344,7 @@ def test_a_full_disk_behind_what_is_said(tmp_path: Path) -> None:
         pytest.skip("no device that is full")
     (tmp_path / "wrong.yaml").write_text(WRONG)
     told = f"dhgen: {os.strerror(errno.ENOSPC)}: output\n"
-    done = in_shell(f"survey {PLANAR} --poses 1 >{full}", tmp_path)
+    done = in_shell(f"explain {PLANAR} >{full}", tmp_path)
     assert (done.returncode, done.stderr) == (1, told)
     done = in_shell(f"explain wrong.yaml 2>{full}", tmp_path)
     assert (done.returncode, done.stdout) == (2, "")

@@ -52,7 +52,7 @@ print(sorted({each.data["dispatcher"].py_func.__name__ for _, each in compiled.b
 """
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_nothing_is_left_to_compile_whatever_the_name(verified: Path, tmp_path: Path) -> None:
     """numba looks for functions in the module in which they were compiled."""
     folder = copy(verified, tmp_path)

@@ -100,6 +100,7 @@ def tracked(folder: str) -> set[Path]:
     return {Path(name) for name in done.stdout.split("\0") if name}
 
 
+@pytest.mark.breadth
 def test_it_runs_from_the_wheel_in_an_empty_folder(built: Path, tmp_path: Path) -> None:
     place, empty = tmp_path / "place", tmp_path / "empty"
     with zipfile.ZipFile(the(built, "*.whl")) as file:

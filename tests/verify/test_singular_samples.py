@@ -74,6 +74,7 @@ def interpreted(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("dhgen.verify.verify.COUNT", COUNT)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("interpreted")
 def test_a_stretched_arm_that_is_said_to_be_out_of_reach(tmp_path: Path) -> None:
     """It is stretched at no right angle: nothing but the singular samples comes there."""
@@ -89,7 +90,7 @@ def test_a_stretched_arm_that_is_said_to_be_out_of_reach(tmp_path: Path) -> None
         verify(compilation.module, tmp_path)
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 @pytest.mark.usefixtures("interpreted")
 @pytest.mark.parametrize("name", ["folding_7r", "folding_7r_arm_angle"])
 def test_a_hand_that_folds_back_into_the_shoulder(
@@ -113,7 +114,7 @@ def samples_on_limits(chain: Chain, count: int) -> tuple[Sample, ...]:
     )
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 @pytest.mark.parametrize("name", ["stretched_elbow", "one_sided", "remote_centre"])
 def test_limits_at_singular_places_refuse_no_arm(
     name: str, monkeypatch: pytest.MonkeyPatch
