@@ -142,7 +142,7 @@ def test_what_an_earlier_run_wrote_for_another_robot_stays(
     assert after == before
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_a_robot_is_the_same_whatever_its_file_is_called(run: Run, tmp_path: Path) -> None:
     (tmp_path / "arm.yaml").write_text(PLANAR.read_text() + "float32: true\n")
     assert run("arm.yaml", folder=tmp_path).returncode == 0

@@ -231,6 +231,7 @@ def test_roots_that_rounding_moves_are_not_given_up(tmp_path: Path) -> None:
         assert len(found) > 0
 
 
+@pytest.mark.breadth
 def test_c_and_python_agree(tmp_path: Path) -> None:
     chain = build_chain(written(tmp_path, random_rows((0, 3), seed=7)))
     kernel = known(chain)

@@ -122,7 +122,7 @@ print(arm.build(native=False).ik(arm.fk([0.5])).tolist())
 """
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_two_processes_build_at_once(tmp_path: Path) -> None:
     place = {"DHGEN_CACHE_DIR": str(tmp_path / "cache"), "PYTHONPATH": str(ROOT)}
     place |= {"PATH": str(tmp_path), "CC": ""}  # without C it takes half the time

@@ -172,7 +172,7 @@ def test_without_asking_there_is_none(tmp_path: Path) -> None:
     assert [name for name in compilation.files if SINGLE.suffix in name] == []
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 def test_files_that_are_no_longer_asked_for_are_found(tmp_path: Path) -> None:
     """Checking one robot says nothing of its neighbours' files, but of its own."""
     own, other = ROBOTS / "scara.yaml", ROBOTS / "ur5.yaml"

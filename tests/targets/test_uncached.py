@@ -12,7 +12,6 @@ import pytest
 from dhgen.atomic_write import write_files
 from dhgen.runtime import runtime_files
 from dhgen.survey.oracle.levenberg_marquardt import _compiled
-from tests.structures import first_of
 from tests.targets.made import folder, made
 
 if TYPE_CHECKING:
@@ -28,15 +27,13 @@ print({call})
 """
 
 
-@pytest.mark.slow
+@pytest.mark.breadth
 @pytest.mark.parametrize(
     ("name", "call"),
-    first_of(
-        [
-            ("planar_rr", "planar_rr.ik_all(planar_rr.fk([0.1, 0.2]))[1].tolist()"),
-            ("dhgen_pose", "dhgen_pose.from_xyz_rpy([0, 0, 0], [0, 0, 0])[0].astype(int).tolist()"),
-        ]
-    ),
+    [
+        ("planar_rr", "planar_rr.ik_all(planar_rr.fk([0.1, 0.2]))[1].tolist()"),
+        ("dhgen_pose", "dhgen_pose.from_xyz_rpy([0, 0, 0], [0, 0, 0])[0].astype(int).tolist()"),
+    ],
 )
 def test_modules_work_and_name_the_remedy(name: str, call: str, tmp_path: Path) -> None:
     made("planar_rr")

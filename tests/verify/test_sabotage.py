@@ -141,7 +141,7 @@ def test_every_fifth_sign_of_c(
             ("dhgen_runtime/careful.py", "status[row] = OUT_OF_LIMITS", "pass"),
             ("scara.py", "else OK\n", "else FREE_JOINT\n"),
         ],
-        count=3,
+        count=2,
     ),
 )
 def test_a_check_that_is_left_out(
