@@ -103,6 +103,8 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     told = compilation.robot, compilation.derivation, module.solver, module.nominal
     print(derivation_summary(Story(*told)))
     _refuse_occupied([options.out / name for name in compilation.files])
+    if not sys.stderr.isatty():  # where each stage is told
+        print("verifying what is to be written: this may take a minute ...", flush=True)
     report = verified(compilation, _tell)
     options.out.mkdir(parents=True, exist_ok=True)
     solver = options.out / f"{module.name}.py"
@@ -163,7 +165,7 @@ def explain(options: argparse.Namespace) -> int:
     """Prints a derivation, or writes it; the exit code."""
     from dhgen.atomic_write import write_files  # noqa: PLC0415
     from dhgen.compiler import worked_out  # noqa: PLC0415
-    from dhgen.derivation import alternatives_text  # noqa: PLC0415
+    from dhgen.derivation import alternatives_text, task_remarks  # noqa: PLC0415
     from dhgen.derivation.formats import derivation_as  # noqa: PLC0415
     from dhgen.derivation.story import Story  # noqa: PLC0415
     from dhgen.program.text import program_text  # noqa: PLC0415
@@ -182,6 +184,8 @@ def explain(options: argparse.Namespace) -> int:
     _tell_notes(file.robot.notices)
     with about(file.path):
         derivation, module, _ = worked_out(file, _tell)
+    for remark in task_remarks(module.chain):
+        print(f"note: {remark}", file=sys.stderr)
     beside: Mapping[str, str] = {}
     if options.alternatives:
         text = alternatives_text(derivation) + "\n"

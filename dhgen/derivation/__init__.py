@@ -35,7 +35,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.document import document_blocks, singular_places
 from dhgen.derivation.figures.all import figures_of
-from dhgen.derivation.summary import alternatives_text, summary_text, tool_at_zero
+from dhgen.derivation.summary import alternatives_text, summary_text, task_remarks, tool_at_zero
 from dhgen.derivation.text.markdown import markdown
 from dhgen.derivation.text.plain import plain
 from dhgen.printing.comments import plain_path
@@ -84,5 +84,6 @@ __all__ = [
     "derivation_files",
     "derivation_summary",
     "derivation_terminal",
+    "task_remarks",
     "tool_at_zero",
 ]

@@ -52,8 +52,7 @@ def summary_text(story: Story, singular: list[Singularity]) -> str:
     names = ", ".join(story.branch_names) if story.has_branch_words else ""
     lines.append(f"{counted(story.program.rows, 'row')}" + (f": {names}" if names else ""))
     lines += [_singular(each) for each in singular]
-    if story.derivation.problem.overdetermined:
-        lines += [CHECKED, *_just_enough(story.algebra.chain)]
+    lines += task_remarks(story.algebra.chain)
     return "\n".join(lines) + "\n"
 
 
@@ -87,7 +86,7 @@ def _whole(kernel: GeneralKernel | NumericalKernel, story: Story) -> list[str]:
             f"a polynomial of degree {degree} in {hidden}; rows by ascending joint values",
             *missed_structure(story.algebra.chain),
             *_nearest(story),
-            *([CHECKED, *_just_enough(story.algebra.chain)] if kernel.checked else []),
+            *(task_remarks(story.algebra.chain) if kernel.checked else []),
         ]
     if kernel.redundant:
         return ["numerical, as asked for: the solution near the seed, by damped least squares"]
@@ -101,11 +100,13 @@ def _nearest(story: Story) -> list[str]:
     return [] if nominal is None else [nearest_line(nominal, story.robot.length_unit)]
 
 
-def _just_enough(chain: Chain) -> list[str]:
-    """A task that asks for as much as the arm can choose, if there is one."""
+def task_remarks(chain: Chain) -> list[str]:
+    """That a task asks for more than the arm can choose, and one that asks for as much."""
+    if not chain.overdetermined:
+        return []
     tasks = determining_tasks(chain).items()
     enough = [text for text, task in tasks if task.dimension == chain.dof - chain.given]
-    return [f"`task: {text}` would ask for as much as it can" for text in enough[:1]]
+    return [CHECKED, *(f"`task: {text}` would ask for as much as it can" for text in enough[:1])]
 
 
 def _step(story: Story, number: int) -> tuple[str, str, str, str]:

@@ -264,12 +264,28 @@ def _notes(description: Description, chain: ArmChain) -> list[str]:
             how = f" (--tip {joint.child} takes it)" if may_be_held else ""
             notes.append(f"{told}, which follows {follows}{how}")
         else:
-            notes.append(f"{told}, with {joints} of its own")
+            notes.append(f"{told}, with {joints} of its own{_tips(chain, children, joint)}")
     still = [joint.child for joint in sides if not _count(children, joint)]
     if still:
         shown = ", ".join(still[:6]) + (", ..." if len(still) > 6 else "")
         notes.append(f"frames beside the arm: {shown} (dhgen import --tip takes one)")
     return notes
+
+
+def _tips(chain: ArmChain, children: dict[str, list[Joint]], hand: Joint) -> str:
+    """The frames of a hand that are fixed to the arm's last link, as a note goes on with them."""
+    last = max(place for place, joint in enumerate(chain.joints) if joint.motion.is_actuated)
+    if hand.motion is not Motion.FIXED or hand.parent not in {
+        joint.child for joint in chain.joints[last:]
+    }:
+        return ""
+    frames, place = [hand.child], 0
+    while place < len(frames):
+        fixed = (j for j in children.get(frames[place], ()) if j.motion is Motion.FIXED)
+        frames += (joint.child for joint in fixed)
+        place += 1
+    shown = ", ".join(frames[:6]) + (", ..." if len(frames) > 6 else "")
+    return f"; fixed to the arm: {shown} (dhgen import --tip takes {'one' if frames[1:] else 'it'})"
 
 
 def _count(children: dict[str, list[Joint]], first: Joint) -> int:

@@ -139,15 +139,18 @@ def index_pairs(source: SourceText, root: Node) -> tuple[dict[int, Pairs], list[
         if not isinstance(node, MappingNode):
             continue
         known = pairs[id(node)] = {}
+        before = ""
         for key, value in in_brackets(source, node.value, mistakes):
             pending.append(value)
             if not isinstance(key, ScalarNode):
                 mistakes.append(source.point(span_of(key), "a key is a name, not a collection"))
             elif key.value[:1].isdecimal() and is_null(value):  # {a: 0,4} is a pair and a key
-                message = f"write a decimal point: .{key.value}, not ,{key.value}"
+                written = before if before[-1:].isdecimal() else ""
+                message = f"write a decimal point: {written}.{key.value}, not {written},{key.value}"
                 mistakes.append(source.point(span_of(key), message))
             else:
                 _add(known, *_apart(source, key, value, mistakes), source, mistakes)
+            before = value.value if isinstance(value, ScalarNode) else ""
     return pairs, mistakes
 
 

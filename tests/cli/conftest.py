@@ -57,7 +57,7 @@ def verified(tmp_path_factory: pytest.TempPathFactory) -> Path:
     done = dhgen("robots/planar_rr.yaml", folder=folder, NUMBA_CACHE_DIR="")
     assert (done.returncode, done.stderr) == (0, "")
     # five sorts of 150, and 15 each at the stretched arm and beside it
-    assert "verified on 780 poses" in done.stdout
+    assert "this may take a minute ...\nverified on 780 poses" in done.stdout
     # both links along x, and its table's tool is the end of the second one
     assert "\ntool at q = 0: x 0.7, y 0, z 0 m; rpy 0, 0, 0 deg\n" in done.stdout
     assert "dhgen survey robots/planar_rr.yaml\n" in done.stdout

@@ -159,6 +159,16 @@ def test_explain(run: Run, option: list[str], tmp_path: Path) -> None:
     assert names(tmp_path) == []
 
 
+def test_explain_says_first_that_a_task_asks_for_too_much(run: Run, tmp_path: Path) -> None:
+    """In the derivation this stands far below, where the pose is checked."""
+    text = PLANAR.read_text(encoding="utf-8").replace("task: [x, y]\n", "")
+    (tmp_path / "arm.yaml").write_text(text, encoding="utf-8")
+    done = run("explain", "arm.yaml", folder=tmp_path)
+    assert done.returncode == 0
+    checked = "note: every pose is checked: the task asks for more than the arm can choose\n"
+    assert done.stderr == f"{checked}note: `task: [x, y]` would ask for as much as it can\n"
+
+
 @pytest.mark.parametrize(
     ("wished", "begins"),
     [("latex", "% planar"), ("html", "<!DOCTYPE html>"), ("markdown", "<!-- planar"), ("text", "")],

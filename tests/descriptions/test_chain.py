@@ -98,14 +98,28 @@ def test_a_chain_that_is_none_is_refused(base: str | None, tip: str | None, told
     assert told in refused(tree(*ARM, "base eye revolute"), base, tip)
 
 
+HAND = "left out: hand on l3, with 1 joint of its own; fixed to the arm"
+
+
 def test_what_is_beside_the_arm_is_told() -> None:
     chain = chosen(
         tree(*ARM, "l3 hand fixed", "hand finger prismatic", "l1 eye revolute", "l2 lamp fixed")
     )
     assert chain.notes == (
         "left out: eye on l1, with 1 joint of its own",
-        "left out: hand on l3, with 1 joint of its own",
+        f"{HAND}: hand (dhgen import --tip takes it)",
         "frames beside the arm: lamp (dhgen import --tip takes one)",
+    )
+
+
+def test_frames_that_a_hand_holds_are_told_where_the_arm_carries_it() -> None:
+    """They are tips that fingers hide; what hangs on a link before the last one has none."""
+    hand = "l3 hand fixed", "hand finger prismatic", "hand point fixed", "point eye fixed"
+    other = "l1 box fixed", "box lid revolute"
+    chain = chosen(tree(*ARM, *hand, *other))
+    assert chain.notes == (
+        "left out: box on l1, with 1 joint of its own",
+        f"{HAND}: hand, point, eye (dhgen import --tip takes one)",
     )
 
 

@@ -30,7 +30,10 @@ def test_it_writes_a_robot_file_and_tells_how_far_it_is_off(
     assert second.startswith("compared with panda.urdf at 1000 random joint values: the tools are ")
     assert "e-16 of the arm's size" in second
     assert third == "wrote panda.yaml; solvers: dhgen panda.yaml"
-    assert told.err == "note: left out: panda_hand on panda_link8, with 2 joints of its own\n"
+    assert told.err == (
+        "note: left out: panda_hand on panda_link8, with 2 joints of its own; fixed to the arm: "
+        "panda_hand (dhgen import --tip takes it)\n"
+    )
     assert load("panda.yaml").name == "panda"
 
 

@@ -93,7 +93,7 @@ def test_a_prismatic_joint() -> None:
         ("d: q, limits: [-inf, inf]", "[", "neither value limits the joint: leave 'limits' out"),
         ("theta: q, alhpa: 0", "alhpa", "unknown key 'alhpa'; did you mean 'alpha'? valid: theta"),
         ("theta: , d: q", "theta", "expected a number or an expression, not nothing"),
-        ("theta: q, a: 0,4", "4", "write a decimal point: .4, not ,4"),
+        ("theta: q, a: 0,4", "4", "write a decimal point: 0.4, not 0,4"),
         ("theta: q, a:1", "a:1", "a space must follow the colon: 'a: 1', not 'a:1'"),
         ("theta = q + pi", "theta = q + pi", "unknown key 'theta = q + pi': write 'theta: q + pi'"),
         ("theta: q, a 1", "a 1", "unknown key 'a 1': write 'a: 1', with a colon"),
