@@ -271,6 +271,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     abb_gofa_5_fk, abb_gofa_5_jacobian, solve,
     NULL,
 };

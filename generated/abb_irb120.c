@@ -528,6 +528,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     abb_irb120_fk, abb_irb120_jacobian, solve,
 #ifdef ABB_IRB120_PLAIN
     NULL,

@@ -508,6 +508,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     abb_irb1600_fk, abb_irb1600_jacobian, solve,
 #ifdef ABB_IRB1600_PLAIN
     NULL,

@@ -523,6 +523,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     abb_irb2400_fk, abb_irb2400_jacobian, solve,
 #ifdef ABB_IRB2400_PLAIN
     NULL,

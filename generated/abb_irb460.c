@@ -395,6 +395,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     abb_irb460_fk, abb_irb460_jacobian, solve,
 #ifdef ABB_IRB460_PLAIN
     NULL,

@@ -517,6 +517,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     abb_irb4600_fk, abb_irb4600_jacobian, solve,
 #ifdef ABB_IRB4600_PLAIN
     NULL,

@@ -290,6 +290,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     adept_cobra600_fk, adept_cobra600_jacobian, solve,
 #ifdef ADEPT_COBRA600_PLAIN
     NULL,

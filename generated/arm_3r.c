@@ -287,6 +287,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     arm_3r_fk, arm_3r_jacobian, solve,
 #ifdef ARM_3R_PLAIN
     NULL,

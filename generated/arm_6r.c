@@ -446,6 +446,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     arm_6r_fk, arm_6r_jacobian, solve,
 #ifdef ARM_6R_PLAIN
     NULL,

@@ -313,6 +313,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     bartell_rprpr_fk, bartell_rprpr_jacobian, solve,
 #ifdef BARTELL_RPRPR_PLAIN
     NULL,

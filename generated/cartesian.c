@@ -166,6 +166,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     cartesian_fk, cartesian_jacobian, solve,
 #ifdef CARTESIAN_PLAIN
     NULL,

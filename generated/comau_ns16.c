@@ -564,6 +564,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     comau_ns16_fk, comau_ns16_jacobian, solve,
 #ifdef COMAU_NS16_PLAIN
     NULL,

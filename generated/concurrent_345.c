@@ -405,6 +405,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
+    NULL, NULL,
     concurrent_345_fk, concurrent_345_jacobian, solve,
     NULL,
 };

@@ -395,6 +395,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     craig_417_fk, craig_417_jacobian, solve,
 #ifdef CRAIG_417_PLAIN
     NULL,

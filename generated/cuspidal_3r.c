@@ -195,6 +195,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
+    NULL, NULL,
     cuspidal_3r_fk, cuspidal_3r_jacobian, solve,
     NULL,
 };

@@ -215,6 +215,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     cylindrical_fk, cylindrical_jacobian, solve,
 #ifdef CYLINDRICAL_PLAIN
     NULL,

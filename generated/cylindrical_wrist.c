@@ -302,6 +302,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     cylindrical_wrist_fk, cylindrical_wrist_jacobian, solve,
 #ifdef CYLINDRICAL_WRIST_PLAIN
     NULL,

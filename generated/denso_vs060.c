@@ -514,6 +514,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     denso_vs060_fk, denso_vs060_jacobian, solve,
 #ifdef DENSO_VS060_PLAIN
     NULL,

@@ -322,6 +322,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     dobot_magician_fk, dobot_magician_jacobian, solve,
 #ifdef DOBOT_MAGICIAN_PLAIN
     NULL,

@@ -498,6 +498,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     doosan_m1013_fk, doosan_m1013_jacobian, solve,
 #ifdef DOOSAN_M1013_PLAIN
     NULL,

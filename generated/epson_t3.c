@@ -291,6 +291,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     epson_t3_fk, epson_t3_jacobian, solve,
 #ifdef EPSON_T3_PLAIN
     NULL,

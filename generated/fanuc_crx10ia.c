@@ -275,6 +275,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     fanuc_crx10ia_fk, fanuc_crx10ia_jacobian, solve,
     NULL,
 };

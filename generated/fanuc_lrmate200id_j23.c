@@ -256,20 +256,6 @@ static void solve(
     }
 }
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
-    6, 8, 0, DHGEN_POSE, joints, NULL, 0,
-    { 0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0 }, 0.8620689655172413, { 1e-14, 1e-14 }, entries, 9,
-    0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    fanuc_lrmate200id_j23_fk, fanuc_lrmate200id_j23_jacobian, solve,
-    NULL,
-};
-
 /* The drives whose whole turns hang together, and sums of drives that have limits. */
 static const int coupled[2] = { 1, 2 };
 static const double coupled_moves[12] = {
@@ -286,9 +272,24 @@ static const double coupled_highest[6] = {
 static const double sum_factors[6] = { 0.0, 1.0, 1.0, 0.0, 0.0, 0.0 };
 static const double sum_lowest[1] = { -1.2217304773960307 };
 static const double sum_highest[1] = { 3.5779249675883755 };
+static const double sum_slacks[1] = { 1e-09 };
 static const struct dhgen_coupling coupling = {
     2, coupled, coupled_moves, coupled_lowest, coupled_highest, 1, sum_factors, sum_lowest,
-        sum_highest,
+        sum_highest, sum_slacks,
+};
+static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+static const int choosable[3] = { 3, 1, 0 };
+static const struct dhgen_arm arm = {
+    6, 8, 0, DHGEN_POSE, joints, NULL, 0,
+    { 0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0 }, 0.8620689655172413, { 1e-14, 1e-14 }, entries, 9,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
+    choosable, 3, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
+    1, /* follows seed */
+    NULL, NULL,
+    &coupling, dhgen_coupled_beyond,
+    fanuc_lrmate200id_j23_fk, fanuc_lrmate200id_j23_jacobian, solve,
+    NULL,
 };
 
 void fanuc_lrmate200id_j23_joint_velocities(const double q[6], const double twist[6], double
@@ -300,15 +301,15 @@ void fanuc_lrmate200id_j23_joint_velocities(const double q[6], const double twis
 int fanuc_lrmate200id_j23_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
-    return dhgen_coupled_ik(&arm, &coupling, T, NULL, q_seed, &q[0][0], status);
+    return dhgen_coupled_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 int fanuc_lrmate200id_j23_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    return dhgen_coupled_nearest(&arm, &coupling, T, NULL, q_seed, q);
+    return dhgen_coupled_nearest(&arm, T, NULL, q_seed, q);
 }
 
 void fanuc_lrmate200id_j23_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    dhgen_coupled_each(&arm, &coupling, n, T, NULL, q, status);
+    dhgen_coupled_each(&arm, n, T, NULL, q, status);
 }

@@ -106,6 +106,7 @@ _COUPLING = _coupled.coupling_numbers(
         ),
         factors=((0.0, 1.0, 1.0, 0.0, 0.0, 0.0),),
         sums=((-1.2217304773960307, 3.5779249675883755),),
+        slacks=(1e-09,),
     )
 )
 _ARM = _arms.arm_numbers(
@@ -129,6 +130,7 @@ _ARM = _arms.arm_numbers(
         choosable=(3, 1, 0),
         cuts=52,
     ),
+    coupling=_COUPLING,
 )
 
 
@@ -449,7 +451,6 @@ _CALLS = _functions.of_robot(
             "no_row": "the pose is out of reach",
             "allocates": "at every pose",
         },
-        coupling=_COUPLING,
     ),
 )
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]

@@ -539,6 +539,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     fanuc_m710ic50_fk, fanuc_m710ic50_jacobian, solve,
 #ifdef FANUC_M710IC50_PLAIN
     NULL,

@@ -524,6 +524,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     franka_panda_fk, franka_panda_jacobian, solve,
 #ifdef FRANKA_PANDA_PLAIN
     NULL,

@@ -256,6 +256,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     gantry_wrist_fk, gantry_wrist_jacobian, solve,
 #ifdef GANTRY_WRIST_PLAIN
     NULL,

@@ -312,6 +312,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     general_4r2p_fk, general_4r2p_jacobian, solve,
     NULL,
 };

@@ -311,6 +311,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     general_5r_fk, general_5r_jacobian, solve,
     NULL,
 };

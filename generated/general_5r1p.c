@@ -474,6 +474,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     general_5r1p_fk, general_5r1p_jacobian, solve,
     NULL,
 };

@@ -456,6 +456,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     general_5r1p_pair_fk, general_5r1p_pair_jacobian, solve,
     NULL,
 };

@@ -312,6 +312,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     general_5r_pointing_fk, general_5r_pointing_jacobian, solve,
     NULL,
 };

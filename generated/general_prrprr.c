@@ -330,6 +330,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     general_prrprr_fk, general_prrprr_jacobian, solve,
     NULL,
 };

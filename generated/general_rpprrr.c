@@ -303,6 +303,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     general_rpprrr_fk, general_rpprrr_jacobian, solve,
     NULL,
 };

@@ -490,6 +490,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     igus_rebel_fk, igus_rebel_jacobian, solve,
 #ifdef IGUS_REBEL_PLAIN
     NULL,

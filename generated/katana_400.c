@@ -469,6 +469,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     katana_400_fk, katana_400_jacobian, solve,
 #ifdef KATANA_400_PLAIN
     NULL,

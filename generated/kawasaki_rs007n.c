@@ -533,6 +533,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     kawasaki_rs007n_fk, kawasaki_rs007n_jacobian, solve,
 #ifdef KAWASAKI_RS007N_PLAIN
     NULL,

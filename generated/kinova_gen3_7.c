@@ -100,7 +100,7 @@ DHGEN_TABLE double constants[8][12] = {
 
 /* The joints whose values are given, and where they are in the links. */
 DHGEN_TABLE dhgen_given_joint given[1] = {
-    { 0, 1.0, 3.141592653589793 },
+    { 0, 1.0, 3.141592653589793, 0 },
 };
 
 DHGEN_TABLE dhgen_given_motion motions[1] = {
@@ -628,6 +628,7 @@ static const struct dhgen_arm arm = {
     NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
+    NULL, NULL,
     NULL, NULL,
     kinova_gen3_7_fk, kinova_gen3_7_jacobian, solve,
     NULL,

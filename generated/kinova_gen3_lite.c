@@ -434,6 +434,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     kinova_gen3_lite_fk, kinova_gen3_lite_jacobian, solve,
     NULL,
 };

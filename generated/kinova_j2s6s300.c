@@ -575,6 +575,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     kinova_j2s6s300_fk, kinova_j2s6s300_jacobian, solve,
 #ifdef KINOVA_J2S6S300_PLAIN
     NULL,

@@ -461,6 +461,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     kinova_jaco2_fk, kinova_jaco2_jacobian, solve,
     NULL,
 };

@@ -527,6 +527,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     kuka_iiwa14_fk, kuka_iiwa14_jacobian, solve,
 #ifdef KUKA_IIWA14_PLAIN
     NULL,

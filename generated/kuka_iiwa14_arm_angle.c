@@ -640,6 +640,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     kuka_iiwa14_arm_angle_fk, kuka_iiwa14_arm_angle_jacobian, solve,
 #ifdef KUKA_IIWA14_ARM_ANGLE_PLAIN
     NULL,

@@ -466,6 +466,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     kuka_kr210_fk, kuka_kr210_jacobian, solve,
 #ifdef KUKA_KR210_PLAIN
     NULL,

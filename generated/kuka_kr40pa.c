@@ -404,6 +404,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
+    NULL, NULL,
     kuka_kr40pa_fk, kuka_kr40pa_jacobian, solve,
 #ifdef KUKA_KR40PA_PLAIN
     NULL,

@@ -318,6 +318,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     kuka_kr40pa_drives_fk, kuka_kr40pa_drives_jacobian, solve,
 #ifdef KUKA_KR40PA_DRIVES_PLAIN
     NULL,

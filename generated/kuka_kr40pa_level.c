@@ -380,6 +380,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     kuka_kr40pa_level_fk, kuka_kr40pa_level_jacobian, solve,
 #ifdef KUKA_KR40PA_LEVEL_PLAIN
     NULL,

@@ -491,6 +491,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     kuka_kr6_r900_fk, kuka_kr6_r900_jacobian, solve,
 #ifdef KUKA_KR6_R900_PLAIN
     NULL,

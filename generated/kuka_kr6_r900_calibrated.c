@@ -664,6 +664,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     kuka_kr6_r900_calibrated_fk, kuka_kr6_r900_calibrated_jacobian, solve,
     NULL,
 };

@@ -493,6 +493,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     kuka_youbot_fk, kuka_youbot_jacobian, solve,
 #ifdef KUKA_YOUBOT_PLAIN
     NULL,

@@ -334,6 +334,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     olson_pprrrr_fk, olson_pprrrr_jacobian, solve,
 #ifdef OLSON_PPRRRR_PLAIN
     NULL,

@@ -372,6 +372,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
+    NULL, NULL,
     parallel_123_fk, parallel_123_jacobian, solve,
     NULL,
 };

@@ -409,6 +409,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
+    NULL, NULL,
     phantomx_fk, phantomx_jacobian, solve,
 #ifdef PHANTOMX_PLAIN
     NULL,

@@ -206,6 +206,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     planar_rp_fk, planar_rp_jacobian, solve,
 #ifdef PLANAR_RP_PLAIN
     NULL,

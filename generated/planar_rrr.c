@@ -319,6 +319,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     planar_rrr_fk, planar_rrr_jacobian, solve,
 #ifdef PLANAR_RRR_PLAIN
     NULL,

@@ -159,6 +159,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     planar_rrrr_fk, planar_rrrr_jacobian, solve,
     NULL,
 };

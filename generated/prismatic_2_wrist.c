@@ -485,6 +485,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     prismatic_2_wrist_fk, prismatic_2_wrist_jacobian, solve,
 #ifdef PRISMATIC_2_WRIST_PLAIN
     NULL,

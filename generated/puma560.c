@@ -483,6 +483,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     puma560_fk, puma560_jacobian, solve,
 #ifdef PUMA560_PLAIN
     NULL,

@@ -324,6 +324,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     puma560_calibrated_fk, puma560_calibrated_jacobian, solve,
     NULL,
 };

@@ -297,6 +297,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     puma_arm_fk, puma_arm_jacobian, solve,
 #ifdef PUMA_ARM_PLAIN
     NULL,

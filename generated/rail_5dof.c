@@ -368,6 +368,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
+    NULL, NULL,
     rail_5dof_fk, rail_5dof_jacobian, solve,
 #ifdef RAIL_5DOF_PLAIN
     NULL,

@@ -204,6 +204,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     rpp_fk, rpp_jacobian, solve,
 #ifdef RPP_PLAIN
     NULL,

@@ -246,6 +246,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     rpr_fk, rpr_jacobian, solve,
 #ifdef RPR_PLAIN
     NULL,

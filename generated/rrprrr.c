@@ -354,6 +354,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     rrprrr_fk, rrprrr_jacobian, solve,
 #ifdef RRPRRR_PLAIN
     NULL,

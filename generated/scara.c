@@ -308,6 +308,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     scara_fk, scara_jacobian, solve,
 #ifdef SCARA_PLAIN
     NULL,

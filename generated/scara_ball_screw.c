@@ -164,20 +164,6 @@ static void solve(
     }
 }
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
-    4, 2, 0, DHGEN_POSE, joints, NULL, 0,
-    { 1.429, 1.429, 1.429, 1.0, 1.0, 1.0 }, 1.4285714285714286, { 1e-14, 1e-14 }, entries, 9,
-    1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    scara_ball_screw_fk, scara_ball_screw_jacobian, solve,
-    NULL,
-};
-
 /* The drives whose whole turns hang together, and sums of drives that have limits. */
 static const int coupled[1] = { 3 };
 static const double coupled_moves[4] = { 0.0, 0.0, -0.016, 6.283185307179586 };
@@ -188,7 +174,21 @@ static const double coupled_highest[4] = {
     2.2689280285926285, 2.530727416391778, 7e-10, 6.283185308179586,
 };
 static const struct dhgen_coupling coupling = {
-    1, coupled, coupled_moves, coupled_lowest, coupled_highest, 0, NULL, NULL, NULL,
+    1, coupled, coupled_moves, coupled_lowest, coupled_highest, 0, NULL, NULL, NULL, NULL,
+};
+static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+static const int choosable[1] = { 0 };
+static const struct dhgen_arm arm = {
+    4, 2, 0, DHGEN_POSE, joints, NULL, 0,
+    { 1.429, 1.429, 1.429, 1.0, 1.0, 1.0 }, 1.4285714285714286, { 1e-14, 1e-14 }, entries, 9,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
+    choosable, 1, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    0, /* follows seed */
+    NULL, NULL,
+    &coupling, dhgen_coupled_beyond,
+    scara_ball_screw_fk, scara_ball_screw_jacobian, solve,
+    NULL,
 };
 
 void scara_ball_screw_joint_velocities(const double q[4], const double twist[6], double
@@ -200,15 +200,15 @@ void scara_ball_screw_joint_velocities(const double q[4], const double twist[6],
 int scara_ball_screw_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
-    return dhgen_coupled_ik(&arm, &coupling, T, NULL, q_seed, &q[0][0], status);
+    return dhgen_coupled_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 int scara_ball_screw_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 {
-    return dhgen_coupled_nearest(&arm, &coupling, T, NULL, q_seed, q);
+    return dhgen_coupled_nearest(&arm, T, NULL, q_seed, q);
 }
 
 void scara_ball_screw_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    dhgen_coupled_each(&arm, &coupling, n, T, NULL, q, status);
+    dhgen_coupled_each(&arm, n, T, NULL, q, status);
 }

@@ -90,6 +90,7 @@ _COUPLING = _coupled.coupling_numbers(
         ),
         factors=(),
         sums=(),
+        slacks=(),
     )
 )
 _ARM = _arms.arm_numbers(
@@ -115,6 +116,7 @@ _ARM = _arms.arm_numbers(
         choosable=(0,),
         cuts=52,
     ),
+    coupling=_COUPLING,
 )
 
 
@@ -286,7 +288,6 @@ _CALLS = _functions.of_robot(
             "no_row": "the pose is out of reach, or one that 4 joints can't take",
             "allocates": "at every pose",
         },
-        coupling=_COUPLING,
     ),
 )
 ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]

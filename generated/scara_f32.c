@@ -202,6 +202,10 @@ struct dhgen_arm {
     void (*complete)(const struct dhgen_arm *arm, const float *T, const float *free_joints,
         const float *seed, int begun, float *q, unsigned char *status);
 
+    /* Of coupled drives; how far a row is beyond all limits then. Both may be NULL. */
+    const struct dhgen_coupling *coupling;
+    float (*beyond)(const struct dhgen_arm *arm, const float *q);
+
     /* The robot's own functions. `regular` solves regular poses, how many rows are OK, or -1 where
      * the pose needs care; it may be NULL. `solve` fills the rows of branches that have a solution,
      * roots of polynomials being moved by an angle. */
@@ -336,6 +340,8 @@ DHGEN_FN float dhgen_overshoot(const struct dhgen_arm *arm, int joint, float val
 /* How far the joint values of a row are beyond their limits, whole turns aside [rad, arm sizes]. */
 DHGEN_FN float dhgen_beyond_limits(const struct dhgen_arm *arm, const float *q)
 {
+    if (arm->beyond)
+        return arm->beyond(arm, q);
     float sum = 0.0f;
     for (int i = 0; i < dhgen_dof(arm); i++)
         sum += fabsf(dhgen_overshoot(arm, i, q[i])) * sqrtf(arm->joints[i].weight);
@@ -710,7 +716,7 @@ DHGEN_FN void dhgen_remove_duplicates(
 #define DHGEN_ALIKE 2.0f
 
 /* Takes joint values to the solution next to the seed that keeps the caller's values and, where
- * joints are clamped, limits. Returns whether there is one. */
+ * joints are clamped or coupled, limits. Returns whether there is one. */
 DHGEN_FN int dhgen_beside_seed(const struct dhgen_arm *arm, const float *T,
     const float *free_joints, const float *seed, float *x)
 {
@@ -724,8 +730,9 @@ DHGEN_FN int dhgen_beside_seed(const struct dhgen_arm *arm, const float *T,
         x[arm->given_joints[k]] = free_joints[k];
     if (!dhgen_refine(arm, T, DHGEN_EXACT, DHGEN_BESIDE_SEED, x))
         return 0;
-    return !(arm->clamps && dhgen_past_ends(arm, x) > DHGEN_LIMIT)
-        || dhgen_refine_inside(arm, T, arm->clamped[0], DHGEN_BESIDE_SEED, x);
+    return (!(arm->clamps && dhgen_past_ends(arm, x) > DHGEN_LIMIT)
+               || dhgen_refine_inside(arm, T, arm->clamped[0], DHGEN_BESIDE_SEED, x))
+        && !(arm->beyond && arm->beyond(arm, x) > DHGEN_LIMIT);
 }
 
 /* Gives the solution next to the seed a row where rounding can't tell solutions apart: its own, one
@@ -2028,6 +2035,7 @@ static const struct dhgen_arm arm = {
     choosable, 1, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
+    NULL, NULL,
     NULL, NULL,
     scara_f32_fk, scara_f32_jacobian, solve,
 #ifdef SCARA_F32_PLAIN

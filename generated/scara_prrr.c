@@ -279,6 +279,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     scara_prrr_fk, scara_prrr_jacobian, solve,
 #ifdef SCARA_PRRR_PLAIN
     NULL,

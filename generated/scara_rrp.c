@@ -240,6 +240,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     scara_rrp_fk, scara_rrp_jacobian, solve,
 #ifdef SCARA_RRP_PLAIN
     NULL,

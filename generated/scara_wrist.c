@@ -340,6 +340,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     scara_wrist_fk, scara_wrist_jacobian, solve,
 #ifdef SCARA_WRIST_PLAIN
     NULL,

@@ -498,6 +498,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
+    NULL, NULL,
     scorbot_pointing_fk, scorbot_pointing_jacobian, solve,
 #ifdef SCORBOT_POINTING_PLAIN
     NULL,

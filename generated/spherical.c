@@ -235,6 +235,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     spherical_fk, spherical_jacobian, solve,
 #ifdef SPHERICAL_PLAIN
     NULL,

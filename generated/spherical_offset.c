@@ -249,6 +249,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     spherical_offset_fk, spherical_offset_jacobian, solve,
 #ifdef SPHERICAL_OFFSET_PLAIN
     NULL,

@@ -492,6 +492,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     spherical_wrist_all_offsets_fk, spherical_wrist_all_offsets_jacobian, solve,
 #ifdef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
     NULL,

@@ -442,6 +442,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     stanford_fk, stanford_jacobian, solve,
 #ifdef STANFORD_PLAIN
     NULL,

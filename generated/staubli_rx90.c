@@ -443,6 +443,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     staubli_rx90_fk, staubli_rx90_jacobian, solve,
 #ifdef STAUBLI_RX90_PLAIN
     NULL,

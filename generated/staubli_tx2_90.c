@@ -553,6 +553,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     staubli_tx2_90_fk, staubli_tx2_90_jacobian, solve,
 #ifdef STAUBLI_TX2_90_PLAIN
     NULL,

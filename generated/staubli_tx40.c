@@ -507,6 +507,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     staubli_tx40_fk, staubli_tx40_jacobian, solve,
 #ifdef STAUBLI_TX40_PLAIN
     NULL,

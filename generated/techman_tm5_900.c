@@ -533,6 +533,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     techman_tm5_900_fk, techman_tm5_900_jacobian, solve,
 #ifdef TECHMAN_TM5_900_PLAIN
     NULL,

@@ -492,6 +492,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     ur10e_fk, ur10e_jacobian, solve,
 #ifdef UR10E_PLAIN
     NULL,

@@ -492,6 +492,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     ur20_fk, ur20_jacobian, solve,
 #ifdef UR20_PLAIN
     NULL,

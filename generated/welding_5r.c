@@ -314,6 +314,7 @@ static const struct dhgen_arm arm = {
     1, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     &completion, dhgen_complete_rows,
+    NULL, NULL,
     welding_5r_fk, welding_5r_jacobian, solve,
     NULL,
 };

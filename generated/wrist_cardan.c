@@ -218,6 +218,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     wrist_cardan_fk, wrist_cardan_jacobian, solve,
 #ifdef WRIST_CARDAN_PLAIN
     NULL,

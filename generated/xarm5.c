@@ -489,6 +489,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     xarm5_fk, xarm5_jacobian, solve,
 #ifdef XARM5_PLAIN
     NULL,

@@ -548,6 +548,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
     1, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     yaskawa_gp7_fk, yaskawa_gp7_jacobian, solve,
 #ifdef YASKAWA_GP7_PLAIN
     NULL,

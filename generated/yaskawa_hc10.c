@@ -274,6 +274,7 @@ static const struct dhgen_arm arm = {
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
     0, /* follows seed */
     NULL, NULL,
+    NULL, NULL,
     yaskawa_hc10_fk, yaskawa_hc10_jacobian, solve,
     NULL,
 };

@@ -28,10 +28,10 @@ def general_kernel(chain: Chain) -> GeneralKernel | None:
     The others are held at the values that the caller gives. Fewer are enough, too, with joints that
     the arm does not have: where the tool only points, its turn about its own axis, whose value
     nobody needs; where then one is still missing, a turn that has to come out as zero. None for
-    arms of other kinds, for tasks other than these, for given joints that other drives move, too,
-    and where every elimination fails.
+    arms of other kinds, for tasks other than these, for given joints that drives move which are
+    solved for, and where every elimination fails.
     """
-    if not is_general(chain) or any(chain.joints[number - 1].shares for number in chain.free):
+    if not is_general(chain) or not chain.is_given_alone:
         return None
     given = tuple((joint.sign, joint.offset) for joint in (chain.joints[n - 1] for n in chain.free))
     kernel = setup(loop_constants(chain), slides_of(chain))
@@ -42,6 +42,7 @@ def general_kernel(chain: Chain) -> GeneralKernel | None:
         kernel,
         numbers=numbers[:JOINTS],
         given=given,
+        given_shares=_given_shares(chain),
         pointing=_only_points(chain),
         checked=_missing(chain) > 0,
     )
@@ -85,6 +86,15 @@ def loop_constants(chain: Chain) -> list[Link]:
     if _missing(chain):
         links = with_no_turn(links, chain.size)
     return [*links, Link(IDENTITY)] if _only_points(chain) else links
+
+
+def _given_shares(chain: Chain) -> tuple[tuple[float, ...], ...]:
+    """What given values add to each joint that is given; empty where none adds to another's."""
+    joints = [chain.joints[number - 1] for number in chain.free]
+    if not any(joint.shares for joint in joints):
+        return ()
+    factors = [{share.drive: float(share.factor) for share in joint.shares} for joint in joints]
+    return tuple(tuple(own.get(number, 0.0) for number in chain.free) for own in factors)
 
 
 def _only_points(chain: Chain) -> bool:

@@ -92,6 +92,8 @@ class GeneralKernel:
         numbers: The joints' numbers in the arm, from 1.
         given: Sign and offset of every joint whose value the caller gives: its angle or length is
             sign q + offset.
+        given_shares: What given values add to that, a factor of every one of them for each; empty
+            where none adds to another's.
         pointing: Whether the last joint of the loop is not one of the arm's, but the tool's turn
             about its own axis, which the task leaves open.
         checked: Whether the joint of the loop behind the arm's is a turn that the arm does not
@@ -105,6 +107,7 @@ class GeneralKernel:
     wrist: OffsetWrist | None = None
     numbers: tuple[int, ...] = (1, 2, 3, 4, 5, 6)
     given: tuple[tuple[int, float], ...] = ()
+    given_shares: tuple[tuple[float, ...], ...] = ()
     pointing: bool = False
     checked: bool = False
 
@@ -169,4 +172,6 @@ class GeneralKernel:
     def held(self, free: Sequence[float]) -> tuple[Value, ...]:
         """Angles and lengths of the joints whose values the caller gives."""
         values = [s * q + offset for (s, offset), q in zip(self.given, free, strict=True)]
+        for place, shares in enumerate(self.given_shares):
+            values[place] += sum(share * q for share, q in zip(shares, free, strict=True))
         return tuple(Value(x, cos(x), sin(x)) for x in values)

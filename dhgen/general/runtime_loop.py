@@ -29,6 +29,7 @@ def runtime_loop(kernel: GeneralKernel) -> Loop:
         side="hidden" if hidden else "right" if right else "left",
         order=kernel.first.order if hidden else 0,
         given=tuple((float(sign), float(offset)) for sign, offset in kernel.given),
+        given_shares=kernel.given_shares,
         special=tuple(_special(each, loop.size) for each in kernel.vanishing),
         wrist=wrist_numbers(kernel),
         pointing=kernel.pointing,

@@ -190,6 +190,16 @@ class Chain:
         return len(self.free) + self.arm_angle
 
     @property
+    def is_given_alone(self) -> bool:
+        """Whether the angles and lengths of free joints hang on given values only."""
+        return not any(self.solved_that_move(number) for number in self.free)
+
+    def solved_that_move(self, number: int) -> list[int]:
+        """The drives of others that move a joint, and are not given."""
+        shares = self.joints[number - 1].shares
+        return sorted(share.drive for share in shares if share.drive not in self.free)
+
+    @property
     def overdetermined(self) -> bool:
         """Whether the task gives more independent numbers than the arm can choose."""
         return self.dof - self.given < self.task.dimension

@@ -67,6 +67,11 @@ def solved_alone(chain: Chain) -> tuple[ChainJoint, ...]:
     return tuple(joint for joint in joints_alone(chain) if joint.number not in chain.free)
 
 
+def has_limits(chain: Chain) -> bool:
+    """Whether a drive or a sum of drives has limits."""
+    return bool(chain.sums) or any(joint.limits for joint in chain.joints)
+
+
 def turns_alone(chain: Chain) -> bool:
     """Whether no whole turn of a drive moves another one."""
     turns = coupled_turns(chain)

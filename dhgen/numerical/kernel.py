@@ -74,13 +74,14 @@ class NumericalKernel:
         """What the drives that are solved for have of angles and lengths, and of given values.
 
         None where every drive moves its own joint alone, so that its sign is all. Joints whose
-        values are given are no others' to move: their drives have signs alone.
+        values are given are moved by given drives alone.
         """
         chain = self.arm.chain
         if not chain.drives.are_coupled:
             return None
-        given = [joint.number in chain.free for joint in chain.joints]
-        own = chain.drives.inverse * np.where(given, chain.drives.signs, 1)
+        given = [number - 1 for number in chain.free]
+        own = chain.drives.inverse
+        own[:, given] = own[:, given] @ chain.drives.matrix[np.ix_(given, given)]
         return np.asarray(own[list(self.solved)] + 0.0)  # no -0.0
 
     @property

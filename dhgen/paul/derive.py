@@ -21,7 +21,6 @@ from dhgen.paul.refusal.drives import (
     demand_given_alone,
     demand_sums,
     demand_whole_turns,
-    is_given_alone,
 )
 from dhgen.paul.refusal.free_joint_advice import free_joint_advice
 from dhgen.paul.refusal.redundancy import redundant
@@ -68,7 +67,7 @@ def derive(chain: Chain, *, numerical: bool = False, steps: Sequence[int] = ()) 
         demand_given_alone(chain)
         demand_sums(chain)
     problem = build_problem(build_algebra(chain))
-    apart = not is_given_alone(chain) or any(row.apart for row in chain.passive)
+    apart = not chain.is_given_alone or any(row.apart for row in chain.passive)
     if apart or spare.count or are_too_many_given(chain.given):
         kernel = numerical_kernel(chain, redundant=bool(spare.count))
         return Derivation(Pool(problem, (), ()), (), (), kernel)

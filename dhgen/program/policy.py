@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.turns import joints_alone, stands_on_limits, turns_alone
+from dhgen.kinematics.turns import has_limits, joints_alone, stands_on_limits, turns_alone
 from dhgen.program.ir import Failure, Guard, Roots
 from dhgen.program.regular.regular import tells_regular
 from dhgen.program.walk import finds_roots, whole_arm
@@ -93,7 +93,7 @@ def policy_of(chain: Chain, solver: Program, tolerances: Tolerances) -> Policy:
     return Policy(
         retries=_chooses_again(solver),
         checks=checks,
-        keeps_limits=bool(joints) and any(joint.limits for joint in joints_alone(chain)),
+        keeps_limits=bool(joints) and has_limits(chain),
         completes=completes,
         adds_others=completes and checks and solver.rows > 1,
         ascends=finds_roots(solver) and len(solver.axes) == 1,

@@ -27,6 +27,7 @@ def runtime_coupling(module: SolverModule) -> Coupling | None:
     angle = module.precision.tolerances.limit
     length = float(f"{angle * chain.size:.4g}")
     slacks = [angle if turns else length for turns in chain.turning]
+    of_sums = tuple(angle if each.turns else length for each in chain.sums)
     limits = [joint.limits or NO_LIMITS for joint in chain.joints]
     return Coupling(
         drives=tuple(drive - 1 for drive in turns.drives),
@@ -35,9 +36,9 @@ def runtime_coupling(module: SolverModule) -> Coupling | None:
         factors=tuple(each.factors for each in chain.sums),
         sums=tuple(
             (each.lowest - slack, each.highest + slack)
-            for each in chain.sums
-            for slack in (angle if each.turns else length,)
+            for each, slack in zip(chain.sums, of_sums, strict=True)
         ),
+        slacks=of_sums,
     )
 
 
@@ -66,6 +67,7 @@ def c_coupling(module: SolverModule) -> CCoupling | None:
         "sum_factors": [x for row in turns.factors for x in row],
         "sum_lowest": [low for low, _ in turns.sums],
         "sum_highest": [high for _, high in turns.sums],
+        "sum_slacks": list(turns.slacks),
     }
     drives = [str(drive) for drive in turns.drives]
     arrays = [c_array(f"static const int coupled[{len(drives)}]", drives)] if drives else []
@@ -77,7 +79,7 @@ def c_coupling(module: SolverModule) -> CCoupling | None:
     names = {name: name if values else "NULL" for name, values in numbers.items()}
     own = f"{len(drives)}, {'coupled' if drives else 'NULL'}, {names['coupled_moves']}"
     limits = "coupled_lowest, coupled_highest"
-    sums = f"{names['sum_factors']}, {names['sum_lowest']}, {names['sum_highest']}"
+    sums = ", ".join(names[f"sum_{each}"] for each in ("factors", "lowest", "highest", "slacks"))
     return CCoupling(tuple(arrays), f"{own}, {limits}, {len(turns.sums)}, {sums}")
 
 

@@ -104,6 +104,10 @@ struct dhgen_arm {
     void (*complete)(const struct dhgen_arm *arm, const double *T, const double *free_joints,
         const double *seed, int begun, double *q, unsigned char *status);
 
+    /* Of coupled drives; how far a row is beyond all limits then. Both may be NULL. */
+    const struct dhgen_coupling *coupling;
+    double (*beyond)(const struct dhgen_arm *arm, const double *q);
+
     /* The robot's own functions. `regular` solves regular poses, how many rows are OK, or -1 where
      * the pose needs care; it may be NULL. `solve` fills the rows of branches that have a solution,
      * roots of polynomials being moved by an angle. */

@@ -14,7 +14,7 @@
 #define DHGEN_ALIKE 2.0
 
 /* Takes joint values to the solution next to the seed that keeps the caller's values and, where
- * joints are clamped, limits. Returns whether there is one. */
+ * joints are clamped or coupled, limits. Returns whether there is one. */
 DHGEN_FN int dhgen_beside_seed(const struct dhgen_arm *arm, const double *T,
     const double *free_joints, const double *seed, double *x)
 {
@@ -28,8 +28,9 @@ DHGEN_FN int dhgen_beside_seed(const struct dhgen_arm *arm, const double *T,
         x[arm->given_joints[k]] = free_joints[k];
     if (!dhgen_refine(arm, T, DHGEN_EXACT, DHGEN_BESIDE_SEED, x))
         return 0;
-    return !(arm->clamps && dhgen_past_ends(arm, x) > DHGEN_LIMIT)
-        || dhgen_refine_inside(arm, T, arm->clamped[0], DHGEN_BESIDE_SEED, x);
+    return (!(arm->clamps && dhgen_past_ends(arm, x) > DHGEN_LIMIT)
+               || dhgen_refine_inside(arm, T, arm->clamped[0], DHGEN_BESIDE_SEED, x))
+        && !(arm->beyond && arm->beyond(arm, x) > DHGEN_LIMIT);
 }
 
 /* Gives the solution next to the seed a row where rounding can't tell solutions apart: its own, one

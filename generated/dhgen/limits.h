@@ -30,6 +30,8 @@ DHGEN_FN double dhgen_overshoot(const struct dhgen_arm *arm, int joint, double v
 /* How far the joint values of a row are beyond their limits, whole turns aside [rad, arm sizes]. */
 DHGEN_FN double dhgen_beyond_limits(const struct dhgen_arm *arm, const double *q)
 {
+    if (arm->beyond)
+        return arm->beyond(arm, q);
     double sum = 0.0;
     for (int i = 0; i < dhgen_dof(arm); i++)
         sum += fabs(dhgen_overshoot(arm, i, q[i])) * sqrt(arm->joints[i].weight);

@@ -24,6 +24,7 @@ from .arguments import (
 from .coupled import coupled_nearest
 from .jit import overload
 from .nearest import nearest
+from .places import COUPLING
 from .status import INVALID_POSE, OUT_OF_LIMITS
 
 if TYPE_CHECKING:
@@ -49,7 +50,6 @@ class Choice:
         no_pose: What is wrong with a pose that is none.
         no_row: What is wrong with a pose without solutions.
         unreachable: The exception for such a pose.
-        coupling: Of drives whose whole turns hang together; None where none do.
     """
 
     arm: FloatArray
@@ -57,7 +57,6 @@ class Choice:
     no_pose: str
     no_row: str
     unreachable: type[ValueError]
-    coupling: FloatArray | None = None
 
     def rows(self, branch: Any, limits: Any) -> tuple[int, int]:  # noqa: ANN401
         """The rows of a branch.
@@ -105,9 +104,9 @@ class Choice:
         self, q: FloatArray, status: Statuses, seed: FloatArray, limits: bool, found: FloatArray
     ) -> bool:
         """The row nearest to a seed into `found`; whether there is one."""
-        if self.coupling is None:
+        if self.arm[COUPLING] == 0.0:
             return nearest(self.arm, q, status, seed, limits, found)
-        return coupled_nearest(self.arm, self.coupling, q, status, seed, limits, found)
+        return coupled_nearest(self.arm, q, status, seed, limits, found)
 
 
 def of_joints(how: Compiling, dof: int) -> Callable[[Callable[[Any], Any]], Callable[[Any], Any]]:

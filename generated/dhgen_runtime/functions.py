@@ -14,6 +14,7 @@ from . import (
     careful,
     clamp,
     coupled,
+    coupled_turns,
     duplicates,
     follow_seed,
     one_pose,
@@ -25,7 +26,7 @@ from . import (
 )
 from .entry import Choice
 from .jit import COMPILED, overload
-from .places import CLAMPS, FOLLOWS_SEED, KEEPS_LIMITS, MERGES, PER_LENGTH, RETRIES
+from .places import CLAMPS, COUPLING, FOLLOWS_SEED, KEEPS_LIMITS, MERGES, PER_LENGTH, RETRIES
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -97,7 +98,6 @@ class Solver:
         apart: Functions that compile what stands apart in a file, one for each.
         words: What messages and docstrings say of the robot: no_pose, no_row, allocates, and
             `given` of values that the caller gives.
-        coupling: Of drives whose whole turns hang together; None where none do.
     """
 
     arm: Floats
@@ -109,7 +109,6 @@ class Solver:
     given: int
     apart: tuple[Callable[[], None], ...]
     words: Mapping[str, str]
-    coupling: Floats | None = None
 
 
 def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[str, Any]:
@@ -137,7 +136,6 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
         "slides": "P" in robot["JOINT_TYPES"],
         "read_rows": getattr(pose, f"read_{solver.task}"),
         "rotation_miss": getattr(pose, f"miss_of_{solver.task}"),
-        "coupling": solver.coupling,
         "apart": (how.compile_apart, *_needed(solver), *solver.apart),
         "choice": Choice(
             solver.arm,
@@ -145,7 +143,6 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
             words["no_pose"],
             words["no_row"],
             robot["Unreachable"],
-            solver.coupling,
         ),
         "shapes": f"T, q and status must have shapes (4, 4), ({rows}, {dof}), ({rows},)",
         "given_must": f"q_free must have shape ({given},)",
@@ -170,7 +167,7 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
         add(name, how.njit(forceinline=True))
     if given:
         add("given_values")
-    turns = "turned_alone" if solver.coupling is None else "turned_together"
+    turns = "turned_alone" if solver.arm[COUPLING] == 0.0 else "turned_together"
     add(turns, how.merged)
     names["settle"] = names[turns]
     add("careful", how.jit)
@@ -209,8 +206,8 @@ def _given_names(robot: Mapping[str, Any], solver: Solver) -> dict[str, Any]:
 def _needed(solver: Solver) -> list[Callable[[], None]]:
     """What compiles the files of the runtime that an arm needs."""
     arm, found = solver.arm, [careful.OWN.compile_apart, velocities.OWN.compile_apart]
-    if solver.coupling is not None:
-        found.append(coupled.OWN.compile_apart)
+    if arm[COUPLING] > 0.0:
+        found += [coupled.OWN.compile_apart, coupled_turns.OWN.compile_apart]
     return found + [
         file.OWN.compile_apart for file, steps in APART if any(arm[step] > 0.0 for step in steps)
     ]

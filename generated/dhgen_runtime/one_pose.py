@@ -31,7 +31,6 @@ GIVEN: int  # how many values the caller gives
 counted: tuple[bool, bool, bool]  # which coordinates a pose names
 slides: bool  # whether joints slide: then squares of lengths have to be finite, and so cubes
 arm: Floats
-coupling: Floats  # of drives whose whole turns hang together
 settle: Callable[[Floats, Bytes, int], int]  # one of the two functions below `careful`
 robot: Callable[[], Robot]
 read_rows: Callable[[Floats], tuple[bool, Pose]]
@@ -109,7 +108,7 @@ def turned_alone(rows: Floats, kinds: Bytes, count: int) -> int:  # noqa: ARG001
 
 def turned_together(rows: Floats, kinds: Bytes, count: int) -> int:
     """Takes the whole turns of coupled drives together; how many rows are inside limits then."""
-    return settle_rows(arm, coupling, rows, kinds, count)
+    return settle_rows(arm, rows, kinds, count)
 
 
 def into(T: Floats, q_free: Floats, seed: Floats, q: Floats, status: Bytes) -> int:

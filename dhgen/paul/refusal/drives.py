@@ -23,7 +23,7 @@ def demand_given_alone(chain: Chain) -> None:
         UnsolvedError: There is one: its equations hold a sum of what is given and what is not.
     """
     for number in chain.free:
-        others = _solved_that_move(chain, number)
+        others = chain.solved_that_move(number)
         if not others:
             continue
         name, also = chain.told([number]), chain.told([*others])
@@ -100,14 +100,3 @@ def _turned_apart(chain: Chain, row: Passive) -> int:
         if turns and not still:
             return joint
     return 0
-
-
-def is_given_alone(chain: Chain) -> bool:
-    """Whether the angles and lengths of free joints hang on given values only."""
-    return not any(_solved_that_move(chain, number) for number in chain.free)
-
-
-def _solved_that_move(chain: Chain, number: int) -> list[int]:
-    """The drives of others that move a joint, and are not given."""
-    shares = chain.joints[number - 1].shares
-    return sorted(share.drive for share in shares if share.drive not in chain.free)

@@ -17,7 +17,6 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.kinematics.task import units
 from dhgen.method import Method
 from dhgen.paul.mobility import surplus
-from dhgen.paul.refusal.drives import is_given_alone
 from dhgen.paul.refusal.size_limits import are_too_many_given
 from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
@@ -112,7 +111,7 @@ def _sets_text(sets: Sequence[str]) -> str:
 
 def _general(chain: Chain) -> list[Choice]:
     """An arm without structure as a choice, if the general algorithm is for it."""
-    if not (is_general(chain) and is_given_alone(chain)):
+    if not (is_general(chain) and chain.is_given_alone):
         return []
     slides = len(slides_of(chain))
     return [Choice(GENERAL, most_solutions(slides), chain.free, general_method(slides))]

@@ -26,10 +26,7 @@ MOST_GROUPS = 3
 MOST_REASONS = 5  # lines for one group
 PLACES_SHOWN = 3
 NO_PAIR = "no two of these are in the same row or column"
-COUPLED = (
-    "the general algorithm for six joints would solve the arm without {}: leave the variables of "
-    "other joints out there, and convert drives in the program that calls the solver"
-)
+NO_PASSIVE = "the general algorithm for six joints would solve the arm without passive row{} {}"
 NUMERICAL = "--numerical would give the solutions that damped least squares finds from many starts"
 NEARLY_PARALLEL = math.radians(5.0)
 NEARLY_CONCURRENT = 0.15  # of the arm's size
@@ -51,16 +48,10 @@ def refusal(search: Search, chain: Chain) -> str:
 
 def held_back(chain: Chain) -> list[str]:
     """What keeps the general algorithm from an arm of the kind that it solves."""
-    moved = [joint.number for joint in chain.joints if joint.shares and joint.number in chain.free]
-    if not is_general(chain) or not (moved or chain.passive):
+    if not is_general(chain) or not chain.passive:
         return []
     rows = ", ".join(row.label for row in chain.passive)
-    what = [f"the passive row{'s' * (len(chain.passive) > 1)} {rows}"] if rows else []
-    if moved:
-        several = len(moved) > 1
-        joints, drives = ("joints", "their drives") if several else ("joint", "its drive")
-        what.append(f"what moves the free {joints} {chain.told(moved)} besides {drives}")
-    return [COUPLED.format(" and ".join(what))]
+    return [NO_PASSIVE.format("s" * (len(chain.passive) > 1), rows)]
 
 
 def _nearest(search: Search, state: Knowledge) -> list[str]:

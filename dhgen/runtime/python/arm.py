@@ -17,6 +17,7 @@ from .places import (
     CHOOSABLE,
     CLAMPED,
     CLAMPED_AGAIN,
+    COUPLING,
     DESCENTS,
     ENTRIES,
     GIVEN_JOINTS,
@@ -126,19 +127,24 @@ class Arm:
     cuts: int = 0
 
 
-def arm_numbers(arm: Arm, descents: Sequence[float] | Floats = ()) -> Floats:
+def arm_numbers(
+    arm: Arm, descents: Sequence[float] | Floats = (), *, coupling: Sequence[float] | Floats = ()
+) -> Floats:
     """The array of an arm.
 
     Args:
         arm: The arm.
         descents: The numbers that descents work on, where rows are completed by such.
+        coupling: Those of drives whose whole turns hang together, where some do.
 
     Raises:
         ValueError: A step has no name in STEPS.
     """
     begin = JOINTS + RECORD * len(arm.types)
-    numbers = np.zeros(begin + len(descents))
-    numbers[DESCENTS], numbers[begin:] = begin, descents
+    behind = begin + len(descents)
+    numbers = np.zeros(behind + len(coupling))
+    numbers[DESCENTS], numbers[begin:behind] = begin, descents
+    numbers[COUPLING], numbers[behind:] = behind if len(coupling) else 0, coupling
     directions = NAMES.index(arm.directions)
     numbers[:5] = len(arm.types), arm.rows, directions, arm.cuts, 1.0 / arm.size
     numbers[MISS_WEIGHTS : MISS_WEIGHTS + 6] = arm.miss_weights

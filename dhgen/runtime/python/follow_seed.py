@@ -13,8 +13,8 @@ import numpy as np
 
 from .arm import POSE, ROBOT
 from .jit import of_file
-from .limits import past_an_end, past_ends
-from .places import CLAMPED, CLAMPS, DOF, GIVEN_JOINTS, ROWS, WINDS
+from .limits import beyond_limits, past_an_end, past_ends
+from .places import CLAMPED, CLAMPS, COUPLING, DOF, GIVEN_JOINTS, ROWS, WINDS
 from .refine import copy_row, half_way, measure_miss, refine, refine_inside
 from .status import FREE_JOINT, UNREACHABLE
 from .tolerances import APART_BY, BESIDE_SEED, EXACT, FAMILY, LIMIT, TOGETHER
@@ -37,7 +37,7 @@ def _beside_seed(
 ) -> bool:
     """Takes x to the solution next to the seed; returns whether there is one.
 
-    It keeps the caller's values and, where joints are clamped, limits.
+    It keeps the caller's values and, where joints are clamped or coupled, limits.
     """
     for i in range(int(arm[DOF])):
         here = seed[i]
@@ -48,9 +48,10 @@ def _beside_seed(
         x[int(arm[GIVEN_JOINTS + 1 + k])] = q_free[k]
     if not refine(arm, robot, pose, EXACT, BESIDE_SEED, x):
         return False
-    if arm[CLAMPS] == 0.0 or past_ends(arm, x) <= LIMIT:
-        return True
-    return refine_inside(arm, robot, pose, arm[CLAMPED], BESIDE_SEED, x)
+    past = arm[CLAMPS] > 0.0 and past_ends(arm, x) > LIMIT
+    if past and not refine_inside(arm, robot, pose, arm[CLAMPED], BESIDE_SEED, x):
+        return False
+    return arm[COUPLING] == 0.0 or beyond_limits(arm, x) <= LIMIT
 
 
 @OWN.apart(

@@ -6,8 +6,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from .coupled_turns import coupled_beyond, turns_coupled
 from .jit import of_file
-from .places import DOF, HIGHEST, LOWEST, RECORD, SLACK, TURNS, WEIGHT, WINDS
+from .places import COUPLING, DOF, HIGHEST, LOWEST, RECORD, SLACK, TURNS, WEIGHT, WINDS
 from .tolerances import BESIDE_SEED, DOUBTFUL
 from .turns import TURN, turned
 
@@ -43,9 +44,14 @@ def overshoot(arm: Floats, joint: int, value: float) -> float:
 
 @OWN.inner
 def beyond_limits(arm: Floats, q: Floats) -> float:
-    """How far joint values are beyond their limits, whole turns aside [rad, arm sizes]."""
-    total = 0.0
+    """How far joint values, and sums of them, are beyond limits [rad, arm sizes].
+
+    Whole turns aside.
+    """
+    total = coupled_beyond(arm, q) if arm[COUPLING] > 0.0 else 0.0
     for i in range(int(arm[DOF])):
+        if turns_coupled(arm, i):
+            continue
         total += abs(overshoot(arm, i, q[i])) * math.sqrt(arm[WEIGHT + RECORD * i])
     return total
 

@@ -2,7 +2,7 @@
 """Where an arm's numbers stand in the array that the runtime around closed forms gets.
 
 0 ... JOINTS      the arm's own: sizes, steps, lists of places
-JOINTS ...        a record for each joint, then the numbers that descents work on
+JOINTS ...        a record for each joint, then the numbers that descents work on, and the coupling
 """
 
 from __future__ import annotations
@@ -25,10 +25,11 @@ COMPLETES, ADDS_OTHERS, ASCENDS, EQUATIONS_END_ALL = range(16, 20)
 MERGES, REFINES, CLAMPS, CLAMPS_FAR, WINDS, FOLLOWS_SEED = range(20, 26)
 
 DESCENTS = 26  # where the numbers of the arm begin that descents work on (numerical/places.py)
+COUPLING = 27  # where those of coupled drives begin (coupled_turns.py); 0 where none are
 
 # Lists: how many there are, and from the next place on joints or entries of a pose, from 0.
 MOST = 16
-GIVEN_JOINTS = 27  # whose values the caller gives
+GIVEN_JOINTS = 28  # whose values the caller gives
 CHOOSABLE = GIVEN_JOINTS + 1 + MOST  # that may be free, the last first
 TOGETHER = CHOOSABLE + 1 + MOST  # that may have to be chosen together
 ENTRIES = TOGETHER + 1 + MOST  # of a pose that count, in sixteen numbers

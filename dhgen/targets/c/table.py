@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.turns import joints_alone
+from dhgen.kinematics.turns import coupled_turns, joints_alone
 from dhgen.robot.task import Directions, TaskKind
 from dhgen.targets.layout import INDENT, c_array, packed
 from dhgen.targets.module import fan_steps, named_entries, slacks
@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
     from dhgen.program.policy import Policy
     from dhgen.targets.module import SolverModule
+
+
+COUPLING, NO_COUPLING = "&coupling, dhgen_coupled_beyond,", "NULL, NULL,"
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +71,7 @@ def c_table(module: SolverModule) -> CTable:
             f"{INDENT}{size}, {_task(module)}, joints, {given.named},",
             f"{INDENT}{{ {weights} }}, {1.0 / chain.size!r}, {{ {clamped} }}, {entries.named},",
             *_steps(chain, policy, choosing.named, choosing_together.named),
+            f"{INDENT}{NO_COUPLING if coupled_turns(chain) is None else COUPLING}",
             *_functions(module),
         ],
     )

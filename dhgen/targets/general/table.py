@@ -63,6 +63,7 @@ class GeneralTable:
         links: K0 ... K4, L and R: first constant, first motion, number of motions.
         motions: In links.
         given: The joints whose values the caller gives.
+        given_shares: What these values add to each of them, where some do.
         special: Their values at which formulations vanish.
         counts: How many rows these have.
         tables: The arrays of the last two and the offset wrist by their names, 0 for none.
@@ -81,6 +82,7 @@ class GeneralTable:
     links: str
     motions: tuple[str, ...]
     given: tuple[str, ...]
+    given_shares: tuple[str, ...]
     special: tuple[str, ...]
     counts: Counts
     tables: str
@@ -123,6 +125,7 @@ def general_table(kernel: GeneralKernel) -> GeneralTable:
         links=_links(kernel),
         motions=motions,
         given=given,
+        given_shares=tuple(map(row, kernel.given_shares)),
         special=special,
         counts=Counts(len(joints), len(constants), len(motions), len(given), len(special)),
         tables=", ".join(tables),
@@ -154,8 +157,10 @@ def _links(kernel: GeneralKernel) -> str:
 def _given(kernel: GeneralKernel) -> tuple[str, ...]:
     """An offset of -0.0 leaves every value as it is, zeros of both signs too."""
     slides = {held.place: held.slides for link in kernel.links for held, _ in link.rest}
+    shares = [any(row) for row in kernel.given_shares] or [False] * len(kernel.given)
     return tuple(
-        f"{int(slides[place])}, {float(sign)!r}, {offset or -0.0!r}"
+        f"{int(slides[place])}, {float(sign)!r}, {offset or -0.0!r}, "
+        + (f"given_shares[{place}]" if shares[place] else "0")
         for place, (sign, offset) in enumerate(kernel.given)
     )
 

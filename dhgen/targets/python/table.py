@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.turns import joints_alone, turns_alone
+from dhgen.kinematics.turns import coupled_turns, joints_alone, turns_alone
 from dhgen.runtime.python.arm import Arm
 from dhgen.targets.coupled import NO_LIMITS
 from dhgen.targets.layout import INDENT
@@ -33,6 +33,8 @@ def arm_lines(module: SolverModule) -> list[str]:
             lines.append(f"{INDENT * 2}{each.name}={text},")
     links = module.solver.tightened is not None
     numbers = [f"{INDENT}_joints.arm_numbers(_LINKS),"] if links else []
+    coupled = coupled_turns(module.chain) is not None
+    numbers += [f"{INDENT}coupling=_COUPLING,"] if coupled else []
     return [*lines, f"{INDENT}),", *numbers]
 
 

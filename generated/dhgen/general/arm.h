@@ -19,11 +19,12 @@ typedef struct {
     const double (*left)[32]; /* the monomials of the left side if they are constant, or 0 */
 } dhgen_formulation;
 
-/* A joint whose value the caller gives: its angle or length is sign q + offset. An offset of -0.0
- * leaves every value as it is. */
+/* A joint whose value the caller gives: its angle or length is sign q + offset, and what the other
+ * given values add. An offset of -0.0 leaves every value as it is. */
 typedef struct {
     int slides;
     double sign, offset;
+    const double *shares; /* of each given value; 0 where the joint's own is all */
 } dhgen_given_joint;
 
 /* A joint of these inside a link: `factor` is 1, or -1 where its motion is undone; of a slide in

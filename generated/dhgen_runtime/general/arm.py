@@ -112,6 +112,8 @@ class Loop:
         side: Where a slide is in the formulations: "left", "right" or "hidden".
         order: Half the order of the determinant's zero where a hidden slide's length is infinite.
         given: Sign and offset of the values that the caller gives.
+        given_shares: What given values add to the angle or length of each joint that is given, a
+            factor of every one of them; empty where none adds to another's.
         special: Values of these at which formulations vanish.
         wrist: The offset wrist, where there is one: its polynomial is tried first.
         pointing: Whether the last joint is the tool's turn about its own axis.
@@ -126,6 +128,7 @@ class Loop:
     side: str = "left"
     order: int = 0
     given: tuple[tuple[float, float], ...] = ()
+    given_shares: tuple[Numbers, ...] = ()
     special: tuple[Special, ...] = ()
     wrist: Wrist | None = None
     pointing: bool = False
@@ -148,7 +151,10 @@ def general_numbers(arm: Arm, loop: Loop) -> Floats:
     ]
     formulations = [x for each in loop.formulations for x in (*each.joints, each.sign)]
     links = [x for link in loop.links for x in _link(link)]
-    given = [x for pair in loop.given for x in pair]
+    given = []
+    for number, pair in enumerate(loop.given):
+        shares = loop.given_shares[number] if loop.given_shares else (0.0,) * len(loop.given)
+        given += [*pair, *shares]
     special = [len(loop.special), *(x for each in loop.special for x in _special(each))]
     return arm_numbers(arm, [*map(float, numbers)], (formulations, links, given, special))
 

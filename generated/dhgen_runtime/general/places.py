@@ -55,8 +55,8 @@ FORMULATION_SIGN = 6
 LINK_COUNT = 7
 LINK_RECORD = 13
 INSIDE_RECORD = 15
-# The list of values that the caller gives: sign and offset of each
-GIVEN_RECORD = 2
+# The list of values that the caller gives: sign and offset of each, then its shares of all values
+GIVEN_RECORD = 2  # and as many more as values are given
 # The list of values at which formulations vanish: how many, then for each: which of the given
 # values, its kind, the sign of what is ahead there, how near is there, and bit i for formulation i.
 SPECIAL_RECORD = 5

@@ -6,33 +6,19 @@
 #ifndef DHGEN_COUPLED_H
 #define DHGEN_COUPLED_H
 
+#include "coupled_turns.h"
 #include "ik.h"
 #include "limits.h"
 
-/* Turns to each side of the one that takes a drive nearest to where it is wanted. */
-#define DHGEN_COUPLED_TURNS 4
-
-struct dhgen_coupling {
-    int count;           /* drives whose turns are chosen together */
-    const int *drives;   /* their places, each before those that its turns move */
-    const double *moves; /* what a whole turn of each moves: a row of all drives for each */
-    const double *lowest, *highest; /* limits of all drives, with slack */
-    int sum_count;                  /* sums with limits */
-    const double *factors;          /* of all drives in them, a row for each sum */
-    const double *least, *most;     /* their limits, with slack */
-};
-
 /* Whether a row is inside the limits of all drives and of all sums. */
-DHGEN_FN int dhgen_keeps_coupled(
-    const struct dhgen_arm *arm, const struct dhgen_coupling *coupling, const double *q)
+DHGEN_FN int dhgen_keeps_coupled(const struct dhgen_arm *arm, const double *q)
 {
+    const struct dhgen_coupling *const coupling = arm->coupling;
     int inside = 1;
     for (int i = 0; i < dhgen_dof(arm); i++)
         inside &= coupling->lowest[i] <= q[i] && q[i] <= coupling->highest[i];
     for (int k = 0; k < coupling->sum_count; k++) {
-        double sum = 0.0;
-        for (int i = 0; i < dhgen_dof(arm); i++)
-            sum += coupling->factors[dhgen_dof(arm) * k + i] * q[i];
+        const double sum = dhgen_sum_of(arm, k, q);
         inside &= coupling->least[k] <= sum && sum <= coupling->most[k];
     }
     return inside;
@@ -48,68 +34,35 @@ DHGEN_FN double dhgen_coupled_distance(
     return distance;
 }
 
-/* The first and last number of turns of a drive that may be tried: inside its limits, around the
- * one that takes it nearest to where it is wanted. */
-DHGEN_FN void dhgen_coupled_turns(
-    const struct dhgen_coupling *coupling, int drive, double value, double towards, double ends[2])
-{
-    const double low = ceil((coupling->lowest[drive] - value) / DHGEN_TURN);
-    const double high = floor((coupling->highest[drive] - value) / DHGEN_TURN);
-    const double wanted = floor((towards - value) / DHGEN_TURN + 0.5);
-    const double middle = fmin(fmax(wanted, low), high);
-    ends[0] = fmax(low, middle - DHGEN_COUPLED_TURNS);
-    ends[1] = fmin(high, middle + DHGEN_COUPLED_TURNS);
-}
-
 /* Moves the coupled drives of a row by whole turns: inside all limits, and there as near to other
  * values as can be. Returns whether there is such a place; else the row stays as it is. */
-DHGEN_FN int dhgen_turn_coupled(const struct dhgen_arm *arm, const struct dhgen_coupling *coupling,
-    const double *towards, double *q)
+DHGEN_FN int dhgen_turn_coupled(const struct dhgen_arm *arm, const double *towards, double *q)
 {
-    const int dof = dhgen_dof(arm), last = coupling->count;
-    double at[DHGEN_JOINTS + 1][DHGEN_JOINTS], turns[DHGEN_JOINTS][2], least = HUGE_VAL;
-    int level = 0, fresh = 1;
-    dhgen_copy_row(arm, q, at[0]);
-    while (level >= 0) {
-        if (level == last) {
-            const double distance = dhgen_coupled_distance(arm, at[level], towards);
-            if (distance < least && dhgen_keeps_coupled(arm, coupling, at[level])) {
-                least = distance;
-                dhgen_copy_row(arm, at[level], q);
-            }
-            level--;
-            fresh = 0;
-            continue;
+    struct dhgen_turn_choices choices;
+    const double *at;
+    double least = HUGE_VAL;
+    dhgen_begin_choices(arm, q, DHGEN_COUPLED_TURNS, &choices);
+    while ((at = dhgen_next_choice(arm, towards, &choices)) != NULL) {
+        const double distance = dhgen_coupled_distance(arm, at, towards);
+        if (distance < least && dhgen_keeps_coupled(arm, at)) {
+            least = distance;
+            dhgen_copy_row(arm, at, q);
         }
-        const int drive = coupling->drives[level];
-        if (fresh)
-            dhgen_coupled_turns(coupling, drive, at[level][drive], towards[drive], turns[level]);
-        else
-            turns[level][0] += 1.0;
-        fresh = turns[level][0] <= turns[level][1];
-        if (!fresh) {
-            level--;
-            continue;
-        }
-        for (int i = 0; i < dof; i++)
-            at[level + 1][i] = at[level][i] + turns[level][0] * coupling->moves[dof * level + i];
-        level++;
     }
     return least < HUGE_VAL;
 }
 
 /* All solutions of any pose, of an arm whose drives are coupled. Returns how many rows are inside
  * limits, or -DHGEN_INVALID_POSE. */
-DHGEN_FN int dhgen_coupled_ik(const struct dhgen_arm *arm, const struct dhgen_coupling *coupling,
-    const double *T, const double *free_joints, const double *q_seed, double *q,
-    unsigned char *status)
+DHGEN_FN int dhgen_coupled_ik(const struct dhgen_arm *arm, const double *T,
+    const double *free_joints, const double *q_seed, double *q, unsigned char *status)
 {
     const double zeros[DHGEN_JOINTS] = { 0.0 };
     int count = dhgen_careful_ik(arm, T, free_joints, q_seed, q, status);
     for (int row = 0; row < dhgen_rows(arm) && count > 0; row++) {
         if (status[row] != DHGEN_OK && status[row] != DHGEN_FREE_JOINT)
             continue;
-        if (!dhgen_turn_coupled(arm, coupling, zeros, q + dhgen_dof(arm) * row)) {
+        if (!dhgen_turn_coupled(arm, zeros, q + dhgen_dof(arm) * row)) {
             status[row] = DHGEN_OUT_OF_LIMITS;
             count--;
         }
@@ -128,13 +81,12 @@ DHGEN_FN int dhgen_is_coupled(const struct dhgen_coupling *coupling, int drive)
 
 /* The solution nearest to a seed, of an arm whose drives are coupled. Returns its status, or minus
  * what is wrong. */
-DHGEN_FN int dhgen_coupled_nearest(const struct dhgen_arm *arm,
-    const struct dhgen_coupling *coupling, const double *T, const double *free_joints,
-    const double *q_seed, double *q)
+DHGEN_FN int dhgen_coupled_nearest(const struct dhgen_arm *arm, const double *T,
+    const double *free_joints, const double *q_seed, double *q)
 {
     double rows[DHGEN_BRANCHES * DHGEN_JOINTS], least = HUGE_VAL;
     unsigned char status[DHGEN_BRANCHES];
-    const int count = dhgen_coupled_ik(arm, coupling, T, free_joints, q_seed, rows, status);
+    const int count = dhgen_coupled_ik(arm, T, free_joints, q_seed, rows, status);
     int result = count < 0 ? count : -DHGEN_UNREACHABLE;
     for (int i = 0; i < dhgen_dof(arm); i++)
         q[i] = DHGEN_NAN;
@@ -145,9 +97,10 @@ DHGEN_FN int dhgen_coupled_nearest(const struct dhgen_arm *arm,
         if (status[row] != DHGEN_OK && status[row] != DHGEN_FREE_JOINT)
             continue;
         for (int i = 0; i < dhgen_dof(arm); i++)
-            values[i] = dhgen_is_coupled(coupling, i) ? values[i]
-                                                      : dhgen_turned(arm, i, values[i], q_seed[i]);
-        (void)dhgen_turn_coupled(arm, coupling, q_seed, values);
+            values[i] = dhgen_is_coupled(arm->coupling, i)
+                ? values[i]
+                : dhgen_turned(arm, i, values[i], q_seed[i]);
+        (void)dhgen_turn_coupled(arm, q_seed, values);
         const double distance = dhgen_coupled_distance(arm, values, q_seed);
         if (distance < least || result < 0) {
             least = distance;
@@ -159,14 +112,13 @@ DHGEN_FN int dhgen_coupled_nearest(const struct dhgen_arm *arm,
 }
 
 /* All solutions of many poses, of an arm whose drives are coupled. */
-DHGEN_FN void dhgen_coupled_each(const struct dhgen_arm *arm, const struct dhgen_coupling *coupling,
-    size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
+DHGEN_FN void dhgen_coupled_each(const struct dhgen_arm *arm, size_t n, const double *T,
+    const double *free_joints, double *q, unsigned char *status)
 {
     const size_t rows = (size_t)dhgen_rows(arm), size = rows * (size_t)dhgen_dof(arm);
     for (size_t k = 0; k < n; k++) {
         const double *const given = free_joints ? free_joints + (size_t)arm->given * k : NULL;
-        (void)dhgen_coupled_ik(
-            arm, coupling, T + 16 * k, given, NULL, q + size * k, status + rows * k);
+        (void)dhgen_coupled_ik(arm, T + 16 * k, given, NULL, q + size * k, status + rows * k);
     }
 }
 

@@ -95,8 +95,13 @@ def move(arm: Floats, T: Floats, joint: int, c: float, s: float) -> None:
 @inner
 def _given_value(arm: Floats, q_free: Floats, place: int) -> float:
     """Returns the angle or length of a joint whose value the caller gives."""
-    at = int(arm[GIVEN_VALUES]) + GIVEN_RECORD * place
-    return arm[at] * q_free[place] + arm[at + 1]
+    count = int(arm[GIVEN])
+    at = int(arm[GIVEN_VALUES]) + (GIVEN_RECORD + count) * place
+    value = arm[at] * q_free[place] + arm[at + 1]
+    for k in range(count):
+        if arm[at + GIVEN_RECORD + k] != 0.0:
+            value += arm[at + GIVEN_RECORD + k] * q_free[k]
+    return float(value)
 
 
 @apart("float64[:, ::1](float64[::1], float64[::1], float64[::1])")
