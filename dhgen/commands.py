@@ -120,7 +120,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
         print(f"in single precision: largest residual {report.single:.1e} arm sizes")
     print(tool_at_zero(module.chain, module.length_unit))
     print(f"all solutions counted by an independent search: dhgen survey {quote(str(file.path))}")
-    print(f"wrote {', '.join(str(options.out / name) for name in _own(compilation))}\n")
+    print(f"wrote {', '.join(str(options.out / name) for name in _own(file, compilation))}\n")
 
 
 def _compared(module: SolverModule) -> str:
@@ -131,9 +131,8 @@ def _compared(module: SolverModule) -> str:
     return "Python and C agree"
 
 
-def _own(compilation: Compilation) -> list[str]:
-    stems = [compilation.robot.name, *([compilation.single.name] if compilation.single else [])]
-    files = [name for name in compilation.files if name.partition(".")[0] in stems]
+def _own(file: RobotFile, compilation: Compilation) -> list[str]:
+    files = [name for name in compilation.files if name.partition(".")[0] in file.stems]
     return files + [name for name in compilation.files if name.endswith(".svg")]
 
 

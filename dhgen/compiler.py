@@ -26,6 +26,7 @@ from dhgen.atomic_write import write_files
 from dhgen.derivation import derivation_files
 from dhgen.derivation.story import Story
 from dhgen.errors import PrecisionError, UnsolvedError, VerificationError
+from dhgen.fleet import kind_of
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.link_table import link_table
 from dhgen.method import Method
@@ -39,6 +40,7 @@ from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule
 from dhgen.targets.reserved import RESERVED
 from dhgen.tolerances import DOUBLE, SINGLE
+from dhgen.verify.kind import verify_kind
 from dhgen.verify.single import verify_single
 from dhgen.verify.verify import verify
 
@@ -47,6 +49,7 @@ if TYPE_CHECKING:
 
     from dhgen.paul.derivation import Derivation
     from dhgen.robot.robot import Robot
+    from dhgen.targets.kind import Kind
     from dhgen.tolerances import Precision
     from dhgen.verify.verify import Report
 
@@ -60,6 +63,7 @@ class Compilation:
         derivation: Why the solver is what it is.
         module: The programs.
         single: The programs for single precision, where the file asks for them.
+        kind: Arms with tables that come at run time, where it asks for these.
         files: Text of every file by its name.
     """
 
@@ -67,6 +71,7 @@ class Compilation:
     derivation: Derivation
     module: SolverModule
     single: SolverModule | None
+    kind: Kind | None
     files: Mapping[str, str]
 
 
@@ -86,15 +91,16 @@ def compile_loaded(
         single_file: Whether C and Python hold what they need of the runtime.
 
     Raises:
-        UnsolvedError: No derivation solves the arm.
+        UnsolvedError: No derivation solves the arm, or not with tables that come at run time.
         PrecisionError: The arm can't be solved in single precision, which the file asks for.
     """
     derivation, module, single = worked_out(file, tell, out=out)
     source = source_name(file.path, out)
     story = Story(file.robot, derivation, module.solver, module.nominal)
     document = derivation_files(story, source)
-    files = {**emit(module, single, single_file=single_file), **document}
-    return Compilation(file.robot, derivation, module, single, MappingProxyType(files))
+    kind = kind_of(file.robot, module, RESERVED) if file.robot.calibration else None
+    files = {**emit(module, single, kind, single_file=single_file), **document}
+    return Compilation(file.robot, derivation, module, single, kind, MappingProxyType(files))
 
 
 def worked_out(
@@ -178,6 +184,8 @@ def verified(compilation: Compilation, tell: Callable[[str], None] = lambda _: N
     with tempfile.TemporaryDirectory(prefix="dhgen-") as folder:
         write_files(Path(folder), compilation.files)
         report = verify(compilation.module, Path(folder))
+        if compilation.kind is not None:
+            verify_kind(compilation.kind, Path(folder))
         if compilation.single is None:
             return report
         try:

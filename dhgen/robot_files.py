@@ -13,6 +13,7 @@ from dhgen.descriptions.expand import Outside
 from dhgen.descriptions.files import is_description, read_as_robot_file
 from dhgen.errors import Diagnostic, RobotFileError
 from dhgen.robot.load import load_text, read_text
+from dhgen.robot.robot import FLEET
 from dhgen.tolerances import DOUBLE, SINGLE
 
 if TYPE_CHECKING:
@@ -73,7 +74,9 @@ class RobotFile:
     def stems(self) -> tuple[str, ...]:
         """What the files are called that are made of it, without what follows the point."""
         precisions = (DOUBLE, SINGLE) if self.robot.float32 else (DOUBLE,)
-        return tuple(self.robot.name + precision.suffix for precision in precisions)
+        fleet = [FLEET] if self.robot.calibration else []
+        suffixes = [*(precision.suffix for precision in precisions), *fleet]
+        return tuple(self.robot.name + suffix for suffix in suffixes)
 
 
 @dataclass(frozen=True, slots=True)

@@ -216,6 +216,13 @@ struct dhgen_arm {
     int (*regular)(const float *T, const float *free_joints, float *q, unsigned char *status);
 };
 
+/* The pose of joint values, and the Jacobian there: of arms whose links come at run time, too,
+ * where `serial.h` is included before. */
+#ifndef DHGEN_FORWARD
+#define DHGEN_FORWARD(arm, q, T) (arm)->fk(q, T)
+#define DHGEN_RATES(arm, q, J) (arm)->jacobian(q, J)
+#endif
+
 /* Copies the joint values of a row. */
 DHGEN_FN void dhgen_copy_row(const struct dhgen_arm *arm, const float *from, float *to)
 {
@@ -470,7 +477,7 @@ DHGEN_FN float dhgen_miss(const struct dhgen_arm *arm, const float *T, const flo
 {
     const float *const weights = arm->miss_weights;
     float P[16], square = 0.0f;
-    arm->fk(x, P);
+    DHGEN_FORWARD(arm, x, P);
     for (int i = 0; i < 3; i++) {
         e[i] = weights[i] > 0.0f ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0f;
         e[3 + i] = 0.0f;
@@ -503,7 +510,7 @@ DHGEN_FN void dhgen_count_what_counts(
     float P[16];
     if (arm->task != DHGEN_POINTING && arm->task != DHGEN_PITCH)
         return;
-    arm->fk(x, P);
+    DHGEN_FORWARD(arm, x, P);
     for (int j = 0; j < width; j++) {
         float *spin = J + 3 * width + j;
         if (arm->task == DHGEN_PITCH) {
@@ -524,7 +531,7 @@ DHGEN_FN void dhgen_add_step(
 {
     const int dof = dhgen_dof(arm), width = 6 + dof;
     float A[6][6 + DHGEN_JOINTS] = { { 0.0f } }, square[6] = { 0.0f }, J[6 * DHGEN_JOINTS];
-    arm->jacobian(x, J);
+    DHGEN_RATES(arm, x, J);
     dhgen_count_what_counts(arm, x, dof, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < dof; j++)
@@ -955,7 +962,7 @@ DHGEN_FN float *dhgen_found_row(struct dhgen_search *s)
 DHGEN_FN float dhgen_missed_by(const struct dhgen_arm *arm, const float *T, const float *q)
 {
     float reached[16], sum = 0.0f;
-    arm->fk(q, reached);
+    DHGEN_FORWARD(arm, q, reached);
     for (int k = 0; k < arm->entry_count; k++) {
         const int i = arm->entries[k];
         const float off = (reached[i] - T[i]) * (i % 4 == 3 ? arm->per_length : 1.0f);
@@ -1423,7 +1430,7 @@ DHGEN_API void dhgen_joint_velocities(
 {
     const int dof = dhgen_dof(arm), width = dof + 1;
     float J[6 * DHGEN_JOINTS], rows[6 * (DHGEN_JOINTS + 1)];
-    arm->jacobian(q, J);
+    DHGEN_RATES(arm, q, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < dof; j++)
             rows[width * i + j] = J[dof * i + j] / sqrtf(arm->joints[j].weight);

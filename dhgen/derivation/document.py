@@ -12,6 +12,7 @@ from dhgen.derivation.sections.closing import (
 )
 from dhgen.derivation.sections.drives import drives_section
 from dhgen.derivation.sections.example import example_section, singular_blocks
+from dhgen.derivation.sections.fleet import fleet_section
 from dhgen.derivation.sections.forward import forward_in_short, forward_section
 from dhgen.derivation.sections.general import general_section, numerical_section
 from dhgen.derivation.sections.inverse import inverse_beginning
@@ -81,6 +82,7 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
         *choosing_section(story),
         *singular_section(places),
         *singular_blocks(story, places),
+        *fleet_section(story),
         *velocity_section(story, places),
     ]
 

@@ -38,12 +38,15 @@ class NoBoundError(Exception):
     """A value has no bound that can be computed beside it."""
 
 
-def certified(solver: Regular, deviation: Deviation, names: frozenset[str]) -> Regular | None:
+def certified(
+    solver: Regular, deviation: Deviation | None, names: frozenset[str]
+) -> Regular | None:
     """The program, left where a branch may end within the deviation of a pose.
 
     Args:
         solver: The regular program of the nearest arm, without limits.
-        deviation: How far its tool may be from that of the arm.
+        deviation: How far its tool may be from that of the arm; None where the caller says so, by
+            an angle and a length as the first and second value that it gives.
         names: Of the arm's own numbers, which stand beside those of the nearest arm.
 
     Returns:
@@ -66,18 +69,13 @@ def _beginning(names: frozenset[str]) -> str:
 
 
 class _Certificate:
-    def __init__(self, solver: Regular, deviation: Deviation, names: frozenset[str]) -> None:
+    def __init__(self, solver: Regular, deviation: Deviation | None, names: frozenset[str]) -> None:
         self._solver = solver
         self._word = word = _beginning(names)
         known = solver.program.reserved
         kept = replace(known, values=known.values | names, constants=known.constants | names)
         self._builder = Builder(kept, word)
-        self._turned = self._builder.constant(
-            f"{word}_angle", deviation.angle, "the two arms' tools are turned by no more", 0
-        )
-        self._moved = self._builder.constant(
-            f"{word}_length", deviation.length, "and no farther apart", 1
-        )
+        self._turned, self._moved = self._bounds(deviation)
         self._values: dict[str, Node] = {}
         self._radii: dict[Node, Node | None] = {}
         self._divisors: set[Node] = set()
@@ -108,6 +106,18 @@ class _Certificate:
         finished = builder.finish(program.name, results, [])
         count = len(joints)
         return Regular(finished, finished.outputs[:count], None, None, finished.outputs[count:], ())
+
+    def _bounds(self, deviation: Deviation | None) -> tuple[Node, Node]:
+        """By how much the two arms' tools are turned and moved at most."""
+        builder, word = self._builder, self._word
+        if deviation is None:
+            return builder.given(1), builder.given(2)
+        angle, length = deviation.angle, deviation.length
+        told = "the two arms' tools are turned by no more"
+        return (
+            builder.constant(f"{word}_angle", angle, told, 0),
+            builder.constant(f"{word}_length", length, "and no farther apart", 1),
+        )
 
     def _constant(self, constant: NamedConstant, names: str) -> Node:
         """A number of the nearest arm under a name of its own, also where others are made of it."""

@@ -77,6 +77,7 @@ class _Assembly:
             length_unit=units.length,
             float32=file.float32,
             plain=file.plain,
+            calibration=file.calibration,
             sums=sums,
             taken=tuple(dict.fromkeys(self.cells.taken)),
             notices=self.report.notices,

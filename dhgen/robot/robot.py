@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from dhgen.robot.expression import Expression
     from dhgen.robot.task import Task
 
+FLEET = "_fleet"  # ends the name of what is for arms with tables that come at run time
+
 
 class JointKind(Enum):
     """How a joint moves."""
@@ -219,6 +221,7 @@ class Robot:
         length_unit: How lengths are called, e.g. "m".
         float32: Whether C in single precision is wanted besides.
         plain: Whether solvers do without their fast path for regular poses.
+        calibration: Whether C is wanted besides whose table comes at run time.
         taken: The cells that are taken as exact values next to their own.
         sums: Limits of sums of joints' variables.
         notices: What was snapped to an exact value, looks like a slip, or is of no use.
@@ -240,6 +243,7 @@ class Robot:
     length_unit: str = "m"
     float32: bool = False
     plain: bool = False
+    calibration: bool = False
     taken: tuple[Taken, ...] = ()
     sums: tuple[SumLimit, ...] = ()
     notices: tuple[Diagnostic, ...] = ()

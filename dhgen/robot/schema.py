@@ -341,6 +341,12 @@ class RobotFile(_Strict):
         description="Whether the solvers do without their fast path for regular poses: shorter "
         "files, the same answers, more time for each pose.",
     )
+    calibration: Switch = Field(
+        default=False,
+        description="Whether the compiler also writes C whose table is an argument, "
+        "NAME_fleet.c and .h, for arms with calibrations of their own. For tables of six "
+        "turning joints with a closed form only.",
+    )
 
 
 class _EditorSchema(GenerateJsonSchema):

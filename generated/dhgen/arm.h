@@ -118,6 +118,13 @@ struct dhgen_arm {
     int (*regular)(const double *T, const double *free_joints, double *q, unsigned char *status);
 };
 
+/* The pose of joint values, and the Jacobian there: of arms whose links come at run time, too,
+ * where `serial.h` is included before. */
+#ifndef DHGEN_FORWARD
+#define DHGEN_FORWARD(arm, q, T) (arm)->fk(q, T)
+#define DHGEN_RATES(arm, q, J) (arm)->jacobian(q, J)
+#endif
+
 /* Copies the joint values of a row. */
 DHGEN_FN void dhgen_copy_row(const struct dhgen_arm *arm, const double *from, double *to)
 {

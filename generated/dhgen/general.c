@@ -8,5 +8,6 @@
 #endif
 #define DHGEN_BODIES
 
+#include "serial.h"
 #include "general.h"
 #include "numerical.h"

@@ -148,16 +148,25 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
         coupling=c_coupling(module),
         regular=regular_values(module, flats) if flats else None,
         nearest=c_nearest(module, near),
-        runtime=CRuntime(_brought_along(module, regular=used is not None)),
+        runtime=CRuntime(brought_along(module, regular=used is not None)),
     )
 
 
-def _brought_along(module: SolverModule, *, regular: bool) -> list[str]:
-    """The lines that say which parts of the runtime are needed, and in what sizes."""
+def brought_along(
+    module: SolverModule, *, regular: bool, first: Sequence[str] = (), last: Sequence[str] = ()
+) -> list[str]:
+    """The lines that say which parts of the runtime are needed, and in what sizes.
+
+    Args:
+        module: The robot.
+        regular: Whether it has a program for regular poses.
+        first: Headers before those that its solver needs.
+        last: Headers behind them.
+    """
     upper, solver = module.name.upper(), module.solver
     single = ["SINGLE_PRECISION", "SCALAR"] if module.precision is SINGLE else []
     switches = ["LIBM"] if single else ["SCALAR", "LIBM"]
-    headers = ["ik", "velocities", *(["circle_roots"] if finds_roots(solver) else [])]
+    headers = [*first, "ik", "velocities", *(["circle_roots"] if finds_roots(solver) else [])]
     headers += [] if single else ["frames"]
     headers += ["complete"] if solver.tightened is not None else []
     headers += ["coupled"] if coupled_turns(module.chain) is not None else []
@@ -165,6 +174,7 @@ def _brought_along(module: SolverModule, *, regular: bool) -> list[str]:
     if whole_arm(solver) is not None:
         headers += ["numerical" if kernel is None else "general"]
     headers += ["general/near"] if module.nominal is not None else []
+    headers += last
     return [
         *(f"#define DHGEN_{each}" for each in single),
         *(line for each in switches if regular for line in _switch(upper, each)),

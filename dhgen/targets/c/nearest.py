@@ -9,6 +9,7 @@ from dhgen.targets.c.regular import CRegular, Flats, flats_of, regular_values
 from dhgen.targets.general.numbers import rigid, row
 
 if TYPE_CHECKING:
+    from dhgen.program.regular.unguarded import Regular
     from dhgen.targets.module import SolverModule
 
 
@@ -44,12 +45,15 @@ def nearest_module(module: SolverModule) -> SolverModule | None:
 def nearest_flats(module: SolverModule, longest: int) -> Flats | None:
     """What its regular poses compute: branches written out, or in loops where that is longer."""
     own, nominal = nearest_module(module), module.nominal
-    if own is None or nominal is None:
-        return None
-    out = flats_of(nominal.regular, in_loops=False)
+    return None if own is None or nominal is None else flats_within(nominal.regular, own, longest)
+
+
+def flats_within(regular: Regular, own: SolverModule, longest: int) -> Flats:
+    """What regular poses of an arm compute: branches in loops where written out they are longer."""
+    out = flats_of(regular, in_loops=False)
     written = regular_values(own, out)
     is_long = sum(map(len, (*written.wide, *written.one))) > longest
-    return flats_of(nominal.regular, in_loops=True) if is_long else out
+    return flats_of(regular, in_loops=True) if is_long else out
 
 
 def c_nearest(module: SolverModule, flats: Flats | None) -> CNearest | None:

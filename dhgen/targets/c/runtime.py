@@ -8,6 +8,7 @@ from posixpath import dirname, join, normpath
 from dhgen.runtime import c_runtime_files
 
 VECTORS = "dhgen/vectors.h"
+CALIBRATION, CALIBRATED = "dhgen/calibration.h", "dhgen/calibrated.h"
 _INCLUDE = re.compile(r'#include "((?:\.\./)*[\w/]+\.h)"\n')
 _GUARD = re.compile(r"#ifndef (DHGEN_\w+_H)\n#define \1\n(.*)#endif\n", re.DOTALL)
 # Also in a program whose other robots share the runtime.
@@ -15,12 +16,20 @@ _ALONE = "#undef DHGEN_SHARED /* the whole runtime is in this file */\n"
 _LICENCE = "/* SPDX-License-Identifier: MIT\n *\n * "
 
 
+def in_one_header(header: str) -> str:
+    """A header with the type of a calibration pasted into it, guarded: others may hold it, too."""
+    content = c_runtime_files()[CALIBRATION].replace(_LICENCE, "/* ")
+    return header.replace(f'#include "{CALIBRATION}"\n', content)
+
+
 def in_one_file(source: str, *, vectors: bool) -> str:
     """A source with what it includes of the runtime pasted into it, also of vectors or not."""
     first = source.find('#include "dhgen/')
     if first >= 0:
         source = source[:first] + _ALONE + source[first:]
-    return _pasted(source, "", set() if vectors else {VECTORS})
+    # what defines the type of a calibration is in the header of arms that need it
+    known = {CALIBRATION} if f'#include "{CALIBRATED}"' in source else set()
+    return _pasted(source, "", known if vectors else known | {VECTORS})
 
 
 def _pasted(source: str, folder: str, known: set[str]) -> str:

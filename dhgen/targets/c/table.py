@@ -53,8 +53,13 @@ class _Places:
         return c_array(f"static const int {self.name}[{len(self.places)}]", map(str, self.places))
 
 
-def c_table(module: SolverModule) -> CTable:
-    """The table of a robot, but for its last entry: the function for regular poses."""
+def c_table(module: SolverModule, *, has_functions: bool = True) -> CTable:
+    """The table of a robot, but for its last entry: the function for regular poses.
+
+    Args:
+        module: The robot.
+        has_functions: Whether it has forward kinematics and a Jacobian of its own.
+    """
     chain, policy = module.chain, module.policy
     given = _Places("given_joints", tuple(number - 1 for number in chain.free))
     entries = _Places("entries", tuple(entry.place for entry in named_entries(chain)))
@@ -72,7 +77,7 @@ def c_table(module: SolverModule) -> CTable:
             f"{INDENT}{{ {weights} }}, {1.0 / chain.size!r}, {{ {clamped} }}, {entries.named},",
             *_steps(chain, policy, choosing.named, choosing_together.named),
             f"{INDENT}{NO_COUPLING if coupled_turns(chain) is None else COUPLING}",
-            *_functions(module),
+            *_functions(module if has_functions else None),
         ],
     )
 
@@ -102,9 +107,10 @@ def _steps(chain: Chain, policy: Policy, choosing: str, together: str) -> list[s
     ]
 
 
-def _functions(module: SolverModule) -> list[str]:
-    """The robot's own."""
-    names = (f"{module.name}_fk", f"{module.name}_jacobian", "solve")
+def _functions(module: SolverModule | None) -> list[str]:
+    """The robot's own, where it has any."""
+    own = ("NULL", "NULL") if module is None else (f"{module.name}_fk", f"{module.name}_jacobian")
+    names = (*own, "solve")
     return packed([f"{name}," for name in names], INDENT)
 
 

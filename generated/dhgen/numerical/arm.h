@@ -84,4 +84,10 @@ DHGEN_FN int dhgen_order_blocks(
     return single;
 }
 
+/* As in ../arm.h. */
+#ifndef DHGEN_FORWARD_OF_DESCENTS
+#define DHGEN_FORWARD_OF_DESCENTS(arm, q, T) (arm)->fk(q, T)
+#define DHGEN_RATES_OF_DESCENTS(arm, q, J) (arm)->jacobian(q, J)
+#endif
+
 #endif

@@ -18,8 +18,8 @@
     {                                                                                              \
         x, x, x, x, x, x, x, x, x, x, x, x, x, x, x, x                                             \
     }
-DHGEN_TABLE double dhgen_no_lowest[16] = DHGEN_ALL_JOINTS(-HUGE_VAL);
-DHGEN_TABLE double dhgen_no_highest[16] = DHGEN_ALL_JOINTS(HUGE_VAL);
+DHGEN_UNUSED DHGEN_TABLE double dhgen_no_lowest[16] = DHGEN_ALL_JOINTS(-HUGE_VAL);
+DHGEN_UNUSED DHGEN_TABLE double dhgen_no_highest[16] = DHGEN_ALL_JOINTS(HUGE_VAL);
 
 /* A step with a pull; joints that it would take beyond a limit are put there, and locked. */
 DHGEN_FN void dhgen_limited_step(struct dhgen_descent *d, const double *u, double pull,

@@ -8,6 +8,7 @@
 #else
 #define DHGEN_API
 #endif
+#include "serial.h"
 #include "complete.h"
 #include "ik.h"
 #include "velocities.h"

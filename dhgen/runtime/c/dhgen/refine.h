@@ -71,7 +71,7 @@ DHGEN_FN double dhgen_miss(const struct dhgen_arm *arm, const double *T, const d
 {
     const double *const weights = arm->miss_weights;
     double P[16], square = 0.0;
-    arm->fk(x, P);
+    DHGEN_FORWARD(arm, x, P);
     for (int i = 0; i < 3; i++) {
         e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
         e[3 + i] = 0.0;
@@ -104,7 +104,7 @@ DHGEN_FN void dhgen_count_what_counts(
     double P[16];
     if (arm->task != DHGEN_POINTING && arm->task != DHGEN_PITCH)
         return;
-    arm->fk(x, P);
+    DHGEN_FORWARD(arm, x, P);
     for (int j = 0; j < width; j++) {
         double *spin = J + 3 * width + j;
         if (arm->task == DHGEN_PITCH) {
@@ -125,7 +125,7 @@ DHGEN_FN void dhgen_add_step(
 {
     const int dof = dhgen_dof(arm), width = 6 + dof;
     double A[6][6 + DHGEN_JOINTS] = { { 0.0 } }, square[6] = { 0.0 }, J[6 * DHGEN_JOINTS];
-    arm->jacobian(x, J);
+    DHGEN_RATES(arm, x, J);
     dhgen_count_what_counts(arm, x, dof, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < dof; j++)

@@ -65,7 +65,7 @@ DHGEN_FN double *dhgen_found_row(struct dhgen_search *s)
 DHGEN_FN double dhgen_missed_by(const struct dhgen_arm *arm, const double *T, const double *q)
 {
     double reached[16], sum = 0.0;
-    arm->fk(q, reached);
+    DHGEN_FORWARD(arm, q, reached);
     for (int k = 0; k < arm->entry_count; k++) {
         const int i = arm->entries[k];
         const double off = (reached[i] - T[i]) * (i % 4 == 3 ? arm->per_length : 1.0);

@@ -69,7 +69,7 @@ DHGEN_API void dhgen_joint_velocities(
 {
     const int dof = dhgen_dof(arm), width = dof + 1;
     double J[6 * DHGEN_JOINTS], rows[6 * (DHGEN_JOINTS + 1)];
-    arm->jacobian(q, J);
+    DHGEN_RATES(arm, q, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < dof; j++)
             rows[width * i + j] = J[dof * i + j] / sqrt(arm->joints[j].weight);

@@ -1,0 +1,118 @@
+"""Arms of one kind whose tables come at run time: what they have in common.
+
+Their numbers are not known here, so that one of them stands for all: the arm of the data sheet
+with other numbers than nominal ones in its table. By it the formulations of the general algorithm
+are chosen, and what has to be done around its rows. Zeros of joints, base and tool change neither.
+"""
+
+from __future__ import annotations
+
+from json import dumps
+from typing import TYPE_CHECKING
+
+from dhgen.errors import UnsolvedError
+from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.link_table import AXES, link_table
+from dhgen.method import Method
+from dhgen.nominal.certificate import certified
+from dhgen.paul.derive import derive
+from dhgen.program.lowering.programs import robot_programs
+from dhgen.program.policy import policy_of
+from dhgen.program.regular.regular import regular
+from dhgen.robot.load import load_text
+from dhgen.robot.robot import FLEET
+from dhgen.robot.task import TaskKind
+from dhgen.targets.kind import Kind
+from dhgen.targets.module import SolverModule
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.link_table import LinkTable
+    from dhgen.program.reserved import Reserved
+    from dhgen.robot.robot import Robot
+
+JOINTS = 6
+# What the numbers of the arm that stands for all are more than nominal ones [rad, arm sizes]: as
+# those of calibrations, and alike for no two numbers.
+STEP = 2e-4
+PARTS = (0.618, 0.382, 0.854, 0.236, 0.472, 0.708)
+
+
+def kind_of(robot: Robot, nominal: SolverModule, reserved: Reserved) -> Kind:
+    """The kind of arms of a robot file.
+
+    Args:
+        robot: The file.
+        nominal: Its programs.
+        reserved: Names that are kept for others.
+
+    Raises:
+        UnsolvedError: Its arms can't be solved with tables that come at run time.
+    """
+    table = link_table(robot)
+    _demand_table(robot, nominal, table)
+    whole = regular(nominal.solver)
+    own = None if whole is None else certified(whole, None, frozenset())
+    if own is None:
+        raise _refusal(robot, "where rows of its closed form end has no bound")
+    name = robot.name + FLEET
+    text = _file(name, nominal.chain, table)
+    one = build_chain(load_text(text, name))
+    derivation = derive(one)
+    if derivation.method is not Method.GENERAL_6R:
+        raise _refusal(robot, "what is near it is not solved by the general algorithm")
+    precision = nominal.precision
+    programs = robot_programs(derivation, name, precision.tolerances, reserved)
+    module = SolverModule(
+        name=name,
+        title=f"{robot.title}, calibrated",
+        source=nominal.source,
+        chain=one,
+        method=derivation.method,
+        solver=programs.solver,
+        forward=programs.forward,
+        jacobian=programs.jacobian,
+        policy=policy_of(one, programs.solver, precision.tolerances),
+        length_unit=robot.length_unit,
+        links=nominal.links,
+        digest=nominal.digest,
+    )
+    return Kind(module, nominal, table, own)
+
+
+def _demand_table(robot: Robot, nominal: SolverModule, table: LinkTable) -> None:
+    """Stops where an arm has no table of six turning joints, or another method."""
+    chain = nominal.chain
+    if table.convention == AXES:
+        raise _refusal(robot, "it is given by axes")
+    if chain.dof != JOINTS or not all(chain.turning):
+        raise _refusal(robot, "it has other joints than six that turn")
+    if chain.task.kind is not TaskKind.POSE or robot.free or robot.arm_angle:
+        raise _refusal(robot, "it is not asked for poses alone")
+    if robot.is_coupled:
+        raise _refusal(robot, "its drives are coupled, or sums of them limited")
+    if robot.plain:
+        raise _refusal(robot, "it is plain, without what goes before the general algorithm")
+    if nominal.method is not Method.CLOSED_FORM:
+        raise _refusal(robot, f"its own method is {nominal.method}, no closed form")
+
+
+def _refusal(robot: Robot, reason: str) -> UnsolvedError:
+    told = "leave calibration out, and make a robot file of each arm by `dhgen calibrate`"
+    return UnsolvedError(f"{robot.name}: tables can't come at run time: {reason}; {told}")
+
+
+def _file(name: str, chain: Chain, table: LinkTable) -> str:
+    """The robot file of the arm that stands for all."""
+    rows = []
+    for place, (row, joint) in enumerate(zip(table.rows, chain.joints, strict=True)):
+        part, other = PARTS[place], PARTS[(place + 2) % len(PARTS)]
+        d = row[1] + STEP * chain.size * part
+        a = row[2] + STEP * chain.size * other
+        alpha = row[3] + STEP * (1.0 - part)
+        q = "q" if joint.sign > 0 else "-q"
+        limits = f", limits: {list(joint.limits)}" if joint.limits else ""
+        called = f", name: {dumps(joint.name)}" if joint.name else ""
+        rows.append(f"  - {{theta: {q}, d: {d!r}, a: {a!r}, alpha: {alpha!r}{limits}{called}}}")
+    head = f"name: {name}\nsource: computed\nconvention: {table.convention}\njoints:"
+    return "\n".join([head, *rows, "task: pose", "units: {angle: rad}", ""])

@@ -1,0 +1,176 @@
+"""Proves that C whose table comes at run time does what it promises, or refuses it.
+
+Tables are those of the data sheet with errors in every number; poses are those of an independent
+forward model, factor by factor.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dhgen.errors import VerificationError
+from dhgen.status import HELD
+from dhgen.verify.native import compile_solver
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+    from dhgen.arrays import FloatArray
+    from dhgen.targets.kind import Kind
+
+ERRORS = (1e-5, 1e-4, 1e-3)  # [rad, arm sizes] of tables, one each
+COUNT = 100  # poses of each
+FORWARD = 1e-12  # [arm sizes, rad] what the forward model may be off by
+RESIDUAL = 1e-10  # what a row may miss its pose by
+FOUND = 1e-6  # [rad] the generating joint values at random poses
+BYTES = 4096  # more than an arm takes
+TAKEN, ANOTHER_ARM, NO_MISS = 0, 2, 3
+MODIFIED = "modified"
+
+
+def verify_kind(kind: Kind, folder: Path) -> None:
+    """Checks C as it lies in a folder; not without a compiler.
+
+    Raises:
+        VerificationError: Something is not as promised.
+    """
+    module = kind.module
+    shape = (module.chain.dof, module.solver.rows, 0)
+    solver = compile_solver(folder / f"{module.name}.c", folder, module.name, *shape)
+    if solver is None:
+        return
+    nominal, size = np.array(kind.table.rows), kind.nominal.chain.size
+    if FleetArm(solver.library, kind, nominal).said != NO_MISS:
+        raise VerificationError(f"{module.name}: takes the nominal table, which misses nothing")
+    if FleetArm(solver.library, kind, nominal + 1.0).said != ANOTHER_ARM:
+        raise VerificationError(f"{module.name}: takes the table of another arm")
+    source = np.random.default_rng(11)
+    for error in ERRORS:
+        units = np.array([1.0, size, size, 1.0])
+        table = nominal + source.normal(0.0, error, nominal.shape) * units
+        q = source.uniform(-np.pi, np.pi, (COUNT, module.chain.dof))
+        _check(FleetArm(solver.library, kind, table), kind, table, q)
+
+
+class FleetArm:
+    """An arm of a kind in C.
+
+    Args:
+        library: The shared library.
+        kind: The kind.
+        table: The arm's own (6, 4).
+
+    Attributes:
+        said: What was said of its table.
+    """
+
+    def __init__(self, library: Any, kind: Kind, table: FloatArray) -> None:  # noqa: ANN401
+        self._library, self._name = library, kind.module.name
+        self._shape = kind.module.solver.rows, kind.module.chain.dof
+        self._numbers = ctypes.create_string_buffer(BYTES)
+        rows = np.ascontiguousarray(table, np.float64)
+        self.said = int(library[f"{self._name}_calibrate"](_pointer(rows), self._numbers))
+
+    @property
+    def numbers(self) -> FloatArray:
+        """What was filled in, as one array."""
+        return np.frombuffer(self._numbers.raw, np.float64)
+
+    def fk(self, q: FloatArray) -> FloatArray:
+        """The pose (4, 4) of joint values (n,)."""
+        T = np.empty((4, 4))
+        self._call("fk", q, T)
+        return T
+
+    def jacobian(self, q: FloatArray) -> FloatArray:
+        """The Jacobian (6, n)."""
+        J = np.empty((6, len(q)))
+        self._call("jacobian", q, J)
+        return J
+
+    def ik(self, T: FloatArray, seed: FloatArray) -> tuple[FloatArray, NDArray[np.uint8]]:
+        """All rows (B, n) and their statuses (B,)."""
+        q, status = np.empty(self._shape), np.empty(self._shape[0], np.uint8)
+        self._call("ik", T, seed, q, status)
+        return q, status
+
+    def batch(self, T: FloatArray) -> tuple[FloatArray, NDArray[np.uint8]]:
+        """All rows (N, B, n) and their statuses (N, B) of many poses (N, 4, 4)."""
+        q = np.empty((len(T), *self._shape))
+        status = np.empty((len(T), self._shape[0]), np.uint8)
+        arrays: tuple[NDArray[Any], ...] = np.ascontiguousarray(T, np.float64), q, status
+        function = self._library[f"{self._name}_ik_batch"]
+        function(self._numbers, ctypes.c_size_t(len(T)), *map(_pointer, arrays))
+        return q, status
+
+    def nearest(self, T: FloatArray, seed: FloatArray) -> FloatArray:
+        """The row nearest to the seed (n,), NaN without one."""
+        q = np.empty(self._shape[1])
+        self._call("ik_nearest", T, seed, q)
+        return q
+
+    def joint_velocities(self, q: FloatArray, twist: FloatArray) -> FloatArray:
+        """The joint velocities (n,) of a twist (6,)."""
+        found = np.empty(len(q))
+        self._call("joint_velocities", q, twist, found)
+        return found
+
+    def _call(self, function: str, *arrays: NDArray[Any]) -> None:
+        kept: list[NDArray[Any]] = [np.ascontiguousarray(each) for each in arrays]
+        self._library[f"{self._name}_{function}"](self._numbers, *map(_pointer, kept))
+
+
+def poses_of(kind: Kind, table: FloatArray, q: FloatArray) -> FloatArray:
+    """The poses (N, 4, 4) of joint values (N, n), factor by factor."""
+    lower = np.array([[0.0, 0.0, 0.0, 1.0]])
+    base, tool = (np.reshape(each, (3, 4)) for each in (kind.table.base, kind.table.tool))
+    T = np.broadcast_to(np.concatenate([base, lower]), (len(q), 4, 4))
+    signs = [joint.sign for joint in kind.nominal.chain.joints]
+    for place, (theta, d, a, alpha) in enumerate(table.tolist()):
+        along = _screw(2, theta + signs[place] * q[:, place], d)
+        across = _screw(0, np.full(len(q), alpha), a)
+        is_modified = kind.table.convention == MODIFIED
+        T = T @ across @ along if is_modified else T @ along @ across
+    return np.asarray(T @ np.concatenate([tool, lower]))
+
+
+def _screw(axis: int, angle: FloatArray, length: float) -> FloatArray:
+    """Motions about and along an axis, (N, 4, 4)."""
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    motion = np.zeros((len(angle), 4, 4))
+    motion[:, axis, axis] = motion[:, 3, 3] = 1.0
+    motion[:, i, i] = motion[:, j, j] = np.cos(angle)
+    motion[:, j, i] = np.sin(angle)
+    motion[:, i, j] = -motion[:, j, i]
+    motion[:, axis, 3] = length
+    return motion
+
+
+def _check(arm: FleetArm, kind: Kind, table: FloatArray, q: FloatArray) -> None:
+    """Every row meets its pose, and one row holds the joint values that it is of."""
+    name, weights = kind.module.name, np.array([1.0, 1.0, 1.0, 1.0 / kind.nominal.chain.size])
+    if arm.said != TAKEN:
+        raise VerificationError(f"{name}: does not take the table\n{table}")
+    T = poses_of(kind, table, q)
+    for joints, pose, rows, status in zip(q, T, *arm.batch(T), strict=True):
+        where = f"{name}, table\n{table}\nq = {joints.tolist()}"
+        _demand(np.abs((arm.fk(joints) - pose) * weights).max(), FORWARD, f"{where}: fk")
+        held = rows[np.isin(status, HELD)]
+        turned = np.abs(np.mod(held - joints + np.pi, 2.0 * np.pi) - np.pi).max(axis=1)
+        _demand(turned.min(initial=np.inf), FOUND, f"{where}: the nearest solution")
+        missed = np.abs((poses_of(kind, table, held) - pose) * weights).max()
+        _demand(missed, RESIDUAL, f"{where}: a row's pose")
+
+
+def _demand(miss: float, enough: float, what: str) -> None:
+    if not miss <= enough:
+        raise VerificationError(f"{what} is off by {miss:.1e}")
+
+
+def _pointer(array: NDArray[Any]) -> ctypes.c_void_p:
+    return array.ctypes.data_as(ctypes.c_void_p)

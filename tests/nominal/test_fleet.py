@@ -1,0 +1,326 @@
+"""C whose table comes at run time: each arm of a kind has the solutions of its own table."""
+
+from __future__ import annotations
+
+import subprocess
+from dataclasses import replace
+from functools import cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.atomic_write import write_files
+from dhgen.errors import UnsolvedError, VerificationError
+from dhgen.fleet import kind_of
+from dhgen.method import Method
+from dhgen.robot_files import RobotFile
+from dhgen.runtime import c_runtime_files
+from dhgen.status import HELD, Status
+from dhgen.targets.c.kind import kind_files
+from dhgen.targets.reserved import RESERVED
+from dhgen.verify.kind import ANOTHER_ARM, NO_MISS, TAKEN, FleetArm, poses_of, verify_kind
+from dhgen.verify.native import C_FLAGS, PORTABLE, Build, c_compiler, compile_solver
+from tests.compiling import compile_file, library, module_of, shared, written
+from tests.nominal.twins import ROBOTS, twin
+
+if TYPE_CHECKING:
+    from pathlib import Path
+    from typing import Any
+
+    from dhgen.targets.kind import Kind
+
+# Standard and modified tables, joints that count backwards, limits, a base or a tool.
+NAMES = ("ur5e", "puma560", "kuka_kr6_r900", "abb_irb120")
+PLACES = {"turned": 90, "moved": 91, "left": 177, "right": 189, "more": 201}  # of numbers
+
+
+@cache
+def kind(name: str) -> Kind:
+    """The kind of arms of a robot file."""
+    file = RobotFile.read(ROBOTS / f"{name}.yaml")
+    return kind_of(file.robot, module_of(file.path), RESERVED)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where kinds' C is written, with the runtime beside it."""
+    made = tmp_path_factory.mktemp("fleets")
+    write_files(made, c_runtime_files())
+    return made
+
+
+@cache
+def compiled(folder: Path, name: str, *flags: str) -> Any:
+    """The library of a kind."""
+    module = kind(name).module
+    write_files(folder, kind_files(kind(name)))
+    source = folder / f"{module.name}.c"
+    build = Build("_".join(["fleet", *(flag.strip("-") for flag in flags)]), ("-O1", *flags))
+    solver = compile_solver(source, folder, module.name, 6, 16, 0, shared(source, build))
+    assert solver is not None, "the tests need a C compiler"
+    return solver.library
+
+
+def table_of(name: str, noise: float, seed: int = 1) -> np.ndarray:
+    """The data sheet's table with errors in every number [rad, arm sizes]."""
+    nominal, size = np.array(kind(name).table.rows), kind(name).nominal.chain.size
+    errors = np.random.default_rng(seed).normal(0.0, noise, nominal.shape)
+    return np.asarray(nominal + errors * [1.0, size, size, 1.0])
+
+
+def random_joints(count: int, seed: int = 4) -> np.ndarray:
+    return np.random.default_rng(seed).uniform(-np.pi, np.pi, (count, 6))
+
+
+def turned(q: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """How far angles are apart, whole turns aside."""
+    return np.asarray(np.abs(np.mod(q - other + np.pi, 2.0 * np.pi) - np.pi))
+
+
+def assert_alike(
+    found: tuple[np.ndarray, np.ndarray], wanted: tuple[np.ndarray, np.ndarray]
+) -> None:
+    """The same solutions with the same statuses: in any order, where first joints nearly agree."""
+    for rows, status, others, kinds in zip(*found, *wanted, strict=True):
+        np.testing.assert_array_equal(np.sort(status), np.sort(kinds))
+        here, there = rows[~np.isnan(rows[:, 0])], others[~np.isnan(others[:, 0])]
+        if len(here):
+            apart = turned(here[:, None], there[None]).max(axis=2)
+            np.testing.assert_allclose(apart.min(axis=0), 0.0, atol=1e-8)
+            np.testing.assert_allclose(apart.min(axis=1), 0.0, atol=1e-8)
+
+
+@pytest.mark.parametrize("noise", [1e-6, 1e-4, 1e-3])
+@pytest.mark.parametrize("name", NAMES)
+def test_rows_are_all_solutions_of_the_table(name: str, noise: float, folder: Path) -> None:
+    """Without the nominal arm's rows the general algorithm answers alone, with a certificate."""
+    table, q = table_of(name, noise), random_joints(300)
+    fleet, upper = compiled(folder, name), kind(name).module.name.upper()
+    arm, plain = (
+        FleetArm(library, kind(name), table)
+        for library in (fleet, compiled(folder, name, f"-D{upper}_PLAIN"))
+    )
+    assert arm.said == TAKEN
+    T = poses_of(kind(name), table, q)
+    rows, status = arm.batch(T)
+    wanted, kinds = plain.batch(T)
+    assert_alike((rows, status), (wanted, kinds))
+    alike = sum(np.array_equal(*both, equal_nan=True) for both in zip(rows, wanted, strict=True))
+    assert noise > 1e-4 or alike < 0.7 * len(q)  # the nominal arm's rows are where rows come from
+    for joints, pose, each in zip(q, T, rows, strict=True):
+        solutions = each[~np.isnan(each[:, 0])]
+        assert turned(solutions, joints).max(axis=1).min() < 1e-7
+        missed = poses_of(kind(name), table, solutions) - pose
+        assert np.abs(missed).max() < 1e-10 * max(1.0, kind(name).nominal.chain.size)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_forward_kinematics_and_jacobian(name: str, folder: Path) -> None:
+    table, step = table_of(name, 1e-3), 1e-6
+    arm = FleetArm(compiled(folder, name), kind(name), table)
+    size = max(1.0, kind(name).nominal.chain.size)
+    for q in random_joints(20):
+        T = poses_of(kind(name), table, q[None])[0]
+        np.testing.assert_allclose(arm.fk(q), T, rtol=0.0, atol=1e-13 * size)
+        J = arm.jacobian(q)
+        ahead, back = (poses_of(kind(name), table, q + s * np.eye(6)) for s in (step, -step))
+        rates = (ahead - back) / (2.0 * step)
+        spin = rates[:, :3, :3] @ T[:3, :3].T
+        expected = np.concatenate(
+            [rates[:, :3, 3].T, [spin[:, 2, 1], spin[:, 0, 2], spin[:, 1, 0]]]
+        )
+        np.testing.assert_allclose(J, expected, rtol=0.0, atol=1e-8 * size)
+        twist = J @ np.array([0.1, -0.2, 0.3, 0.2, -0.1, 0.4])
+        found = arm.joint_velocities(q, twist)
+        if np.linalg.cond(J / np.array([size] * 3 + [1.0] * 3)[:, None]) < 50.0:
+            np.testing.assert_allclose(found, [0.1, -0.2, 0.3, 0.2, -0.1, 0.4], atol=1e-8)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_seeds_and_single_poses(name: str, folder: Path) -> None:
+    table = table_of(name, 1e-4)
+    arm, q = FleetArm(compiled(folder, name), kind(name), table), random_joints(40)
+    T = poses_of(kind(name), table, q)
+    rows, status = arm.batch(T)
+    for joints, pose, each, kinds in zip(q, T, rows, status, strict=True):
+        alone, said = arm.ik(pose, np.zeros(6))
+        np.testing.assert_array_equal(said, kinds)
+        np.testing.assert_array_equal(alone, each)
+        inside = each[np.isin(kinds, [Status.OK, Status.FREE_JOINT])]
+        if (turned(inside, joints).max(axis=1, initial=0.0) < 1e-7).any():
+            near = arm.nearest(pose, joints + 1e-3)
+            np.testing.assert_allclose(near, joints, rtol=0.0, atol=1e-7)
+    spoiled = T[0].copy()
+    spoiled[0, 0] = np.nan
+    assert (arm.ik(spoiled, np.zeros(6))[1] == Status.INVALID_POSE).all()
+    far = T[0].copy()
+    far[:3, 3] += 10.0 * kind(name).nominal.chain.size
+    assert (arm.ik(far, np.zeros(6))[1] == Status.UNREACHABLE).all()
+
+
+def singular_joints(arm: FleetArm, count: int) -> np.ndarray:
+    """Joint values at which the Jacobian is singular, by halving intervals of one joint."""
+    source = np.random.default_rng(6)
+    found: list[np.ndarray] = []
+    while len(found) < count:
+        q, joint = source.uniform(-np.pi, np.pi, 6), int(source.integers(1, 5))
+
+        def determinant(x: float, q: np.ndarray = q, joint: int = joint) -> float:
+            q[joint] = x
+            return float(np.linalg.det(arm.jacobian(q)))
+
+        low, high = -0.4, 0.4
+        if determinant(low) * determinant(high) > 0.0:
+            continue
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            if determinant(middle) * determinant(low) > 0.0:
+                low = middle
+            else:
+                high = middle
+        determinant(low)
+        found.append(q)
+    return np.array(found)
+
+
+@pytest.mark.parametrize("name", ["ur5e", "puma560", "kuka_kr6_r900"])
+def test_singular_poses_keep_their_solution(name: str, folder: Path) -> None:
+    """Where branches meet one row holds the solution, as far as the pose tells joint values."""
+    table = table_of(name, 1e-4)
+    arm = FleetArm(compiled(folder, name), kind(name), table)
+    q = singular_joints(arm, 20)
+    T = poses_of(kind(name), table, q)
+    for joints, pose in zip(q, T, strict=True):
+        rows, status = arm.ik(pose, joints)
+        held = rows[~np.isnan(rows[:, 0])]
+        assert np.isin(status, HELD).any()
+        assert turned(held, joints).max(axis=1).min() < 1e-4
+        assert np.abs(poses_of(kind(name), table, held) - pose).max() < 1e-9
+
+
+@pytest.mark.parametrize("noise", [1e-5, 1e-3])
+@pytest.mark.parametrize("name", NAMES)
+def test_the_nominal_arm_is_no_farther_than_said(name: str, noise: float, folder: Path) -> None:
+    table, nominal = table_of(name, noise), np.array(kind(name).table.rows)
+    arm = FleetArm(compiled(folder, name), kind(name), table)
+    numbers = arm.numbers
+    left, right = (
+        np.vstack([numbers[PLACES[side] :][:12].reshape(3, 4), [0.0, 0.0, 0.0, 1.0]])
+        for side in ("left", "right")
+    )
+    signs = np.array([joint.sign for joint in kind(name).nominal.chain.joints])
+    q = random_joints(2000)
+    others = q + signs * numbers[PLACES["more"] :][:6]
+    T = left @ poses_of(kind(name), table, q) @ right
+    N = poses_of(kind(name), nominal, others)
+    moved = np.linalg.norm(T[:, :3, 3] - N[:, :3, 3], axis=1).max()
+    chord = np.linalg.norm(T[:, :3, :3] - N[:, :3, :3], axis=(1, 2)).max() / np.sqrt(2.0)
+    angle = 2.0 * np.arcsin(0.5 * chord)
+    assert 0.2 * numbers[PLACES["turned"]] < angle <= numbers[PLACES["turned"]]
+    assert 0.1 * numbers[PLACES["moved"]] < moved <= numbers[PLACES["moved"]]
+
+
+def test_tables_that_are_not_taken(folder: Path) -> None:
+    name = "puma560"
+    library, nominal = compiled(folder, name), np.array(kind(name).table.rows)
+    assert FleetArm(library, kind(name), nominal).said == NO_MISS
+    longer = nominal.copy()
+    longer[1, 2] += 1e-3  # the wrist still has one centre: that is another closed form
+    assert FleetArm(library, kind(name), longer).said == NO_MISS
+    longer[4, 2] += 1e-4
+    assert FleetArm(library, kind(name), longer).said == TAKEN
+    other = table_of(name, 1e-4)
+    other[2, 1] += 0.2
+    assert FleetArm(library, kind(name), other).said == ANOTHER_ARM
+    other[2, 1] = np.nan
+    assert FleetArm(library, kind(name), other).said == 1
+
+
+@pytest.mark.slow  # compiles the general algorithm for the table, too
+@pytest.mark.parametrize("noise", [1e-4, 1e-3])
+@pytest.mark.parametrize("name", ["ur5e", "puma560", "kuka_kr6_r900"])
+def test_rows_are_those_of_a_module_of_the_table(name: str, noise: float, tmp_path: Path) -> None:
+    """Of a kind whose file is the data sheet's table alone, as twins are."""
+    for stem, error in (("nominal", 0.0), ("own", noise)):
+        text = twin(name, error).replace(f"name: twin_{name}", f"name: {stem}")
+        (tmp_path / f"{stem}.yaml").write_text(text, encoding="utf-8")
+    own = library(written(tmp_path / "own.yaml", tmp_path).module, tmp_path)
+    file = RobotFile.read(tmp_path / "nominal.yaml")
+    fleet = kind_of(file.robot, module_of(file.path), RESERVED)
+    write_files(tmp_path, kind_files(fleet))
+    made = compile_solver(tmp_path / "nominal_fleet.c", tmp_path, "nominal_fleet", 6, 16, 0)
+    assert made is not None
+    table = np.array(module_of(tmp_path / "own.yaml").links.rows)
+    arm = FleetArm(made.library, fleet, table)
+    T = poses_of(fleet, table, random_joints(500))
+    rows, status = arm.batch(T)
+    wanted, kinds = own.batch(T)
+    assert_alike((rows, status), (wanted, kinds))
+
+
+@pytest.mark.parametrize("single_file", [False, True])
+def test_no_warnings_and_several_kinds_in_one_program(*, single_file: bool, tmp_path: Path) -> None:
+    if not single_file:
+        write_files(tmp_path, c_runtime_files())
+    for name in NAMES[:2]:
+        write_files(tmp_path, kind_files(kind(name), single_file=single_file))
+    text = "".join(f'#include "{kind(name).module.name}.h"\n' for name in NAMES[:2])
+    (tmp_path / "main.c").write_text(f"{text}int main(void) {{ return 0; }}\n", encoding="utf-8")
+    sources = ["main.c", *(f"{kind(name).module.name}.c" for name in NAMES[:2])]
+    command = [str(c_compiler()), *C_FLAGS, "-Wshadow", "-Wdouble-promotion", "-O0"]
+    subprocess.run([*command, *sources, "-o", "program", "-lm"], cwd=tmp_path, check=True)
+
+
+def test_its_own_runtime_and_the_shared_one(folder: Path) -> None:
+    name, table = "puma560", table_of("puma560", 1e-4)
+    module = kind(name).module
+    alone = compile_solver(folder / f"{module.name}.c", folder, module.name, 6, 16, 0, PORTABLE)
+    assert alone is not None
+    arm = FleetArm(alone.library, kind(name), table)
+    other = FleetArm(compiled(folder, name), kind(name), table)
+    T = poses_of(kind(name), table, random_joints(50))
+    (rows, status), (wanted, kinds) = arm.batch(T), other.batch(T)
+    np.testing.assert_array_equal(status, kinds)
+    np.testing.assert_allclose(rows, wanted, rtol=0.0, atol=1e-9)
+
+
+def test_verification_sees_what_is_wrong(tmp_path: Path) -> None:
+    own = kind("puma560")
+    for folder in ("right", "wrong"):
+        (tmp_path / folder).mkdir()
+        write_files(tmp_path / folder, {**c_runtime_files(), **kind_files(own)})
+    verify_kind(own, tmp_path / "right")
+    source = tmp_path / "wrong" / f"{own.module.name}.c"
+    text = source.read_text("utf-8")
+    axes = "{ 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }, /* how joints count */"
+    assert axes in text
+    source.write_text(text.replace(axes, axes.replace("1.0", "-1.0", 1)), encoding="utf-8")
+    with pytest.raises(VerificationError, match="fk is off by"):
+        verify_kind(own, source.parent)
+
+
+def test_robot_files_ask_for_it(tmp_path: Path) -> None:
+    """A whole compilation: the files, and the derivation's section."""
+    path = tmp_path / "puma560.yaml"
+    text = (ROBOTS / "puma560.yaml").read_text("utf-8")
+    path.write_text(f"{text}calibration: true\n", encoding="utf-8")
+    made = compile_file(path)
+    assert {"puma560_fleet.c", "puma560_fleet.h"} < set(made.files)
+    assert "## Arms with tables of their own" in made.files["puma560.md"]
+    assert RobotFile.read(path).stems == ("puma560", "puma560_f32", "puma560_fleet")
+
+
+def test_scaras_have_no_fleet() -> None:
+    with pytest.raises(UnsolvedError, match="it has other joints than six that turn"):
+        kind("scara")
+
+
+def test_refusals() -> None:
+    file = RobotFile.read(ROBOTS / "puma560.yaml")
+    module = module_of(file.path)
+    plain = replace(file.robot, plain=True)
+    with pytest.raises(UnsolvedError, match="it is plain"):
+        kind_of(plain, module, RESERVED)
+    with pytest.raises(UnsolvedError, match="its own method is quartic, no closed form"):
+        kind_of(file.robot, replace(module, method=Method.QUARTIC), RESERVED)
