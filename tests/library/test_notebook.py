@@ -22,7 +22,7 @@ def test_all_cells_were_run_in_their_order(path: Path) -> None:
     assert counts == list(range(1, len(counts) + 1))
 
 
-@pytest.mark.breadth  # it builds two arms
+@pytest.mark.slow  # it builds two arms
 @pytest.mark.usefixtures("empty_cache")
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_cells_show_what_the_notebook_says(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -27,7 +27,7 @@ def test_the_first_value_that_differs_decides() -> None:
 
 
 def test_values_that_agree_through_others_are_equal() -> None:
-    """The first and the last differ by more than a tie; the order must not hang on who came first."""
+    """The first and the last differ by more than a tie: which came first must not matter."""
     rows = [[0.0, 3.0], [0.7 * TIE, 2.0], [1.4 * TIE, 1.0], [5.0, 0.0]]
     expected = [rows[2], rows[1], rows[0], rows[3]]
     for each in permutations(rows):
@@ -35,6 +35,6 @@ def test_values_that_agree_through_others_are_equal() -> None:
 
 
 def test_minus_half_a_turn_counts_as_half_a_turn() -> None:
-    assert SOLUTIONS.order_of(-np.pi, True) == np.pi
-    assert SOLUTIONS.order_of(-np.pi, False) == -np.pi
-    assert SOLUTIONS.order_of(2.0 * TIE - np.pi, True) < 0.0
+    assert SOLUTIONS.order_of(-np.pi, turns=True) == np.pi
+    assert SOLUTIONS.order_of(-np.pi, turns=False) == -np.pi
+    assert SOLUTIONS.order_of(2.0 * TIE - np.pi, turns=True) < 0.0
