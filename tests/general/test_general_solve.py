@@ -11,6 +11,7 @@ from tests.general.arms import TABLES, compiled, forward, gap, kernel, poses
 from tests.general.solved import solve, solve_slowly
 from tests.structures import first_of
 
+TIE = 1e-6  # what is known of an angle where solutions meet, with some room [rad]
 # The pose of Manseur and Doty at which all sixteen solutions are real.
 SIXTEEN = [
     [-0.760117, -0.641689, 0.102262, -1.140175],
@@ -29,7 +30,9 @@ def check(name: str, T: np.ndarray, q: np.ndarray, residual: np.ndarray, groups:
     assert np.abs(forward(TABLES[name], q) - T).max(initial=0.0) < 1e-9
     for i, row in enumerate(q):
         assert (gap(q[:i], row) > 1e-7).all()
-    assert (np.diff(q[:, 0]) < -1e-9).sum() < groups
+    # angles that agree to rounding don't decide, and -pi comes where pi does
+    first = np.where(q[:, 0] < TIE - np.pi, q[:, 0] + 2.0 * np.pi, q[:, 0])
+    assert (np.diff(first) < -TIE).sum() < groups
     assert ((q > -np.pi) & (q <= np.pi)).all()
 
 
