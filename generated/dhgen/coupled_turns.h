@@ -67,19 +67,22 @@ DHGEN_FN const double *dhgen_next_choice(
     const int dof = dhgen_dof(arm);
     while (choices->level >= 0) {
         const int level = choices->level;
-        double *const turns = choices->turns[level < coupling->count ? level : 0];
         if (level == coupling->count) {
             choices->level--;
             choices->fresh = 0;
             return choices->at[level];
         }
         const int drive = coupling->drives[level];
-        if (choices->fresh)
+        double *const turns = choices->turns[level];
+        if (choices->fresh) {
             dhgen_coupled_turns(
                 coupling, drive, choices->at[level][drive], towards[drive], choices->most, turns);
-        else
-            turns[0] += 1.0;
-        choices->fresh = turns[0] <= turns[1];
+            choices->fresh = turns[0] <= turns[1];
+        } else {
+            const double last = turns[0];
+            turns[0] += 1.0; /* which changes nothing very far out */
+            choices->fresh = last < turns[0] && turns[0] <= turns[1];
+        }
         choices->level += choices->fresh ? 1 : -1;
         for (int i = 0; i < dof && choices->fresh; i++)
             choices->at[level + 1][i] =

@@ -56,7 +56,7 @@ def library(build: str) -> ctypes.CDLL:
     command = [str(c_compiler()), *flags, "driver.c", "-o", "driver.so", "-lm"]
     subprocess.run(command, check=True, cwd=folder)
     found = ctypes.CDLL(str(folder / "driver.so"))
-    found.run_newton.restype = ctypes.c_double
+    found.run_newton.restype = found.run_order_of.restype = ctypes.c_double
     return found
 
 

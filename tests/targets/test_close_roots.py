@@ -35,7 +35,7 @@ TOUCHING = "touching"
 MEETING = "meeting"
 SLIDING = "sliding"
 CANCELLING = "cancelling"
-FOLDING = "folding"
+FOLDING = "folded_wrist"
 JOINTS = {
     TOUCHING: (
         "theta: q, d: 0, a: 0.3, alpha: pi/2",

@@ -108,9 +108,11 @@ def next_choice(
         if walk[FRESH]:
             most = int(walk[MOST])
             _first_turns(coupling, drive, at[level], towards, limits, most, turns[level])
+            walk[FRESH] = 1 if turns[level, 0] <= turns[level, 1] else 0
         else:
-            turns[level, 0] += 1.0
-        walk[FRESH] = 1 if turns[level, 0] <= turns[level, 1] else 0
+            last = turns[level, 0]
+            turns[level, 0] += 1.0  # which changes nothing very far out
+            walk[FRESH] = 1 if last < turns[level, 0] <= turns[level, 1] else 0
         if walk[FRESH] == 0:
             walk[LEVEL] = level - 1
             continue

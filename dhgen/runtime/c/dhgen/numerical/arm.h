@@ -69,12 +69,8 @@ DHGEN_FN int dhgen_order_blocks(
     for (int i = 1; i < count; i++) {
         const int row = order[i];
         int place = i;
-        for (int j = i; j > 0 && !first[j]; j--) {
-            if (!(value[row] < value[order[j - 1]]))
-                break;
-            order[j] = order[j - 1];
-            place = j - 1;
-        }
+        for (; place > 0 && !first[place] && value[row] < value[order[place - 1]]; place--)
+            order[place] = order[place - 1];
         order[place] = row;
     }
     for (int i = 1; i < count; i++) {
