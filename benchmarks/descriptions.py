@@ -74,7 +74,11 @@ class Found:
 def main() -> None:
     """Imports every file and writes the table."""
     site = Path(sysconfig.get_path("purelib"))
+    if sys.argv[1:]:
+        sys.exit(__doc__)
     found = [each for path in _files(site) if (each := _try(path, site))]
+    if not found:
+        sys.exit(f"none of {', '.join(PACKAGES)} is in {site}")
     arms = {each.cells[:1] + each.cells[2:6]: each for each in reversed(found) if each.cells}
     rows = [each.cells for each in reversed(arms.values())]
     text = f"{len(rows)} arms.\n\n{table(HEAD, rows)}"
