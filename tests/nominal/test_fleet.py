@@ -14,14 +14,23 @@ from dhgen.atomic_write import write_files
 from dhgen.errors import UnsolvedError, VerificationError
 from dhgen.fleet import kind_of
 from dhgen.method import Method
+from dhgen.robot.load import load_text
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import c_runtime_files
 from dhgen.status import HELD, Status
+from dhgen.survey.oracle.forward import forward
 from dhgen.targets.c.kind import kind_files
 from dhgen.targets.reserved import RESERVED
 from dhgen.verify.kind import ANOTHER_ARM, NO_MISS, TAKEN, FleetArm, poses_of, verify_kind
 from dhgen.verify.native import C_FLAGS, PORTABLE, Build, c_compiler, compile_solver
-from tests.compiling import compile_file, library, module_of, shared, written
+from tests.compiling import (
+    compile_file,
+    library,
+    module_of,
+    shared,
+    worked_out_once,
+    written,
+)
 from tests.nominal.twins import ROBOTS, twin
 
 if TYPE_CHECKING:
@@ -30,16 +39,34 @@ if TYPE_CHECKING:
 
     from dhgen.targets.kind import Kind
 
-# Standard and modified tables, joints that count backwards, limits, a base or a tool.
-NAMES = ("ur5e", "puma560", "kuka_kr6_r900", "abb_irb120")
+# Every other joint counts backwards, between a base and a tool that turn all axes.
+PLACED = "_placed"
+BASE = "base: {xyz: [0.3, -0.2, 0.5], rpy: [0.4, -0.3, 2.0]}"
+TOOL = "tool: {xyz: [0.02, -0.05, 0.15], rpy: [0.5, 0.3, -1.2]}"
+TURNED = (f"puma560{PLACED}", f"kuka_kr210{PLACED}")  # a standard table, and a modified one
+NAMES = ("ur5e", "puma560", "kuka_kr6_r900", "abb_irb120", *TURNED)  # limits, and a tool
 PLACES = {"turned": 90, "moved": 91, "left": 177, "right": 189, "more": 201}  # of numbers
+
+
+@cache
+def file_of(name: str) -> RobotFile:
+    """A robot file, or one that is placed elsewhere."""
+    path = ROBOTS / f"{name.removesuffix(PLACED)}.yaml"
+    text = path.read_text("utf-8")
+    if name.endswith(PLACED):
+        head, *rows = text.replace(f"name: {path.stem}", f"name: {name}").split("theta: q")
+        signs = ("-q", "q", "-q", "q", "-q", "q")
+        text = head + "".join(f"theta: {q}{row}" for q, row in zip(signs, rows, strict=True))
+        kept = [line for line in text.splitlines() if not line.startswith("tool:")]
+        text = "\n".join([*kept, BASE, TOOL, ""])
+    return RobotFile(path.with_stem(name), load_text(text, name), text)
 
 
 @cache
 def kind(name: str) -> Kind:
     """The kind of arms of a robot file."""
-    file = RobotFile.read(ROBOTS / f"{name}.yaml")
-    return kind_of(file.robot, module_of(file.path), RESERVED)
+    file = file_of(name)
+    return kind_of(file.robot, worked_out_once(file)[1], RESERVED)
 
 
 @pytest.fixture(scope="module")
@@ -184,7 +211,7 @@ def singular_joints(arm: FleetArm, count: int) -> np.ndarray:
     return np.array(found)
 
 
-@pytest.mark.parametrize("name", ["ur5e", "puma560", "kuka_kr6_r900"])
+@pytest.mark.parametrize("name", ["ur5e", "puma560", "kuka_kr6_r900", *TURNED])
 def test_singular_poses_keep_their_solution(name: str, folder: Path) -> None:
     """Where branches meet one row holds the solution, as far as the pose tells joint values."""
     table = table_of(name, 1e-4)
@@ -235,6 +262,13 @@ def test_tables_that_are_not_taken(folder: Path) -> None:
     assert FleetArm(library, kind(name), other).said == ANOTHER_ARM
     other[2, 1] = np.nan
     assert FleetArm(library, kind(name), other).said == 1
+
+
+@pytest.mark.parametrize("name", TURNED)
+def test_expected_poses_are_those_of_the_robot_file(name: str) -> None:
+    q, size = random_joints(50), kind(name).nominal.chain.size
+    T = poses_of(kind(name), np.array(kind(name).table.rows), q)
+    np.testing.assert_allclose(T, forward(file_of(name).robot, q), rtol=0.0, atol=1e-14 * size)
 
 
 @pytest.mark.slow  # compiles the general algorithm for the table, too
