@@ -28,9 +28,25 @@ COUNT = 100  # poses of each
 FORWARD = 1e-12  # [arm sizes, rad] what the forward model may be off by
 RESIDUAL = 1e-10  # what a row may miss its pose by
 FOUND = 1e-6  # [rad] the generating joint values at random poses
-BYTES = 4096  # more than an arm takes
-TAKEN, ANOTHER_ARM, NO_MISS = 0, 2, 3
+TAKEN, NOT_FINITE, ANOTHER_ARM, NO_MISS = range(4)
 MODIFIED = "modified"
+LINK = ctypes.c_double * 12  # three rows of four
+
+
+class Calibration(ctypes.Structure):
+    """`dhgen_calibration` of dhgen/calibration.h."""
+
+    _fields_ = (
+        ("constant", LINK * 7),
+        ("facing", ctypes.c_double * 6),
+        ("turned", ctypes.c_double),
+        ("moved", ctypes.c_double),
+        ("loop", LINK * 7),
+        ("size", ctypes.c_double),
+        ("left", LINK),
+        ("right", LINK),
+        ("more", ctypes.c_double * 6),
+    )
 
 
 def verify_kind(kind: Kind, folder: Path) -> None:
@@ -67,19 +83,21 @@ class FleetArm:
 
     Attributes:
         said: What was said of its table.
+        members: What was filled in.
     """
 
     def __init__(self, library: Any, kind: Kind, table: FloatArray) -> None:  # noqa: ANN401
         self._library, self._name = library, kind.module.name
         self._shape = kind.module.solver.rows, kind.module.chain.dof
-        self._numbers = ctypes.create_string_buffer(BYTES)
+        self.members = Calibration()
         rows = np.ascontiguousarray(table, np.float64)
-        self.said = int(library[f"{self._name}_calibrate"](_pointer(rows), self._numbers))
+        function = library[f"{self._name}_calibrate"]
+        self.said = int(function(_pointer(rows), ctypes.byref(self.members)))
 
     @property
     def numbers(self) -> FloatArray:
-        """What was filled in, as one array."""
-        return np.frombuffer(self._numbers.raw, np.float64)
+        """The same as one array."""
+        return np.frombuffer(bytes(self.members), np.float64)
 
     def fk(self, q: FloatArray) -> FloatArray:
         """The pose (4, 4) of joint values (n,)."""
@@ -105,7 +123,7 @@ class FleetArm:
         status = np.empty((len(T), self._shape[0]), np.uint8)
         arrays: tuple[NDArray[Any], ...] = np.ascontiguousarray(T, np.float64), q, status
         function = self._library[f"{self._name}_ik_batch"]
-        function(self._numbers, ctypes.c_size_t(len(T)), *map(_pointer, arrays))
+        function(ctypes.byref(self.members), ctypes.c_size_t(len(T)), *map(_pointer, arrays))
         return q, status
 
     def nearest(self, T: FloatArray, seed: FloatArray) -> FloatArray:
@@ -122,7 +140,8 @@ class FleetArm:
 
     def _call(self, function: str, *arrays: NDArray[Any]) -> None:
         kept: list[NDArray[Any]] = [np.ascontiguousarray(each) for each in arrays]
-        self._library[f"{self._name}_{function}"](self._numbers, *map(_pointer, kept))
+        own = self._library[f"{self._name}_{function}"]
+        own(ctypes.byref(self.members), *map(_pointer, kept))
 
 
 def poses_of(kind: Kind, table: FloatArray, q: FloatArray) -> FloatArray:

@@ -5,6 +5,9 @@
 #ifndef DHGEN_SERIAL_H
 #define DHGEN_SERIAL_H
 
+#ifdef DHGEN_FORWARD
+#error "dhgen: serial.h comes before the rest of the runtime"
+#endif
 #define DHGEN_FORWARD(arm, q, T) dhgen_forward(arm, q, T)
 #define DHGEN_RATES(arm, q, J) dhgen_rates(arm, q, J)
 #define DHGEN_FORWARD_OF_DESCENTS(arm, q, T) dhgen_forward_of_descents(arm, q, T)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import ctypes
 import subprocess
 from dataclasses import replace
-from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,59 +14,39 @@ from dhgen.atomic_write import write_files
 from dhgen.errors import UnsolvedError, VerificationError
 from dhgen.fleet import kind_of
 from dhgen.method import Method
-from dhgen.robot.load import load_text
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import c_runtime_files
 from dhgen.status import HELD, Status
 from dhgen.survey.oracle.forward import forward
 from dhgen.targets.c.kind import kind_files
 from dhgen.targets.reserved import RESERVED
-from dhgen.verify.kind import ANOTHER_ARM, NO_MISS, TAKEN, FleetArm, poses_of, verify_kind
-from dhgen.verify.native import C_FLAGS, PORTABLE, Build, c_compiler, compile_solver
-from tests.compiling import (
-    compile_file,
-    library,
-    module_of,
-    shared,
-    worked_out_once,
-    written,
+from dhgen.verify.kind import (
+    ANOTHER_ARM,
+    NO_MISS,
+    NOT_FINITE,
+    TAKEN,
+    Calibration,
+    FleetArm,
+    poses_of,
+    verify_kind,
+)
+from dhgen.verify.native import C_FLAGS, PORTABLE, c_compiler, compile_solver
+from tests.compiling import compile_file, library, module_of, written
+from tests.nominal.fleets import (
+    NAMES,
+    TURNED,
+    compiled,
+    file_of,
+    kind,
+    random_joints,
+    table_of,
+    turned,
 )
 from tests.nominal.twins import ROBOTS, twin
 
 if TYPE_CHECKING:
     from pathlib import Path
-    from typing import Any
-
-    from dhgen.targets.kind import Kind
-
-# Every other joint counts backwards, between a base and a tool that turn all axes.
-PLACED = "_placed"
-BASE = "base: {xyz: [0.3, -0.2, 0.5], rpy: [0.4, -0.3, 2.0]}"
-TOOL = "tool: {xyz: [0.02, -0.05, 0.15], rpy: [0.5, 0.3, -1.2]}"
-TURNED = (f"puma560{PLACED}", f"kuka_kr210{PLACED}")  # a standard table, and a modified one
-NAMES = ("ur5e", "puma560", "kuka_kr6_r900", "abb_irb120", *TURNED)  # limits, and a tool
-PLACES = {"turned": 90, "moved": 91, "left": 177, "right": 189, "more": 201}  # of numbers
-
-
-@cache
-def file_of(name: str) -> RobotFile:
-    """A robot file, or one that is placed elsewhere."""
-    path = ROBOTS / f"{name.removesuffix(PLACED)}.yaml"
-    text = path.read_text("utf-8")
-    if name.endswith(PLACED):
-        head, *rows = text.replace(f"name: {path.stem}", f"name: {name}").split("theta: q")
-        signs = ("-q", "q", "-q", "q", "-q", "q")
-        text = head + "".join(f"theta: {q}{row}" for q, row in zip(signs, rows, strict=True))
-        kept = [line for line in text.splitlines() if not line.startswith("tool:")]
-        text = "\n".join([*kept, BASE, TOOL, ""])
-    return RobotFile(path.with_stem(name), load_text(text, name), text)
-
-
-@cache
-def kind(name: str) -> Kind:
-    """The kind of arms of a robot file."""
-    file = file_of(name)
-    return kind_of(file.robot, worked_out_once(file)[1], RESERVED)
+README = ROBOTS.parent / "README.md"
 
 
 @pytest.fixture(scope="module")
@@ -75,34 +55,6 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     made = tmp_path_factory.mktemp("fleets")
     write_files(made, c_runtime_files())
     return made
-
-
-@cache
-def compiled(folder: Path, name: str, *flags: str) -> Any:
-    """The library of a kind."""
-    module = kind(name).module
-    write_files(folder, kind_files(kind(name)))
-    source = folder / f"{module.name}.c"
-    build = Build("_".join(["fleet", *(flag.strip("-") for flag in flags)]), ("-O1", *flags))
-    solver = compile_solver(source, folder, module.name, 6, 16, 0, shared(source, build))
-    assert solver is not None, "the tests need a C compiler"
-    return solver.library
-
-
-def table_of(name: str, noise: float, seed: int = 1) -> np.ndarray:
-    """The data sheet's table with errors in every number [rad, arm sizes]."""
-    nominal, size = np.array(kind(name).table.rows), kind(name).nominal.chain.size
-    errors = np.random.default_rng(seed).normal(0.0, noise, nominal.shape)
-    return np.asarray(nominal + errors * [1.0, size, size, 1.0])
-
-
-def random_joints(count: int, seed: int = 4) -> np.ndarray:
-    return np.random.default_rng(seed).uniform(-np.pi, np.pi, (count, 6))
-
-
-def turned(q: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """How far angles are apart, whole turns aside."""
-    return np.asarray(np.abs(np.mod(q - other + np.pi, 2.0 * np.pi) - np.pi))
 
 
 def assert_alike(
@@ -231,21 +183,21 @@ def test_singular_poses_keep_their_solution(name: str, folder: Path) -> None:
 def test_the_nominal_arm_is_no_farther_than_said(name: str, noise: float, folder: Path) -> None:
     table, nominal = table_of(name, noise), np.array(kind(name).table.rows)
     arm = FleetArm(compiled(folder, name), kind(name), table)
-    numbers = arm.numbers
+    numbers = arm.members
     left, right = (
-        np.vstack([numbers[PLACES[side] :][:12].reshape(3, 4), [0.0, 0.0, 0.0, 1.0]])
-        for side in ("left", "right")
+        np.vstack([np.reshape(side, (3, 4)), [0.0, 0.0, 0.0, 1.0]])
+        for side in (numbers.left, numbers.right)
     )
     signs = np.array([joint.sign for joint in kind(name).nominal.chain.joints])
     q = random_joints(2000)
-    others = q + signs * numbers[PLACES["more"] :][:6]
+    others = q + signs * np.array(numbers.more)
     T = left @ poses_of(kind(name), table, q) @ right
     N = poses_of(kind(name), nominal, others)
     moved = np.linalg.norm(T[:, :3, 3] - N[:, :3, 3], axis=1).max()
     chord = np.linalg.norm(T[:, :3, :3] - N[:, :3, :3], axis=(1, 2)).max() / np.sqrt(2.0)
     angle = 2.0 * np.arcsin(0.5 * chord)
-    assert 0.2 * numbers[PLACES["turned"]] < angle <= numbers[PLACES["turned"]]
-    assert 0.1 * numbers[PLACES["moved"]] < moved <= numbers[PLACES["moved"]]
+    assert 0.2 * numbers.turned < angle <= numbers.turned
+    assert 0.1 * numbers.moved < moved <= numbers.moved
 
 
 def test_tables_that_are_not_taken(folder: Path) -> None:
@@ -261,7 +213,37 @@ def test_tables_that_are_not_taken(folder: Path) -> None:
     other[2, 1] += 0.2
     assert FleetArm(library, kind(name), other).said == ANOTHER_ARM
     other[2, 1] = np.nan
-    assert FleetArm(library, kind(name), other).said == 1
+    assert FleetArm(library, kind(name), other).said == NOT_FINITE
+
+
+def test_arms_that_are_not_taken_have_their_pose(folder: Path) -> None:
+    """Solutions may be missing, but none is another arm's."""
+    name, q = "puma560", random_joints(20)
+    library, nominal = compiled(folder, name), np.array(kind(name).table.rows)
+    for table, said in ((nominal, NO_MISS), (nominal + 0.3, ANOTHER_ARM)):
+        arm = FleetArm(library, kind(name), table)
+        assert arm.said == said
+        T = poses_of(kind(name), table, q)
+        np.testing.assert_allclose([arm.fk(each) for each in q], T, rtol=0.0, atol=1e-13)
+        for pose, rows in zip(T, arm.batch(T)[0], strict=True):
+            held = rows[~np.isnan(rows[:, 0])]
+            missed = np.abs(poses_of(kind(name), table, held) - pose)
+            assert missed.max(initial=0.0) < 1e-9
+
+
+def test_a_table_that_is_not_finite_leaves_nothing_behind(folder: Path) -> None:
+    name, q = "puma560", random_joints(5)
+    table = table_of(name, 1e-4)
+    T = poses_of(kind(name), table, q)
+    table[5, 3] = np.inf
+    arm = FleetArm(compiled(folder, name), kind(name), table)
+    assert arm.said == NOT_FINITE
+    assert np.isnan(arm.numbers).all()
+    assert np.isnan(arm.fk(q[0])[:3]).all()
+    rows, status = arm.batch(T)
+    assert np.isnan(rows).all()
+    assert (status == Status.UNREACHABLE).all()
+    assert np.isnan(arm.nearest(T[0], q[0])).all()
 
 
 @pytest.mark.parametrize("name", TURNED)
@@ -291,6 +273,45 @@ def test_rows_are_those_of_a_module_of_the_table(name: str, noise: float, tmp_pa
     rows, status = arm.batch(T)
     wanted, kinds = own.batch(T)
     assert_alike((rows, status), (wanted, kinds))
+
+
+def test_the_structure_in_python_is_that_in_c(folder: Path, tmp_path: Path) -> None:
+    compiled(folder, "puma560")
+    names = [name for name, *_ in Calibration._fields_]
+    told = "".join(f"TOLD(offsetof(dhgen_calibration, {name}));" for name in names)
+    text = f"""\
+#include <stdio.h>
+#include <stddef.h>
+#include "dhgen/calibration.h"
+#define TOLD(number) printf("%d ", (int)(number))
+int main(void) {{ {told} TOLD(sizeof(dhgen_calibration)); return 0; }}
+"""
+    (tmp_path / "sizes.c").write_text(text, encoding="utf-8")
+    said = run_program([f"-I{folder}", "sizes.c"], tmp_path)
+    expected = [*(getattr(Calibration, name).offset for name in names), ctypes.sizeof(Calibration)]
+    assert said.split() == [str(number) for number in expected]
+
+
+def test_the_program_of_the_readme(folder: Path, tmp_path: Path) -> None:
+    text = README.read_text("utf-8").split("### Many arms of one kind")[1]
+    (tmp_path / "arm.c").write_text(text.split("```c\n")[1].split("```")[0], encoding="utf-8")
+    library, place = compiled(folder, "ur5e", "-DUR5E_FLEET_PLAIN"), folder / "ur5e_fleet.c"
+    said = run_program([f"-I{folder}", "-O1", "arm.c", str(place)], tmp_path)
+    steps = 1e-4 * (np.arange(24) % 5 - 2.0)
+    table = np.array(kind("ur5e").table.rows) + steps.reshape(6, 4)
+    q = np.array([[0.3, -0.8, 0.5, 1.0, 0.2, 0.1]])
+    arm = FleetArm(library, kind("ur5e"), table)
+    rows, status = arm.ik(poses_of(kind("ur5e"), table, q)[0], np.zeros(6))
+    assert turned(rows[np.isin(status, HELD)], q).max(axis=1).min() < 1e-9
+    assert said == f"{np.isin(status, HELD).sum()} solutions\n"
+
+
+def run_program(arguments: list[str], folder: Path) -> str:
+    """What a program in C says."""
+    command = [str(c_compiler()), *C_FLAGS, *arguments, "-o", "program", "-lm"]
+    subprocess.run(command, cwd=folder, check=True)
+    done = subprocess.run(["./program"], cwd=folder, check=True, capture_output=True, text=True)
+    return done.stdout
 
 
 @pytest.mark.parametrize("single_file", [False, True])

@@ -215,7 +215,8 @@ DHGEN_FN void dhgen_find_nearest(const dhgen_kind *kind, dhgen_calibration *of)
     dhgen_append(fit[6], nominal[6]);
     dhgen_invert(of->constant[6], of->right);
     dhgen_append(of->right, fit[6]);
-    of->turned = of->moved = DHGEN_ROUNDED_DEVIATION * kind->length;
+    of->turned = DHGEN_ROUNDED_DEVIATION;
+    of->moved = DHGEN_ROUNDED_DEVIATION * kind->length;
     length = dhgen_length_of(fit[6]);
     for (int k = 5; k > 0; k--) {
         const double turned = dhgen_turned_between(fit[k], of->constant[k]);
@@ -267,12 +268,27 @@ DHGEN_FN double dhgen_least_miss(const dhgen_kind *kind, const dhgen_calibration
     return least;
 }
 
+/* An arm of which nothing is known: its poses are NaN, and no pose has a solution. */
+DHGEN_FN void dhgen_no_arm(dhgen_calibration *of)
+{
+    for (int i = 0; i < 12; i++) {
+        for (int k = 0; k < 7; k++)
+            of->constant[k][i] = of->loop[k][i] = DHGEN_NAN;
+        of->left[i] = of->right[i] = DHGEN_NAN;
+    }
+    for (int i = 0; i < 6; i++)
+        of->facing[i] = of->more[i] = DHGEN_NAN;
+    of->turned = of->moved = of->size = DHGEN_NAN;
+}
+
 /* Works out what a table makes of an arm. Returns DHGEN_TAKEN, or what is wrong with it. */
 DHGEN_FN int dhgen_calibrate(const dhgen_kind *kind, const double *table, dhgen_calibration *of)
 {
     for (int i = 0; i < 24; i++)
-        if (!isfinite(table[i]))
+        if (!isfinite(table[i])) {
+            dhgen_no_arm(of);
             return DHGEN_NOT_FINITE;
+        }
     for (int i = 0; i < 6; i++)
         of->facing[i] = kind->facing[i];
     dhgen_constants_of(kind, table, of->constant);
@@ -281,6 +297,20 @@ DHGEN_FN int dhgen_calibrate(const dhgen_kind *kind, const double *table, dhgen_
     if (!(of->turned <= DHGEN_MOST_DEVIATION && of->moved <= DHGEN_MOST_DEVIATION * kind->length))
         return DHGEN_ANOTHER_ARM;
     return dhgen_least_miss(kind, of) < DHGEN_LEAST_MISS ? DHGEN_NO_MISS : DHGEN_TAKEN;
+}
+
+/* The runtime hands what callers give, the values of given joints, to the solver as it is. Arms of
+ * a kind have no such joint: in their place the solver gets the arm, whose first number's address
+ * is its own. */
+DHGEN_INLINE const double *dhgen_handed_on(const dhgen_calibration *of)
+{
+    return of->constant[0];
+}
+
+/* The arm that the solver was handed. */
+DHGEN_INLINE const dhgen_calibration *dhgen_handed_arm(const double *given)
+{
+    return (const dhgen_calibration *)(const void *)given;
 }
 
 /* The calibrated arm as the runtime sees arms. */
@@ -293,8 +323,8 @@ DHGEN_FN struct dhgen_calibrated_arm dhgen_calibrated_arm_of(
     return arm;
 }
 
-/* Angles of the loop near which all solutions are, one near each. Returns how many; 0 where that is
- * not certain. */
+/* Angles of the loop near which all solutions are. That each has one near it is certain, that none
+ * has a second one is not proven. Returns how many; 0 where one of them may end. */
 DHGEN_FN int dhgen_near_nominal(
     const dhgen_kind *kind, const dhgen_calibration *of, const double *T, double (*nearby)[6])
 {

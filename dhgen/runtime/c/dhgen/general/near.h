@@ -21,8 +21,8 @@ typedef int dhgen_nearest_rows(
     const double *T, const double *free_joints, double *q, unsigned char *status);
 
 #ifdef DHGEN_DOF /* rows are as long as those of the robot whose file this is a part of */
-/* Angles of the loop near which all solutions are, one near each. Returns how many; 0 where that is
- * not certain. */
+/* Angles of the loop near which all solutions are. That each has one near it is certain, that none
+ * has a second one is not proven. Returns how many; 0 where one of them may end. */
 DHGEN_FN int dhgen_near_solutions(const dhgen_nearest_arm *arm, dhgen_nearest_rows *solve,
     const double *T, const double *free_joints, double (*nearby)[6])
 {

@@ -1,0 +1,80 @@
+"""Kinds of arms whose tables come at run time, compiled once for all tests of a process."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.atomic_write import write_files
+from dhgen.fleet import kind_of
+from dhgen.robot.load import load_text
+from dhgen.robot_files import RobotFile
+from dhgen.targets.c.kind import kind_files
+from dhgen.targets.reserved import RESERVED
+from dhgen.verify.native import Build, compile_solver
+from tests.compiling import shared, worked_out_once
+from tests.nominal.twins import ROBOTS
+
+if TYPE_CHECKING:
+    from pathlib import Path
+    from typing import Any
+
+    from dhgen.targets.kind import Kind
+
+# Every other joint counts backwards, between a base and a tool that turn all axes.
+PLACED = "_placed"
+BASE = "base: {xyz: [0.3, -0.2, 0.5], rpy: [0.4, -0.3, 2.0]}"
+TOOL = "tool: {xyz: [0.02, -0.05, 0.15], rpy: [0.5, 0.3, -1.2]}"
+TURNED = (f"puma560{PLACED}", f"kuka_kr210{PLACED}")  # a standard table, and a modified one
+NAMES = ("ur5e", "puma560", "kuka_kr6_r900", "abb_irb120", *TURNED)  # limits, and a tool
+
+
+@cache
+def file_of(name: str) -> RobotFile:
+    """A robot file, or one that is placed elsewhere."""
+    path = ROBOTS / f"{name.removesuffix(PLACED)}.yaml"
+    text = path.read_text("utf-8")
+    if name.endswith(PLACED):
+        head, *rows = text.replace(f"name: {path.stem}", f"name: {name}").split("theta: q")
+        signs = ("-q", "q", "-q", "q", "-q", "q")
+        text = head + "".join(f"theta: {q}{row}" for q, row in zip(signs, rows, strict=True))
+        kept = [line for line in text.splitlines() if not line.startswith("tool:")]
+        text = "\n".join([*kept, BASE, TOOL, ""])
+    return RobotFile(path.with_stem(name), load_text(text, name), text)
+
+
+@cache
+def kind(name: str) -> Kind:
+    """The kind of arms of a robot file."""
+    file = file_of(name)
+    return kind_of(file.robot, worked_out_once(file)[1], RESERVED)
+
+
+@cache
+def compiled(folder: Path, name: str, *flags: str) -> Any:
+    """The library of a kind."""
+    module = kind(name).module
+    write_files(folder, kind_files(kind(name)))
+    source = folder / f"{module.name}.c"
+    build = Build("_".join(["fleet", *(flag.strip("-") for flag in flags)]), ("-O1", *flags))
+    solver = compile_solver(source, folder, module.name, 6, 16, 0, shared(source, build))
+    assert solver is not None, "the tests need a C compiler"
+    return solver.library
+
+
+def table_of(name: str, noise: float, seed: int = 1) -> np.ndarray:
+    """The data sheet's table with errors in every number [rad, arm sizes]."""
+    nominal, size = np.array(kind(name).table.rows), kind(name).nominal.chain.size
+    errors = np.random.default_rng(seed).normal(0.0, noise, nominal.shape)
+    return np.asarray(nominal + errors * [1.0, size, size, 1.0])
+
+
+def random_joints(count: int, seed: int = 4) -> np.ndarray:
+    return np.random.default_rng(seed).uniform(-np.pi, np.pi, (count, 6))
+
+
+def turned(q: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """How far angles are apart, whole turns aside."""
+    return np.asarray(np.abs(np.mod(q - other + np.pi, 2.0 * np.pi) - np.pi))
