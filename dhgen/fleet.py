@@ -2,17 +2,20 @@
 
 Their numbers are not known here, so that one of them stands for all: the arm of the data sheet
 with other numbers than nominal ones in its table. By it the formulations of the general algorithm
-are chosen, and what has to be done around its rows. Zeros of joints, base and tool change neither.
+are chosen, and what has to be done around its rows. Zeros of joints, base and tool change neither;
+lengths count in sizes of the nominal arm, whose tool has a share in its size.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
 from json import dumps
 from typing import TYPE_CHECKING
 
 from dhgen.errors import UnsolvedError
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.link_table import AXES, link_table
+from dhgen.kinematics.neighbours import EXACT, axis_triples
 from dhgen.method import Method
 from dhgen.nominal.certificate import certified
 from dhgen.paul.derive import derive
@@ -33,7 +36,7 @@ if TYPE_CHECKING:
 
 JOINTS = 6
 # What the numbers of the arm that stands for all are more than nominal ones [rad, arm sizes]: as
-# those of calibrations, and alike for no two numbers.
+# those of calibrations, and no two alike in a column.
 STEP = 2e-4
 PARTS = (0.618, 0.382, 0.854, 0.236, 0.472, 0.708)
 
@@ -57,7 +60,7 @@ def kind_of(robot: Robot, nominal: SolverModule, reserved: Reserved) -> Kind:
         raise _refusal(robot, "where rows of its closed form end has no bound")
     name = robot.name + FLEET
     text = _file(name, nominal.chain, table)
-    one = build_chain(load_text(text, name))
+    one = replace(build_chain(load_text(text, name)), size=nominal.chain.size)
     derivation = derive(one)
     if derivation.method is not Method.GENERAL_6R:
         raise _refusal(robot, "what is near it is not solved by the general algorithm")
@@ -95,6 +98,9 @@ def _demand_table(robot: Robot, nominal: SolverModule, table: LinkTable) -> None
         raise _refusal(robot, "it is plain, without what goes before the general algorithm")
     if nominal.method is not Method.CLOSED_FORM:
         raise _refusal(robot, f"its own method is {nominal.method}, no closed form")
+    within = EXACT * chain.size
+    if not any(each.tilt < EXACT or each.miss < within for each in axis_triples(chain)):
+        raise _refusal(robot, "no three of its axes side by side are parallel, or meet")
 
 
 def _refusal(robot: Robot, reason: str) -> UnsolvedError:

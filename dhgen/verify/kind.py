@@ -1,7 +1,10 @@
 """Proves that C whose table comes at run time does what it promises, or refuses it.
 
 Tables are those of the data sheet with errors in every number; poses are those of an independent
-forward model, factor by factor.
+forward model, factor by factor. Checked are which tables are taken, forward kinematics, the
+Jacobian, and that rows of a batch meet their poses and hold the joint values that these are of, as
+the rows of one pose do. Nearest solutions, joint velocities, and whether rows are all that there
+are, are not.
 """
 
 from __future__ import annotations
@@ -27,6 +30,8 @@ ERRORS = (1e-5, 1e-4, 1e-3)  # [rad, arm sizes] of tables, one each
 COUNT = 100  # poses of each
 FORWARD = 1e-12  # [arm sizes, rad] what the forward model may be off by
 RESIDUAL = 1e-10  # what a row may miss its pose by
+RATE = 1e-8  # what the Jacobian may differ from quotients of differences
+STEP = 1e-6  # [rad] of these
 FOUND = 1e-6  # [rad] the generating joint values at random poses
 TAKEN, NOT_FINITE, ANOTHER_ARM, NO_MISS = range(4)
 MODIFIED = "modified"
@@ -184,6 +189,28 @@ def _check(arm: FleetArm, kind: Kind, table: FloatArray, q: FloatArray) -> None:
         _demand(turned.min(initial=np.inf), FOUND, f"{where}: the nearest solution")
         missed = np.abs((poses_of(kind, table, held) - pose) * weights).max()
         _demand(missed, RESIDUAL, f"{where}: a row's pose")
+    _check_first(arm, kind, table, q[0], T[0])
+
+
+def _check_first(
+    arm: FleetArm, kind: Kind, table: FloatArray, joints: FloatArray, pose: FloatArray
+) -> None:
+    """At one pose: the Jacobian, and rows that are those of a batch, bit for bit."""
+    where, size = (
+        f"{kind.module.name}, table\n{table}\nq = {joints.tolist()}",
+        kind.nominal.chain.size,
+    )
+    steps = STEP * np.eye(len(joints))
+    ahead, back = (poses_of(kind, table, joints + each) for each in (steps, -steps))
+    rates = (ahead - back) / (2.0 * STEP)
+    spin = rates[:, :3, :3] @ pose[:3, :3].T
+    expected = np.vstack([rates[:, :3, 3].T, spin[:, 2, 1], spin[:, 0, 2], spin[:, 1, 0]])
+    units = np.repeat([size, 1.0], 3)[:, None]
+    _demand(np.abs((arm.jacobian(joints) - expected) / units).max(), RATE, f"{where}: the Jacobian")
+    rows, status = arm.ik(pose, np.zeros(len(joints)))
+    others, kinds = arm.batch(pose[None])
+    if not (np.array_equal(rows, others[0], equal_nan=True) and np.array_equal(status, kinds[0])):
+        raise VerificationError(f"{where}: ik and ik_batch have different rows")
 
 
 def _demand(miss: float, enough: float, what: str) -> None:

@@ -78,3 +78,16 @@ def random_joints(count: int, seed: int = 4) -> np.ndarray:
 def turned(q: np.ndarray, other: np.ndarray) -> np.ndarray:
     """How far angles are apart, whole turns aside."""
     return np.asarray(np.abs(np.mod(q - other + np.pi, 2.0 * np.pi) - np.pi))
+
+
+def assert_alike(
+    found: tuple[np.ndarray, np.ndarray], wanted: tuple[np.ndarray, np.ndarray]
+) -> None:
+    """The same solutions with the same statuses: in any order, where first joints nearly agree."""
+    for rows, status, others, kinds in zip(*found, *wanted, strict=True):
+        np.testing.assert_array_equal(np.sort(status), np.sort(kinds))
+        here, there = rows[~np.isnan(rows[:, 0])], others[~np.isnan(others[:, 0])]
+        if len(here):
+            apart = turned(here[:, None], there[None]).max(axis=2)
+            np.testing.assert_allclose(apart.min(axis=0), 0.0, atol=1e-8)
+            np.testing.assert_allclose(apart.min(axis=1), 0.0, atol=1e-8)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import re
 import subprocess
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -35,6 +36,7 @@ from tests.compiling import compile_file, library, module_of, written
 from tests.nominal.fleets import (
     NAMES,
     TURNED,
+    assert_alike,
     compiled,
     file_of,
     kind,
@@ -55,19 +57,6 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     made = tmp_path_factory.mktemp("fleets")
     write_files(made, c_runtime_files())
     return made
-
-
-def assert_alike(
-    found: tuple[np.ndarray, np.ndarray], wanted: tuple[np.ndarray, np.ndarray]
-) -> None:
-    """The same solutions with the same statuses: in any order, where first joints nearly agree."""
-    for rows, status, others, kinds in zip(*found, *wanted, strict=True):
-        np.testing.assert_array_equal(np.sort(status), np.sort(kinds))
-        here, there = rows[~np.isnan(rows[:, 0])], others[~np.isnan(others[:, 0])]
-        if len(here):
-            apart = turned(here[:, None], there[None]).max(axis=2)
-            np.testing.assert_allclose(apart.min(axis=0), 0.0, atol=1e-8)
-            np.testing.assert_allclose(apart.min(axis=1), 0.0, atol=1e-8)
 
 
 @pytest.mark.parametrize("noise", [1e-6, 1e-4, 1e-3])
@@ -340,19 +329,25 @@ def test_its_own_runtime_and_the_shared_one(folder: Path) -> None:
     np.testing.assert_allclose(rows, wanted, rtol=0.0, atol=1e-9)
 
 
+AXES = "{ 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }, /* how joints count */"
+RATES = "dhgen_serial_jacobian(arm, q, J);\n"
+
+
 def test_verification_sees_what_is_wrong(tmp_path: Path) -> None:
     own = kind("puma560")
-    for folder in ("right", "wrong"):
-        (tmp_path / folder).mkdir()
-        write_files(tmp_path / folder, {**c_runtime_files(), **kind_files(own)})
-    verify_kind(own, tmp_path / "right")
-    source = tmp_path / "wrong" / f"{own.module.name}.c"
-    text = source.read_text("utf-8")
-    axes = "{ 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }, /* how joints count */"
-    assert axes in text
-    source.write_text(text.replace(axes, axes.replace("1.0", "-1.0", 1)), encoding="utf-8")
-    with pytest.raises(VerificationError, match="fk is off by"):
-        verify_kind(own, source.parent)
+    places = [tmp_path / each for each in ("right", "axes", "rates")]
+    for place in places:
+        place.mkdir()
+        write_files(place, {**c_runtime_files(), **kind_files(own)})
+    verify_kind(own, places[0])
+    changes = (AXES, AXES.replace("1.0", "-1.0", 1)), (RATES, f"{RATES}    J[0] += 1e-3;\n")
+    for place, change, what in zip(places[1:], changes, ("fk", "the Jacobian"), strict=True):
+        source = place / f"{own.module.name}.c"
+        text = source.read_text("utf-8")
+        assert change[0] in text
+        source.write_text(text.replace(*change), encoding="utf-8")
+        with pytest.raises(VerificationError, match=f"{what} is off by"):
+            verify_kind(own, place)
 
 
 def test_robot_files_ask_for_it(tmp_path: Path) -> None:
@@ -379,3 +374,18 @@ def test_refusals() -> None:
         kind_of(plain, module, RESERVED)
     with pytest.raises(UnsolvedError, match="its own method is quartic, no closed form"):
         kind_of(file.robot, replace(module, method=Method.QUARTIC), RESERVED)
+    general = replace(module, chain=kind("puma560").module.chain)
+    with pytest.raises(UnsolvedError, match="no three of its axes side by side are parallel, or"):
+        kind_of(file.robot, general, RESERVED)
+
+
+def test_lengths_count_in_sizes_of_the_nominal_arm() -> None:
+    """Also in what the arm that stands for all says, which has no tool."""
+    size = 0.29 + 0.27 + 0.07 + 0.302 + 0.072  # of an IRB 120 with its tool
+    source = kind_files(kind("abb_irb120"))["abb_irb120_fleet.c"]
+    starts = re.search(r"48, ([\d.]+), 1e-10, /\* starts in a round; size", source)
+    weights = re.search(r"\}, ([\d.]+), \{ 1e-14, 1e-10 \}, entries", source)
+    assert starts is not None
+    assert weights is not None
+    assert float(starts[1]) == pytest.approx(size, rel=1e-12)
+    assert float(weights[1]) == pytest.approx(1.0 / size, rel=1e-12)
