@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -27,17 +28,20 @@ if TYPE_CHECKING:
 PLACED = "_placed"
 BASE = "base: {xyz: [0.3, -0.2, 0.5], rpy: [0.4, -0.3, 2.0]}"
 TOOL = "tool: {xyz: [0.02, -0.05, 0.15], rpy: [0.5, 0.3, -1.2]}"
+THOUSAND = "_thousand"
 TURNED = (f"puma560{PLACED}", f"kuka_kr210{PLACED}")  # a standard table, and a modified one
 NAMES = ("ur5e", "puma560", "kuka_kr6_r900", "abb_irb120", *TURNED)  # limits, and a tool
 
 
 @cache
 def file_of(name: str) -> RobotFile:
-    """A robot file, or one that is placed elsewhere."""
-    path = ROBOTS / f"{name.removesuffix(PLACED)}.yaml"
-    text = path.read_text("utf-8")
+    """A robot file, or one that is placed elsewhere, or one in millimetres."""
+    path = ROBOTS / f"{name.removesuffix(PLACED).removesuffix(THOUSAND)}.yaml"
+    text = path.read_text("utf-8").replace(f"name: {path.stem}", f"name: {name}")
+    if name.endswith(THOUSAND):
+        text = re.sub(r"(?<=[ad]\d: )[\d.]+", lambda found: f"{found[0]} * 1000", text)
     if name.endswith(PLACED):
-        head, *rows = text.replace(f"name: {path.stem}", f"name: {name}").split("theta: q")
+        head, *rows = text.split("theta: q")
         signs = ("-q", "q", "-q", "q", "-q", "q")
         text = head + "".join(f"theta: {q}{row}" for q, row in zip(signs, rows, strict=True))
         kept = [line for line in text.splitlines() if not line.startswith("tool:")]

@@ -35,6 +35,7 @@ from dhgen.verify.native import C_FLAGS, PORTABLE, c_compiler, compile_solver
 from tests.compiling import compile_file, library, module_of, written
 from tests.nominal.fleets import (
     NAMES,
+    THOUSAND,
     TURNED,
     assert_alike,
     compiled,
@@ -48,7 +49,6 @@ from tests.nominal.twins import ROBOTS, twin
 
 if TYPE_CHECKING:
     from pathlib import Path
-README = ROBOTS.parent / "README.md"
 
 
 @pytest.fixture(scope="module")
@@ -189,6 +189,15 @@ def test_the_nominal_arm_is_no_farther_than_said(name: str, noise: float, folder
     assert 0.1 * numbers.moved < moved <= numbers.moved
 
 
+def test_angles_of_an_arm_know_no_unit_of_lengths(folder: Path) -> None:
+    metres, millimetres = (
+        FleetArm(compiled(folder, name), kind(name), table_of(name, 1e-9)).members
+        for name in ("puma560", f"puma560{THOUSAND}")
+    )
+    assert millimetres.turned == pytest.approx(metres.turned, rel=1e-6)
+    assert millimetres.moved == pytest.approx(1000.0 * metres.moved, rel=1e-6)
+
+
 def test_tables_that_are_not_taken(folder: Path) -> None:
     name = "puma560"
     library, nominal = compiled(folder, name), np.array(kind(name).table.rows)
@@ -282,7 +291,7 @@ int main(void) {{ {told} TOLD(sizeof(dhgen_calibration)); return 0; }}
 
 
 def test_the_program_of_the_readme(folder: Path, tmp_path: Path) -> None:
-    text = README.read_text("utf-8").split("### Many arms of one kind")[1]
+    text = (ROBOTS.parent / "README.md").read_text("utf-8").split("### Many arms of one kind")[1]
     (tmp_path / "arm.c").write_text(text.split("```c\n")[1].split("```")[0], encoding="utf-8")
     library, place = compiled(folder, "ur5e", "-DUR5E_FLEET_PLAIN"), folder / "ur5e_fleet.c"
     said = run_program([f"-I{folder}", "-O1", "arm.c", str(place)], tmp_path)
