@@ -17,6 +17,7 @@ from dhgen.descriptions.write import identifier
 from dhgen.errors import DhgenError, about
 from dhgen.generated_header import SUFFIXES, is_generated, source_folder
 from dhgen.printing.comments import plain_path
+from dhgen.robot.robot import FLEET
 from dhgen.robot_files import ENDINGS, led_to
 from dhgen.tolerances import DOUBLE, SINGLE
 from dhgen.workers import side_by_side
@@ -191,7 +192,7 @@ def _folder_of(source: str) -> str:
 def _stems(files: Iterable[Path]) -> set[str]:
     """What the names of files may begin with that are made of these robot files."""
     names = map(_robot_name, files)
-    return {name + precision.suffix for name in names for precision in (DOUBLE, SINGLE)}
+    return {name + suffix for name in names for suffix in (DOUBLE.suffix, SINGLE.suffix, FLEET)}
 
 
 def _robot_name(path: Path) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import io
 import os
+import re
 import sys
 import tempfile
 from typing import TYPE_CHECKING
@@ -15,6 +16,7 @@ from dhgen.errors import CommandError, DhgenError
 from dhgen.workers import interrupts_repeated
 
 if TYPE_CHECKING:
+    import argparse
     from collections.abc import Sequence
     from pathlib import Path
 
@@ -62,18 +64,31 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(words: list[str]) -> int:
     if words[:1] == ["explain"]:
-        return explain(explain_parser().parse_args(words[1:]))
+        return explain(_parsed(explain_parser(), words[1:]))
     if words[:1] == ["survey"]:
-        return survey(survey_parser().parse_args(words[1:]))
+        return survey(_parsed(survey_parser(), words[1:]))
     if words[:1] == ["import"]:
         return import_description(import_parser().parse_args(words[1:]))
     if words[:1] == ["calibrate"]:
         return calibrate(calibrate_parser().parse_args(words[1:]))
-    options = parser().parse_args(words)
+    options = _parsed(parser(), words)
     _refuse_misspelt(options.files[0])
     if not options.check:
         _refuse_unwritable(options.out)
     return check(options) if options.check else write(options)
+
+
+def _parsed(made: argparse.ArgumentParser, words: list[str]) -> argparse.Namespace:
+    """The options of a command that takes descriptions, too, as `dhgen import` does without any."""
+    options, unknown = made.parse_known_args(words)
+    known = import_parser().format_help()
+    named = [word.partition("=")[0] for word in unknown if word.startswith("--")]
+    if unknown:
+        hint = ""
+        if named and all(re.search(rf"{re.escape(each)}\b", known) for each in named):
+            hint = " (for dhgen import: write a robot file with it, and give that)"
+        made.error(f"unrecognized arguments: {' '.join(unknown)}{hint}")
+    return options
 
 
 def _tell(message: str) -> None:

@@ -10,8 +10,11 @@ from pathlib import Path
 
 import pytest
 
+from dhgen.atomic_write import write_files
+from dhgen.check import compare
 from dhgen.cli import main
-from dhgen.compiler import source_name
+from dhgen.compiler import compile_loaded, source_name
+from dhgen.robot_files import RobotFile, RobotFiles
 from tests.cli.commands import (
     FILES,
     PLANAR,
@@ -202,6 +205,19 @@ def test_another_working_directory_makes_the_same_bytes(
     assert done.returncode == 0
     for name in FILES:
         assert (tmp_path / "out" / name).read_bytes() == (written / "generated" / name).read_bytes()
+
+
+def test_a_fleet_of_another_robot_file_is_not_extra(tmp_path: Path) -> None:
+    """Beside ur5e.yaml, which makes ur5e_fleet.c, one may check planar_rr.yaml alone."""
+    shutil.copy(PLANAR, tmp_path / "planar_rr.yaml")
+    text = (PLANAR.parent / "ur5e.yaml").read_text(encoding="utf-8")
+    (tmp_path / "ur5e.yaml").write_text(f"{text}\ncalibration: true\n", encoding="utf-8")
+    files = [RobotFile.read(tmp_path / f"{name}.yaml") for name in ("planar_rr", "ur5e")]
+    for file in files:
+        write_files(tmp_path / "out", compile_loaded(file, out=tmp_path / "out").files)
+    assert (tmp_path / "out" / "ur5e_fleet.c").exists()
+    here = RobotFiles((files[0].path,), (files[0],), ())
+    assert compare(here, tmp_path / "out").problems == ()
 
 
 BYTES = """

@@ -38,8 +38,8 @@ _EVERYWHERE = (
     "drives."
 )
 _COLUMNS = (
-    "These are the columns {} by the joints' own angles and lengths{}. A drive that moves several "
-    "joints has a sum of them: {}."
+    "These are the columns {} by the joints' own angles and lengths{}. Those by the values of "
+    "drives are, where they differ, {}."
 )
 _PASSIVE = (
     "Row {label} is passive: other drives move it. It is no joint, and its transform is part of "
@@ -141,13 +141,15 @@ def columns_by_drives(story: Story) -> list[Block]:
     if not isinstance(geometry, DhTable):
         return []
     rows = list(zip(geometry.labels, geometry.rows, strict=True))
+    coupled = any(row.couplings for row in geometry.rows)
     sums: list[Prose] = []
     for drive in range(1, story.dof + 1):
         shares = [
             (label, each) for label, row in rows for each in row.couplings if each.joint == drive
         ]
-        if shares:
-            sign, column = sign_and_offset(story, drive)[0], _column(str(drive))
+        sign = sign_and_offset(story, drive)[0]
+        if coupled and (shares or sign < 0):
+            column = _column(str(drive))
             own = column if sign > 0 else minus(column)
             parts = [_times(each, _column(label)) for label, each in shares]
             sums.append(say("{}", equal(_of_drive(drive), add(own, *parts))))

@@ -28,14 +28,15 @@ _TOOL_ORIGIN = Symbol("o_n", "oₙ")
 
 def jacobian_columns(story: Story) -> list[Block]:
     """The formula of a column."""
+    by_drives = columns_by_drives(story)
     return [
         paragraph(
             "The geometric Jacobian {} takes joint velocities to the velocity of the tool's origin "
             "{} and its angular velocity. Its column {} is" + _of_kinds(story),
             *(_J, _TOOL_ORIGIN, Symbol("i", "i")),
         ),
-        *_columns(story),
-        *columns_by_drives(story),
+        *_columns(story, by_angles=bool(by_drives)),
+        *by_drives,
     ]
 
 
@@ -62,8 +63,8 @@ def jacobian_blocks(story: Story) -> list[Block]:
     return blocks
 
 
-def _columns(story: Story) -> list[Block]:
-    """The two kinds of columns, and what is in them."""
+def _columns(story: Story, *, by_angles: bool) -> list[Block]:
+    """The two kinds of columns, by angles and lengths or else by drives, and what is in them."""
     own = not isinstance(story.robot.geometry, DhTable) or (
         story.robot.geometry.convention is Convention.MODIFIED
     )
@@ -85,7 +86,7 @@ def _columns(story: Story) -> list[Block]:
         frame = times(Symbol("Z", "Z"), frame)
     reversed_ = [str(j.number) for j in story.algebra.chain.joints if j.sign < 0]
     text = "where {} and {} are columns 3 and 4 of {}, and {} is column 4 of {}."
-    if reversed_:
+    if reversed_ and not by_angles:
         text += f" For {many('joint', reversed_)} it has the opposite sign, as the variable has."
     last = story.algebra.chain.links[-1]
     if own and any(isinstance(element, Passive) for element in last[1:]):
