@@ -14,6 +14,7 @@
 #ifndef ABB_IRB460_H
 #define ABB_IRB460_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -23,7 +24,7 @@ extern "C" {
 #define ABB_IRB460_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define ABB_IRB460_JOINT_TYPES "RRRR"
 #define ABB_IRB460_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 #define ABB_IRB460_JOINT_LIMITS \

@@ -12,6 +12,7 @@
 #ifndef ADEPT_H
 #define ADEPT_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -21,7 +22,7 @@ extern "C" {
 #define ADEPT_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or mm], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or mm], infinite (HUGE_VAL) where there is no limit. */
 #define ADEPT_JOINT_TYPES "RRP"
 #define ADEPT_JOINT_NAMES "joint1", "joint2", "joint3"
 #define ADEPT_JOINT_LIMITS { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }

@@ -12,6 +12,7 @@
 #ifndef ARM_3R_H
 #define ARM_3R_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -21,7 +22,7 @@ extern "C" {
 #define ARM_3R_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define ARM_3R_JOINT_TYPES "RRR"
 #define ARM_3R_JOINT_NAMES "joint1", "joint2", "joint3"
 #define ARM_3R_JOINT_LIMITS \

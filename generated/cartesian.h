@@ -13,6 +13,7 @@
 #ifndef CARTESIAN_H
 #define CARTESIAN_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define CARTESIAN_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define CARTESIAN_JOINT_TYPES "PPP"
 #define CARTESIAN_JOINT_NAMES "joint1", "joint2", "joint3"
 #define CARTESIAN_JOINT_LIMITS { 0.0, 0.8 }, { 0.0, 0.6 }, { 0.0, 1.2 }

@@ -13,6 +13,7 @@
 #ifndef CRAIG_417_H
 #define CRAIG_417_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define CRAIG_417_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define CRAIG_417_JOINT_TYPES "RRRR"
 #define CRAIG_417_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 #define CRAIG_417_JOINT_LIMITS \

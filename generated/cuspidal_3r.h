@@ -13,6 +13,7 @@
 #ifndef CUSPIDAL_3R_H
 #define CUSPIDAL_3R_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define CUSPIDAL_3R_METHOD "quartic"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define CUSPIDAL_3R_JOINT_TYPES "RRR"
 #define CUSPIDAL_3R_JOINT_NAMES "joint1", "joint2", "joint3"
 #define CUSPIDAL_3R_JOINT_LIMITS \

@@ -12,6 +12,7 @@
 #ifndef EPSON_T3_H
 #define EPSON_T3_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -21,7 +22,7 @@ extern "C" {
 #define EPSON_T3_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define EPSON_T3_JOINT_TYPES "RRPR"
 #define EPSON_T3_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 #define EPSON_T3_JOINT_LIMITS \

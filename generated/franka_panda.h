@@ -13,6 +13,7 @@
 #ifndef FRANKA_PANDA_H
 #define FRANKA_PANDA_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define FRANKA_PANDA_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define FRANKA_PANDA_JOINT_TYPES "RRRRRRR"
 #define FRANKA_PANDA_JOINT_NAMES \
     "panda_joint1", "panda_joint2", "panda_joint3", "panda_joint4", "panda_joint5", \

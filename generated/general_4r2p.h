@@ -13,6 +13,7 @@
 #ifndef GENERAL_4R2P_H
 #define GENERAL_4R2P_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define GENERAL_4R2P_METHOD "general 4R2P"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define GENERAL_4R2P_JOINT_TYPES "RRPRPR"
 #define GENERAL_4R2P_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 #define GENERAL_4R2P_JOINT_LIMITS \

@@ -13,6 +13,7 @@
 #ifndef KATANA_400_H
 #define KATANA_400_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define KATANA_400_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define KATANA_400_JOINT_TYPES "RRRRR"
 #define KATANA_400_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
 #define KATANA_400_JOINT_LIMITS \

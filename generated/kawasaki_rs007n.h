@@ -13,6 +13,7 @@
 #ifndef KAWASAKI_RS007N_H
 #define KAWASAKI_RS007N_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define KAWASAKI_RS007N_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define KAWASAKI_RS007N_JOINT_TYPES "RRRRRR"
 #define KAWASAKI_RS007N_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 #define KAWASAKI_RS007N_JOINT_LIMITS \

@@ -13,6 +13,7 @@
 #ifndef KINOVA_J2S6S300_H
 #define KINOVA_J2S6S300_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define KINOVA_J2S6S300_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define KINOVA_J2S6S300_JOINT_TYPES "RRRRRR"
 #define KINOVA_J2S6S300_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 #define KINOVA_J2S6S300_JOINT_LIMITS \

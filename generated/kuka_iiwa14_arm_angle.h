@@ -14,6 +14,7 @@
 #ifndef KUKA_IIWA14_ARM_ANGLE_H
 #define KUKA_IIWA14_ARM_ANGLE_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -23,7 +24,7 @@ extern "C" {
 #define KUKA_IIWA14_ARM_ANGLE_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define KUKA_IIWA14_ARM_ANGLE_JOINT_TYPES "RRRRRRR"
 #define KUKA_IIWA14_ARM_ANGLE_JOINT_NAMES \
     "joint1", "joint2", "joint3", "joint4", "joint5", "joint6", "joint7"

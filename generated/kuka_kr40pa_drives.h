@@ -13,6 +13,7 @@
 #ifndef KUKA_KR40PA_DRIVES_H
 #define KUKA_KR40PA_DRIVES_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define KUKA_KR40PA_DRIVES_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define KUKA_KR40PA_DRIVES_JOINT_TYPES "RRR"
 #define KUKA_KR40PA_DRIVES_JOINT_NAMES "joint1", "joint2", "joint3"
 #define KUKA_KR40PA_DRIVES_JOINT_LIMITS \

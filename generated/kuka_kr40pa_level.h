@@ -14,6 +14,7 @@
 #ifndef KUKA_KR40PA_LEVEL_H
 #define KUKA_KR40PA_LEVEL_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -23,7 +24,7 @@ extern "C" {
 #define KUKA_KR40PA_LEVEL_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define KUKA_KR40PA_LEVEL_JOINT_TYPES "RRRR"
 #define KUKA_KR40PA_LEVEL_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 #define KUKA_KR40PA_LEVEL_JOINT_LIMITS \

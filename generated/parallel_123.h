@@ -13,6 +13,7 @@
 #ifndef PARALLEL_123_H
 #define PARALLEL_123_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define PARALLEL_123_METHOD "quartic"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define PARALLEL_123_JOINT_TYPES "RRRRRR"
 #define PARALLEL_123_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 #define PARALLEL_123_JOINT_LIMITS \

@@ -12,6 +12,7 @@
 #ifndef PHANTOMX_H
 #define PHANTOMX_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -21,7 +22,7 @@ extern "C" {
 #define PHANTOMX_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or mm], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or mm], infinite (HUGE_VAL) where there is no limit. */
 #define PHANTOMX_JOINT_TYPES "RRRR"
 #define PHANTOMX_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 #define PHANTOMX_JOINT_LIMITS \

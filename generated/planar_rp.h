@@ -13,6 +13,7 @@
 #ifndef PLANAR_RP_H
 #define PLANAR_RP_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define PLANAR_RP_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define PLANAR_RP_JOINT_TYPES "RP"
 #define PLANAR_RP_JOINT_NAMES "joint1", "joint2"
 #define PLANAR_RP_JOINT_LIMITS { -HUGE_VAL, HUGE_VAL }, { 0.0, 1.0 }

@@ -13,6 +13,7 @@
 #ifndef PLANAR_RRRR_H
 #define PLANAR_RRRR_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define PLANAR_RRRR_METHOD "numerical"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define PLANAR_RRRR_JOINT_TYPES "RRRR"
 #define PLANAR_RRRR_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 #define PLANAR_RRRR_JOINT_LIMITS \

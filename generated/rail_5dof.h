@@ -13,6 +13,7 @@
 #ifndef RAIL_5DOF_H
 #define RAIL_5DOF_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define RAIL_5DOF_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define RAIL_5DOF_JOINT_TYPES "PRRRR"
 #define RAIL_5DOF_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5"
 #define RAIL_5DOF_JOINT_LIMITS \

@@ -12,6 +12,7 @@
 #ifndef RPP_H
 #define RPP_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -21,7 +22,7 @@ extern "C" {
 #define RPP_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define RPP_JOINT_TYPES "RPP"
 #define RPP_JOINT_NAMES "joint1", "joint2", "joint3"
 #define RPP_JOINT_LIMITS { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }

@@ -12,6 +12,7 @@
 #ifndef SCARA_F32_H
 #define SCARA_F32_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -21,7 +22,7 @@ extern "C" {
 #define SCARA_F32_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define SCARA_F32_JOINT_TYPES "RRPR"
 #define SCARA_F32_JOINT_NAMES "joint1", "joint2", "joint3", "joint4"
 #define SCARA_F32_JOINT_LIMITS \

@@ -13,6 +13,7 @@
 #ifndef SCARA_RRP_H
 #define SCARA_RRP_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define SCARA_RRP_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define SCARA_RRP_JOINT_TYPES "RRP"
 #define SCARA_RRP_JOINT_NAMES "joint1", "joint2", "joint3"
 #define SCARA_RRP_JOINT_LIMITS \

@@ -14,6 +14,7 @@
 #ifndef SPHERICAL_WRIST_ALL_OFFSETS_H
 #define SPHERICAL_WRIST_ALL_OFFSETS_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -23,7 +24,7 @@ extern "C" {
 #define SPHERICAL_WRIST_ALL_OFFSETS_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define SPHERICAL_WRIST_ALL_OFFSETS_JOINT_TYPES "RRRRRR"
 #define SPHERICAL_WRIST_ALL_OFFSETS_JOINT_NAMES \
     "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"

@@ -12,6 +12,7 @@
 #ifndef UR20_H
 #define UR20_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -21,7 +22,7 @@ extern "C" {
 #define UR20_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define UR20_JOINT_TYPES "RRRRRR"
 #define UR20_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
 #define UR20_JOINT_LIMITS \

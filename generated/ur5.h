@@ -12,6 +12,7 @@
 #ifndef UR5_H
 #define UR5_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -21,7 +22,7 @@ extern "C" {
 #define UR5_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define UR5_JOINT_TYPES "RRRRRR"
 #define UR5_JOINT_NAMES \
     "shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", \

@@ -13,6 +13,7 @@
 #ifndef WRIST_CARDAN_H
 #define WRIST_CARDAN_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -22,7 +23,7 @@ extern "C" {
 #define WRIST_CARDAN_METHOD "closed form"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define WRIST_CARDAN_JOINT_TYPES "RRR"
 #define WRIST_CARDAN_JOINT_NAMES "joint1", "joint2", "joint3"
 #define WRIST_CARDAN_JOINT_LIMITS \

@@ -12,6 +12,7 @@
 #ifndef XARM7_H
 #define XARM7_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -21,7 +22,7 @@ extern "C" {
 #define XARM7_METHOD "general 6R"
 
 /* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
- * value [rad or m], infinite (HUGE_VAL of <math.h>) where there is no limit. */
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
 #define XARM7_JOINT_TYPES "RRRRRRR"
 #define XARM7_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6", "joint7"
 #define XARM7_JOINT_LIMITS \
