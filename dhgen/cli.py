@@ -81,9 +81,9 @@ def _run(words: list[str]) -> int:
 def _parsed(made: argparse.ArgumentParser, words: list[str]) -> argparse.Namespace:
     """The options of a command that takes descriptions, too, as `dhgen import` does without any."""
     options, unknown = made.parse_known_args(words)
-    known = import_parser().format_help()
-    named = [word.partition("=")[0] for word in unknown if word.startswith("--")]
     if unknown:
+        named = [word.partition("=")[0] for word in unknown if word.startswith("--")]
+        known = import_parser().format_help()
         hint = ""
         if named and all(re.search(rf"{re.escape(each)}\b", known) for each in named):
             hint = " (for dhgen import: write a robot file with it, and give that)"
