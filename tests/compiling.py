@@ -98,9 +98,15 @@ def library(module: SolverModule, folder: Path, build: Build = PORTABLE) -> Comp
     """The C of a robot, as it lies in a folder."""
     shape = module.chain.dof, module.solver.rows, module.chain.given
     source = folder / f"{module.name}.c"
+    text = source.read_text("utf-8")
+    # A library that is open stays what it was when another takes its place.
+    assert _OPEN.setdefault((source, build), text) == text, f"{source}: another arm has this name"
     solver = compile_solver(source, folder, module.name, *shape, sharing(source, build))
     assert solver is not None, "the tests need a C compiler"
     return solver
+
+
+_OPEN: dict[tuple[Path, Build], str] = {}  # what was compiled where
 
 
 def sharing(source: Path, build: Build) -> Build:

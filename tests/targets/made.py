@@ -90,13 +90,17 @@ def made(name: str) -> Compilation:
 
 
 def made_up(name: str, rows: Sequence[str], rest: str, convention: str = "standard") -> Compilation:
-    """The same of an arm that is in no file, with these rows and what else a file may say."""
+    """The same of an arm that is in no file, with these rows and what else a file may say.
+
+    Each has a name of its own: a library that is open can't be written anew.
+    """
     joints = "".join(f"  - {{{row}}}\n" for row in rows)
     text = (
         f"name: {name}\ntitle: made up\nsource: made up\nconvention: {convention}\n"
         f"joints:\n{joints}{rest}"
     )
-    if name not in _MADE_UP or _MADE_UP[name][0] != text:
+    assert name not in _MADE_UP or _MADE_UP[name][0] == text, f"{name} is another arm's name"
+    if name not in _MADE_UP:
         path = folder() / f"{name}.yaml"
         path.write_text(text, encoding="utf-8")
         _MADE_UP[name] = text, written(path, folder())

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 # The twists before and behind the turn. Where they are equal or opposite the squares cancel.
 TWISTS = {
     "oblique": ("0.551", "1.194", 2),
-    "cancelling": ("-60 deg", "60 deg", 1),
+    "squares_cancel": ("-60 deg", "60 deg", 1),
     "supplementary": ("50 deg", "130 deg", 1),
 }
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
 
-NAME = "folded_wrist"
+NAME = "branches_that_meet"
 ROWS = (
     "theta: q, d: 0.3, a: 0, alpha: 60 deg",
     "theta: q, d: 0, a: 0.3, alpha: 0",
