@@ -43,7 +43,7 @@ def main(arguments: list[str]) -> None:
 
 
 def _of_file(name: str) -> list[Row]:
-    _, module, _ = worked_out(RobotFile.read(robot_path(name)))
+    _, module = worked_out(RobotFile.read(robot_path(name)))
     return costs(name, module.solver)
 
 

@@ -182,7 +182,7 @@ def explain(options: argparse.Namespace) -> int:
     file = file.with_numerical() if options.numerical else file
     _tell_notes(file.robot.notices)
     with about(file.path):
-        derivation, module, _ = worked_out(file, _tell)
+        derivation, module = worked_out(file, _tell)
     for remark in task_remarks(module.chain):
         print(f"note: {remark}", file=sys.stderr)
     beside: Mapping[str, str] = {}

@@ -94,8 +94,9 @@ def compile_loaded(
         UnsolvedError: No derivation solves the arm, or not with tables that come at run time.
         PrecisionError: The arm can't be solved in single precision, which the file asks for.
     """
-    derivation, module, single = worked_out(file, tell, out=out)
+    derivation, module = worked_out(file, tell, out=out)
     source = source_name(file.path, out)
+    single = in_single_precision(file, derivation, source) if file.robot.float32 else None
     story = Story(file.robot, derivation, module.solver, module.nominal)
     document = derivation_files(story, source)
     kind = kind_of(file.robot, module, RESERVED) if file.robot.calibration else None
@@ -105,8 +106,8 @@ def compile_loaded(
 
 def worked_out(
     file: RobotFile, tell: Callable[[str], None] = lambda _: None, *, out: Path | None = None
-) -> tuple[Derivation, SolverModule, SolverModule | None]:
-    """The derivation, the programs, and those for single precision where the file asks for them.
+) -> tuple[Derivation, SolverModule]:
+    """The derivation and the programs.
 
     Args:
         file: The robot file, read.
@@ -115,9 +116,8 @@ def worked_out(
 
     Raises:
         UnsolvedError: No derivation solves the arm.
-        PrecisionError: The arm can't be solved in single precision, which the file asks for.
     """
-    robot, source, digest = file.robot, source_name(file.path, out), file.digest
+    robot = file.robot
     tell("deriving")
     chain = build_chain(robot)
     try:
@@ -125,18 +125,29 @@ def worked_out(
     except UnsolvedError as error:
         raise UnsolvedError("\n".join((str(error), *other_convention(robot)))) from error
     tell("writing programs")
-    module = _module(robot, derivation, source, digest, DOUBLE)
-    single = None
-    if robot.float32:
-        _demand_closed_form(derivation)
-        single = _module(robot, derivation, source, digest, SINGLE)
-    return derivation, module, single
+    return derivation, _module(file, derivation, source_name(file.path, out), DOUBLE)
+
+
+def in_single_precision(file: RobotFile, derivation: Derivation, source: str) -> SolverModule:
+    """The programs for single precision.
+
+    Args:
+        file: The robot file, read.
+        derivation: That of the arm.
+        source: How emitted files call the robot file.
+
+    Raises:
+        PrecisionError: The arm can't be solved in single precision.
+    """
+    _demand_closed_form(derivation)
+    return _module(file, derivation, source, SINGLE)
 
 
 def _module(
-    robot: Robot, derivation: Derivation, source: str, digest: str, precision: Precision
+    file: RobotFile, derivation: Derivation, source: str, precision: Precision
 ) -> SolverModule:
     """The programs of a robot for some arithmetic, under the name that they bear there."""
+    robot = file.robot
     name = robot.name + precision.suffix
     programs = robot_programs(derivation, name, precision.tolerances, RESERVED)
     chain = derivation.problem.algebra.chain
@@ -155,7 +166,7 @@ def _module(
         links=link_table(robot),
         arm_angle=programs.arm_angle,
         plane_miss=programs.plane_miss,
-        digest=digest,
+        digest=file.digest,
         precision=precision,
         plain=robot.plain,
         nominal=nominal_arm(chain, RESERVED) if is_whole else None,

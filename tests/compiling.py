@@ -63,13 +63,13 @@ def module_of(path: Path) -> SolverModule:
 
 def worked_out_once(
     file: RobotFile, _: object = None, *, out: Path | None = None
-) -> tuple[Derivation, SolverModule, SolverModule | None]:
+) -> tuple[Derivation, SolverModule]:
     """What is worked out of a text under the name that its files say, once in this process."""
     return _worked_out(replace(file, path=Path(source_name(file.path, out))))
 
 
 @cache
-def _worked_out(file: RobotFile) -> tuple[Derivation, SolverModule, SolverModule | None]:
+def _worked_out(file: RobotFile) -> tuple[Derivation, SolverModule]:
     with patch.object(dhgen.compiler, "derive", derived):
         return worked_out(file)
 

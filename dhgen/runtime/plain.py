@@ -14,12 +14,6 @@ from typing import Any
 
 NAME = "dhgen_runtime in plain Python"
 
-config: Any
-try:
-    from numba.core import config
-except ImportError:
-    config = None
-
 
 @cache
 def plain(module: str) -> Any:  # noqa: ANN401  its functions stand for those of the same name
@@ -30,7 +24,7 @@ def plain(module: str) -> Any:  # noqa: ANN401  its functions stand for those of
 
 
 def _load() -> None:
-    """Loads the package under another name, and what decides on numba first."""
+    """Loads the package under another name, and what asks for numba first."""
     folder = Path(__file__).parent / "python"
     spec = spec_from_file_location(
         NAME, folder / "__init__.py", submodule_search_locations=[str(folder)]
@@ -39,11 +33,10 @@ def _load() -> None:
     assert spec.loader is not None
     package = sys.modules[NAME] = module_from_spec(spec)
     spec.loader.exec_module(package)
-    kept = config and config.DISABLE_JIT
-    if config:
-        config.DISABLE_JIT = 1
+    held = {"numba": sys.modules["numba"]} if "numba" in sys.modules else {}
+    sys.modules["numba"] = None  # type: ignore[assignment]  # as where there is none
     try:
         import_module(f"{NAME}.jit")
     finally:
-        if config:
-            config.DISABLE_JIT = kept
+        del sys.modules["numba"]
+        sys.modules.update(held)

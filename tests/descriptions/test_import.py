@@ -149,7 +149,7 @@ def _fixed(name: str, parent: str, child: str, origin: str) -> str:
 
 def derivation_of(path: Path) -> str:
     file = RobotFile.read(path)
-    derivation, module, _ = worked_out_once(file)
+    derivation, module = worked_out_once(file)
     return derivation_terminal(Story(file.robot, derivation, module.solver))
 
 
