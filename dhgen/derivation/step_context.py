@@ -137,11 +137,15 @@ class StepContext:
         """The same as a formula, with the letters that earlier steps gave to forms."""
         return self.story.write(self.polynomial(name), self.number)
 
+    def in_full(self, polynomial: Polynomial) -> Formula:
+        """A polynomial without the letters that earlier steps gave to forms."""
+        return self.story.write_quoted(polynomial, self.number)
+
     def definition(self, name: str) -> Relation:
         """X = ..., in full and, when that differs, with the letters of earlier steps."""
         polynomial = self.polynomial(name)
-        full = self.story.write(polynomial)
-        return equal(type_letter(name), full, self.story.write(polynomial, self.number))
+        full, short = self.in_full(polynomial), self.story.write(polynomial, self.number)
+        return equal(type_letter(name), full, short)
 
     def are_short(self, *names: str) -> bool:
         """Whether the letters' values are short enough for a line of text."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.known_functions import implied, with_functions
@@ -18,10 +18,13 @@ from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.kind import Kind
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.derivation.text.formula import Relation
+    from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.form import Form
 
 
@@ -99,7 +102,8 @@ def quoted(story: Story, number: int) -> list[Relation]:
     """The equations as quoted: the joints' side first, as the documents write them."""
     lines = []
     for quote in story.quotes[number - 1]:
-        left, right = story.write_forward, story.write
+        left: Callable[[Polynomial], Formula] = story.write_forward
+        right: Callable[[Polynomial], Formula] = partial(story.write_quoted, step=number)
         if not quote.joints_left:
             left, right = right, left
         lines.append(equal(left(quote.left), right(quote.right)))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.example import find_example
 from dhgen.derivation.geometry import wrist_joints
+from dhgen.derivation.known_side import find_known_side
 from dhgen.derivation.notation.matrices import form_of
 from dhgen.derivation.notation.names import branch_sign, joint_index, letter, symbols
 from dhgen.derivation.notation.polynomial import Alphabet, Writer, alphabet
@@ -21,7 +22,10 @@ from dhgen.paul.mixed_forms import right_inverse
 from dhgen.paul.step import learn
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from dhgen.derivation.example import Example
+    from dhgen.derivation.known_side import KnownSide
     from dhgen.derivation.notation.matrices import Form
     from dhgen.derivation.quotes import Quote
     from dhgen.derivation.text.formula import Formula, Symbol
@@ -118,15 +122,30 @@ class Story:
         return ranks
 
     def write(self, polynomial: Polynomial, step: int = 0) -> Formula:
-        """A polynomial nested by the order of solving; forms of steps before `step` by name."""
-        known: dict[Polynomial, Formula] = {}
-        for each in self.remembered if step else ():
-            if each.step < step:
-                known[each.form] = each.letter
+        """A polynomial nested by the order of solving; what has a letter before `step` by it."""
+        earlier = [each for each in self.remembered if each.step < step] if step else []
+        forms = {each.form: each.letter for each in earlier}
+        return self.written_with(polynomial, {**self._entries_before(step), **forms})
+
+    def write_quoted(self, polynomial: Polynomial, step: int) -> Formula:
+        """The same as it stands in the matrices: of letters only those of their entries."""
+        return self.written_with(polynomial, self._entries_before(step))
+
+    def written_with(self, polynomial: Polynomial, known: Mapping[Polynomial, Formula]) -> Formula:
+        """A polynomial nested by the order of solving, some forms by name."""
         rank = self.solved_after
         last = len(self.steps) + 1
         writer = Writer(self._alphabet, lambda name: rank.get(name, last), known)
         return writer.write(polynomial)
+
+    def _entries_before(self, step: int) -> Mapping[Polynomial, Formula]:
+        side = self.known_side
+        return side.letters if side is not None and step > side.after else {}
+
+    @cached_property
+    def known_side(self) -> KnownSide | None:
+        """The matrix whose entries have letters in the steps that need no more of the pose."""
+        return find_known_side(self)
 
     def write_forward(self, polynomial: Polynomial) -> Formula:
         """A polynomial nested from the base to the tool."""

@@ -26,7 +26,7 @@ from dhgen.general.kernel import GeneralKernel
 from dhgen.paul.kind import Kind
 from dhgen.survey.oracle.forward import forward, jacobian
 from tests.derivation.stories import EACH, NAMES, document, story
-from tests.derivation.test_formulas_hold import relations
+from tests.derivation.test_formulas_hold import relations, with_entries
 from tests.derivation.values import Letters, evaluate, letters_of, sign_letter
 from tests.structures import first_of
 
@@ -48,15 +48,19 @@ def printed(text: str) -> float:
     return math.radians(number) if text.endswith("°") else number
 
 
+ENTRIES = 0  # in the place of a step: what its example says of a matrix that is known
+
+
 def equations(of: Story) -> dict[int, list[tuple[str, float]]]:
     """What the example says of each step: letters and their values."""
     found: dict[int, list[tuple[str, float]]] = {}
-    number = 0
+    number: int | None = None
     for block in example_section(of):
         if isinstance(block, Paragraph):
             step = re.match(r"Step (\d+), ", block.prose.text)
-            number = int(step[1]) if step else 0
-        elif isinstance(block, Display) and number:
+            number = int(step[1]) if step else None
+            number = ENTRIES if block.prose.text.startswith("All of ") else number
+        elif isinstance(block, Display) and number is not None:
             for formula in block.formulas:
                 for each in formula.items if isinstance(formula, Listing) else (formula,):
                     assert isinstance(each, Relation)
@@ -85,7 +89,8 @@ def test_numbers_of_steps_are_what_their_formulas_are_worth(name: str) -> None:
     if example is None:
         assert name in WITHOUT
         return
-    letters = {**letters_of(of, list(example.q)), "size": of.algebra.chain.size}
+    given = letters_of(of, list(example.q))
+    letters = {**with_entries(of, given), "size": of.algebra.chain.size}
     del letters["Z"], letters["E"]
     row = example.followed
     for place, axis in reversed(list(enumerate(of.program.axes))):
@@ -93,6 +98,10 @@ def test_numbers_of_steps_are_what_their_formulas_are_worth(name: str) -> None:
         letters[sign_letter(of, place)] = 1.0 - 2.0 * chosen
     told = equations(of)
     assert told
+    entries = [] if of.known_side is None else [name.text for _, name in of.known_side.entries]
+    assert [letter for letter, _ in told.get(ENTRIES, [])] == entries
+    for letter, shown in told.get(ENTRIES, []):
+        assert is_close(shown, float(letters[letter]), max(1.0, of.algebra.chain.size))
     for number in range(1, len(of.steps) + 1):
         local = dict(letters)
         values: dict[str, list[float]] = {}

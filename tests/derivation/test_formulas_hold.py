@@ -98,6 +98,16 @@ def with_pose(of: Story, q: list[float]) -> Letters:
     return {**letters_of(of, q), "size": of.algebra.chain.size, "ℓ": of.algebra.chain.size}
 
 
+def with_entries(of: Story, letters: Letters) -> Letters:
+    """The same, with what the text calls the entries of a matrix before its steps."""
+    every = dict(letters)
+    for relation in relations(list(inverse_beginning(of))):
+        name = relation.sides[0]
+        if isinstance(name, Symbol) and name.text not in every:
+            every[name.text] = evaluate(relation.sides[-1], every)
+    return every
+
+
 @pytest.mark.parametrize("name", [*EACH, *WHOLE])
 def test_forward_model(name: str) -> None:
     of = story(name)
@@ -149,7 +159,7 @@ def test_steps_with_the_branch_signs_of_the_program(name: str) -> None:
         true = [signs[row] for row in range(of.program.rows) if _is(of, rows.q[0, row], q)]
         assert len(true) == 1
         signs = list(dict.fromkeys(signs))
-        letters = with_pose(of, q)
+        letters = with_entries(of, with_pose(of, q))
         del letters["Z"], letters["E"]  # in a step Z is a letter of its type
         good = [choice for choice in signs if _steps_hold(of, letters, choice)]
         assert good == true

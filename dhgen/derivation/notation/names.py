@@ -11,7 +11,7 @@ from dhgen.derivation.text.formula import Power, Symbol, times
 from dhgen.kinematics.algebra import POSE_NAMES, SHOULDER_NAMES, AngleSum
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
 
     from dhgen.derivation.text.formula import Formula
     from dhgen.kinematics.algebra import Algebra
@@ -135,6 +135,11 @@ def forward_matrix(number: int) -> Symbol:
     index = str(number)
     below = index if len(index) == 1 else f"{{{index}}}"
     return Symbol(f"T_{below}^0", "T" + index.translate(_SUBSCRIPTS) + "⁰")
+
+
+def pose_letter(letters: Mapping[str, Symbol]) -> str:
+    """That of the entries of POS: p, or m where points of axes are called p."""
+    return "m" if any(each.text.startswith("p_") for each in letters.values()) else "p"
 
 
 def inverse(matrix: Formula) -> Formula:

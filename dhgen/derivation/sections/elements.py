@@ -26,12 +26,13 @@ from dhgen.paul.arm_plane import SHOULDER
 from dhgen.paul.equation import MOMENT
 
 if TYPE_CHECKING:
+    from dhgen.derivation.known_side import KnownSide
     from dhgen.derivation.notation.matrices import Form
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.derivation.text.formula import Formula
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.equation import Origin
+    from dhgen.paul.equation import Matrix, Origin
     from dhgen.paul.pool import BasePoint, Point
     from dhgen.paul.step import Step
 
@@ -39,23 +40,42 @@ if TYPE_CHECKING:
 def element_blocks(story: Story) -> list[Block]:
     """Both sides of every element in the columns that the steps use, each once."""
     used: dict[tuple[bool, bool, int, int], list[Origin]] = {}
-    for step in story.steps:
+    first: dict[Matrix, int] = {}
+    for number, step in enumerate(story.steps, start=1):
         for origin in (*step.origins, *_second_origins(step)):
             key = (origin.shoulder, origin.inverse, origin.m, -origin.k)
             used.setdefault(key, []).append(origin)
+            first.setdefault(origin.matrix, number)
     blocks: list[Block] = []
+    side, is_told = story.known_side, False
     for _, origins in sorted(used.items()):
         form = story.form(origins[0].matrix)
+        number = first[form.place]
         equations = [
-            _element_equation(story, form, *place) for place in _wanted(story, form, origins)
+            _element_equation(story, form, *place, number)
+            for place in _wanted(story, form, origins)
         ]
-        if equations:
-            blocks.append(display(*equations))
-            blocks.insert(len(blocks) - 1, paragraph("{}", _form_sentence(story, form)))
+        if not equations:
+            continue
+        if side is not None and not is_told and number > side.after:
+            blocks += _known_side_blocks(story, side)
+            is_told = True
+        blocks += [paragraph("{}", _form_sentence(story, form)), display(*equations)]
     if not blocks:
         return []
     text = "The elements that are used below, and their neighbours in column 4:"
     return [paragraph(text), *blocks]
+
+
+def _known_side_blocks(story: Story, side: KnownSide) -> list[Block]:
+    """The letters of a matrix that is known before the steps that are left."""
+    name, middle = left_name(side.place, story.dof), middle_name(side.place)
+    sides = (name, middle) if side.symbol == name else (side.symbol, name, middle)
+    text = "After step {} all of {} is known. In the steps that follow its entries have letters:"
+    return [
+        paragraph(text, Given(str(side.after)), equal(*sides)),
+        display(*(equal(symbol, story.write(entry)) for entry, symbol in side.entries)),
+    ]
 
 
 def _second_origins(step: Step) -> tuple[Origin, ...]:
@@ -81,6 +101,10 @@ def _form_sentence(story: Story, form: Form) -> Prose:
         return say("{}:", equal(name, *before, middle))
     moved = many("joint", [str(j) for j in range(k + 1, last + 1)])
     text = f"{{}} ({moved} moved to the side of {{}}):"
+    side = story.known_side
+    if side is not None and side.place == (m, k + 1, inverted, shoulder):
+        shorter = Product((side.symbol, inverse_name(link(k + 1))))
+        return say(text, equal(name, shorter, middle), known_matrix(form.place))
     return say(text, equal(name, middle), known_matrix(form.place))
 
 
@@ -104,10 +128,11 @@ def _wanted(story: Story, form: Form, origins: list[Origin]) -> list[tuple[int, 
     return kept
 
 
-def _element_equation(story: Story, form: Form, row: int, column: int) -> Formula:
+def _element_equation(story: Story, form: Form, row: int, column: int, step: int) -> Formula:
+    """Both sides, with the letters that there are before the first step that uses the form."""
     left, right = sides(form, row, column)
     name = Element(left_name(form.place, story.dof), row, column)
-    return equal(name, story.write(left), story.write_forward(right))
+    return equal(name, story.write_quoted(left, step), story.write_forward(right))
 
 
 def point_blocks(story: Story) -> list[Block]:

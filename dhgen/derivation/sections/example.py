@@ -37,6 +37,7 @@ if TYPE_CHECKING:
 
     from dhgen.arrays import FloatArray
     from dhgen.derivation.example import Example
+    from dhgen.derivation.known_side import KnownSide
     from dhgen.derivation.singular_example import SingularExample
     from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
@@ -145,7 +146,10 @@ def _steps(story: Story, example: Example, known: Mapping[str, float]) -> list[B
         if chosen
         else paragraph(f"{words} step by step:")
     ]
+    side = story.known_side
     for number, step in enumerate(story.steps, start=1):
+        if side is not None and number == side.after + 1:
+            blocks += _known_side_blocks(story, side, letters)
         unknowns = joined([say("{}", unknown_symbol(unknown)) for unknown in step.unknowns])
         lines = list(_values(story, number, letters))
         if lines:
@@ -156,6 +160,16 @@ def _steps(story: Story, example: Example, known: Mapping[str, float]) -> list[B
         if step.kind is Kind.CIRCLE and example.polynomial is not None:
             blocks += quartic_blocks(example.polynomial, example.followed, step.angle)
     return blocks
+
+
+def _known_side_blocks(story: Story, side: KnownSide, letters: dict[str, float]) -> list[Block]:
+    """The entries with letters of a matrix that is known now; `letters` learns them."""
+    size = story.algebra.chain.size
+    lines = []
+    for entry, symbol in side.entries:
+        letters[symbol.text] = value_of(story.write(entry), letters)
+        lines.append(equal(symbol, figures(letters[symbol.text], size)))
+    return [paragraph("All of {} is known now:", side.symbol), Display(tuple(laid_out(lines)))]
 
 
 def _values(story: Story, number: int, letters: dict[str, float]) -> Iterable[Relation]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.names import inverse as inverse_name
-from dhgen.derivation.notation.names import letter, link, target
+from dhgen.derivation.notation.names import letter, link, pose_letter, target
 from dhgen.derivation.notation.polynomial import Writer, alphabet
 from dhgen.derivation.sections.elements import element_blocks, point_blocks
 from dhgen.derivation.sections.forward import BASE, POSE, TOOL, given_pose, moved_left
@@ -138,7 +138,7 @@ def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
         back = inverse(algebra.lift(algebra.chain.tool), algebra.normal)
         given = compose(given, back, algebra.normal)
     letters = dict(story.letters)
-    named = "m" if any(each.text.startswith("p_") for each in letters.values()) else "p"
+    named = pose_letter(letters)
     for i in range(1, 4):
         for j in range(1, 5):
             letters[f"t{i}{j}"] = letter(named, named, f"{i}{j}", f"p{i}{j}")

@@ -114,7 +114,7 @@ def _combination(context: StepContext, remembered: Remembered, size: Formula) ->
     s, c = sine(context.angle), cosine(context.angle)
     facing = number(remembered.facing)
     full = subtract(times(facing, Y, s), times(facing, X, c))
-    written = context.story.write(remembered.form)
+    written = context.in_full(remembered.form)
     return equal(remembered.letter, full, written, times(facing, context.facing_sign, size))
 
 

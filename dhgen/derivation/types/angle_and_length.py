@@ -59,7 +59,7 @@ def print_polar(context: StepContext) -> StepText:
 def _quotient(context: StepContext, number: str) -> tuple[Formula, Formula]:
     """Y / X in full, and with the letters of earlier steps."""
     below = context.value("X" + number)
-    full = context.story.write(context.polynomial("Y" + number))
+    full = context.in_full(context.polynomial("Y" + number))
     return over(full, below), over(context.value("Y" + number), below)
 
 

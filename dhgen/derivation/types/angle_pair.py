@@ -57,7 +57,7 @@ def _direct(context: StepContext) -> StepText:
     other = "2" if number == "1" else "1"
     lines = []
     for symbol, factor, value in ((s, "X" + number, "Z" + number), (c, "Y" + other, "Z" + other)):
-        full = over(context.story.write(context.polynomial(value)), context.value(factor))
+        full = over(context.in_full(context.polynomial(value)), context.value(factor))
         lines.append(equal(symbol, full, over(context.value(value), context.value(factor))))
     solution = equal(theta(context.angle), atan2(s, c))
     return StepText((display(*lines, solution),))
@@ -107,7 +107,7 @@ def _solution(
     if stretched is not None:
         sign = 1 if constant_value(context.story.algebra, stretched) > 0.0 else -1
         parts = _facing(sign, (Z1, Y2), (Z2, Y1)), _facing(sign, (X1, Z2), (X2, Z1))
-        return equal(delta, times(context.story.write(stretched), squares)), parts
+        return equal(delta, times(context.in_full(stretched), squares)), parts
     facing = Call("sgn", (DELTA,))
     sine_part, cosine_part = _facing(1, (Z1, Y2), (Z2, Y1)), _facing(1, (X1, Z2), (X2, Z1))
     parts = times(facing, sine_part), times(facing, cosine_part)

@@ -113,7 +113,7 @@ def _definition(context: StepContext, name: str) -> Formula:
     whole: Polynomial = context.polynomial(name)
     whole = whole + context.polynomial(name + "c") * c + context.polynomial(name + "s") * s
     return equal(
-        type_letter(name), context.story.write(whole), context.story.write(whole, context.number)
+        type_letter(name), context.in_full(whole), context.story.write(whole, context.number)
     )
 
 

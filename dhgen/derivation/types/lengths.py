@@ -39,9 +39,9 @@ def print_length(context: StepContext) -> StepText:
     if one and context.is_number("X"):
         (quote,) = context.quotes
         x = context.value("X")
-        full = over(context.story.write(context.polynomial("Y")), x)
+        full = over(context.in_full(context.polynomial("Y")), x)
         solved = equal(r, full, over(context.value("Y"), x))
-        quoted = equal(*(context.story.write(s) for s in (quote.left, quote.right)))
+        quoted = equal(*(context.in_full(s) for s in (quote.left, quote.right)))
         if solved == quoted:
             return StepText((paragraph("Here the unknown already stands alone."),))
         return StepText((display(solved),))

@@ -51,7 +51,7 @@ def print_two_angles(context: StepContext) -> StepText:
     lines: list[Formula] = [
         equal(letter_, context.story.write(part, context.number)) for letter_, part, _ in named
     ]
-    lines.append(equal(K, subtract(REACH, context.story.write(rest))))
+    lines.append(equal(K, subtract(REACH, context.in_full(rest))))
     met, free = _met(context, x, y), _free(context, x, y)
     far = relation(square(K), ">", add(*(square(letter_) for letter_, _, _ in named)))
     blocks: list[Block] = [
@@ -220,7 +220,7 @@ def _signed(context: StepContext, name: str) -> Polynomial | None:
 def _collected(context: StepContext, length: Polynomial, formula: Formula) -> Formula:
     """A length as it is when terms of a sum cancel, or else the sum."""
     terms = len(formula.terms) if isinstance(formula, Sum) else 1
-    return context.story.write(length) if len(length) < terms else formula
+    return context.in_full(length) if len(length) < terms else formula
 
 
 def _length(context: StepContext, name: str) -> tuple[Formula, float]:
