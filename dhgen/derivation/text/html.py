@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cache
 from html import escape
 from typing import TYPE_CHECKING
@@ -22,7 +21,7 @@ from dhgen.derivation.text.blocks import (
 from dhgen.derivation.text.inline import in_line
 from dhgen.derivation.text.lines import lines_of
 from dhgen.derivation.text.show import show
-from dhgen.derivation.text.style import Latex
+from dhgen.derivation.text.style import LATEX
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -31,17 +30,11 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
 
 
-@dataclass(frozen=True, slots=True)
-class _Latex(Latex):
-    """LaTeX as it becomes MathML: a name of several letters is one there."""
-
-    def function(self, name: str) -> str:
-        """The name of a function."""
-        return rf"\operatorname{{{name}}}"
-
-
-STYLE = _Latex()
 _MATH = re.compile(r"<math [^>]*>(.*)</math>", re.DOTALL)
+# The letters of an upright name, one by one: together they are the name of something.
+_NAME = re.compile(
+    r'<mrow>((?:<mi mathvariant="normal">.</mi>|<mn>\d</mn>|<mo>&#x0002C;</mo>){2,})</mrow>'
+)
 # A minus behind another operator is a sign, not a difference.
 _SIGN = re.compile(r"(<mo[^>]*>&#x000(?:3D|3C|3E|2C|28|5B);</mo>)<mo>(?=&#x02212;)")
 
@@ -60,7 +53,7 @@ def html(block: Block, drawings: Mapping[str, str]) -> str:
             first = "" if lead is None else f"<strong>{inline(lead)}</strong> "
             return f"<p>{first}{inline(prose)}</p>"
         case Display(formulas):
-            return _display(lines_of(formulas, STYLE))
+            return _display(lines_of(formulas, LATEX))
         case Table(header, rows):
             lines = [_row("th", header), *(_row("td", row) for row in rows)]
             return '<div class="wide"><table>\n' + "\n".join(lines) + "\n</table></div>"
@@ -80,7 +73,7 @@ def inline(prose: Prose) -> str:
 
 
 def _in_text(formula: Formula) -> str:
-    return f"<math>{_mathml(show(formula, STYLE))}</math>"
+    return f"<math>{_mathml(show(formula, LATEX))}</math>"
 
 
 @cache
@@ -89,7 +82,12 @@ def _mathml(latex: str) -> str:
         return ""
     found = _MATH.fullmatch(convert(latex))
     assert found is not None, latex
-    return _SIGN.sub(r'\1<mo form="prefix">', found[1])
+    named = _NAME.sub(_in_one, found[1])
+    return _SIGN.sub(r'\1<mo form="prefix">', named)
+
+
+def _in_one(found: re.Match[str]) -> str:
+    return f"<mi>{re.sub('<[^>]*>', '', found[1])}</mi>"
 
 
 def _display(pairs: list[tuple[str, str]]) -> str:
