@@ -11,6 +11,7 @@ import math
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.geometry import size_in_words
+from dhgen.derivation.notation.names import letter
 from dhgen.derivation.text.blocks import paragraph, say
 from dhgen.derivation.text.formula import ZERO, Symbol, equal
 from dhgen.derivation.text.template import blocks_of
@@ -104,14 +105,25 @@ def _elimination(kernel: GeneralKernel) -> dict[str, object]:
     names = ("one", "two", "idle", "fifth", "sixth")
     order = zip(names, kernel.first.joints[1:], strict=True)
     right = joint_symbol(kernel, slides[0]) if kernel.slides_on_the_right else None
+    joints = dict(order)
     return {
-        **{name: joint_symbol(kernel, place) for name, place in order},
+        **{name: joint_symbol(kernel, place) for name, place in joints.items()},
+        **{f"functions_{name}": _functions(kernel, place) for name, place in joints.items()},
         "hidden_first": loop_from_the_hidden_joint(kernel),
         "hides_a_slide": kernel.hides_a_slide,
         "right_slide": right,
         "slide_unit": f"{UNIT:g}",
         "variables": _variables(kernel),
     }
+
+
+def _functions(kernel: GeneralKernel, place: int) -> Symbol:
+    """1, the cosine and the sine of a turn; 1, a length and its square."""
+    symbol, number = joint_symbol(kernel, place), str(kernel.numbers[place])
+    if place in kernel.loop.slides:
+        return Symbol(rf"1, {symbol.latex}, {symbol.latex}^2", f"1, {symbol.text}, {symbol.text}²")
+    c, s = letter("c", "c", number), letter("s", "s", number)
+    return Symbol(f"1, {c.latex}, {s.latex}", f"1, {c.text}, {s.text}")
 
 
 def _variables(kernel: GeneralKernel) -> Prose:
