@@ -107,10 +107,10 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
         print("verifying what is to be written: this may take a minute ...", flush=True)
     report = verified(compilation, _tell)
     options.out.mkdir(parents=True, exist_ok=True)
-    solver = options.out / f"{module.name}.py"
     contents = {name: text.encode() for name, text in compilation.files.items()}
     replace_files(options.out, contents)
-    keep_compiled(report.code, solver)
+    for name, code in report.code.items():
+        keep_compiled(code, options.out / f"{name}.py")
     compiled = _compared(module) if report.compiled else "no C compiler found: C not tested"
     print(
         f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "

@@ -196,7 +196,8 @@ def verified(compilation: Compilation, tell: Callable[[str], None] = lambda _: N
         write_files(Path(folder), compilation.files)
         report = verify(compilation.module, Path(folder))
         if compilation.kind is not None:
-            verify_kind(compilation.kind, Path(folder))
+            code = verify_kind(compilation.kind, Path(folder))
+            report = replace(report, code={**report.code, compilation.kind.module.name: code})
         if compilation.single is None:
             return report
         try:

@@ -168,7 +168,8 @@ class Arm:
                 error.add_note(f"note: {doubt}")
             raise
         keep(folder, compilation.files)
-        keep_compiled(report.code, folder / f"{self.name}.py")
+        for name, code in report.code.items():
+            keep_compiled(code, folder / f"{name}.py")
 
     @cached_property
     def _model(self) -> NumericArm:

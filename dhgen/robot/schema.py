@@ -343,8 +343,8 @@ class RobotFile(_Strict):
     )
     calibration: Switch = Field(
         default=False,
-        description="Whether the compiler also writes C whose table is an argument, "
-        "NAME_fleet.c and .h, for arms with calibrations of their own. For tables of six "
+        description="Whether the compiler also writes solvers whose table is an argument, "
+        "NAME_fleet.py, .c and .h, for arms with calibrations of their own. For tables of six "
         "turning joints with a closed form only.",
     )
 

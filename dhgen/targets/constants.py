@@ -42,8 +42,13 @@ class ConstantText:
 
 def constant_texts(module: SolverModule, others: tuple[Program, ...] = ()) -> list[ConstantText]:
     """Every constant, of all programs and others, that the files do not define anyway."""
+    return texts_of(module, [*module.programs, *others])
+
+
+def texts_of(module: SolverModule, programs: Iterable[Program]) -> list[ConstantText]:
+    """Every constant of some programs that the files do not define anyway."""
     own = [constant.name for constant in module.chain.constants]
-    constants = _told_by_others(_merged([*module.programs, *others], own))
+    constants = _told_by_others(_merged(programs, own))
     unit = module.length_unit
     return [
         ConstantText(c.name, repr(c.value), _comment(c, unit), c.role, _parts(c, unit))

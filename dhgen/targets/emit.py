@@ -9,6 +9,7 @@ from dhgen.runtime.helpers import helper_files
 from dhgen.targets.c.files import c_files
 from dhgen.targets.c.kind import kind_files
 from dhgen.targets.python.files import python_files
+from dhgen.targets.python.kind import kind_module
 
 if TYPE_CHECKING:
     from dhgen.targets.kind import Kind
@@ -27,7 +28,7 @@ def emit(
     Args:
         module: The programs.
         single: The same for single precision, if it is asked for: C only.
-        kind: Arms with tables that come at run time, if these are asked for: C only.
+        kind: Arms with tables that come at run time, if these are asked for.
         single_file: Whether C and Python hold what they need of the runtime.
     """
     return {
@@ -35,6 +36,7 @@ def emit(
         **c_files(module, single_file=single_file),
         **({} if single is None else c_files(single)),
         **({} if kind is None else kind_files(kind, single_file=single_file)),
+        **({} if kind is None else kind_module(kind, single_file=single_file)),
         **helper_files(),
         **({} if single_file else runtime_files()),
     }

@@ -1,39 +1,49 @@
-"""Proves that C whose table comes at run time does what it promises, or refuses it.
+"""Proves that solvers whose table comes at run time do what they promise, or refuses them.
 
 Tables are those of the data sheet with errors in every number; poses are those of an independent
 forward model, factor by factor. Checked are which tables are taken, forward kinematics, the
 Jacobian, and that rows of a batch meet their poses and hold the joint values that these are of, as
-the rows of one pose do. Nearest solutions, joint velocities, and whether rows are all that there
-are, are not.
+the rows of one pose do; in Python and in C, whose rows are the same. Joint velocities, and whether
+rows are all that there are, are not.
 """
 
 from __future__ import annotations
 
 import ctypes
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from dhgen.errors import VerificationError
-from dhgen.status import HELD
+from dhgen.runtime.python.calibrated import ANOTHER_ARM, NO_MISS, TAKEN
+from dhgen.runtime.python.calibration import NUMBERS
+from dhgen.runtime.python.calls_calibrated import CalibratedArm
+from dhgen.status import HELD, Status
+from dhgen.verify.compiled import compiled_code, runtime_code, together
 from dhgen.verify.native import compile_solver
+from dhgen.verify.verify import imported
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
     from pathlib import Path
+    from types import ModuleType
 
     from numpy.typing import NDArray
 
     from dhgen.arrays import FloatArray
     from dhgen.targets.kind import Kind
 
+    Rows = tuple[FloatArray, NDArray[np.uint8]]
+
 ERRORS = (1e-5, 1e-4, 1e-3)  # [rad, arm sizes] of tables, one each
 COUNT = 100  # poses of each
+FEW = 4  # where nothing is compiled: a pose takes a tenth of a second there
 FORWARD = 1e-12  # [arm sizes, rad] what the forward model may be off by
 RESIDUAL = 1e-10  # what a row may miss its pose by
 RATE = 1e-8  # what the Jacobian may differ from quotients of differences
 STEP = 1e-6  # [rad] of these
 FOUND = 1e-6  # [rad] the generating joint values at random poses
-TAKEN, NOT_FINITE, ANOTHER_ARM, NO_MISS = range(4)
 MODIFIED = "modified"
 LINK = ctypes.c_double * 12  # three rows of four
 
@@ -54,8 +64,11 @@ class Calibration(ctypes.Structure):
     )
 
 
-def verify_kind(kind: Kind, folder: Path) -> None:
-    """Checks C as it lies in a folder; not without a compiler.
+def verify_kind(kind: Kind, folder: Path) -> Mapping[str, bytes]:
+    """Checks Python and, where there is a compiler, C as they lie in a folder.
+
+    Returns:
+        What numba compiled, by the names that its files have.
 
     Raises:
         VerificationError: Something is not as promised.
@@ -63,23 +76,68 @@ def verify_kind(kind: Kind, folder: Path) -> None:
     module = kind.module
     shape = (module.chain.dof, module.solver.rows, 0)
     solver = compile_solver(folder / f"{module.name}.c", folder, module.name, *shape)
-    if solver is None:
-        return
+    python = imported(module, folder)
+    arms: list[Callable[[FloatArray], PythonArm | FleetArm]] = [partial(PythonArm, python)]
+    if solver is not None:
+        arms.append(partial(FleetArm, solver.library, kind))
     nominal, size = np.array(kind.table.rows), kind.nominal.chain.size
-    if FleetArm(solver.library, kind, nominal).said != NO_MISS:
-        raise VerificationError(f"{module.name}: takes the nominal table, which misses nothing")
-    if FleetArm(solver.library, kind, nominal + 1.0).said != ANOTHER_ARM:
-        raise VerificationError(f"{module.name}: takes the table of another arm")
-    source = np.random.default_rng(11)
+    for arm in arms:
+        if arm(nominal).said != NO_MISS:
+            raise VerificationError(f"{module.name}: takes the nominal table, which misses nothing")
+        if arm(nominal + 1.0).said != ANOTHER_ARM:
+            raise VerificationError(f"{module.name}: takes the table of another arm")
+    source, count = np.random.default_rng(11), COUNT if is_compiled(python) else FEW
     for error in ERRORS:
         units = np.array([1.0, size, size, 1.0])
         table = nominal + source.normal(0.0, error, nominal.shape) * units
-        q = source.uniform(-np.pi, np.pi, (COUNT, module.chain.dof))
-        _check(FleetArm(solver.library, kind, table), kind, table, q)
+        q = source.uniform(-np.pi, np.pi, (count, module.chain.dof))
+        T = poses_of(kind, table, q)
+        found = [_checked(arm(table), kind, table, q, T) for arm in arms]
+        _compare(found, kind, table, T)
+    if not is_compiled(python):
+        return {}
+    python.warm_up()  # what no pose needed is compiled, too, and kept for who imports it
+    return together(runtime_code(), compiled_code(python))
+
+
+def is_compiled(python: ModuleType) -> bool:
+    """Whether numba compiles an imported module."""
+    return hasattr(vars(python)["_CALLS"]["seeded"], "stats")
+
+
+class PythonArm:
+    """An arm of a kind in Python, with the functions of one in C.
+
+    Args:
+        python: The module of the kind.
+        table: The arm's own (6, 4).
+
+    Attributes:
+        said: What was said of its table.
+        numbers: What was filled in, in the order of the structure in C.
+    """
+
+    def __init__(self, python: ModuleType, table: FloatArray) -> None:
+        calls = vars(python)["_CALLS"]
+        arm, self.said = calls["worked_out"](table)
+        # The compiler's own runtime is imported before the copy beside the module: what is compiled
+        # apart of the same text is compiled once.
+        self._arm = CalibratedArm(table, arm, calls)
+        self._unreachable = python.Unreachable
+        self.numbers: FloatArray = arm[-NUMBERS:]
+        self.fk, self.jacobian, self.batch = self._arm.fk, self._arm.jacobian, self._arm.ik_batch
+        self.ik, self.joint_velocities = self._arm.ik_all, self._arm.joint_velocities
+
+    def nearest(self, T: FloatArray, seed: FloatArray) -> FloatArray:
+        """The row nearest to the seed (n,), NaN without one."""
+        try:
+            return np.asarray(self._arm.ik(T, seed))
+        except self._unreachable:
+            return np.full(len(seed), np.nan)
 
 
 class FleetArm:
-    """An arm of a kind in C.
+    """An arm of a kind in C, and what was filled in for its table.
 
     Args:
         library: The shared library.
@@ -175,25 +233,54 @@ def _screw(axis: int, angle: FloatArray, length: float) -> FloatArray:
     return motion
 
 
-def _check(arm: FleetArm, kind: Kind, table: FloatArray, q: FloatArray) -> None:
-    """Every row meets its pose, and one row holds the joint values that it is of."""
+def _checked(
+    arm: PythonArm | FleetArm, kind: Kind, table: FloatArray, q: FloatArray, T: FloatArray
+) -> Rows:
+    """The rows of poses: each meets its pose, and one holds the joint values that it is of."""
     name, weights = kind.module.name, np.array([1.0, 1.0, 1.0, 1.0 / kind.nominal.chain.size])
     if arm.said != TAKEN:
         raise VerificationError(f"{name}: does not take the table\n{table}")
-    T = poses_of(kind, table, q)
-    for joints, pose, rows, status in zip(q, T, *arm.batch(T), strict=True):
+    found = arm.batch(T)
+    for joints, pose, rows, status in zip(q, T, *found, strict=True):
         where = f"{name}, table\n{table}\nq = {joints.tolist()}"
         _demand(np.abs((arm.fk(joints) - pose) * weights).max(), FORWARD, f"{where}: fk")
         held = rows[np.isin(status, HELD)]
-        turned = np.abs(np.mod(held - joints + np.pi, 2.0 * np.pi) - np.pi).max(axis=1)
+        turned = _turned(held, joints)
         _demand(turned.min(initial=np.inf), FOUND, f"{where}: the nearest solution")
         missed = np.abs((poses_of(kind, table, held) - pose) * weights).max()
         _demand(missed, RESIDUAL, f"{where}: a row's pose")
+        within = rows[np.isin(status, (Status.OK, Status.FREE_JOINT))]
+        if _turned(within, joints).min(initial=np.inf) <= FOUND:
+            near = arm.nearest(pose, joints)
+            _demand(float(_turned(near, joints)), FOUND, f"{where}: the row nearest to the seed")
     _check_first(arm, kind, table, q[0], T[0])
+    return found
+
+
+def _turned(q: FloatArray, joints: FloatArray) -> FloatArray:
+    """By how much angles differ at most, whole turns aside."""
+    off = np.abs(np.mod(q - joints + np.pi, 2.0 * np.pi) - np.pi)
+    return np.asarray(off.max(axis=-1))
+
+
+def _compare(found: list[Rows], kind: Kind, table: FloatArray, T: FloatArray) -> None:
+    """All languages give the same rows: order may be rounding's where first joints agree."""
+    (rows, status), *others = found
+    for other, kinds in others:
+        for number, pose in enumerate(T):
+            where = f"{kind.module.name}, table\n{table}\nT =\n{pose}"
+            if sorted(status[number]) != sorted(kinds[number]):
+                raise VerificationError(
+                    f"{where}: Python gives {status[number]}, C gives {kinds[number]}"
+                )
+            held = rows[number][np.isin(status[number], HELD)]
+            there = other[number][np.isin(kinds[number], HELD)]
+            for row in held:
+                _demand(_turned(there, row).min(), FOUND, f"{where}: a row of Python in C")
 
 
 def _check_first(
-    arm: FleetArm, kind: Kind, table: FloatArray, joints: FloatArray, pose: FloatArray
+    arm: PythonArm | FleetArm, kind: Kind, table: FloatArray, joints: FloatArray, pose: FloatArray
 ) -> None:
     """At one pose: the Jacobian, and rows that are those of a batch, bit for bit."""
     where, size = (

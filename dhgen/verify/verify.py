@@ -50,7 +50,7 @@ class Report:
         residual: The largest miss of a row, in arm sizes.
         compiled: Whether a C compiler was there.
         single: The largest miss of a row in single precision; None if it was not asked for.
-        code: What numba compiled, by the names that its files have.
+        code: What numba compiled of each module, by the names that its files have.
     """
 
     poses: int
@@ -58,7 +58,7 @@ class Report:
     residual: float
     compiled: bool
     single: float | None = None
-    code: Mapping[str, bytes] = field(default_factory=dict, repr=False)
+    code: Mapping[str, Mapping[str, bytes]] = field(default_factory=dict, repr=False)
 
 
 def verify(module: SolverModule, folder: Path) -> Report:
@@ -88,7 +88,8 @@ def _verify(module: SolverModule, folder: Path) -> Report:
     seen = checker.poses, checker.solutions, demands.residual, bool(builds)
     code = compiled_code(python)
     whole = whole_arm(module.solver)
-    return Report(*seen, code=code if whole is None else together(runtime_code(), code))
+    own = code if whole is None else together(runtime_code(), code)
+    return Report(*seen, code={module.name: own})
 
 
 def imported(module: SolverModule, folder: Path) -> ModuleType:

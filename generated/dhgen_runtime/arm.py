@@ -14,6 +14,7 @@ import numpy as np
 
 from .jit import calling, of_file
 from .places import (
+    CALIBRATION,
     CHOOSABLE,
     CLAMPED,
     CLAMPED_AGAIN,
@@ -128,7 +129,11 @@ class Arm:
 
 
 def arm_numbers(
-    arm: Arm, descents: Sequence[float] | Floats = (), *, coupling: Sequence[float] | Floats = ()
+    arm: Arm,
+    descents: Sequence[float] | Floats = (),
+    *,
+    coupling: Sequence[float] | Floats = (),
+    calibration: Sequence[float] | Floats = (),
 ) -> Floats:
     """The array of an arm.
 
@@ -136,15 +141,18 @@ def arm_numbers(
         arm: The arm.
         descents: The numbers that descents work on, where rows are completed by such.
         coupling: Those of drives whose whole turns hang together, where some do.
+        calibration: What a table says that comes at run time, where one does.
 
     Raises:
         ValueError: A step has no name in STEPS.
     """
     begin = JOINTS + RECORD * len(arm.types)
     behind = begin + len(descents)
-    numbers = np.zeros(behind + len(coupling))
+    last = behind + len(coupling)
+    numbers = np.zeros(last + len(calibration))
     numbers[DESCENTS], numbers[begin:behind] = begin, descents
-    numbers[COUPLING], numbers[behind:] = behind if len(coupling) else 0, coupling
+    numbers[COUPLING], numbers[behind:last] = behind if len(coupling) else 0, coupling
+    numbers[CALIBRATION], numbers[last:] = last if len(calibration) else 0, calibration
     directions = NAMES.index(arm.directions)
     numbers[:5] = len(arm.types), arm.rows, directions, arm.cuts, 1.0 / arm.size
     numbers[MISS_WEIGHTS : MISS_WEIGHTS + 6] = arm.miss_weights

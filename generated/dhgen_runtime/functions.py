@@ -136,7 +136,7 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
         "slides": "P" in robot["JOINT_TYPES"],
         "read_rows": getattr(pose, f"read_{solver.task}"),
         "rotation_miss": getattr(pose, f"miss_of_{solver.task}"),
-        "apart": (how.compile_apart, *_needed(solver), *solver.apart),
+        "apart": (how.compile_apart, *compilers_of(solver.arm), *solver.apart),
         "choice": Choice(
             solver.arm,
             robot["BRANCHES"],
@@ -152,7 +152,7 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
     }
 
     def add(name: str, compiled: Callable[[Any], Any] = lambda function: function) -> None:
-        names[name] = compiled(_again(texts[name], names))
+        names[name] = compiled(again(texts[name], names))
 
     def zeros(seed: Any) -> Any:  # noqa: ANN401
         for i in range(dof):
@@ -203,9 +203,9 @@ def _given_names(robot: Mapping[str, Any], solver: Solver) -> dict[str, Any]:
     return {"given_of_joints": lambda q: q[places], **near}
 
 
-def _needed(solver: Solver) -> list[Callable[[], None]]:
+def compilers_of(arm: Floats) -> list[Callable[[], None]]:
     """What compiles the files of the runtime that an arm needs."""
-    arm, found = solver.arm, [careful.OWN.compile_apart, velocities.OWN.compile_apart]
+    found = [careful.OWN.compile_apart, velocities.OWN.compile_apart]
     if arm[COUPLING] > 0.0:
         found += [coupled.OWN.compile_apart, coupled_turns.OWN.compile_apart]
     return found + [
@@ -213,7 +213,7 @@ def _needed(solver: Solver) -> list[Callable[[], None]]:
     ]
 
 
-def _again(function: Any, names: dict[str, Any]) -> FunctionType:  # noqa: ANN401
+def again(function: Any, names: dict[str, Any]) -> FunctionType:  # noqa: ANN401
     """A function once more, with other values of what it names."""
     made = FunctionType(function.__code__, names, function.__name__, function.__defaults__)
     made.__kwdefaults__ = function.__kwdefaults__

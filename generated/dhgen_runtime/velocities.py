@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .arguments import array_of
-from .arm import FK, JACOBIAN, ROBOT, fk_at, jacobian_at
+from .arm import ROBOT
 from .jit import of_file
 from .places import DIRECTIONS, MISS_WEIGHTS, PITCH, POINTING, RECORD, WEIGHT
 from .refine import count_what_counts
+from .serial import forward, rates
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -79,14 +80,14 @@ def find_velocities(
         twist: Velocity of the tool's origin, then angular velocity (6,).
         velocities: Is filled (n,).
     """
-    dof, jacobian = len(q), jacobian_at(robot[JACOBIAN], q)
+    dof, jacobian = len(q), rates(arm, robot, q)
     rows = np.zeros((6, dof + 1))
     for i in range(6):
         for j in range(dof):
             rows[i, j] = jacobian[i, j] / math.sqrt(arm[WEIGHT + RECORD * j])
         rows[i, dof] = twist[i]
     if arm[DIRECTIONS] in (POINTING, PITCH):
-        count_what_counts(arm[DIRECTIONS], fk_at(robot[FK], q), rows)
+        count_what_counts(arm[DIRECTIONS], forward(arm, robot, q), rows)
     for i in range(6):
         for j in range(dof + 1):
             rows[i, j] *= arm[MISS_WEIGHTS + i]

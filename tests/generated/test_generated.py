@@ -108,6 +108,8 @@ def test_every_robot_has_its_files() -> None:
     wanted = {f"{name}.{end}" for name in NAMES for end in ("py", "c", "h", "md")}
     single = [name for name in NAMES if robot(name).float32]
     wanted |= {f"{name}_f32.{end}" for name in single for end in ("c", "h")}
+    fleets = [name for name in NAMES if robot(name).calibration]
+    wanted |= {f"{name}_fleet.{end}" for name in fleets for end in ("py", "c", "h")}
     wanted |= {f"dhgen_pose.{end}" for end in ("py", "c", "h")}
     wanted |= {f"dhgen_native.{end}" for end in ("py", "c")}
     assert {path.name for path in GENERATED.iterdir() if path.is_file()} == wanted

@@ -16,21 +16,14 @@ from dhgen.errors import UnsolvedError, VerificationError
 from dhgen.fleet import kind_of
 from dhgen.method import Method
 from dhgen.robot_files import RobotFile
-from dhgen.runtime import c_runtime_files
+from dhgen.runtime import c_runtime_files, runtime_files
+from dhgen.runtime.python.calibrated import ANOTHER_ARM, NO_MISS, NOT_FINITE, TAKEN
 from dhgen.status import HELD, Status
 from dhgen.survey.oracle.forward import forward
 from dhgen.targets.c.kind import kind_files
+from dhgen.targets.python.kind import kind_module
 from dhgen.targets.reserved import RESERVED
-from dhgen.verify.kind import (
-    ANOTHER_ARM,
-    NO_MISS,
-    NOT_FINITE,
-    TAKEN,
-    Calibration,
-    FleetArm,
-    poses_of,
-    verify_kind,
-)
+from dhgen.verify.kind import Calibration, FleetArm, poses_of, verify_kind
 from dhgen.verify.native import C_FLAGS, PORTABLE, c_compiler, compile_solver
 from tests.compiling import compile_file, library, module_of, written
 from tests.nominal.fleets import (
@@ -347,7 +340,7 @@ def test_verification_sees_what_is_wrong(tmp_path: Path) -> None:
     places = [tmp_path / each for each in ("right", "axes", "rates")]
     for place in places:
         place.mkdir()
-        write_files(place, {**c_runtime_files(), **kind_files(own)})
+        write_files(place, {**runtime_files(), **kind_files(own), **kind_module(own)})
     verify_kind(own, places[0])
     changes = (AXES, AXES.replace("1.0", "-1.0", 1)), (RATES, f"{RATES}    J[0] += 1e-3;\n")
     for place, change, what in zip(places[1:], changes, ("fk", "the Jacobian"), strict=True):

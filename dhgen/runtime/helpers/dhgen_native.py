@@ -105,7 +105,7 @@ def native(
         FileNotFoundError: The C or its header is missing.
         OSError: The folder for libraries can't be written to.
     """
-    if not hasattr(module, "MAX_SOLUTIONS"):
+    if not hasattr(module, "ik_all"):
         wanted = "a robot's module, as in 'import scara; dhgen_native.native(scara)'"
         raise TypeError(f"native takes {wanted}, not {module!r}")
     path = Path(str(module.__file__))

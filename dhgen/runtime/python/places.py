@@ -2,7 +2,8 @@
 """Where an arm's numbers stand in the array that the runtime around closed forms gets.
 
 0 ... JOINTS      the arm's own: sizes, steps, lists of places
-JOINTS ...        a record for each joint, then the numbers that descents work on, and the coupling
+JOINTS ...        a record for each joint, then the numbers that descents work on, the coupling,
+                  and what a table that comes at run time says
 """
 
 from __future__ import annotations
@@ -26,10 +27,12 @@ MERGES, REFINES, CLAMPS, CLAMPS_FAR, WINDS, FOLLOWS_SEED = range(20, 26)
 
 DESCENTS = 26  # where the numbers of the arm begin that descents work on (numerical/places.py)
 COUPLING = 27  # where those of coupled drives begin (coupled_turns.py); 0 where none are
+# Where those of a table begin that comes at run time (calibration.py); 0 where none does.
+CALIBRATION = 28
 
 # Lists: how many there are, and from the next place on joints or entries of a pose, from 0.
 MOST = 16
-GIVEN_JOINTS = 28  # whose values the caller gives
+GIVEN_JOINTS = 29  # whose values the caller gives
 CHOOSABLE = GIVEN_JOINTS + 1 + MOST  # that may be free, the last first
 TOGETHER = CHOOSABLE + 1 + MOST  # that may have to be chosen together
 ENTRIES = TOGETHER + 1 + MOST  # of a pose that count, in sixteen numbers

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .arm import FK, JACOBIAN, POSE, ROBOT, fk_at, jacobian_at
+from .arm import POSE, ROBOT
 from .jit import of_file
 from .limits import past_an_end, past_ends
 from .places import (
@@ -27,6 +27,7 @@ from .places import (
     WINDS,
     YAW,
 )
+from .serial import forward, rates
 from .tolerances import FINE
 from .turns import TURN
 
@@ -78,7 +79,7 @@ def half_way(arm: Floats, x: Floats, q: Floats, half: Floats) -> float:
 @OWN.inner
 def missed_by(arm: Floats, robot: Robot, pose: Pose, q: Floats) -> float:
     """By how much joint values miss the entries that count: the root of the sum of squares."""
-    P, total = fk_at(robot[FK], q), 0.0
+    P, total = forward(arm, robot, q), 0.0
     for k in range(int(arm[ENTRIES])):
         place = int(arm[ENTRIES + 1 + k])
         off = P[place // 4, place % 4] - pose[place]
@@ -92,7 +93,7 @@ def measure_miss(arm: Floats, robot: Robot, pose: Pose, q: Floats, e: Floats) ->
 
     Returns the length of the miss, which tells the two apart [arm sizes, rad].
     """
-    P, square = fk_at(robot[FK], q), 0.0
+    P, square = forward(arm, robot, q), 0.0
     for i in range(3):
         weight = arm[MISS_WEIGHTS + i]
         e[i] = weight * (pose[4 * i + 3] - P[i, 3]) if weight > 0.0 else 0.0
@@ -160,9 +161,9 @@ def add_step(arm: Floats, robot: Robot, held: Bools, damping: float, e: Floats, 
     places. e is used up.
     """
     dof = len(q)
-    J, rows, square = jacobian_at(robot[JACOBIAN], q), np.zeros((6, 6 + dof)), np.zeros(6)
+    J, rows, square = rates(arm, robot, q), np.zeros((6, 6 + dof)), np.zeros(6)
     if arm[DIRECTIONS] in (POINTING, PITCH):
-        count_what_counts(arm[DIRECTIONS], fk_at(robot[FK], q), J)
+        count_what_counts(arm[DIRECTIONS], forward(arm, robot, q), J)
     for i in range(6):
         for j in range(dof):
             if not held[j]:

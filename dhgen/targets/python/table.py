@@ -23,19 +23,24 @@ NAMED = {"types": "JOINT_TYPES", "limits": "JOINT_LIMITS"}
 
 def arm_lines(module: SolverModule) -> list[str]:
     """The expressions that a robot's table is made of, indented."""
-    arm = _arm(module)
-    named = NAMED if turns_alone(module.chain) else {"types": NAMED["types"]}
-    lines = [f"{INDENT}_arms.Arm("]
-    for each in fields(arm):
-        value = getattr(arm, each.name)
-        if value != each.default:
-            text = named.get(each.name) or literal(value, {}, INDENT * 2)
-            lines.append(f"{INDENT * 2}{each.name}={text},")
+    lines = [f"{INDENT}_arms.Arm(", *arm_fields(module, INDENT * 2)]
     links = module.solver.tightened is not None
     numbers = [f"{INDENT}_joints.arm_numbers(_LINKS),"] if links else []
     coupled = coupled_turns(module.chain) is not None
     numbers += [f"{INDENT}coupling=_COUPLING,"] if coupled else []
     return [*lines, f"{INDENT}),", *numbers]
+
+
+def arm_fields(module: SolverModule, indent: str) -> list[str]:
+    """The fields of a robot's table that are not what they are without being named."""
+    arm = _arm(module)
+    named = NAMED if turns_alone(module.chain) else {"types": NAMED["types"]}
+    values = ((each.name, getattr(arm, each.name), each.default) for each in fields(arm))
+    return [
+        f"{indent}{name}={named.get(name) or literal(value, {}, indent)},"
+        for name, value, default in values
+        if value != default
+    ]
 
 
 def _arm(module: SolverModule) -> Arm:

@@ -167,7 +167,7 @@ def python_tables(module: SolverModule, flat: Flat | None) -> PythonTables:
             [f"{_table_name(module)} = (", *(f"{INDENT}{row!r}," for row in module.links.rows), ")"]
         ),
         frames=_frames(module),
-        constants=_constants(constants),
+        constants=constant_lines(constants),
     )
 
 
@@ -198,7 +198,8 @@ def _joint_names(module: SolverModule) -> str:
     return "\n".join(["(", *listed(names, INDENT), ")"])
 
 
-def _constants(constants: Sequence[ConstantText]) -> list[str]:
+def constant_lines(constants: Sequence[ConstantText]) -> list[str]:
+    """Definitions of constants, and what their formulas name beside them."""
     return [
         *packed(made_of(constants, []), "# "),
         *(line for each in constants for line in _constant(each)),

@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import carray, of_file, room
+from ..rigid import invert
 from .candidates import PLACES, count_singular, offer
 from .circle import COMPLETE, ROOTS, UNSEEN
 from .equations import equations, fold, hidden_length, independence
 from .four_turns import four_turns_joints, shows_all, split_links
-from .loop import around, invert, joints_of, sign_of
+from .loop import around, joints_of, sign_of
 from .places import HAS_WRIST, HIDDEN_SLIDE, PER_ROOT, WAYS
 from .recover import angles, null_vectors
 from .roots import CLOSED_FORM, DETERMINANT, INDEPENDENT, real_roots

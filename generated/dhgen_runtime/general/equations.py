@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import carray, of_file, room
-from .loop import TINY, invert, reflect
+from ..rigid import invert
+from .loop import TINY, reflect
 from .places import HIDDEN_SLIDE, LEFT_SLIDE, SLIDES
 from .tables import SAMPLES
 

@@ -19,7 +19,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
-from .loop import TINY, follow, unit
+from ..rigid import follow
+from .loop import TINY, unit
 from .places import SLIDES
 
 if TYPE_CHECKING:

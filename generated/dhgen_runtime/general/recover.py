@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import carray, of_file, room
-from ..numerical.forward import take
-from .loop import TINY, follow, invert, move, unit
+from ..rigid import follow, invert, take
+from .loop import TINY, move, unit
 from .places import LEFT_SLIDE, RIGHT_SLIDE, SLIDES
 from .tables import STARTS
 

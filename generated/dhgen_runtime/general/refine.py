@@ -11,8 +11,8 @@ import math
 from typing import TYPE_CHECKING
 
 from ..jit import carray, of_file, room
-from ..numerical.forward import take
-from .loop import POSE, follow, move, reflect, turn
+from ..rigid import follow, take, turn
+from .loop import POSE, move, reflect
 from .places import ANY_SLIDE, SLIDES
 
 if TYPE_CHECKING:

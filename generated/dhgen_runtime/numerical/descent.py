@@ -15,9 +15,10 @@ import numpy as np
 from ..arm import miss_at
 from ..jit import of_file
 from ..places import PITCH, POINTING, ROTATION, TILT, YAW
+from ..rigid import take
 from ..tolerances import EXACT, FINE
 from ..turns import TURN
-from .forward import forward, take
+from .forward import forward
 from .goal import GOAL, take_units
 from .places import (
     ARM_ANGLE,

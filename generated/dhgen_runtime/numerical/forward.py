@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
+from ..rigid import follow_from, take_from
 from .places import (
     BASE,
     CHAIN,
@@ -30,30 +31,6 @@ if TYPE_CHECKING:
 
 OWN = of_file(__file__)
 inner = OWN.inner
-
-
-@inner
-def take(to: Floats, numbers: Floats) -> None:
-    """Copies numbers into an array as long; for slices numba compiles the text of an error, too."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
-
-
-@inner
-def take_from(to: Floats, numbers: Floats, at: int) -> None:
-    """Copies numbers from a place on into an array, which they fill."""
-    for i in range(len(to)):
-        to[i] = numbers[at + i]
-
-
-@inner
-def _follow(P: Floats, numbers: Floats, at: int) -> None:
-    """P K for rigid transforms, twelve numbers each, in place; K stands at a place of an array."""
-    for i in range(0, 12, 4):
-        a, b, c = P[i], P[i + 1], P[i + 2]
-        for j in range(3):
-            P[i + j] = a * numbers[at + j] + b * numbers[at + 4 + j] + c * numbers[at + 8 + j]
-        P[i + 3] += a * numbers[at + 3] + b * numbers[at + 7] + c * numbers[at + 11]
 
 
 @inner
@@ -82,7 +59,7 @@ def _axes(arm: Floats, q: Floats, P: Floats, axes: Floats) -> None:
         else:
             for i in range(0, 12, 4):
                 P[i + 3] += P[i + 2] * value
-        _follow(P, arm, at + JOINT_AFTER)
+        follow_from(P, arm, at + JOINT_AFTER)
         at += CHAIN_RECORD
 
 

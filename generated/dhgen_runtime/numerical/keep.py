@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
+from ..rigid import take
 from ..tolerances import LIMIT, PROMISED
 from .descent import descend, descend_towards, measure_miss, wrap_angles
 from .family import clamp, go_to_nearest_member
-from .forward import take
 from .goal import GOAL
 from .places import EQUATIONS, HIGHEST, LIMITED, LOWEST, RECORD, ROWS, SOLVED
 from .solutions import AHEAD, continuum, enough_beside, find_known, is_same

@@ -17,10 +17,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
+from ..rigid import take
 from ..tolerances import LIMIT
 from .descent import descend, measure_miss, null_part, sideways, wrap_angles
 from .family import clamp
-from .forward import take
 from .goal import GOAL
 from .keep import keep
 from .places import EQUATIONS, LIMITED, RESIDUAL, SOLVED

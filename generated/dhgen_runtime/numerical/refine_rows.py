@@ -12,10 +12,10 @@ from ..arm import ARM_ANGLE_MISS, descents_of, miss_at
 from ..jit import of_file
 from ..refine import copy_row, missed_by
 from ..retry import TASK
+from ..rigid import take
 from ..status import UNREACHABLE
 from ..tolerances import DOUBTFUL, EXACT, FINE
 from .descent import damped_step, measure_miss, shorten, sideways, wrap_angles
-from .forward import take
 from .goal import GOAL, goal_of, in_units, take_units
 from .places import (
     ARM_ANGLE,

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
+from ..rigid import take
 from .descent import descend, descend_towards, start_of, wrap_angles
-from .forward import take
 from .goal import GOAL, NO_ARM_ANGLE, given_joints, goal_of, in_units, take_units
 from .keep import keep
 from .pairs import complete_pairs

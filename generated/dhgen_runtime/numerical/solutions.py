@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
+from ..rigid import take
 from ..turns import TURN
 from .descent import (
     FLOOR,
@@ -19,7 +20,6 @@ from .descent import (
     sideways,
     wrap_angles,
 )
-from .forward import take
 from .goal import GOAL, take_units
 from .places import (
     CHECKED,

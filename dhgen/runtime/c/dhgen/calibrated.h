@@ -21,6 +21,9 @@
 /* Three axes that miss being parallel, or meeting, by less have a closed form of their own: the
  * general algorithm has no certificate there [rad, arm sizes]. */
 #define DHGEN_LEAST_MISS 1e-09
+/* Numbers of tables above this leave less than twelve digits of what the base, the tool or a zero
+ * is to take up: no calibration has them [rad, arm sizes]. */
+#define DHGEN_MOST_NUMBER 1e4
 /* What bounds of deviations are enlarged by for rounding [rad, arm sizes]. */
 #define DHGEN_ROUNDED_DEVIATION 1e-10
 
@@ -294,6 +297,11 @@ DHGEN_FN int dhgen_calibrate(const dhgen_kind *kind, const double *table, dhgen_
     dhgen_constants_of(kind, table, of->constant);
     dhgen_find_nearest(kind, of);
     dhgen_make_loop(kind, of);
+    for (int i = 0; i < 24; i++) {
+        const double unit = i % 4 == 1 || i % 4 == 2 ? kind->length : 1.0; /* d and a are lengths */
+        if (fabs(table[i]) > DHGEN_MOST_NUMBER * unit)
+            return DHGEN_ANOTHER_ARM;
+    }
     if (!(of->turned <= DHGEN_MOST_DEVIATION && of->moved <= DHGEN_MOST_DEVIATION * kind->length))
         return DHGEN_ANOTHER_ARM;
     return dhgen_least_miss(kind, of) < DHGEN_LEAST_MISS ? DHGEN_NO_MISS : DHGEN_TAKEN;

@@ -11,7 +11,8 @@ import math
 from typing import TYPE_CHECKING
 
 from ..jit import carray, of_file, room
-from .loop import POSE, follow, invert, turn
+from ..rigid import follow, invert, turn
+from .loop import POSE
 from .refine import turn_by
 
 if TYPE_CHECKING:

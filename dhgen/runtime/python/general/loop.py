@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
-from ..numerical.forward import take, take_from
 from ..numerical.places import GIVEN
+from ..rigid import follow, invert, slide, take, take_from, turn
 from .places import (
     COSINE_VANISHES,
     FORMULATION_RECORD,
@@ -44,43 +44,6 @@ TINY = 1e-300  # keeps quotients of zeros finite; beside any other number it is 
 # angle is left in them.
 LEAST_LENGTH = 1e-150
 POSE = 5  # place of P among the loop's transforms
-
-
-@inner
-def follow(T: Floats, K: Floats) -> None:
-    """Multiplies T by K, in place."""
-    for i in range(0, 12, 4):
-        a, b, c = T[i], T[i + 1], T[i + 2]
-        for j in range(3):
-            T[i + j] = a * K[j] + b * K[4 + j] + c * K[8 + j]
-        T[i + 3] += a * K[3] + b * K[7] + c * K[11]
-
-
-@inner
-def invert(A: Floats) -> Floats:
-    """Returns the inverse of a rigid transform."""
-    B = np.empty(12)
-    for i in range(3):
-        for j in range(3):
-            B[4 * i + j] = A[4 * j + i]
-        B[4 * i + 3] = -(A[i] * A[3] + A[4 + i] * A[7] + A[8 + i] * A[11])
-    return B
-
-
-@inner
-def turn(T: Floats, c: float, s: float) -> None:
-    """Multiplies T by a turn about z, in place."""
-    for i in range(3):
-        x, y = T[4 * i], T[4 * i + 1]
-        T[4 * i] = x * c + y * s
-        T[4 * i + 1] = y * c - x * s
-
-
-@inner
-def slide(T: Floats, d: float) -> None:
-    """Multiplies T by a slide along z, in place."""
-    for i in range(3):
-        T[4 * i + 3] += T[4 * i + 2] * d
 
 
 @inner

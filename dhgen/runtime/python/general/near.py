@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
+from ..rigid import follow
 from ..status import OK
-from .loop import follow
 
 if TYPE_CHECKING:
     from ..arrays import Floats, Ints

@@ -14,7 +14,6 @@ import numpy as np
 
 from ..jit import of_file
 from ..numerical.descent import descend, start_of, wrap_angles
-from ..numerical.forward import take
 from ..numerical.goal import NO_ARM_ANGLE, given_joints, goal_of, in_units
 from ..numerical.keep import keep
 from ..numerical.pairs import complete_pairs
@@ -32,6 +31,7 @@ from ..numerical.places import (
     ZERO,
 )
 from ..numerical.solutions import sort_rows
+from ..rigid import take
 from ..tolerances import EXACT
 from .candidates import PLACES
 from .places import POINTING_LOOP

@@ -10,11 +10,12 @@ import numpy as np
 
 from ..jit import of_file
 from ..numerical.solutions import TIE, order_blocks, order_of
+from ..rigid import follow
 from ..tolerances import EXACT
 from .attempts import try_closed_form, try_formulation
 from .candidates import PLACES, count_singular, in_loop, keep_solution, offer, rank
 from .correct import MIDDLE_SIZE, correct, look_from_middle
-from .loop import POSE, close, follow, vanishing
+from .loop import POSE, close, vanishing
 from .places import CLOSED, ELIMINATIONS, MOST, REACH, SIZE_OF_LOOP, SLIDES
 from .tables import NUDGES
 

@@ -14,8 +14,8 @@ import math
 from typing import TYPE_CHECKING
 
 from ..jit import carray, of_file, room
-from ..numerical.forward import take
-from .loop import POSE, TINY, follow, turn, unit
+from ..rigid import follow, take, turn
+from .loop import POSE, TINY, unit
 from .places import (
     BEND_C,
     BEND_S,

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..jit import of_file
+from ..rigid import take
 from ..tolerances import BESIDE_SEED, DOUBTFUL, LIMIT
 from ..turns import TURN
 from .descent import (
@@ -23,7 +24,6 @@ from .descent import (
     sideways,
     wrap_angles,
 )
-from .forward import take
 from .goal import GOAL
 from .places import EQUATIONS, HIGHEST, LIMITED, LOWEST, RECORD, SOLVED, TURNS
 from .solutions import AHEAD, SINGULAR, pass_by

@@ -1,0 +1,466 @@
+# SPDX-License-Identifier: MIT
+"""Arms of one kind, each with a table of its own, as calibrated.h has them, function by function.
+
+What a table says is worked out once, and every call reads it. The closed form of the nominal arm is
+tried first; where its rows may not be near all solutions the general algorithm answers.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .arm import arm_numbers, descents_of
+from .calibration import (
+    CONSTANT,
+    FACING,
+    LEFT,
+    LOOP,
+    MORE,
+    MOVED,
+    NUMBERS,
+    RIGHT,
+    SIZE,
+    TURNED,
+    calibration_of,
+)
+from .general.arm import Link, Loop, general_numbers
+from .general.places import (
+    ADVANCE_C,
+    ADVANCE_S,
+    LINK_COUNT,
+    LINK_RECORD,
+    LINKS,
+    PER_SIZE,
+    SIZE_OF_LOOP,
+)
+from .general.rows import all_joints
+from .jit import of_file
+from .numerical.arm import Arm as Descents
+from .numerical.arm import ChainJoint, Joint
+from .numerical.places import BASE, CHAIN, CHAIN_RECORD, JOINT_AFTER
+from .rigid import follow, invert, slide, take, take_from, turn
+from .status import FREE_JOINT, OK
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from .arm import Arm, Pose
+    from .arrays import Bytes, Floats, Ints
+    from .general.arm import Formulation
+
+OWN = of_file(__file__)
+inner, jit = OWN.inner, OWN.jit
+
+# Parallel axes leave a common slide of their frames open: this much weight on the slides closes it.
+RIDGE = 1e-09
+# Deviations above this are of another arm [rad, arm sizes].
+MOST_DEVIATION = 0.05
+# Three axes that miss being parallel, or meeting, by less have a closed form of their own: the
+# general algorithm has no certificate there [rad, arm sizes].
+LEAST_MISS = 1e-09
+# Numbers of tables above this leave less than twelve digits of what the base, the tool or a zero is
+# to take up: no calibration has them [rad, arm sizes].
+MOST_NUMBER = 1e4
+# What bounds of deviations are enlarged by for rounding [rad, arm sizes].
+ROUNDED_DEVIATION = 1e-10
+
+# What is said of a table.
+TAKEN, NOT_FINITE, ANOTHER_ARM, NO_MISS = range(4)
+
+IDENTITY = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)
+JOINTS = 6
+TRIPLES = 4  # of axes side by side
+
+# Where the numbers of a kind stand in its array.
+IS_MODIFIED = 0  # the convention of tables
+LENGTH = 1  # the size of the arm
+Z, E = 2, 14  # base and tool
+COUNTED = 26  # six: how joints count
+PARALLEL, MEETING = 32, 36  # whether axes i, i + 1, i + 2 are so nominally
+NOMINAL = 40  # the table of the data sheet
+NUMBERS_OF_KIND = 64
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """What calibrated arms of a kind have in common.
+
+    Attributes:
+        arm: What is done around their rows.
+        table: That of the data sheet, (6, 4).
+        convention: What its rows are: `standard` or `modified`.
+        base: The arm's base in the caller's frame, twelve numbers.
+        tool: The tool in the last frame.
+        facing: How joints count, 1 or -1.
+        parallel: First axes, from 0, of three side by side that are parallel.
+        meeting: Of three that meet.
+        reach: The square of what is out of reach for all links of the loop in line [arm sizes].
+        advances: Cosine and sine of what is added to each joint's angle in it.
+        formulations: Of the general algorithm, in the order in which they are tried.
+    """
+
+    arm: Arm
+    table: Sequence[Sequence[float]]
+    convention: str
+    facing: tuple[float, ...]
+    reach: float
+    advances: tuple[tuple[float, float], ...]
+    formulations: tuple[Formulation, ...]
+    base: tuple[float, ...] = IDENTITY
+    tool: tuple[float, ...] = IDENTITY
+    parallel: tuple[int, ...] = ()
+    meeting: tuple[int, ...] = ()
+
+
+def kind_numbers(kind: Kind) -> Floats:
+    """The array of a kind."""
+    numbers = np.zeros(NUMBERS_OF_KIND)
+    numbers[IS_MODIFIED], numbers[LENGTH] = kind.convention == "modified", kind.arm.size
+    numbers[Z : Z + 12], numbers[E : E + 12] = kind.base, kind.tool
+    numbers[COUNTED : COUNTED + JOINTS] = kind.facing
+    for first, places in ((PARALLEL, kind.parallel), (MEETING, kind.meeting)):
+        for place in places:
+            numbers[first + place] = 1.0
+    numbers[NOMINAL:] = np.ravel(kind.table)
+    return numbers
+
+
+def blank_numbers(kind: Kind) -> Floats:
+    """The array of an arm of which no table is known."""
+    arm = kind.arm
+    joints = tuple(
+        Joint(place=place, lowest=low, highest=high, facing=facing)
+        for place, ((low, high), facing) in enumerate(zip(arm.limits, kind.facing, strict=True))
+    )
+    descents = Descents(
+        rows=arm.rows,
+        size=arm.size,
+        coordinates=(0, 1, 2),
+        directions=arm.directions,
+        joints=joints,
+        base=IDENTITY,
+        chain=tuple(ChainJoint(after=IDENTITY, sign=facing) for facing in kind.facing),
+    )
+    loop = Loop(
+        size=1.0,
+        reach=kind.reach,
+        links=(Link(IDENTITY),) * LINK_COUNT,
+        advances=kind.advances,
+        formulations=kind.formulations,
+    )
+    calibration = np.full(NUMBERS, math.nan)
+    return arm_numbers(arm, general_numbers(descents, loop), calibration=calibration)
+
+
+@inner
+def append_screw_z(theta: float, d: float, T: Floats) -> None:
+    """Moves a frame along its z axis, turns it about that."""
+    slide(T, d)
+    turn(T, math.cos(theta), math.sin(theta))
+
+
+@inner
+def append_screw_x(alpha: float, a: float, T: Floats) -> None:
+    """Moves a frame along its x axis, turns it about that."""
+    c, s = math.cos(alpha), math.sin(alpha)
+    for i in range(0, 12, 4):
+        y = T[i + 1]
+        T[i + 3] += T[i] * a
+        T[i + 1] = y * c + T[i + 2] * s
+        T[i + 2] = T[i + 2] * c - y * s
+
+
+@inner
+def _be_identity(T: Floats) -> None:
+    for i in range(12):
+        T[i] = 1.0 if i % 5 == 0 else 0.0
+
+
+@inner
+def constants_of(kind: Floats, table: Floats, constant: Floats) -> None:
+    """Computes C0 ... C6 of a table."""
+    for k in range(JOINTS + 1):
+        C = constant[k]
+        row = k if kind[IS_MODIFIED] > 0.0 else k - 1
+        if k > 0:
+            _be_identity(C)
+            append_screw_z(0.0, table[4 * (k - 1) + 1], C)
+        else:
+            take_from(C, kind, Z)
+        if 0 <= row < JOINTS:
+            append_screw_x(table[4 * row + 3], table[4 * row + 2], C)
+        if k < JOINTS:
+            append_screw_z(table[4 * k], 0.0, C)
+        else:
+            follow(C, kind[E : E + 12])
+
+
+@inner
+def solve_normal(A: Floats, b: Floats) -> None:
+    """Solves a positive definite system of six equations; the solution takes the place of b."""
+    for i in range(JOINTS):
+        for j in range(i + 1, JOINTS):
+            factor = A[j, i] / A[i, i]
+            for k in range(i, JOINTS):
+                A[j, k] -= factor * A[i, k]
+            b[j] -= factor * b[i]
+    for i in range(JOINTS - 1, -1, -1):
+        for k in range(i + 1, JOINTS):
+            b[i] -= A[i, k] * b[k]
+        b[i] /= A[i, i]
+
+
+@inner
+def shifts(constant: Floats, shift: Floats) -> None:
+    """Computes how far frames move along their axes so that the squares of links add up least."""
+    normal, along = np.zeros((JOINTS, JOINTS)), np.empty(2)
+    for i in range(JOINTS):
+        normal[i, i] = RIDGE
+        shift[i] = 0.0
+    for i in range(JOINTS - 1):
+        K = constant[i + 1]
+        for k in range(3):
+            # The link's vector becomes t - s z + s' z'.
+            along[0], along[1] = -1.0 if k == 2 else 0.0, K[4 * k + 2]
+            for a in range(2):
+                shift[i + a] -= along[a] * K[4 * k + 3]
+                for b in range(2):
+                    normal[i + a, i + b] += along[a] * along[b]
+    solve_normal(normal, shift)
+
+
+@inner
+def make_loop(general: Floats, of: Floats) -> None:
+    """Makes the arm a loop of six joints with the shortest links, in arm sizes."""
+    constant = of[CONSTANT : CONSTANT + 84].reshape(7, 12)
+    loop = of[LOOP : LOOP + 84].reshape(7, 12)
+    shift, last, total = np.empty(JOINTS), np.empty(12), 0.0
+    shifts(constant, shift)
+    for i in range(JOINTS - 1):
+        K = loop[i]
+        _be_identity(K)
+        slide(K, -shift[i])
+        follow(K, constant[i + 1])
+        slide(K, shift[i + 1])
+        turn(K, general[ADVANCE_C + i + 1], general[ADVANCE_S + i + 1])
+        total += length_of(K)
+    of[SIZE] = 0.5 * total
+    for i in range(JOINTS - 1):
+        for k in range(3, 12, 4):
+            loop[i, k] /= of[SIZE]
+    take(last, constant[0])
+    slide(last, shift[0])
+    turn(last, general[ADVANCE_C], general[ADVANCE_S])
+    take(loop[5], invert(last))
+    _be_identity(last)
+    slide(last, -shift[5])
+    follow(last, constant[6])
+    take(loop[6], invert(last))
+
+
+@inner
+def turned_between(A: Floats, B: Floats) -> float:
+    """Returns the angle of the rotation between two, by its chord: all digits of a small one."""
+    square = 0.0
+    for i in range(12):
+        square += 0.0 if i % 4 == 3 else (A[i] - B[i]) * (A[i] - B[i])
+    return 2.0 * math.asin(min(math.sqrt(0.125 * square), 1.0))
+
+
+@inner
+def moved_between(A: Floats, B: Floats) -> float:
+    """Returns the distance of two frames."""
+    square = 0.0
+    for i in range(3, 12, 4):
+        square += (A[i] - B[i]) * (A[i] - B[i])
+    return math.sqrt(square)
+
+
+@inner
+def length_of(C: Floats) -> float:
+    """Returns the length of what a transform moves by."""
+    return math.sqrt(C[3] * C[3] + C[7] * C[7] + C[11] * C[11])
+
+
+@inner
+def fit_constant(N: Floats, C: Floats, before: float, D: Floats) -> tuple[float, float]:
+    """Computes a nominal constant with frames elsewhere on its axes, and another zero behind it.
+
+    Tz(-before) N Tz(behind) Rz(more), as near to C as the last two can take it. Returns them.
+    """
+    _be_identity(D)
+    slide(D, -before)
+    follow(D, N)
+    along, cosine, sine = 0.0, 0.0, 0.0
+    for i in range(0, 12, 4):
+        along += D[i + 2] * (C[i + 3] - D[i + 3])
+        cosine += D[i] * C[i] + D[i + 1] * C[i + 1]
+        sine += D[i + 1] * C[i] - D[i] * C[i + 1]
+    more = math.atan2(sine, cosine)
+    append_screw_z(more, along, D)
+    return along, more
+
+
+@inner
+def find_nearest(kind: Floats, of: Floats) -> None:
+    """Finds the nominal arm as near to the calibrated one as what is free can take it.
+
+    Free are other frames on its axes, other zeros of its joints, another base and another tool.
+    What is left between constants adds up to how far the tools may be apart: a rotation counts at
+    the length of what is behind it.
+    """
+    constant = of[CONSTANT : CONSTANT + 84].reshape(7, 12)
+    left, right = of[LEFT : LEFT + 12], of[RIGHT : RIGHT + 12]
+    nominal, fit = np.empty((7, 12)), np.empty((7, 12))
+    constants_of(kind, kind[NOMINAL:], nominal)
+    shift = nominal[1, 11] - constant[1, 11]  # along axis 1 the base takes up what is missed
+    take(left, nominal[0])
+    slide(left, shift)
+    follow(left, invert(constant[0]))
+    of[MORE] = 0.0
+    for k in range(1, JOINTS):
+        shift, of[MORE + k] = fit_constant(nominal[k], constant[k], shift, fit[k])
+    _be_identity(fit[6])
+    slide(fit[6], -shift)
+    follow(fit[6], nominal[6])
+    take(right, invert(constant[6]))
+    follow(right, fit[6])
+    of[TURNED], of[MOVED] = ROUNDED_DEVIATION, ROUNDED_DEVIATION * kind[LENGTH]
+    length = length_of(fit[6])
+    for k in range(JOINTS - 1, 0, -1):
+        turned = turned_between(fit[k], constant[k])
+        of[TURNED] += turned
+        of[MOVED] += moved_between(fit[k], constant[k]) + turned * length
+        length += length_of(fit[k])
+
+
+@inner
+def foot_on_axis(
+    p0: float, p1: float, p2: float, u0: float, u1: float, u2: float
+) -> tuple[float, float]:
+    """Returns where on the z axis the common normal with a line stands, and how far it is apart.
+
+    The line is a point of it and its direction.
+    """
+    square = u0 * u0 + u1 * u1  # of the normal (-u1, u0, 0)
+    apart = abs(p1 * u0 - p0 * u1) / math.sqrt(square)
+    return p2 - u2 * (p0 * u0 + p1 * u1) / square, apart
+
+
+@inner
+def tilt(C: Floats) -> float:
+    """Returns by how much an axis misses being parallel to the next one [rad]."""
+    return math.atan2(math.sqrt(C[2] * C[2] + C[6] * C[6]), abs(C[10]))
+
+
+@inner
+def missed_point(before: Floats, behind: Floats) -> float:
+    """Returns by how much axes before and behind that between two links miss a point of it."""
+    back = invert(before)
+    foot, apart = foot_on_axis(back[3], back[7], back[11], back[2], back[6], back[10])
+    other, off = foot_on_axis(behind[3], behind[7], behind[11], behind[2], behind[6], behind[10])
+    return max(abs(foot - other), apart, off)
+
+
+@inner
+def least_miss(kind: Floats, of: Floats) -> float:
+    """Returns the least of what three axes miss being parallel [rad], or meeting [arm sizes].
+
+    Of those that are so in the nominal arm.
+    """
+    constant, least = of[CONSTANT : CONSTANT + 84].reshape(7, 12), math.inf
+    for i in range(TRIPLES):
+        before, behind = constant[i + 1], constant[i + 2]
+        if kind[PARALLEL + i] > 0.0:
+            least = min(least, max(tilt(before), tilt(behind)))
+        if kind[MEETING + i] > 0.0:
+            least = min(least, missed_point(before, behind) / kind[LENGTH])
+    return least
+
+
+@inner
+def _fill_general(general: Floats, of: Floats) -> None:
+    """Takes the links of a calibrated arm to where the general algorithm and descents read them."""
+    general[SIZE_OF_LOOP], general[PER_SIZE] = of[SIZE], 1.0 / of[SIZE]
+    links, chain = int(general[LINKS]) + 1, int(general[CHAIN])
+    for k in range(LINK_COUNT):
+        at = chain + (BASE + (k - 1) * CHAIN_RECORD + JOINT_AFTER if k > 0 else 0)
+        for i in range(12):
+            general[links + LINK_RECORD * k + i] = of[LOOP + 12 * k + i]
+            general[at + i] = of[CONSTANT + 12 * k + i]
+
+
+@jit
+def calibrate(kind: Floats, table: Floats, arm: Floats) -> int:
+    """Works out what a table makes of an arm. Returns TAKEN, or what is wrong with the table.
+
+    Args:
+        kind: The numbers of the kind.
+        table: The arm's own, 24 numbers row by row.
+        arm: That of no table, a copy of `blank_numbers`; is filled.
+    """
+    of, general = calibration_of(arm), descents_of(arm)
+    for i in range(len(table)):
+        if not math.isfinite(table[i]):
+            for k in range(NUMBERS):
+                of[k] = math.nan
+            _fill_general(general, of)
+            return NOT_FINITE
+    for i in range(JOINTS):
+        of[FACING + i] = kind[COUNTED + i]
+    constants_of(kind, table, of[CONSTANT : CONSTANT + 84].reshape(7, 12))
+    find_nearest(kind, of)
+    make_loop(general, of)
+    _fill_general(general, of)
+    for i in range(len(table)):
+        unit = kind[LENGTH] if i % 4 in {1, 2} else 1.0  # d and a are lengths
+        if abs(table[i]) > MOST_NUMBER * unit:
+            return ANOTHER_ARM
+    if not (of[TURNED] <= MOST_DEVIATION and of[MOVED] <= MOST_DEVIATION * kind[LENGTH]):
+        return ANOTHER_ARM
+    return NO_MISS if least_miss(kind, of) < LEAST_MISS else TAKEN
+
+
+@inner
+def near_rows(of: Floats, filled: Floats, places: Ints) -> Floats:
+    """Returns the angles of the loop in the nominal arm's rows that hold a solution, (k, 6).
+
+    Args:
+        of: The numbers of the calibrated arm.
+        filled: What the formulas of regular poses fill in: joints' values, then statuses.
+        places: Of the joints' values of each row, (rows, 6).
+    """
+    rows, count = len(places), 0
+    nearby = np.empty((rows, JOINTS))
+    for row in range(rows):
+        if filled[len(filled) - rows + row] == OK:
+            for i in range(JOINTS):
+                nearby[count, i] = of[FACING + i] * filled[places[row, i]] - of[MORE + i]
+            count += 1
+    return nearby[:count]
+
+
+@inner
+def calibrated_rows(
+    arm: Floats, pose: Pose, seed: Floats, nearby: Floats, q: Floats, status: Bytes
+) -> None:
+    """Computes all rows of a calibrated arm, as a robot's solver fills them.
+
+    Args:
+        arm: Its numbers.
+        pose: The pose.
+        seed: Values for joints that are indeterminate.
+        nearby: Angles of the loop near which all solutions are; none where that is not certain.
+        q: Is filled where a row has a solution.
+        status: Likewise.
+    """
+    rows, found, chosen = all_joints(descents_of(arm), pose, np.empty(0), seed, nearby)
+    for row in range(len(found)):
+        if found[row]:
+            for i in range(JOINTS):
+                q[row, i] = rows[row, i]
+            status[row] = FREE_JOINT if chosen[row] else OK

@@ -1,0 +1,120 @@
+/* ur5e_fleet: Universal Robots UR5e, calibrated
+ *
+ * Inverse kinematics, generated from robots/ur5e.yaml and templates/c/kind.h.jinja.
+ * Do not edit: run dhgen robots/ur5e.yaml. The formulas and where they come from: ur5e.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 988807eb9222c0a0
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef UR5E_FLEET_H
+#define UR5E_FLEET_H
+
+#include <math.h>
+#include <stddef.h>
+
+#include "dhgen/calibration.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define UR5E_FLEET_METHOD "general 6R"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
+#define UR5E_FLEET_JOINT_TYPES "RRRRRR"
+#define UR5E_FLEET_JOINT_NAMES "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"
+#define UR5E_FLEET_JOINT_LIMITS \
+    { -6.283185307179586, 6.283185307179586 }, { -6.283185307179586, 6.283185307179586 }, \
+    { -6.283185307179586, 6.283185307179586 }, { -6.283185307179586, 6.283185307179586 }, \
+    { -6.283185307179586, 6.283185307179586 }, { -6.283185307179586, 6.283185307179586 }
+
+enum {
+    UR5E_FLEET_DOF = 6, /* joints */
+    UR5E_FLEET_ROWS = 16 /* branches */
+};
+
+/* What a row of ur5e_fleet_ik holds. */
+enum {
+    /* joint values */
+    UR5E_FLEET_OK = 0,
+    /* NaN: no solution in this branch, or one that an earlier row holds */
+    UR5E_FLEET_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
+    UR5E_FLEET_FREE_JOINT = 2,
+    /* joint values, at least one beyond its limits */
+    UR5E_FLEET_OUT_OF_LIMITS = 3,
+    /* NaN: T is not a valid pose */
+    UR5E_FLEET_INVALID_POSE = 4
+};
+
+/* What ur5e_fleet_calibrate says of a table. */
+enum {
+    /* all functions answer for the arm */
+    UR5E_FLEET_TAKEN = 0,
+    /* a number that is not finite: all members are NaN, so are poses, and none has a solution */
+    UR5E_FLEET_NOT_FINITE = 1,
+    /* the tool is farther away than calibrations take it, `turned` and `moved` say by how much at
+     * most, or a number is above 10000 [rad, arm sizes]; the pose and the Jacobian are those of the
+     * table, solutions may be missing */
+    UR5E_FLEET_ANOTHER_ARM = 2,
+    /* three axes meet, or are parallel, to 1e-9, as those of the nominal arm: such an arm needs a
+     * closed form of its own, the nominal arm's or that of a robot file with these numbers; the
+     * pose and the Jacobian are those of the table, solutions may be missing */
+    UR5E_FLEET_NO_MISS = 3
+};
+
+/* An arm of this kind: it holds no pointers, may be copied, and read by several threads. */
+typedef dhgen_calibration ur5e_fleet_calibration;
+
+/* The table of the data sheet, standard: theta at q = 0 [rad], d [m], a [m], alpha [rad]. */
+extern const double ur5e_fleet_nominal[6][4];
+
+/* Fills in an arm from its table, row by row, columns as those of the data sheet's. Returns
+ * UR5E_FLEET_TAKEN, or what is wrong with it. */
+int ur5e_fleet_calibrate(const double *table, ur5e_fleet_calibration *arm);
+
+/* The name of every row. */
+extern const char *const ur5e_fleet_branches[16];
+
+/* The pose T of the joint values q. */
+void ur5e_fleet_fk(const ur5e_fleet_calibration *arm, const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void ur5e_fleet_jacobian(const ur5e_fleet_calibration *arm, const double q[6], double J[36]);
+
+/* The joint velocities with which the tool moves by a twist (velocity of its origin, angular
+ * velocity): least squares of least norm, exact where the arm is regular. Near a singular pose what
+ * the arm hardly can do is damped: no joint velocity exceeds a hundred times the twist, lengths in
+ * arm sizes. */
+void ur5e_fleet_joint_velocities(const ur5e_fleet_calibration *arm, const double q[6], const double
+    twist[6], double velocities[6]);
+
+/* All solutions, in the order of the first joint, then the second and so on. (Where the nominal
+ * arm's lead to them it is not proven that no second one is near one of these.) q_seed gives the
+ * values of joints that are indeterminate at this pose (NULL: zeros). Returns how many rows are OK
+ * or FREE_JOINT, or -UR5E_FLEET_INVALID_POSE, also for a seed that is not finite. */
+int ur5e_fleet_ik(const ur5e_fleet_calibration *arm, const double T[16], const double *q_seed,
+    double q[16][6], unsigned char status[16]);
+
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
+ * q_seed. Returns UR5E_FLEET_OK or UR5E_FLEET_FREE_JOINT, or, with NaN in q, minus
+ * UR5E_FLEET_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that is
+ * not finite. */
+int ur5e_fleet_ik_nearest(const ur5e_fleet_calibration *arm, const double T[16], const double
+    q_seed[6], double q[6]);
+
+/* ur5e_fleet_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 16 x 6, status n x 16. */
+void ur5e_fleet_ik_batch(const ur5e_fleet_calibration *arm, size_t n, const double *T, double *q,
+    unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
