@@ -23,10 +23,10 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from dhgen.atomic_write import write_files
+from dhgen.calibrated import kind_of
 from dhgen.derivation import derivation_files
 from dhgen.derivation.story import Story
 from dhgen.errors import PrecisionError, UnsolvedError, VerificationError
-from dhgen.fleet import kind_of
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.link_table import link_table
 from dhgen.method import Method
@@ -40,7 +40,6 @@ from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule
 from dhgen.targets.reserved import RESERVED
 from dhgen.tolerances import DOUBLE, SINGLE
-from dhgen.verify.kind import verify_kind
 from dhgen.verify.single import verify_single
 from dhgen.verify.verify import verify
 
@@ -49,7 +48,7 @@ if TYPE_CHECKING:
 
     from dhgen.paul.derivation import Derivation
     from dhgen.robot.robot import Robot
-    from dhgen.targets.kind import Kind
+    from dhgen.targets.calibrated import Kind
     from dhgen.tolerances import Precision
     from dhgen.verify.verify import Report
 
@@ -196,6 +195,8 @@ def verified(compilation: Compilation, tell: Callable[[str], None] = lambda _: N
         write_files(Path(folder), compilation.files)
         report = verify(compilation.module, Path(folder))
         if compilation.kind is not None:
+            from dhgen.verify.calibrated import verify_kind  # noqa: PLC0415  the runtime takes its time
+
             code = verify_kind(compilation.kind, Path(folder))
             report = replace(report, code={**report.code, compilation.kind.module.name: code})
         if compilation.single is None:

@@ -1,6 +1,6 @@
 /* ur5e_fleet: Universal Robots UR5e, calibrated
  *
- * Inverse kinematics, generated from robots/ur5e.yaml and templates/c/kind.h.jinja.
+ * Inverse kinematics, generated from robots/ur5e.yaml and templates/c/calibrated.h.jinja.
  * Do not edit: run dhgen robots/ur5e.yaml. The formulas and where they come from: ur5e.md.
  *
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.

@@ -1,6 +1,6 @@
 """ur5e_fleet: Universal Robots UR5e, calibrated.
 
-Inverse kinematics, generated from robots/ur5e.yaml and templates/python/kind.py.jinja.
+Inverse kinematics, generated from robots/ur5e.yaml and templates/python/calibrated.py.jinja.
 Do not edit: run dhgen robots/ur5e.yaml. The formulas and where they come from: ur5e.md.
 
 Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of

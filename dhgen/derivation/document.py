@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from dhgen.derivation.sections.calibrated import calibrated_section
 from dhgen.derivation.sections.choosing import choosing_section
 from dhgen.derivation.sections.closing import (
     singular_section,
@@ -12,7 +13,6 @@ from dhgen.derivation.sections.closing import (
 )
 from dhgen.derivation.sections.drives import drives_section
 from dhgen.derivation.sections.example import example_section, singular_blocks
-from dhgen.derivation.sections.fleet import fleet_section
 from dhgen.derivation.sections.forward import forward_in_short, forward_section
 from dhgen.derivation.sections.general import general_section, numerical_section
 from dhgen.derivation.sections.inverse import inverse_beginning
@@ -82,7 +82,7 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
         *choosing_section(story),
         *singular_section(places),
         *singular_blocks(story, places),
-        *fleet_section(story),
+        *calibrated_section(story),
         *velocity_section(story, places),
     ]
 

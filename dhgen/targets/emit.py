@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING
 
 from dhgen.runtime import runtime_files
 from dhgen.runtime.helpers import helper_files
+from dhgen.targets.c.calibrated import kind_files
 from dhgen.targets.c.files import c_files
-from dhgen.targets.c.kind import kind_files
+from dhgen.targets.python.calibrated import kind_module
 from dhgen.targets.python.files import python_files
-from dhgen.targets.python.kind import kind_module
 
 if TYPE_CHECKING:
-    from dhgen.targets.kind import Kind
+    from dhgen.targets.calibrated import Kind
     from dhgen.targets.module import SolverModule
 
 

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.atomic_write import write_files
-from dhgen.fleet import kind_of
+from dhgen.calibrated import kind_of
 from dhgen.robot.load import load_text
 from dhgen.robot_files import RobotFile
-from dhgen.targets.c.kind import kind_files
+from dhgen.targets.c.calibrated import kind_files
 from dhgen.targets.reserved import RESERVED
 from dhgen.verify.native import Build, compile_solver
 from tests.compiling import shared, worked_out_once
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pathlib import Path
     from typing import Any
 
-    from dhgen.targets.kind import Kind
+    from dhgen.targets.calibrated import Kind
 
 # Every other joint counts backwards, between a base and a tool that turn all axes.
 PLACED = "_placed"

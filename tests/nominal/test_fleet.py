@@ -8,22 +8,23 @@ import subprocess
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numba
 import numpy as np
 import pytest
 
 from dhgen.atomic_write import write_files
+from dhgen.calibrated import kind_of
 from dhgen.errors import UnsolvedError, VerificationError
-from dhgen.fleet import kind_of
 from dhgen.method import Method
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import c_runtime_files, runtime_files
 from dhgen.runtime.python.calibrated import ANOTHER_ARM, NO_MISS, NOT_FINITE, TAKEN
 from dhgen.status import HELD, Status
 from dhgen.survey.oracle.forward import forward
-from dhgen.targets.c.kind import kind_files
-from dhgen.targets.python.kind import kind_module
+from dhgen.targets.c.calibrated import kind_files
+from dhgen.targets.python.calibrated import kind_module
 from dhgen.targets.reserved import RESERVED
-from dhgen.verify.kind import Calibration, FleetArm, poses_of, verify_kind
+from dhgen.verify.calibrated import Calibration, FleetArm, poses_of, verify_kind
 from dhgen.verify.native import C_FLAGS, PORTABLE, c_compiler, compile_solver
 from tests.compiling import compile_file, library, module_of, written
 from tests.nominal.fleets import (
@@ -335,7 +336,10 @@ AXES = "{ 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }, /* how joints count */"
 RATES = "dhgen_serial_jacobian(arm, q, J);\n"
 
 
-def test_verification_sees_what_is_wrong(tmp_path: Path) -> None:
+def test_verification_sees_what_is_wrong(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In plain Python, where what is wrong with the C is seen sooner."""
+    monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
+    monkeypatch.setattr("dhgen.verify.calibrated.FEW", 1)
     own = kind("puma560")
     places = [tmp_path / each for each in ("right", "axes", "rates")]
     for place in places:

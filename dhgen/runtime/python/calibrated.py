@@ -2,7 +2,8 @@
 """Arms of one kind, each with a table of its own, as calibrated.h has them, function by function.
 
 What a table says is worked out once, and every call reads it. The closed form of the nominal arm is
-tried first; where its rows may not be near all solutions the general algorithm answers.
+tried first (`near_nominal` in calls_calibrated.py, made anew for each kind); where its rows may not
+be near all solutions the general algorithm answers.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ from .calibration import (
     TURNED,
     calibration_of,
 )
+from .frames import IDENTITY
 from .general.arm import Link, Loop, general_numbers
 from .general.places import (
     ADVANCE_C,
@@ -71,7 +73,6 @@ ROUNDED_DEVIATION = 1e-10
 # What is said of a table.
 TAKEN, NOT_FINITE, ANOTHER_ARM, NO_MISS = range(4)
 
-IDENTITY = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)
 JOINTS = 6
 TRIPLES = 4  # of axes side by side
 

@@ -60,17 +60,16 @@ def _another_arm(kind: Floats, blank: Floats, table: Floats, unit: str) -> str:
     size, nominal = float(kind[LENGTH]), kind[NOMINAL:].reshape(table.shape)
     row, column = _farthest(kind, blank, table)
     in_unit = unit if LENGTHS[column] else "rad"
-    told = (
-        f"{_entry(row, column)}, is {float(table[row, column]):.9g} {in_unit}, that of the "
-        f"nominal arm {float(nominal[row, column]):.9g}"
-    )
+    number = f"{float(table[row, column]):.9g} {in_unit}"
     if _too_large(table, size).any():
-        return f"{told}: numbers above {MOST_NUMBER:.0e} [rad, arm sizes] are no calibration's"
+        large = f"numbers above {MOST_NUMBER:.0e} [rad, arm sizes] are no calibration's"
+        return f"{_entry(row, column)}, is {number}: {large}"
     turned, moved = _deviation(kind, blank, table)
     return (
         f"table is that of another arm: its tool is up to {turned:.2g} rad and {moved:.2g} {unit} "
         f"away from the nominal arm's, where {MOST_DEVIATION} rad and {MOST_DEVIATION * size:.2g} "
-        f"{unit} are taken; most of it is by {told}"
+        f"{unit} are taken; most of it is by {_entry(row, column)}: {number} in place of "
+        f"{float(nominal[row, column]):.9g}"
     )
 
 

@@ -25,7 +25,7 @@ from dhgen.program.regular.regular import regular
 from dhgen.robot.load import load_text
 from dhgen.robot.robot import FLEET
 from dhgen.robot.task import TaskKind
-from dhgen.targets.kind import Kind
+from dhgen.targets.calibrated import Kind
 from dhgen.targets.module import SolverModule
 
 if TYPE_CHECKING:

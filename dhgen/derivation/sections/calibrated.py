@@ -1,4 +1,4 @@
-"""Arms whose tables come at run time: what the template `fleet.md.jinja` names."""
+"""Arms whose tables come at run time: what the template `calibrated.md.jinja` names."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.blocks import Block
 
 
-def fleet_section(story: Story) -> list[Block]:
+def calibrated_section(story: Story) -> list[Block]:
     """How arms with tables of their own are solved; nothing where they aren't asked for."""
     robot = story.robot
-    return blocks_of("fleet", name=robot.name + FLEET) if robot.calibration else []
+    return blocks_of("calibrated", name=robot.name + FLEET) if robot.calibration else []

@@ -11,7 +11,7 @@ from dhgen.printing.templates import named, render
 from dhgen.program.regular.flatten import flatten
 from dhgen.program.walk import general_kernel
 from dhgen.runtime.python import INTERFACE
-from dhgen.runtime.python.calibrated import IDENTITY
+from dhgen.runtime.python.frames import IDENTITY
 from dhgen.runtime.python.general.arm import Formulation
 from dhgen.targets.constants import texts_of
 from dhgen.targets.layout import INDENT
@@ -26,9 +26,9 @@ from dhgen.targets.solver.common import common_of
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.targets.kind import Kind
+    from dhgen.targets.calibrated import Kind
 
-TEMPLATE = "python/kind.py.jinja"
+TEMPLATE = "python/calibrated.py.jinja"
 APART = 2  # numbers that the closed form gets besides a pose: by how much two arms differ at most
 MODULES = {Formulation.__module__: "_loops"}
 

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.arrays import FloatArray
-    from dhgen.targets.kind import Kind
+    from dhgen.targets.calibrated import Kind
 
     Rows = tuple[FloatArray, NDArray[np.uint8]]
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from dhgen.general.kernel import GeneralKernel
-    from dhgen.targets.kind import Kind
+    from dhgen.targets.calibrated import Kind
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,8 +66,8 @@ def kind_files(kind: Kind, *, single_file: bool = False) -> dict[str, str]:
         single_file: Whether they hold what they need of the runtime.
     """
     values = _values(kind)
-    header = fitted(render("c/kind.h.jinja", **values))
-    source = fitted(render("c/kind.c.jinja", **values))
+    header = fitted(render("c/calibrated.h.jinja", **values))
+    source = fitted(render("c/calibrated.c.jinja", **values))
     if single_file:
         header, source = in_one_header(header), in_one_file(source, vectors=True)
     return {f"{kind.module.name}.h": header, f"{kind.module.name}.c": source}
@@ -88,8 +88,8 @@ def _values(kind: Kind) -> dict[str, object]:
         "given": replace(common.given, count=2),
         "comments": replace(
             c_comments(module),
-            made_h=made_text(nominal, "c/kind.h.jinja", " * "),
-            made_c=made_text(nominal, "c/kind.c.jinja", " * "),
+            made_h=made_text(nominal, "c/calibrated.h.jinja", " * "),
+            made_c=made_text(nominal, "c/calibrated.c.jinja", " * "),
         ),
         "tables": c_tables(module, flats.programs),
         "table": c_table(module, has_functions=False),
