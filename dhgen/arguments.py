@@ -14,6 +14,7 @@ from dhgen.robot.task import ARM_ANGLE
 
 OUT = Path("generated")
 FORMATS = ("text", "markdown", "latex", "html")  # of derivations
+LANGUAGES = ("en", "fr")  # of derivations
 MOST_POSES = 100_000  # of one arm: the search takes up to an hour, and all are in memory at once
 MOST_RECALLED = 10_000_000  # of one arm: minutes where a pose takes microseconds
 
@@ -27,7 +28,8 @@ verbs:
   dhgen --numerical FILE   fall back to the numerical solver where nothing else works
   dhgen --single-file FILE write C and Python that hold what they need of the runtime
   dhgen explain FILE       print the whole derivation (--alternatives: all valid steps, by number;
-                           --format latex, html, markdown: as a handout, --out FILE)
+                           --format latex, html, markdown: as a handout, --out FILE;
+                           --language fr: in French)
   dhgen survey PATH ...    test many arms: are all solutions found? (--poses, --recall)
   dhgen --version          print the version
 
@@ -97,6 +99,13 @@ def explain_parser() -> argparse.ArgumentParser:
         help="how: as text for a terminal (default), as Markdown for GitHub, as a LaTeX document "
         "with drawings of its own, or as one HTML file that needs no network (the last wants "
         "pip install 'dhgen[html]')",
+    )
+    made.add_argument(
+        "--language",
+        choices=LANGUAGES,
+        default=LANGUAGES[0],
+        help="of the derivation: English (default), or French with decimal commas; what the robot "
+        "file says, such as its title, and the names of rows stay as they are",
     )
     made.add_argument(
         "--out",

@@ -12,7 +12,7 @@ from pathlib import Path
 from shlex import quote
 from typing import TYPE_CHECKING
 
-from dhgen.arguments import FORMATS, OUT
+from dhgen.arguments import FORMATS, LANGUAGES, OUT
 from dhgen.errors import CommandError, DhgenError, VerificationError, about
 from dhgen.generated_header import SUFFIXES, robot_of
 from dhgen.method import Method
@@ -123,6 +123,13 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     print(f"wrote {', '.join(str(options.out / name) for name in _own(file, compilation))}\n")
 
 
+def _tell_untranslated(sentences: Iterable[str]) -> None:
+    for sentence in sentences:
+        print(
+            f"note: no French for this sentence, which stays English: {sentence}", file=sys.stderr
+        )
+
+
 def _compared(module: SolverModule) -> str:
     if module.method is Method.NUMERICAL:
         return (
@@ -166,6 +173,8 @@ def explain(options: argparse.Namespace) -> int:
     from dhgen.compiler import worked_out  # noqa: PLC0415
     from dhgen.derivation import alternatives_text, task_remarks  # noqa: PLC0415
     from dhgen.derivation.formats import derivation_as  # noqa: PLC0415
+    from dhgen.derivation.french.language import French  # noqa: PLC0415
+    from dhgen.derivation.languages import ENGLISH  # noqa: PLC0415
     from dhgen.derivation.story import Story  # noqa: PLC0415
     from dhgen.program.text import program_text  # noqa: PLC0415
     from dhgen.robot_files import RobotFile  # noqa: PLC0415
@@ -173,6 +182,9 @@ def explain(options: argparse.Namespace) -> int:
     if options.format != FORMATS[0] and (options.alternatives or options.program):
         what = "--alternatives" if options.alternatives else "--program"
         raise CommandError(f"dhgen: {what} is printed as text alone, not with --format")
+    if options.language != LANGUAGES[0] and (options.alternatives or options.program):
+        what = "--alternatives" if options.alternatives else "--program"
+        raise CommandError(f"dhgen: {what} is printed in English alone, not with --language")
     file = RobotFile.read(options.file)
     if options.out is None:
         _refuse_mute()
@@ -192,7 +204,10 @@ def explain(options: argparse.Namespace) -> int:
         text = program_text(module.solver)
     else:
         story = Story(file.robot, derivation, module.solver, module.nominal)
-        text, beside = derivation_as(options.format, story, str(options.file))
+        french = French()
+        language = ENGLISH if options.language == LANGUAGES[0] else french
+        text, beside = derivation_as(options.format, story, str(options.file), language)
+        _tell_untranslated(french.untranslated)
     if options.out is None:
         print(text, end="")
     else:

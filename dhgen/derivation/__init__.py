@@ -24,6 +24,8 @@ for a terminal, `derivation_summary` a dozen lines, `alternatives_text` the rout
 | text            | formulas and documents as values, templates, and a printer for each format  |
 | handouts        | the document in one file, as LaTeX and as HTML                              |
 | formats         | the document as the command is asked for it                                 |
+| languages       | what becomes of the finished document in a language                         |
+| french          | French: a catalogue of sentences, and formulas as the courses write them    |
 | summary         | what the terminal shows after a run                                         |
 
 Prose that does not vary is Markdown in `templates/derivation`; here is what varies.
@@ -35,6 +37,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.document import document_blocks, singular_places
 from dhgen.derivation.figures.all import figures_of
+from dhgen.derivation.languages import ENGLISH
 from dhgen.derivation.summary import alternatives_text, summary_text, task_remarks, tool_at_zero
 from dhgen.derivation.text.markdown import markdown
 from dhgen.derivation.text.plain import plain
@@ -42,24 +45,28 @@ from dhgen.printing.comments import plain_path
 from dhgen.printing.templates import render
 
 if TYPE_CHECKING:
+    from dhgen.derivation.languages import Language
     from dhgen.derivation.story import Story
 
 
-def derivation_files(story: Story, source: str) -> dict[str, str]:
+def derivation_files(story: Story, source: str, language: Language = ENGLISH) -> dict[str, str]:
     """The derivation as GitHub Markdown with formulas, and its figures, by their paths.
 
     Args:
         story: The arm and its derivation.
         source: How the robot file is called.
+        language: That of the document and of its figures.
     """
     name, figures = story.robot.name, figures_of(story)
+    blocks = map(language.block, document_blocks(story, figures))
     document = render(
         "derivation/document.md.jinja",
         name=name,
         source=plain_path(source),
-        blocks=tuple(map(markdown, document_blocks(story, figures))),
+        blocks=tuple(map(markdown, blocks)),
     )
-    return {f"{name}.md": document} | {figure.path: figure.file(name, source) for figure in figures}
+    drawn = map(language.figure, figures)
+    return {f"{name}.md": document} | {figure.path: figure.file(name, source) for figure in drawn}
 
 
 def derivation_document(story: Story, source: str) -> str:
@@ -67,9 +74,9 @@ def derivation_document(story: Story, source: str) -> str:
     return derivation_files(story, source)[f"{story.robot.name}.md"]
 
 
-def derivation_terminal(story: Story) -> str:
+def derivation_terminal(story: Story, language: Language = ENGLISH) -> str:
     """The same as plain text, without figures."""
-    first, *others = map(plain, document_blocks(story))
+    first, *others = map(plain, map(language.block, document_blocks(story)))
     return render("derivation/terminal.txt.jinja", first=first, others=others)
 
 

@@ -9,39 +9,46 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.document import document_blocks
 from dhgen.derivation.figures.all import figures_of
 from dhgen.derivation.figures.tikz import tikz
+from dhgen.derivation.languages import ENGLISH
 from dhgen.derivation.text.latex import latex
 from dhgen.errors import CommandError
 from dhgen.printing.comments import plain_path
 from dhgen.printing.templates import render
 
 if TYPE_CHECKING:
+    from dhgen.derivation.languages import Language
     from dhgen.derivation.story import Story
 
 
-def derivation_latex(story: Story, source: str) -> str:
+def derivation_latex(story: Story, source: str, language: Language = ENGLISH) -> str:
     """The derivation as a LaTeX document.
 
     Args:
         story: The arm and its derivation.
         source: How the robot file is called.
+        language: That of the document and of its figures.
     """
     figures = figures_of(story)
-    drawings = {each.path: "\n".join(map(tikz, each.sheet.shapes)) for each in figures}
-    first, *others = (latex(block, drawings) for block in document_blocks(story, figures))
+    drawn = map(language.figure, figures)
+    drawings = {each.path: "\n".join(map(tikz, each.sheet.shapes)) for each in drawn}
+    blocks = map(language.block, document_blocks(story, figures))
+    first, *others = (latex(block, drawings) for block in blocks)
     return render(
         "derivation/handout.tex.jinja",
         name=story.robot.name,
         source=plain_path(source),
+        language=language.code,
         blocks=(first + "\n\\maketitle", *others),
     )
 
 
-def derivation_html(story: Story, source: str) -> str:
+def derivation_html(story: Story, source: str, language: Language = ENGLISH) -> str:
     """The derivation as an HTML document that needs no other file.
 
     Args:
         story: The arm and its derivation.
         source: How the robot file is called.
+        language: That of the document and of its figures.
 
     Raises:
         CommandError: latex2mathml is not installed.
@@ -52,13 +59,16 @@ def derivation_html(story: Story, source: str) -> str:
         message = "dhgen: HTML needs latex2mathml: pip install 'dhgen[html]'"
         raise CommandError(message) from None
     robot, figures = story.robot, figures_of(story)
-    drawings = {each.path: _inside(each.file(robot.name, source)) for each in figures}
+    drawn = map(language.figure, figures)
+    drawings = {each.path: _inside(each.file(robot.name, source)) for each in drawn}
+    blocks = map(language.block, document_blocks(story, figures))
     return render(
         "derivation/handout.html.jinja",
         name=robot.name,
         source=plain_path(source).replace("--", "__"),  # it would end the comment
         title=escape(robot.title),
-        blocks=tuple(html(block, drawings) for block in document_blocks(story, figures)),
+        language=language.code,
+        blocks=tuple(html(block, drawings) for block in blocks),
     )
 
 

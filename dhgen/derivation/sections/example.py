@@ -266,7 +266,7 @@ def all_rows(story: Story, example: Example | WholeExample | SingularExample) ->
     header += [say("limits")] * beyond
     lines = []
     for row in np.flatnonzero(solved):
-        cells = [say(str(row)), *([say(story.branch_names[row])] * named)]
+        cells = [say(str(row)), *([say("{}", Given(story.branch_names[row]))] * named)]
         cells += [say("{}", value) for _, value in _joint_values(story, example.rows[row])]
         cells += [say("kept" if example.inside[row] else "exceeded")] * beyond
         lines.append(tuple(cells))

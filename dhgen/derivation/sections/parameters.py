@@ -90,9 +90,17 @@ def _parameter(each: Parameter, constant: Constant | None, story: Story) -> Pros
 def _constant(story: Story, constant: Constant) -> Prose:
     unit = say(" {}", Given(story.robot.length_unit)) if constant.is_length else say("")
     symbol = story.letters[constant.name]
-    return say(
-        "{}{} ({})", equal(symbol, number_symbol(constant.value)), unit, Given(_meaning(constant))
-    )
+    value = number_symbol(constant.value)
+    return say("{}{} ({})", equal(symbol, value), unit, _named(_meaning(constant)))
+
+
+def _named(meaning: str) -> Prose:
+    """What a number is; a parameter of that name is the user's."""
+    before, parameter_, rest = meaning.partition("the parameter ")
+    name, comma, after = rest.partition(",")
+    if not parameter_:
+        return say(meaning)
+    return say(f"{before}{parameter_}{{}}{comma}{after}", Given(name))
 
 
 def _meaning(constant: Constant) -> str:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """A text that the user wrote: escaped where it is printed."""
+    """A text that the user wrote, or a name: escaped where printed, the same in all languages."""
 
     text: str
 

@@ -13,6 +13,7 @@ _OWN = {
     "_": r"\_",
     "^": r"\textasciicircum{}",
     "~": r"\textasciitilde{}",
+    "\u00a0": "~",
     "<": r"\textless{}",
     ">": r"\textgreater{}",
     "|": r"\textbar{}",

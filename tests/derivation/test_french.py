@@ -1,0 +1,209 @@
+"""The French derivation: every sentence has a pair, and the formulas are those of the English."""
+
+from __future__ import annotations
+
+import ast
+import math
+import re
+from collections import Counter
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+import dhgen.derivation
+from dhgen.derivation.document import document_blocks
+from dhgen.derivation.figures.all import figures_of
+from dhgen.derivation.formats import derivation_as
+from dhgen.derivation.french import sentences as french_sentences
+from dhgen.derivation.french.catalogue import HOLE, Pair, catalogue
+from dhgen.derivation.french.language import French
+from dhgen.derivation.french.sentences import french, sentences
+from dhgen.derivation.steps import step_blocks
+from dhgen.derivation.text.walk import symbols_of
+from dhgen.printing.templates import template_folder
+from tests.derivation.markdown_text import texts
+from tests.derivation.stories import GENERATED, NAMES, WHOLE, document, story
+from tests.derivation.test_example import WITHOUT, numbers_follow
+from tests.structures import first_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from dhgen.derivation.story import Story
+
+PACKAGE = Path(dhgen.derivation.__file__).parent
+COMMITTED = sorted(path.stem for path in GENERATED.glob("*.md"))
+SHORT = 6  # letters: too few to tell one sentence from another
+GAP = " □ "  # where a sentence has a formula or anything else that varies
+
+
+def in_french(name: str) -> str:
+    """The Markdown."""
+    return derivation_as("markdown", story(name), f"robots/{name}.yaml", French())[0]
+
+
+@pytest.mark.parametrize("name", COMMITTED)
+def test_every_sentence_of_every_arm_has_its_french(name: str) -> None:
+    lacking = [
+        sentence
+        for text in texts(document(name))
+        if french(text) is None
+        for sentence in sentences(text)
+        if french(sentence) is None
+    ]
+    assert not lacking
+
+
+@pytest.mark.parametrize("name", first_of([*NAMES, *WHOLE], count=4))
+def test_nothing_stays_english(name: str) -> None:
+    """Of the blocks and figures themselves, with what the user wrote in its places."""
+    language, of = French(), story(name)
+    figures = figures_of(of)
+    for block in document_blocks(of, figures):
+        language.block(block)
+    for figure in figures:
+        language.figure(figure)
+    assert language.missing == []
+
+
+UNDONE = (
+    (r"\{,\}", "."),
+    (r"\{\}\^(\d)([TR]_(?:\{[^{}]*\}|\w))", r"\2^\1"),
+    (r"base,outil", "base,tool"),
+    (r"\\mathrm\{init\}", r"\\mathrm{seed}"),
+    (r"\\text\{et\}", r"\\text{and}"),
+    (r"\\,;\\ ", ", "),
+)
+
+
+def formulas_of(text: str, *, undo: bool) -> tuple[list[str], Counter[str]]:
+    """Formulas on lines of their own, and those in sentences; French ones as English has them."""
+    for before, after in UNDONE if undo else ():
+        text = re.sub(before, after, text)
+    displayed = re.findall(r"```math\n(.*?)\n```", text, re.DOTALL)
+    prose = re.sub(r"```.*?```", "", text, flags=re.DOTALL)
+    return displayed, Counter(re.findall(r"\$`?([^$`]+)`?\$", prose))
+
+
+@pytest.mark.parametrize("name", first_of([*NAMES, *WHOLE], count=4))
+def test_its_formulas_are_those_of_the_english(name: str) -> None:
+    """Which other tests evaluate: none is lost, none stands twice, and none has another number."""
+    told = formulas_of(in_french(name), undo=True)
+    assert told == formulas_of(document(name), undo=False)
+    assert len(told[0]) > 5
+
+
+def told_in(of: Story) -> dict[int, list[tuple[str, float]]]:
+    """What the French example says of each step, by the letters as a terminal spells them."""
+    blocks = [block for k in range(1, len(of.steps) + 1) for block in step_blocks(of, k)[0]]
+    spelled = {symbol.latex: symbol.text for symbol in symbols_of(blocks)}
+    text = derivation_as("markdown", of, "x.yaml", French())[0]
+    found: dict[int, list[tuple[str, float]]] = {}
+    for number, lines in re.findall(
+        r"Étape (\d+), [^\n]*\u00a0:\n\n```math\n(.*?)\n```", text, re.DOTALL
+    ):
+        bare = re.sub(r"\\(?:begin|end)\{aligned\}|&", "", lines)
+        for each in re.split(r",\\quad|\\\\", bare):
+            name, _, value = each.strip().partition(" = ")
+            number_ = float(value.removesuffix(r"^\circ").replace("{,}", "."))
+            in_radians = math.radians(number_) if value.endswith(r"^\circ") else number_
+            found.setdefault(int(number), []).append((spelled[name], in_radians))
+    return found
+
+
+@pytest.mark.parametrize("name", first_of(sorted({*NAMES} - WITHOUT), count=3))
+def test_the_numbers_of_its_example_are_what_its_formulas_are_worth(name: str) -> None:
+    told = told_in(story(name))
+    assert told
+    numbers_follow(story(name), told)
+
+
+def test_a_catalogue_is_french() -> None:
+    """Signs have a space before them that ends no line, and both languages end alike."""
+    english = re.compile(r"\b(?:the|and|of|is|are|which)\b")
+    for pair in catalogue():
+        words = HOLE.sub("", pair.french)
+        assert not re.search(r"(?<![\u00a0])[:;?!»](?!\w)", words), pair
+        assert "'" not in words, pair
+        assert not english.search(re.sub(r"\(.*\)", "", words)), pair
+        assert pair.english[-1] == pair.french[-1] or pair.english[-1] not in ".:,", pair
+
+
+def test_no_sentence_has_two_pairs() -> None:
+    twice = [
+        english for english, n in Counter(pair.english for pair in catalogue()).items() if n > 1
+    ]
+    assert not twice
+
+
+# What is in the sources and no part of a document: other formats, styles, messages of faults.
+APART = (
+    r"HTML needs|blocks stand in paragraphs|^By what is placed|borders are closed|det J|g × z|"
+    r"no arm with passive|^base (west|east)$|^i t[nzx]$|the derivation of its inverse|"
+    r"Generated from|Do not edit|^and templates|\\|=|→|′|the plane across the axes|"
+    r"the closed form of an arm within|and Newton steps"
+)
+
+
+def chunks() -> Iterator[str]:
+    """What the sections and templates say, in pieces between formulas and ends of sentences."""
+    for text in [*written_in_sections(), *written_in_templates()]:
+        bare = " ".join(re.sub(r"\{\w*\}", GAP, text).split())
+        for piece in re.split(r"□|(?<=[.!?:]) (?=[A-Z0-9])|; ", bare):
+            words = piece.strip(' ,.:;()*"`')
+            if len(re.findall(r"[A-Za-z'-]+(?= |$)", words)) > 1 and not re.search(APART, words):
+                yield words
+
+
+def written_in_sections() -> Iterator[str]:
+    for path in PACKAGE.rglob("*.py"):
+        if path.parent.name == "french" or path.name in {"languages.py", "summary.py"}:
+            continue
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        told = [node for node in ast.walk(tree) if not isinstance(node, ast.Expr)]
+        said = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+        formatted = [node for node in told if isinstance(node, ast.JoinedStr)]
+        said |= {id(part) for each in formatted for part in each.values}
+        for each in formatted:
+            yield "".join(
+                str(part.value) if isinstance(part, ast.Constant) else GAP for part in each.values
+            )
+        for node in told:
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                yield from () if id(node) in said else (node.value,)
+
+
+def written_in_templates() -> Iterator[str]:
+    for path in (template_folder() / "derivation").glob("*.md.jinja"):
+        text = re.sub(r"\{#.*?#\}", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+        text = re.sub(r"```.*?```|\{\{.*?\}\}|\{%.*?%\}|\$[^$]*\$", GAP, text, flags=re.DOTALL)
+        yield from re.split(r"\n\s*\n|\*\*|##", text)
+
+
+def test_what_no_committed_arm_says_has_its_french_too() -> None:
+    english = [" ".join(HOLE.sub(GAP, pair.english).split()) for pair in catalogue()]
+    known = "\n".join(english).replace("axis □ ", "axis 1")
+    lacking = {chunk for chunk in chunks() if chunk not in known}
+    assert not lacking
+
+
+def test_every_pair_is_of_a_sentence_that_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    """By a committed derivation or, for some words, in the sources."""
+    filled, used = french_sentences.filled, set()
+
+    def noted(pair: Pair, found: re.Match[str]) -> str | None:
+        used.add(pair.place)
+        return filled(pair, found)
+
+    monkeypatch.setattr(french_sentences, "filled", noted)
+    french.cache_clear()
+    for name in COMMITTED:
+        assert all(map(french, texts(document(name))))
+    said = {chunk for chunk in chunks() if len(chunk) > SHORT}
+    for pair in catalogue():
+        if pair.place in used:
+            continue
+        words = " ".join(HOLE.sub(GAP, pair.english).split())
+        is_short = sum(map(str.isalpha, words)) < 2.5 * SHORT
+        assert is_short or any(chunk in words for chunk in said), pair
