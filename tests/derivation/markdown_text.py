@@ -17,17 +17,18 @@ CITED = re.compile(r"(Source of the numbers: ).*\.$")
 PICTURE = re.compile(r"!\[(.*)\]\(.*\)")
 
 
-def texts(document: str) -> Iterator[str]:
+def texts(document: str, names: tuple[str, str] = ("joint", "name")) -> Iterator[str]:
     """Headings, paragraphs, captions, and cells of tables.
 
     Args:
-        document: Markdown, as it is printed in English.
+        document: Markdown, as it is printed.
+        names: How columns are headed of which the cells are names.
     """
     bare = re.sub(r"```.*?```|<!--.*?-->|</?details>", "", document, flags=re.DOTALL)
     for block in filter(None, map(str.strip, re.split(r"\n\s*\n", bare))):
         text = UNIT.sub(MARK, FORMULA.sub(MARK, block))
         if text.startswith("|"):
-            yield from _cells(text)
+            yield from _cells(text, names)
         elif text.startswith("#"):
             title = text.lstrip("# ")
             yield re.sub(r"^.*(?=: inverse kinematics$)", MARK, title)
@@ -41,13 +42,13 @@ def texts(document: str) -> Iterator[str]:
                 yield CITED.sub(rf"\1{MARK}.", part)
 
 
-def _cells(table: str) -> Iterator[str]:
+def _cells(table: str, names: tuple[str, str]) -> Iterator[str]:
     header, _, *rows = (
         [*map(str.strip, line.strip("| ").split(" | "))] for line in table.split("\n")
     )
     yield from header
     for row in rows:
         for name, cell in zip(header, row, strict=True):
-            if name in {"joint", "name"}:
+            if name in names:
                 continue  # a number, and what the file calls it; the name of a row
             yield cell

@@ -20,9 +20,10 @@ from dhgen.derivation.french.catalogue import HOLE, Pair, catalogue
 from dhgen.derivation.french.language import French
 from dhgen.derivation.french.sentences import french, sentences
 from dhgen.derivation.steps import step_blocks
+from dhgen.derivation.text.blocks import Drawing
 from dhgen.derivation.text.walk import symbols_of
 from dhgen.printing.templates import template_folder
-from tests.derivation.markdown_text import texts
+from tests.derivation.markdown_text import MARK, texts
 from tests.derivation.stories import GENERATED, NAMES, WHOLE, document, story
 from tests.derivation.test_example import WITHOUT, numbers_follow
 from tests.structures import first_of
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
 
     from dhgen.derivation.story import Story
 
+DOCS = GENERATED.parent / "docs/fr"
+WRITTEN = sorted({path.stem for path in DOCS.glob("*.md")} - {"README"})
 PACKAGE = Path(dhgen.derivation.__file__).parent
 COMMITTED = sorted(path.stem for path in GENERATED.glob("*.md"))
 SHORT = 6  # letters: too few to tell one sentence from another
@@ -67,8 +70,40 @@ def test_nothing_stays_english(name: str) -> None:
     assert language.missing == []
 
 
+@pytest.mark.parametrize("name", WRITTEN)
+def test_committed_french_is_that_of_the_committed_english(name: str) -> None:
+    """`docs/fr` against `generated`: block by block, without making either."""
+    english, written = document(name), (DOCS / f"{name}.md").read_text(encoding="utf-8")
+    told = list(texts(written, ("articulation", "nom")))
+    expected = [french(text) or text for text in texts(english)]
+    for one, other in zip(expected, told, strict=True):
+        pattern, text = (" ".join(each.split()) for each in (one, other))
+        assert re.fullmatch(re.escape(pattern).replace(MARK, ".+?"), text), (one, other)
+    assert formulas_of(written, undo=True) == formulas_of(english, undo=False)
+    tree = re.compile(r"```text\n(.*?)\n```", re.DOTALL)
+    drawn = [French().block(Drawing(each)) for each in tree.findall(english)]
+    assert drawn == [Drawing(each) for each in tree.findall(written)]
+
+
+@pytest.mark.parametrize("name", WRITTEN)
+def test_committed_french_figures_are_the_english_ones_but_for_their_words(name: str) -> None:
+    words = re.compile("<(?:text|title|desc|!--).*\n")
+    paths = sorted((DOCS / "figures").glob(f"{name}_*_fr.svg"))
+    assert paths
+    for path in paths:
+        other = GENERATED / "figures" / path.name.replace("_fr.svg", ".svg")
+        here, there = (each.read_text(encoding="utf-8") for each in (path, other))
+        if path.stem.removesuffix("_fr") in {
+            f"{name}_arm",
+            f"{name}_postures",
+            f"{name}_workspace",
+        }:
+            assert words.sub("", here) == words.sub("", there)
+
+
 UNDONE = (
     (r"\{,\}", "."),
+    (r" ;(?=\\quad )", ","),
     (r"\{\}\^(\d)([TR]_(?:\{[^{}]*\}|\w))", r"\2^\1"),
     (r"base,outil", "base,tool"),
     (r"\\mathrm\{init\}", r"\\mathrm{seed}"),
@@ -104,7 +139,7 @@ def told_in(of: Story) -> dict[int, list[tuple[str, float]]]:
         r"Étape (\d+), [^\n]*\u00a0:\n\n```math\n(.*?)\n```", text, re.DOTALL
     ):
         bare = re.sub(r"\\(?:begin|end)\{aligned\}|&", "", lines)
-        for each in re.split(r",\\quad|\\\\", bare):
+        for each in re.split(r" ;\\quad|\\\\", bare):
             name, _, value = each.strip().partition(" = ")
             number_ = float(value.removesuffix(r"^\circ").replace("{,}", "."))
             in_radians = math.radians(number_) if value.endswith(r"^\circ") else number_

@@ -7,7 +7,8 @@ from dataclasses import fields, replace
 from functools import cache
 from typing import Any, get_args
 
-from dhgen.derivation.text.formula import Formula, Symbol
+from dhgen.derivation.text.formula import Formula, Listing, Symbol
+from dhgen.derivation.text.walk import symbols_in
 
 _POINT = re.compile(r"(?<=\d)\.(?=\d)")
 _LATEX = (
@@ -35,7 +36,10 @@ def french_formula(formula: Formula) -> Formula:
     inside: dict[str, Any] = {
         each.name: _inside(getattr(formula, each.name)) for each in fields(formula)
     }
-    return replace(formula, **inside)
+    written = replace(formula, **inside)
+    if isinstance(written, Listing) and any(map(_has_decimals, written.items)):
+        return replace(written, separator=" ;")
+    return written
 
 
 @cache
@@ -51,6 +55,10 @@ def _written(text: str, changes: tuple[tuple[re.Pattern[str], str], ...], apart:
     for before, after in changes:
         text = before.sub(after, text)
     return text
+
+
+def _has_decimals(formula: Formula) -> bool:
+    return any("{,}" in symbol.latex for symbol in symbols_in(formula))
 
 
 def _inside(value: object) -> object:

@@ -49,7 +49,7 @@ def french(text: str) -> str | None:
     in_parts = _in_parts(text, _SENTENCES, " ") or _in_parts(text, _CLAUSES, "\u00a0; ")
     if in_parts is None and text.endswith(".") and (phrase := french(text[:-1])) is not None:
         return f"{phrase}."
-    return in_parts
+    return in_parts or _listed(text, _ITEMS["s"])
 
 
 def sentences(text: str) -> list[str]:
@@ -63,6 +63,17 @@ def _in_parts(text: str, between: re.Pattern[str], joint: str) -> str | None:
         return None
     written = [french(part) for part in parts]
     return None if None in written else joint.join(filter(None, written))
+
+
+def _listed(text: str, between: re.Pattern[str]) -> str | None:
+    """Phrases one after the other: a, b and c."""
+    items = between.split(text)
+    written = [french(item) for item in items[::2]] if items[1:] else [None]
+    if None in written:
+        return None
+    words = (_SMALL[word] for word in [*items[1::2], ", "])
+    pairs = zip(filter(None, written), words, strict=True)
+    return "".join(part for pair in pairs for part in pair).removesuffix(", ")
 
 
 def filled(pair: Pair, found: re.Match[str]) -> str | None:
@@ -91,12 +102,6 @@ def _hole(kind: str, text: str, *, is_feminine: bool) -> str | None:
         case "p":
             return french(text)
         case "s" | "q":
-            items = _ITEMS[kind].split(text)
-            written = [french(item) for item in items[::2]]
-            if None in written:
-                return None
-            between = (_SMALL[word] for word in [*items[1::2], ", "])
-            pairs = zip(filter(None, written), between, strict=True)
-            return "".join(part for pair in pairs for part in pair).removesuffix(", ")
+            return french(text) or _listed(text, _ITEMS[kind])
         case _:
             return text

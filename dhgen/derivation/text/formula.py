@@ -105,9 +105,15 @@ class Relation:
 
 @dataclass(frozen=True, slots=True)
 class Listing:
-    """Formulas side by side, separated by commas."""
+    """Formulas side by side.
+
+    Attributes:
+        items: The formulas.
+        separator: What stands between them.
+    """
 
     items: tuple[Formula, ...]
+    separator: str = ","
 
 
 @dataclass(frozen=True, slots=True)

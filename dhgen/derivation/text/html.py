@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
 
 
+COMMA = "{,}"  # of decimals, in LaTeX; the converter knows points alone
+_DECIMAL = re.compile(r"(<mn>\d+)\.(\d+</mn>)")
 _MATH = re.compile(r"<math [^>]*>(.*)</math>", re.DOTALL)
 # The letters of an upright name, one by one: together they are the name of something.
 _NAME = re.compile(
@@ -80,9 +82,10 @@ def _in_text(formula: Formula) -> str:
 def _mathml(latex: str) -> str:
     if not latex:
         return ""
-    found = _MATH.fullmatch(convert(latex))
+    found = _MATH.fullmatch(convert(latex.replace(COMMA, ".")))
     assert found is not None, latex
-    named = _NAME.sub(_in_one, found[1])
+    numbers = _DECIMAL.sub(r"\1,\2", found[1]) if COMMA in latex else found[1]
+    named = _NAME.sub(_in_one, numbers)
     return _SIGN.sub(r'\1<mo form="prefix">', named)
 
 

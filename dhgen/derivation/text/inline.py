@@ -35,8 +35,8 @@ def in_line(
                 return given(" ".join(text.split()))
             case Prose():
                 return "".join(pieces(part))
-            case Listing(items):
-                return ", ".join(map(formula, items))
+            case Listing(items, separator):
+                return f"{separator} ".join(map(formula, items))
             case _:
                 return formula(part)
 

@@ -130,7 +130,8 @@ def filled(formula: Formula, style: Style, room: int) -> list[str]:
 
 def _items(listing: Listing, style: Style) -> list[str]:
     shown = [show(item, style) for item in listing.items]
-    return [text + style.comma for text in shown[:-1]] + shown[-1:]
+    between = style.comma.replace(",", listing.separator)
+    return [text + between for text in shown[:-1]] + shown[-1:]
 
 
 LEAST = 30  # visible characters that are left to a bracket, however long its factors are

@@ -76,8 +76,9 @@ def _show_group(formula: Call | Relation | Listing | Matrix | Element, style: St
             for sign, side in zip(signs, sides[1:], strict=True):
                 parts += [style.sign(sign), show(side, style)]
             return " ".join(parts)
-        case Listing(items):
-            return style.comma.join(show(item, style) for item in items)
+        case Listing(items, separator):
+            between = style.comma.replace(",", separator)
+            return between.join(show(item, style) for item in items)
         case Matrix(rows):
             return style.matrix([[show_entry(entry, style) for entry in row] for row in rows])
         case Element(matrix, row, column):
