@@ -159,6 +159,13 @@ def test_explain(run: Run, option: list[str], tmp_path: Path) -> None:
     assert names(tmp_path) == []
 
 
+def test_explain_in_french(run: Run, tmp_path: Path) -> None:
+    done = run("explain", PLANAR, "--language", "fr", folder=tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "Modèle géométrique inverse\n----" in done.stdout
+    assert "Toutes les solutions\u00a0:\n" in done.stdout
+
+
 def test_explain_says_first_that_a_task_asks_for_too_much(run: Run, tmp_path: Path) -> None:
     """In the derivation this stands far below, where the pose is checked."""
     text = PLANAR.read_text(encoding="utf-8").replace("task: [x, y]\n", "")
@@ -200,6 +207,10 @@ def test_explain_says_what_does_not_go_together(run: Run, tmp_path: Path) -> Non
     done = run("explain", PLANAR, "--format", "html", "--program", folder=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == "dhgen: --program is printed as text alone, not with --format\n"
+    done = run("explain", PLANAR, "--language", "fr", "--alternatives", folder=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    told = "dhgen: --alternatives is printed in English alone, not with --language\n"
+    assert done.stderr == told
     done = run("explain", PLANAR, "--out", ".", folder=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == "dhgen: can't write .: it is a folder\n"
