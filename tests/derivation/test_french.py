@@ -180,11 +180,12 @@ def test_html_has_commas_inside_of_its_numbers() -> None:
 
 def test_a_tree_of_roots_keeps_its_columns() -> None:
     """Racine is longer than root: all lines move behind it, not those with a root alone."""
-    english = "┌ root 1 ─ θ₁ ─┬ row 0\n│              └ row 1\n└ root 2 ─ θ₁ ─┬ row 2"
+    english = "┌ root 1 ─ θ₁ ─┬   row 0\n│              └   row 1  up\n└ root 2 ─ θ₁ ─┬   row 2"
     block = French().block(Drawing(english))
     assert isinstance(block, Drawing)
     one, other, _ = block.text.split("\n")
-    assert one == "┌ racine 1 ─ θ₁ ─┬ ligne 0"
+    assert one == "┌ racine 1 ─ θ₁ ─┬  ligne 0"
+    assert other.endswith("└  ligne 1 up")
     assert one.index("┬") == other.index("└")
 
 

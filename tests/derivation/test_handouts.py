@@ -15,7 +15,9 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from dhgen.derivation.formats import derivation_as
+from dhgen.derivation.french.language import French
 from dhgen.derivation.handouts import derivation_html, derivation_latex
+from dhgen.derivation.languages import ENGLISH
 from dhgen.derivation.text.latex_text import latex_text
 from dhgen.robot.load import load_text
 from tests.derivation.stories import document, story, story_of
@@ -24,6 +26,7 @@ from tests.structures import first_of
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from dhgen.derivation.languages import Language
     from dhgen.derivation.story import Story
 
 # A slide, a wrist, an offset wrist, seven joints, coupled drives, a quartic, a task of directions.
@@ -52,12 +55,12 @@ BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
 VOID = {"meta", "img", "br"}
 
 
-def handout(name: str, wished: str) -> str:
-    return handout_of(story(name), wished, name)
+def handout(name: str, wished: str, language: Language = ENGLISH) -> str:
+    return handout_of(story(name), wished, name, language)
 
 
-def handout_of(that: Story, wished: str, name: str = "x") -> str:
-    text, beside = derivation_as(wished, that, name)
+def handout_of(that: Story, wished: str, name: str = "x", language: Language = ENGLISH) -> str:
+    text, beside = derivation_as(wished, that, name, language)
     assert not beside
     return text
 
@@ -202,9 +205,10 @@ window.onload = () => {
 def test_html_fits_the_window(tmp_path: Path) -> None:
     """Neither the page nor a formula, table or tree in it is wider than its room."""
     frames = [
-        f'<iframe title="{name} {width}" width="{width}" height="900" '
-        f'srcdoc="{escape(handout(name, "html"))}"></iframe>'
+        f'<iframe title="{name} {language.code} {width}" width="{width}" height="900" '
+        f'srcdoc="{escape(handout(name, "html", language))}"></iframe>'
         for name in KINDS
+        for language in (ENGLISH, French())
         for width in (946, 700)
     ]
     page = tmp_path / "handouts.html"

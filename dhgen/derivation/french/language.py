@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.blocks import Block
     from dhgen.derivation.text.formula import Formula
 
-_ROW, _ROOT = re.compile(r"\brow (?=\d)"), "root "
+_ROW, _ROOT = re.compile(r" row (\d+)(?: (?= ))?"), "root "
 _FIRST = ord(MARKS[0])
 _MARK = re.compile(MARK)
 _NUMBER = re.compile(r"[-−]?\d+\.\d+")
@@ -123,8 +123,8 @@ class French:
 
 
 def _tree(text: str) -> str:
-    """The tree of solutions, in which all roots stand below each other."""
-    lines = [_ROW.sub("ligne ", line) for line in text.split("\n")]
+    """The tree of solutions, in which all roots stand below each other; no wider for its rows."""
+    lines = [_ROW.sub(r"ligne \1", line) for line in text.split("\n")]
     start = max(line.find(_ROOT) for line in lines)
     if start < 0:
         return "\n".join(lines)
