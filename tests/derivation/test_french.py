@@ -26,7 +26,7 @@ from dhgen.derivation.text.walk import symbols_of
 from dhgen.printing.templates import template_folder
 from tests.derivation.markdown_text import MARK, texts
 from tests.derivation.stories import GENERATED, NAMES, WHOLE, document, story
-from tests.derivation.test_example import WITHOUT, numbers_follow
+from tests.derivation.test_example import ENTRIES, WITHOUT, numbers_follow
 from tests.derivation.test_handouts import ENGINES, compiled
 from tests.structures import first_of
 
@@ -143,14 +143,17 @@ def told_in(of: Story) -> dict[int, list[tuple[str, float]]]:
     text = derivation_as("markdown", of, "x.yaml", French())[0]
     found: dict[int, list[tuple[str, float]]] = {}
     for number, lines in re.findall(
-        r"Étape (\d+), [^\n]*\u00a0:\n\n```math\n(.*?)\n```", text, re.DOTALL
+        r"(?:Étape (\d+), [^\n]*|La matrice [^\n]* maintenant entièrement connue)\u00a0:\n\n"
+        r"```math\n(.*?)\n```",
+        text,
+        re.DOTALL,
     ):
         bare = re.sub(r"\\(?:begin|end)\{aligned\}|&", "", lines)
         for each in re.split(r" ;\\quad|\\\\", bare):
             name, _, value = each.strip().partition(" = ")
             number_ = float(value.removesuffix(r"^\circ").replace("{,}", "."))
             in_radians = math.radians(number_) if value.endswith(r"^\circ") else number_
-            found.setdefault(int(number), []).append((spelled[name], in_radians))
+            found.setdefault(int(number or ENTRIES), []).append((spelled[name], in_radians))
     return found
 
 
