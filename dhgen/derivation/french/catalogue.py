@@ -11,6 +11,7 @@ sides, a letter for what they take and a number where there are several:
 | `{n1}` | a number in digits                             | with a decimal comma                |
 | `{w1}` | a number in words; `{w1:f}` beside a feminine  | "deux"; "un" or "une"               |
 | `{i1}` | one word that is a name                        | itself                              |
+| `{u1}` | a unit of lengths                              | itself                              |
 | `{t1}` | any text that the user wrote                   | itself                              |
 | `{p1}` | words that have a pair of their own, or clauses | their French                       |
 | `{s1}` | several of these, between commas               | their French, "a, b et c"           |
@@ -23,6 +24,9 @@ import re
 from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
+from typing import get_args
+
+from dhgen.robot.names import LengthUnit
 
 FOLDER = Path(__file__).resolve().parent / "sentences"
 MARKS = "\ue000", "\uf8ff"  # from here to there: a mark for every formula of a text
@@ -51,12 +55,13 @@ _TAKES = {
     "n": r"-?\d+(?:\.\d+)?(?:e-?\d+)?",
     "w": "|".join([*NUMBERS, r"\d+"]),
     "i": r"[^\s,;:()]+",
+    "u": "|".join(get_args(LengthUnit)),
     "t": ".+?",
     "p": ".+?",
     "s": ".+?",
     "q": f"{MARK}.*?",
 }
-HOLE = re.compile(r"\{([flnwitpsq]\d*)(?::(f))?\}")
+HOLE = re.compile(r"\{([flnwiutpsq]\d*)(?::(f))?\}")
 _BEFORE_SIGNS = re.compile(" (?=[:;?!»])")
 
 
