@@ -107,15 +107,23 @@ class Arm:
         """
         return self._frames(self._joint_values(q))
 
-    def derivation(self) -> Document:
+    def derivation(self, language: Literal["en", "fr"] = "en") -> Document:
         """The derivation of the inverse kinematics, in Markdown, with its figures.
 
+        Args:
+            language: English, or French with decimal commas.
+
         Raises:
+            ValueError: There is no derivation in that language.
             UnsolvedError: No derivation solves the arm; the message says why.
             PrecisionError: The robot file asks for single precision, which this arm can't have.
         """
         from dhgen.library.kept import folder_of, is_whole  # noqa: PLC0415
 
+        if language == "fr":
+            return self._in_french()
+        if language != "en":
+            raise ValueError(f"language is 'en' or 'fr', not {language!r}")
         folder, name = folder_of(self.file), f"{self.name}.md"
         if is_whole(folder):
             paths = (path.relative_to(folder).as_posix() for path in folder.rglob("*.svg"))
@@ -123,6 +131,17 @@ class Arm:
             return Document((folder / name).read_text("utf-8"), figures)
         files = self._compilation.files
         return Document(files[name], {p: files[p] for p in sorted(files) if p.endswith(".svg")})
+
+    def _in_french(self) -> Document:
+        from dhgen.compiler import source_name  # noqa: PLC0415
+        from dhgen.derivation import derivation_files  # noqa: PLC0415
+        from dhgen.derivation.french.language import French  # noqa: PLC0415
+        from dhgen.derivation.story import Story  # noqa: PLC0415
+
+        made, path = self._compilation, self.file.path
+        story = Story(made.robot, made.derivation, made.module.solver, made.module.nominal)
+        figures = derivation_files(story, source_name(path, path.parent), French())
+        return Document(figures.pop(f"{self.name}.md"), figures)
 
     def build(
         self, *, progress: Callable[[str], None] | None = tell_who_waits, native: bool = True

@@ -91,6 +91,17 @@ def test_notes_are_shown_and_nothing_is_printed(capsys: pytest.CaptureFixture[st
     assert capsys.readouterr() == ("", "")
 
 
+def test_a_derivation_in_french(arm: dhgen.Arm) -> None:
+    derivation = arm.derivation(language="fr")
+    assert "# Two links \\| in a plane\u00a0: modèle géométrique inverse\n" in derivation
+    assert set(derivation.figures) == {
+        f"figures/two_links_{kind}_fr.svg" for kind in ("arm", "postures", "workspace")
+    }
+    assert all(f"]({path})" in derivation for path in derivation.figures)
+    with pytest.raises(ValueError, match="language is 'en' or 'fr', not 'de'"):
+        arm.derivation(language="de")  # type: ignore[arg-type]
+
+
 def test_a_derivation_is_markdown_that_notebooks_show_with_formulas(
     arm: dhgen.Arm, empty_cache: Path
 ) -> None:
