@@ -299,8 +299,7 @@ void kuka_kr6_r900_calibrated_jacobian(const double q[6], double J[36])
  * near_d4 = 0.42008600000000007 [m], near_k1 = 0.382371519092 [m^2],
  * near_k2 = -0.022791048658000027 [m^2], near_doubt_limit1 = 9.25213e-05 [m],
  * near_longest3_apart = 0.7672753622269346 [m^2], near_k4 = 6.815359151455662 [m^-4],
- * near_doubt_limit = 9.999999999999999e-05, near3 = 0.00035570759116433794,
- * near4 = 2.1201759580571282e-05. */
+ * near_doubt_limit = 9.999999999999999e-05. */
 static const double
     near_angle = 0.0001900018, /* the two arms' tools are turned by no more */
     near_length = 0.0002999173, /* and no farther apart [m] */
@@ -310,6 +309,7 @@ static const double
     near_k3 = 0.384225221238, /* near_a2^2 + (near_a3^2 + near_d4^2) [m^2] */
     near_turn1 = -1.6303303533892188, /* atan2(-near_k1, near_k2) [rad] */
     near_m1 = 8.560190953689999e-09, /* near_doubt_limit1^2 [m^2] */
+    near_m2 = 0.5, /* 1 / 2 */
     /* 1000 * (near_longest3 - near_longest3_apart) * (near_longest3_apart - near_shortest3)
      * [m^4] */
     near_m3 = 1.2417915714465629e-11,
@@ -328,10 +328,151 @@ static const double
      * near_k3^2 * near_k4 - near_a3 * near_k2 * near_k3^2 * near_k4) [m] */
     near_m9 = 0.03561238055741952,
     near_m10 = 9.999999999999999e-09, /* near_doubt_limit^2 */
-    near1 = 0.0005998346, /* near_length + near_length [m] */
-    near2 = 0.5, /* 1 / 2 */
-    h1 = 0.0003981111103254805, /* near3 + near_m7 * near1 */
-    h2 = 0.0007326169419092472; /* near4 + near_m6 * near1 */
+    near1 = 8.995038683929001e-08, /* near_length^2 [m^2] */
+    near2 = 1.7990077367858003e-07, /* near_length^2 + near_length^2 [m^2] */
+    near3 = 0.5, /* 1 / 2 */
+    near4 = 1.805034200162e-08, /* near_angle^2 / 2 */
+    near5 = 0.00035570759116433794, /* near_m6 * near_length */
+    near6 = 2.1201759580571282e-05; /* near_m7 * near_length */
+
+/* What one pose and many compute alike: values without signs of branches, with the first, with
+ * all that are in lanes. */
+#define KNOWN(number) \
+    /* theta1 */ \
+    const dhgen_##number v1 = T14 * T14 + T24 * T24, w1 = dhgen_sqrt_##number(v1), v2 = 1.0 / v1; \
+    /* theta3 */ \
+    const dhgen_##number v4 = T34 * T34; \
+    /* theta4 */ \
+    const dhgen_##number v10 = near_m7 * T34, v17 = near_m6 * T34, v22 = T14 * T13 + T24 * T23, \
+        v23 = v2 * v22, v24 = w1 * v23, v25 = T24 * T13 - T14 * T23, Y4 = w1 * (v2 * v25), \
+        v26 = Y4 * Y4; \
+    /* theta6 */ \
+    const dhgen_##number v30 = w1 * (v2 * (T14 * T22 - T24 * T12)), \
+        v31 = w1 * (v2 * (T14 * T12 + T24 * T22)), v32 = w1 * (v2 * (T14 * T21 - T24 * T11)), \
+        v33 = w1 * (v2 * (T14 * T11 + T24 * T21)); \
+    /* joint values */ \
+    const dhgen_##number v35 = near_length * T34, v36 = dhgen_abs_##number(T34), v37 = v35 + v35, \
+        v38 = near_length * T14, v39 = v38 + v38, v40 = near_length * T24, v41 = v40 + v40, \
+        v42 = near2 + dhgen_sqrt_##number(v39 * v39 + v41 * v41), v43 = near3 / w1, \
+        v44 = v39 * v43, v45 = v41 * v43, v46 = near2 * dhgen_abs_##number(v43), \
+        v55 = v46 + (dhgen_abs_##number(v44) + dhgen_abs_##number(v45)), v56 = v55 * v55, \
+        v61 = dhgen_abs_##number(v37), v65 = dhgen_abs_##number(v1), v66 = v37 * v37, \
+        v69 = w1 * v2, v70 = near_angle * T33, v71 = near_angle * T23, v72 = T24 * v70, \
+        v73 = near4 * dhgen_abs_##number(T24), v74 = near_length * T13, \
+        v75 = dhgen_abs_##number(v70), v76 = dhgen_abs_##number(v71), \
+        v77 = near_length * (near4 + (v75 + v76)), v78 = near_angle * T13, v79 = T14 * v70, \
+        v80 = near4 * dhgen_abs_##number(T14), v81 = near_length * T23, \
+        v82 = dhgen_abs_##number(v78), v83 = near_length * (near4 + (v75 + v82)), \
+        v84 = T24 * v71 + T14 * v78, v85 = v73 + v77 + (v80 + v83), v86 = dhgen_abs_##number(v2), \
+        v87 = v2 * (v2 * v39), v88 = v2 * (v2 * v41), v89 = v86 * (near2 * v86), \
+        v90 = dhgen_abs_##number(v87) + dhgen_abs_##number(v88), \
+        v91 = v89 + (v89 + v90) * (v42 / (v65 - v42)), v92 = dhgen_abs_##number(w1), \
+        v93 = v2 * v44 - w1 * v87, v94 = v2 * v45 - w1 * v88, v95 = v90 + v91, \
+        v96 = v91 * v92 + v46 * v86 + v55 * v95, v97 = v69 * v79, v98 = v69 * v72, \
+        v99 = v69 * v84, v100 = v25 * v93 - v69 * v81, v101 = v25 * v94 + v69 * v74, \
+        v102 = dhgen_abs_##number(v81), v103 = dhgen_abs_##number(v74), \
+        v104 = dhgen_abs_##number(v79) + dhgen_abs_##number(v72), \
+        v105 = v96 * dhgen_abs_##number(v25) + v85 * dhgen_abs_##number(v69) + (v85 + (v103 + \
+            (v102 + (v104 + dhgen_abs_##number(v84))))) * (v96 + (dhgen_abs_##number(v93) + \
+            dhgen_abs_##number(v94))) + (dhgen_sqrt_##number(v97 * v97 + v98 * v98 + v99 * v99) + \
+            dhgen_sqrt_##number(v100 * v100 + v101 * v101)), v136 = near_m7 * v46, \
+        v150 = dhgen_abs_##number(T33), v151 = near4 + (v76 + v82), v158 = near_m6 * v46, \
+        v169 = T24 * v78 - T14 * v71, v170 = v77 + v80 + (v73 + v83), v171 = v2 * v72, \
+        v172 = v2 * v79, v173 = v2 * v169, v174 = v2 * v74 - v22 * v87, \
+        v175 = v2 * v81 - v22 * v88, \
+        v176 = v86 * v170 + v91 * dhgen_abs_##number(v22) + v95 * (v170 + (v102 + (v103 + (v104 + \
+            dhgen_abs_##number(v169))))), v177 = w1 * v171, v178 = w1 * v172, v179 = w1 * v173, \
+        v180 = w1 * v174 + v23 * v44, v181 = w1 * v175 + v23 * v45, \
+        v182 = v92 * v176 + v46 * dhgen_abs_##number(v23) + v55 * (v176 + \
+            (dhgen_abs_##number(v175) + (dhgen_abs_##number(v174) + (dhgen_abs_##number(v173) + \
+            (dhgen_abs_##number(v171) + dhgen_abs_##number(v172)))))), \
+        v183 = dhgen_abs_##number(v24), \
+        v184 = v182 + (dhgen_abs_##number(v181) + (dhgen_abs_##number(v180) + \
+            (dhgen_abs_##number(v179) + (dhgen_abs_##number(v177) + dhgen_abs_##number(v178))))), \
+        v192 = v105 * v105
+#define SIGNED(number, signs) \
+    /* theta3 */ \
+    const dhgen_##number Z2_3 = e1 * w1 - near_a1, N3 = v4 + Z2_3 * Z2_3, v5 = near_longest3 - N3, \
+        v6 = N3 - near_shortest3, D3 = v5 * v6, w3 = dhgen_sqrt_##number(D3); \
+    /* theta2 */ \
+    const dhgen_##number X1_2 = near_m5 + near_m4 * N3, v7 = T34 * X1_2, v8 = Z2_3 * X1_2, \
+        factor2 = 1.0 / N3; \
+    /* theta4 */ \
+    const dhgen_##number v11 = v10 - near_m6 * Z2_3, v12 = near_m8 * factor2 - near_m7, \
+        v13 = near_m9 * factor2 - near_m6, v14 = Z2_3 * v12 + T34 * v13, \
+        v18 = v17 + near_m7 * Z2_3, v19 = Z2_3 * -v13 + T34 * v12, v28 = e1 * Y4, \
+        v29 = dhgen_signed_##number(DHGEN_HALF_TURN, v28); \
+    /* joint values */ \
+    const dhgen_##number v47 = e1 * v44, v48 = e1 * v45, v49 = Z2_3 * v47, v50 = Z2_3 * v48, \
+        v51 = dhgen_abs_##number(Z2_3), v52 = v46 * v51, v53 = v49 + v49, v54 = v50 + v50, \
+        v57 = near1 + (v56 + (v52 + v52)), v58 = v5 * v53 - v6 * v53, v59 = v5 * v54 - v6 * v54, \
+        v60 = v5 * v37 - v6 * v37, \
+        v62 = v57 + (v61 + (dhgen_abs_##number(v53) + dhgen_abs_##number(v54))), \
+        v63 = v57 * dhgen_abs_##number(v5) + v57 * dhgen_abs_##number(v6) + v62 * v62, \
+        v64 = v63 + dhgen_sqrt_##number(v58 * v58 + v59 * v59 + v60 * v60), \
+        v67 = v57 + dhgen_sqrt_##number(v66 + (v53 * v53 + v54 * v54)), \
+        v68 = dhgen_abs_##number(N3), v106 = dhgen_abs_##number(factor2), \
+        v107 = factor2 * (factor2 * v53), v108 = factor2 * (factor2 * v54), \
+        v109 = factor2 * (factor2 * v37), v110 = v106 * (v57 * v106), \
+        v111 = dhgen_abs_##number(v109) + (dhgen_abs_##number(v107) + dhgen_abs_##number(v108)), \
+        v112 = v110 + (v110 + v111) * (v67 / (v68 - v67)), v113 = near_m9 * v107, \
+        v114 = near_m9 * v108, v115 = near_m9 * v109, v116 = near_m9 * v112, \
+        v117 = v116 + (dhgen_abs_##number(v115) + (dhgen_abs_##number(v113) + \
+            dhgen_abs_##number(v114))), v118 = near_m8 * v107, v119 = near_m8 * v108, \
+        v120 = near_m8 * v109, v121 = near_m8 * v112, \
+        v122 = v121 + (dhgen_abs_##number(v120) + (dhgen_abs_##number(v118) + \
+            dhgen_abs_##number(v119))), v123 = Z2_3 * v113 - v13 * v47 - T34 * v118, \
+        v124 = Z2_3 * v114 - v13 * v48 - T34 * v119, \
+        v125 = Z2_3 * v115 + (near_length * v12 - T34 * v120), \
+        v126 = v51 * v116 + v46 * dhgen_abs_##number(-v13) + v55 * v117 + (v36 * v121 + \
+            near_length * v122), v127 = near3 / w3, v128 = v58 * v127, v129 = v59 * v127, \
+        v130 = v60 * v127, v131 = v64 * v127, v132 = v131 * v131 / w3, \
+        v133 = v132 + (v132 + v63 * dhgen_abs_##number(v127)), v134 = near_m7 * v47, \
+        v135 = near_m7 * v48, v141 = v111 + v112, \
+        v142 = v106 * v136 + v112 * dhgen_abs_##number(v18) + v141 * (v136 + (near5 + \
+            (dhgen_abs_##number(v134) + dhgen_abs_##number(v135)))), \
+        v143 = dhgen_abs_##number(w3), v144 = v142 * v143, \
+        v145 = v133 + (dhgen_abs_##number(v130) + (dhgen_abs_##number(v128) + \
+            dhgen_abs_##number(v129))), v152 = v12 * v47 - Z2_3 * v118 - T34 * v113, \
+        v153 = v12 * v48 - Z2_3 * v119 - T34 * v114, \
+        v154 = near_length * v13 - T34 * v115 - Z2_3 * v120, \
+        v155 = v51 * v121 + v46 * dhgen_abs_##number(v12) + v55 * v122 + (v36 * v116 + near_length \
+            * v117), v156 = near_m6 * v47, v157 = near_m6 * v48, \
+        v163 = v106 * v158 + v112 * dhgen_abs_##number(v11) + v141 * (v158 + (near6 + \
+            (dhgen_abs_##number(v156) + dhgen_abs_##number(v157)))), v164 = v143 * v163
+#define SIGNED_TWICE(number, signs) \
+    /* theta2 */ \
+    const dhgen_##number v9 = near_m4 * (e3 * T34); \
+    /* theta4 */ \
+    const dhgen_##number v15 = e3 * v11, v16 = factor2 * v15, c23 = v14 + w3 * v16, \
+        v20 = e3 * v18, v21 = factor2 * v20, s23 = v19 - w3 * v21, \
+        c4 = s23 * T33 + e1 * (c23 * v24), v27 = v26 + c4 * c4; \
+    /* theta6 */ \
+    const dhgen_##number v34 = e1 * (c4 * v32 + Y4 * (s23 * T31 + e1 * (c23 * v33))); \
+    /* joint values */ \
+    const dhgen_##signs v137 = near5 * e3; \
+    const dhgen_##number v138 = factor2 * (e3 * v134) - v20 * v107, \
+        v139 = factor2 * (e3 * v135) - v20 * v108, v140 = factor2 * v137 - v20 * v109, \
+        v146 = v123 - (w3 * v138 + v21 * v128), v147 = v124 - (w3 * v139 + v21 * v129), \
+        v148 = v125 - (w3 * v140 + v21 * v130), \
+        v149 = v126 + (v144 + v133 * dhgen_abs_##number(v21) + v145 * (v142 + \
+            (dhgen_abs_##number(v140) + (dhgen_abs_##number(v138) + dhgen_abs_##number(v139))))); \
+    const dhgen_##signs v159 = near6 * e3; \
+    const dhgen_##number v160 = factor2 * (e3 * v156) + v15 * v107, \
+        v161 = factor2 * (e3 * v157) + v15 * v108, v162 = factor2 * v159 - v15 * v109, \
+        v165 = v152 + (v16 * v128 - w3 * v160), v166 = v153 + (v16 * v129 - w3 * v161), \
+        v167 = v154 + (w3 * v162 + v16 * v130), \
+        v168 = v155 + (v164 + v133 * dhgen_abs_##number(v16) + v145 * (v163 + \
+            (dhgen_abs_##number(v162) + (dhgen_abs_##number(v160) + dhgen_abs_##number(v161))))), \
+        v185 = e1 * (c23 * v179), v186 = s23 * v71 - e1 * (c23 * v177), \
+        v187 = e1 * (c23 * v178) - s23 * v78, v188 = T33 * v146 + e1 * (c23 * v180 + v24 * v165), \
+        v189 = T33 * v147 + e1 * (c23 * v181 + v24 * v166), v190 = T33 * v148 + e1 * (v24 * v167), \
+        v191 = near4 * dhgen_abs_##number(s23) + v149 * v150 + v151 * (v149 + \
+            (dhgen_abs_##number(v148) + (dhgen_abs_##number(v146) + dhgen_abs_##number(v147)))) + \
+            (v182 * dhgen_abs_##number(c23) + v168 * v183 + v184 * (v168 + \
+            (dhgen_abs_##number(v167) + (dhgen_abs_##number(v165) + dhgen_abs_##number(v166))))) + \
+            (dhgen_sqrt_##number(v186 * v186 + v187 * v187 + v185 * v185) + \
+            dhgen_sqrt_##number(v188 * v188 + v189 * v189 + v190 * v190))
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -340,157 +481,66 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 {
     (void)free_joints;
     ENTRIES(dhgen_wide);
+    dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
+        DHGEN_ORTHONORMAL) == 0;
+    KNOWN(wide);
 
     /* theta1 */
-    const dhgen_wide v1 = T14 * T14 + T24 * T24, w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1,
-        angle1 = dhgen_atan2_wide(T24, T14);
+    const dhgen_wide angle1 = dhgen_atan2_wide(T24, T14),
+        v3 = dhgen_signed_wide(DHGEN_HALF_TURN, T24);
+    left |= (v65 <= v42) | (v1 <= near2) | (v1 <= near_m1);
 
-    /* theta3 */
-    const dhgen_wide Z2_3_p = w1 - near_a1, v3 = near_a1 + w1, v4 = T34 * T34,
-        N3_p = v4 + Z2_3_p * Z2_3_p, N3_m = v4 + v3 * v3, v5 = near_longest3 - N3_p,
-        v6 = near_longest3 - N3_m, v7 = N3_p - near_shortest3, v8 = N3_m - near_shortest3,
-        D3_p = v5 * v7, D3_m = v6 * v8, w3_p = dhgen_sqrt_wide(D3_p), w3_m = dhgen_sqrt_wide(D3_m),
-        angle2 = dhgen_atan2_wide(w3_p, N3_p - near_k3),
-        angle3 = dhgen_atan2_wide(w3_m, N3_m - near_k3), q3__pp = angle2 - near_turn1,
-        v9 = near_turn1 + angle2, q3__mp = angle3 - near_turn1, v10 = near_turn1 + angle3;
+    for (int i1 = 0; i1 < 2; i1++) { /* back, front */
+        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        SIGNED(wide, double);
 
-    /* theta2 */
-    const dhgen_wide X1_2_p = near_m5 + near_m4 * N3_p, X1_2_m = near_m5 + near_m4 * N3_m,
-        v11 = T34 * X1_2_p, v12 = T34 * X1_2_m, v13 = Z2_3_p * X1_2_p, v14 = v3 * X1_2_m,
-        v15 = near_m4 * T34, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m, v16 = w3_p * v15,
-        angle4 = dhgen_atan2_wide(v11 - w3_p * (near_m4 * Z2_3_p), v13 + v16),
-        angle5 = dhgen_atan2_wide(v11 - w3_p * (near_m4 * -Z2_3_p), v13 - v16),
-        v17 = w3_m * (near_m4 * v3), v18 = w3_m * v15,
-        angle6 = dhgen_atan2_wide(v12 + v17, v18 - v14),
-        angle7 = dhgen_atan2_wide(v12 - v17, -(v14 + v18));
+        /* theta3 */
+        const dhgen_wide angle2 = dhgen_atan2_wide(w3, N3 - near_k3);
 
-    /* theta4 */
-    const dhgen_wide v19 = near_m7 * T34, v20 = v19 - near_m6 * Z2_3_p, v21 = v19 + near_m6 * v3,
-        v22 = near_m8 * factor2_p - near_m7, v23 = near_m8 * factor2_m - near_m7,
-        v24 = near_m9 * factor2_p - near_m6, v25 = near_m9 * factor2_m - near_m6,
-        v26 = Z2_3_p * v22 + T34 * v24, v27 = T34 * v25 - v3 * v23, v28 = factor2_p * v20,
-        v29 = factor2_p * -v20, v30 = factor2_m * v21, c23_pp = v26 + w3_p * v28,
-        c23_pm = v26 + w3_p * v29, v31 = w3_m * v30, c23_mp = v27 + v31, c23_mm = v27 - v31,
-        v32 = near_m6 * T34, v33 = v32 + near_m7 * Z2_3_p, v34 = v32 - near_m7 * v3,
-        v35 = Z2_3_p * -v24 + T34 * v22, v36 = T34 * v23 - v3 * -v25, v37 = factor2_p * v33,
-        v38 = factor2_m * v34, v39 = factor2_m * -v34, v40 = w3_p * v37, s23_pp = v35 - v40,
-        s23_pm = v35 + v40, s23_mp = v36 - w3_m * v38, s23_mm = v36 - w3_m * v39,
-        v41 = T14 * T13 + T24 * T23, v42 = v2 * v41, v43 = w1 * v42,
-        c4_pp = s23_pp * T33 + c23_pp * v43, c4_pm = s23_pm * T33 + c23_pm * v43,
-        c4_mp = s23_mp * T33 - c23_mp * v43, c4_mm = s23_mm * T33 - c23_mm * v43,
-        v44 = T24 * T13 - T14 * T23, v45 = v2 * v44, Y4 = w1 * v45, v46 = Y4 * Y4,
-        v47 = v46 + c4_pp * c4_pp, v48 = v46 + c4_pm * c4_pm, v49 = v46 + c4_mp * c4_mp,
-        v50 = v46 + c4_mm * c4_mm, angle8 = dhgen_atan2_wide(Y4, c4_pp),
-        angle9 = dhgen_atan2_wide(Y4, c4_pm), angle10 = dhgen_atan2_wide(-Y4, c4_mp),
-        angle11 = dhgen_atan2_wide(-Y4, c4_mm), v51 = dhgen_signed_wide(DHGEN_HALF_TURN, Y4),
-        v52 = dhgen_signed_wide(DHGEN_HALF_TURN, -Y4);
+        /* joint values */
+        const dhgen_wide q1_p = angle1 + v3 * (near_m2 * (e1 - 1.0)) + (w3 - w3);
+        left |= (dhgen_abs_wide(v64 + (D3 + D3)) <= v64) | (v68 <= v67) | (dhgen_abs_wide(D3) <=
+            near_m3);
 
-    /* theta5 */
-    const dhgen_wide angle12 = dhgen_atan2_wide(dhgen_sqrt_wide(v47), c23_pp * T33 - s23_pp * v43),
-        angle13 = dhgen_atan2_wide(dhgen_sqrt_wide(v48), c23_pm * T33 - s23_pm * v43),
-        angle14 = dhgen_atan2_wide(dhgen_sqrt_wide(v49), c23_mp * T33 + s23_mp * v43),
-        angle15 = dhgen_atan2_wide(dhgen_sqrt_wide(v50), c23_mm * T33 + s23_mm * v43);
+        for (int i2 = 0; i2 < 2; i2++) { /* +, - */
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
+            SIGNED_TWICE(wide, double);
 
-    /* theta6 */
-    const dhgen_wide v53 = w1 * (v2 * (T14 * T22 - T24 * T12)),
-        v54 = w1 * (v2 * (T14 * T12 + T24 * T22)), v55 = w1 * (v2 * (T14 * T21 - T24 * T11)),
-        v56 = w1 * (v2 * (T14 * T11 + T24 * T21)),
-        v57 = c4_pp * v55 + Y4 * (s23_pp * T31 + c23_pp * v56),
-        v58 = c4_pm * v55 + Y4 * (s23_pm * T31 + c23_pm * v56),
-        angle16 = dhgen_atan2_wide(v57, c4_pp * v53 + Y4 * (s23_pp * T32 + c23_pp * v54)),
-        angle17 = dhgen_atan2_wide(v58, c4_pm * v53 + Y4 * (s23_pm * T32 + c23_pm * v54)),
-        angle18 = dhgen_atan2_wide(-(c4_mp * v55 + Y4 * (s23_mp * T31 - c23_mp * v56)), -(c4_mp *
-            v53 + Y4 * (s23_mp * T32 - c23_mp * v54))),
-        angle19 = dhgen_atan2_wide(-(c4_mm * v55 + Y4 * (s23_mm * T31 - c23_mm * v56)), -(c4_mm *
-            v53 + Y4 * (s23_mm * T32 - c23_mm * v54)));
+            /* theta3 */
+            const dhgen_wide q3_ = e3 * angle2 - near_turn1;
 
-    /* joint values */
-    const dhgen_wide q3_ppp = dhgen_lowered_wide(q3__pp),
-        q3_pmp = dhgen_only_wide(DHGEN_HALF_TURN < -v9, -DHGEN_TURN) - v9,
-        q3_mpp = dhgen_lowered_wide(q3__mp),
-        q3_mmp = dhgen_only_wide(DHGEN_HALF_TURN < -v10, -DHGEN_TURN) - v10,
-        q1_ppp = angle1 + (w3_p - w3_p),
-        q1_mpp = angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, T24) + (w3_m - w3_m),
-        v59 = dhgen_abs_wide(T14), v60 = dhgen_abs_wide(T24),
-        v61 = near_length * (near_length + 2.0 * v59) + near_length * (near_length + 2.0 * v60),
-        v62 = dhgen_abs_wide(T34), v63 = near_length * (near_length + 2.0 * v62),
-        v64 = dhgen_abs_wide(w1), v65 = dhgen_abs_wide(Z2_3_p), v66 = dhgen_abs_wide(v3),
-        v67 = v63 + near1 * (near1 + 2.0 * v65), v68 = v63 + near1 * (near1 + 2.0 * v66),
-        v69 = dhgen_abs_wide(v1), v70 = dhgen_abs_wide(v5), v71 = dhgen_abs_wide(v6),
-        v72 = dhgen_abs_wide(v7), v73 = dhgen_abs_wide(v8), v74 = dhgen_abs_wide(N3_p),
-        v75 = dhgen_abs_wide(N3_m), v76 = dhgen_abs_wide(v2), v77 = v61 * v76 / (v69 - v61),
-        v78 = near_angle * v60, v79 = near_length * (near_angle + dhgen_abs_wide(T13)),
-        v80 = near_angle * v59, v81 = near_length * (near_angle + dhgen_abs_wide(T23)),
-        v82 = v78 + v79 + (v80 + v81), v83 = v76 * v82 + v77 * (v82 + dhgen_abs_wide(v44)),
-        v84 = v64 * v83 + near1 * (v83 + dhgen_abs_wide(v45)), v85 = dhgen_abs_wide(factor2_p),
-        v86 = dhgen_abs_wide(factor2_m), v87 = v67 * v85 / (v74 - v67),
-        v88 = v68 * v86 / (v75 - v68), v89 = near_m9 * v87, v90 = near_m9 * v88,
-        v91 = near_m8 * v87, v92 = near_m8 * v88, v93 = v91 + dhgen_abs_wide(v22),
-        v94 = v92 + dhgen_abs_wide(v23),
-        v95 = v66 * v90 + near1 * (v90 + dhgen_abs_wide(-v25)) + (v62 * v92 + near_length * v94),
-        v96 = (v67 * v70 + v67 * (v67 + v72)) / D3_p, v97 = (v68 * v71 + v68 * (v68 + v73)) / D3_m,
-        v98 = v96 * (1.0 + v96) * (near2 * w3_p), v99 = v97 * (1.0 + v97) * (near2 * w3_m),
-        v100 = v85 * h1 + v87 * (h1 + dhgen_abs_wide(v33)),
-        v101 = v86 * h1 + v88 * (h1 + dhgen_abs_wide(v34)), v102 = dhgen_abs_wide(w3_p),
-        v103 = dhgen_abs_wide(w3_m), v104 = near_angle + dhgen_abs_wide(T33),
-        v105 = v65 * v91 + near1 * v93 + (v62 * v89 + near_length * (v89 + dhgen_abs_wide(v24))),
-        v106 = v85 * h2 + v87 * (h2 + dhgen_abs_wide(v20)),
-        v107 = v86 * h2 + v88 * (h2 + dhgen_abs_wide(v21)), v108 = v79 + v80 + (v78 + v81),
-        v109 = v76 * v108 + v77 * (v108 + dhgen_abs_wide(v41)),
-        v110 = v64 * v109 + near1 * (v109 + dhgen_abs_wide(v42)), v111 = v110 + dhgen_abs_wide(v43),
-        v112 = v104 * (v65 * v89 + near1 * (v89 + dhgen_abs_wide(-v24)) + (v62 * v91 + near_length *
-            v93) + (v100 * v102 + v98 * (v100 + dhgen_abs_wide(v37)))), v113 = v102 * v106,
-        v114 = near_angle * dhgen_abs_wide(s23_pp) + v112 + (v110 * dhgen_abs_wide(c23_pp) + v111 *
-            (v105 + (v113 + v98 * (v106 + dhgen_abs_wide(v28))))),
-        v115 = v112 + near_angle * dhgen_abs_wide(s23_pm) + (v110 * dhgen_abs_wide(c23_pm) + v111 *
-            (v105 + (v113 + v98 * (v106 + dhgen_abs_wide(v29))))), v116 = v101 * v103,
-        v117 = v111 * (v66 * v92 + near1 * v94 + (v62 * v90 + near_length * (v90 +
-            dhgen_abs_wide(v25))) + (v103 * v107 + v99 * (v107 + dhgen_abs_wide(v30)))),
-        v118 = near_angle * dhgen_abs_wide(s23_mp) + v104 * (v95 + (v116 + v99 * (v101 +
-            dhgen_abs_wide(v38)))) + (v110 * dhgen_abs_wide(c23_mp) + v117),
-        v119 = near_angle * dhgen_abs_wide(s23_mm) + v104 * (v95 + (v116 + v99 * (v101 +
-            dhgen_abs_wide(v39)))) + (v117 + v110 * dhgen_abs_wide(c23_mm)), v120 = v84 * v84;
+            /* theta2 */
+            const dhgen_wide angle3 = dhgen_atan2_wide(v7 - w3 * (near_m4 * (e3 * Z2_3)), v8 + w3 *
+                v9);
 
-    q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
-    kind[0] = dhgen_kind_wide(q[0]);
-    q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = angle8 - v51; q[10] = -angle12;
-    q[11] = angle16 - dhgen_signed_wide(DHGEN_HALF_TURN, v57);
-    kind[1] = dhgen_kind_wide(q[6]);
-    q[12] = q1_ppp; q[13] = angle5; q[14] = q3_pmp; q[15] = angle9; q[16] = angle13;
-    q[17] = angle17;
-    kind[2] = dhgen_kind_wide(q[12]);
-    q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = angle9 - v51; q[22] = -angle13;
-    q[23] = angle17 - dhgen_signed_wide(DHGEN_HALF_TURN, v58);
-    kind[3] = dhgen_kind_wide(q[18]);
-    q[24] = q1_mpp; q[25] = angle6; q[26] = q3_mpp; q[27] = angle10; q[28] = angle14;
-    q[29] = angle18;
-    kind[4] = dhgen_kind_wide(q[24]);
-    q[30] = q1_mpp; q[31] = angle6; q[32] = q3_mpp; q[33] = angle10 - v52; q[34] = -angle14;
-    q[35] = angle18 - dhgen_signed_wide(DHGEN_HALF_TURN, -(c4_mp * v55 + Y4 * (s23_mp * T31 - c23_mp
-        * v56)));
-    kind[5] = dhgen_kind_wide(q[30]);
-    q[36] = q1_mpp; q[37] = angle7; q[38] = q3_mmp; q[39] = angle11; q[40] = angle15;
-    q[41] = angle19;
-    kind[6] = dhgen_kind_wide(q[36]);
-    q[42] = q1_mpp; q[43] = angle7; q[44] = q3_mmp; q[45] = angle11 - v52; q[46] = -angle15;
-    q[47] = angle19 - dhgen_signed_wide(DHGEN_HALF_TURN, -(c4_mm * v55 + Y4 * (s23_mm * T31 - c23_mm
-        * v56)));
-    kind[7] = dhgen_kind_wide(q[42]);
-    const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
-        DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v71 <= v68) | (dhgen_abs_wide(D3_m) <= near_m3) | (v70 <= v67) |
-        (dhgen_abs_wide(D3_p) <= near_m3) | (v73 <= v68) | (v72 <= v67) | (dhgen_abs_wide(v50) <=
-        v120 + v119 * v119) | (v50 <= near_m10) | (dhgen_abs_wide(v49) <= v120 + v118 * v118) | (v49
-        <= near_m10) | (dhgen_abs_wide(v48) <= v120 + v115 * v115) | (v48 <= near_m10) |
-        (dhgen_abs_wide(v47) <= v120 + v114 * v114) | (v47 <= near_m10) | (v75 <= v68) | (v1 <=
-        near_m1) | (v69 <= v61) | (v74 <= v67));
+            /* theta4 */
+            const dhgen_wide angle4 = dhgen_atan2_wide(v28, c4);
+
+            /* theta5 */
+            const dhgen_wide angle5 = dhgen_atan2_wide(dhgen_sqrt_wide(v27), c23 * T33 - e1 * (s23 *
+                v24));
+
+            /* theta6 */
+            const dhgen_wide angle6 = dhgen_atan2_wide(v34, e1 * (c4 * v30 + Y4 * (s23 * T32 + e1 *
+                (c23 * v31))));
+
+            /* joint values */
+            const dhgen_wide q3_p = dhgen_lowered_wide(q3_);
+            const int row = 4 * i1 + 2 * i2;
+            q[6 * row] = q1_p; q[6 * row + 1] = angle3; q[6 * row + 2] = q3_p;
+            q[6 * row + 3] = angle4; q[6 * row + 4] = angle5; q[6 * row + 5] = angle6;
+            kind[row] = dhgen_kind_wide(q[6 * row]);
+            q[6 * row + 6] = q1_p; q[6 * row + 7] = angle3; q[6 * row + 8] = q3_p;
+            q[6 * row + 9] = angle4 - v29; q[6 * row + 10] = -angle5;
+            q[6 * row + 11] = angle6 - dhgen_signed_wide(DHGEN_HALF_TURN, v34);
+            kind[row + 1] = dhgen_kind_wide(q[6 * row + 6]);
+            left |= (v27 <= near_m10) | (v27 <= v192 + v191 * v191);
+        }
+    }
+    return left;
 }
 
 #if DHGEN_LANES > 1
-static const double
-    near_m2 = 0.5, /* 1 / 2 */
-    near3 = 0.00035570759116433794, /* near_m6 * near_length */
-    near4 = 2.1201759580571282e-05; /* near_m7 * near_length */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 DHGEN_ALWAYS
@@ -501,90 +551,32 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
+    KNOWN(double);
+    SIGNED(four, four);
+    SIGNED_TWICE(four, four);
 
     /* theta1 */
-    const double v1 = T14 * T14 + T24 * T24, w1 = sqrt(v1), v2 = 1.0 / v1,
-        v3 = copysign(DHGEN_HALF_TURN, T24);
+    const double v3 = copysign(DHGEN_HALF_TURN, T24);
 
-    /* theta3 */
-    const dhgen_four Z2_3 = e1 * w1 - near_a1;
-    const double v4 = T34 * T34;
-    const dhgen_four N3 = v4 + Z2_3 * Z2_3, v5 = near_longest3 - N3, v6 = N3 - near_shortest3,
-        D3 = v5 * v6, w3 = dhgen_sqrt_four(D3);
-
-    /* theta2 */
-    const dhgen_four X1_2 = near_m5 + near_m4 * N3, v7 = T34 * X1_2, v8 = Z2_3 * X1_2,
-        v9 = near_m4 * (e3 * T34), factor2 = 1.0 / N3;
-
-    /* theta4 */
-    const double v10 = near_m7 * T34;
-    const dhgen_four v11 = v10 - near_m6 * Z2_3, v12 = near_m8 * factor2 - near_m7,
-        v13 = near_m9 * factor2 - near_m6, v14 = Z2_3 * v12 + T34 * v13, v15 = factor2 * (e3 * v11),
-        c23 = v14 + w3 * v15;
-    const double v16 = near_m6 * T34;
-    const dhgen_four v17 = v16 + near_m7 * Z2_3, v18 = Z2_3 * -v13 + T34 * v12,
-        v19 = factor2 * (e3 * v17), s23 = v18 - w3 * v19;
-    const double v20 = T14 * T13 + T24 * T23, v21 = v2 * v20, v22 = w1 * v21;
-    const dhgen_four c4 = s23 * T33 + e1 * (c23 * v22);
-    const double v23 = T24 * T13 - T14 * T23, v24 = v2 * v23, Y4 = w1 * v24, v25 = Y4 * Y4;
-    const dhgen_four v26 = v25 + c4 * c4, v27 = e1 * Y4,
-        v28 = dhgen_signed_four(DHGEN_HALF_TURN, v27);
-
-    /* theta6 */
-    const double v29 = w1 * (v2 * (T14 * T22 - T24 * T12)),
-        v30 = w1 * (v2 * (T14 * T12 + T24 * T22)), v31 = w1 * (v2 * (T14 * T21 - T24 * T11)),
-        v32 = w1 * (v2 * (T14 * T11 + T24 * T21));
-    const dhgen_four v33 = e1 * (c4 * v31 + Y4 * (s23 * T31 + e1 * (c23 * v32)));
-
-    /* joint values */
-    const double v34 = fabs(T14), v35 = fabs(T24),
-        v36 = near_length * (near_length + 2.0 * v34) + near_length * (near_length + 2.0 * v35),
-        v37 = fabs(T34), v38 = near_length * (near_length + 2.0 * v37);
-    const dhgen_four v39 = dhgen_abs_four(e1);
-    const double v40 = fabs(w1);
-    const dhgen_four v41 = near1 * v39, v42 = dhgen_abs_four(Z2_3),
-        v43 = v38 + v41 * (v41 + 2.0 * v42);
-    const double v44 = fabs(v1);
-    const dhgen_four v45 = dhgen_abs_four(v5), v46 = dhgen_abs_four(v6), v47 = dhgen_abs_four(N3);
-    const double v48 = fabs(v2), v49 = v36 * v48 / (v44 - v36), v50 = near_angle * v35,
-        v51 = near_length * (near_angle + fabs(T13)), v52 = near_angle * v34,
-        v53 = near_length * (near_angle + fabs(T23)), v54 = v50 + v51 + (v52 + v53),
-        v55 = v48 * v54 + v49 * (v54 + fabs(v23)), v56 = v40 * v55 + near1 * (v55 + fabs(v24));
-    const dhgen_four v57 = dhgen_abs_four(factor2), v58 = v43 * v57 / (v47 - v43),
-        v59 = near_m9 * v58, v60 = near_m8 * v58, v61 = v60 + dhgen_abs_four(v12),
-        v62 = v42 * v59 + v41 * (v59 + dhgen_abs_four(-v13)) + (v37 * v60 + near_length * v61),
-        v63 = (v43 * v45 + v43 * (v43 + v46)) / D3, v64 = v63 * (1.0 + v63) * (near2 * w3),
-        v65 = near3 + near_m7 * v41, v66 = dhgen_abs_four(e3), v67 = dhgen_abs_four(v17),
-        v68 = v65 * v66, v69 = v57 * v68 + v58 * (v67 + v68), v70 = dhgen_abs_four(w3);
-    const double v71 = near_angle + fabs(T33);
-    const dhgen_four v72 = v42 * v60 + v41 * v61 + (v37 * v59 + near_length * (v59 +
-        dhgen_abs_four(v13))), v73 = near4 + near_m6 * v41, v74 = dhgen_abs_four(v11),
-        v75 = v66 * v73, v76 = v57 * v75 + v58 * (v74 + v75);
-    const double v77 = v51 + v52 + (v50 + v53), v78 = v48 * v77 + v49 * (v77 + fabs(v20)),
-        v79 = v40 * v78 + near1 * (v78 + fabs(v21)), v80 = v79 + fabs(v22);
-    const dhgen_four v81 = near_angle * dhgen_abs_four(s23) + v71 * (v62 + (v69 * v70 + v64 * (v69 +
-        dhgen_abs_four(v19)))) + v39 * (v79 * dhgen_abs_four(c23) + v80 * (v72 + (v70 * v76 + v64 *
-        (v76 + dhgen_abs_four(v15)))));
-    const double v82 = v56 * v56;
-
-    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v45 <= v43) |
-        (dhgen_abs_four(D3) <= near_m3) | (v47 <= v43) | (v46 <= v43)) | ((v26 <= near_m10) |
-        (dhgen_abs_four(v26) <= v82 + v81 * v81))) | (unsigned)((v1 <= near_m1) | (v44 <= v36)))
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
+        ((dhgen_abs_four(v64 + (D3 + D3)) <= v64) | (v68 <= v67) | (dhgen_abs_four(D3) <= near_m3))
+        | ((v27 <= near_m10) | (v27 <= v192 + v191 * v191))) | (unsigned)((v65 <= v42) | (v1 <=
+        near2) | (v1 <= near_m1)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(T24), 0,
         5, 2, 3), dhgen_shuffle(N3 - near_k3, dhgen_all_four(T14), 0, 5, 2, 3)),
         ratio2 = dhgen_ratio_four(v7 - w3 * (near_m4 * (e3 * Z2_3)), v8 + w3 * v9),
-        ratio3 = dhgen_ratio_four(v27, c4),
-        ratio4 = dhgen_ratio_four(v33, e1 * (c4 * v29 + Y4 * (s23 * T32 + e1 * (c23 * v30)))),
-        ratio5 = dhgen_ratio_four(dhgen_sqrt_four(v26), c23 * T33 - e1 * (s23 * v22));
+        ratio3 = dhgen_ratio_four(v28, c4),
+        ratio4 = dhgen_ratio_four(v34, e1 * (c4 * v30 + Y4 * (s23 * T32 + e1 * (c23 * v31)))),
+        ratio5 = dhgen_ratio_four(dhgen_sqrt_four(v27), c23 * T33 - e1 * (s23 * v24));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle2 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = dhgen_angle_four(ratio2),
         angle4 = dhgen_angle_four(ratio3), angle6 = dhgen_angle_four(ratio4),
         angle5 = dhgen_angle_four(ratio5);
-    const dhgen_four q3_ = e3 * angle2 - near_turn1, q4_m = angle4 - v28,
-        q6_m = angle6 - dhgen_signed_four(DHGEN_HALF_TURN, v33), q3_p = dhgen_lowered_four(q3_),
+    const dhgen_four q3_ = e3 * angle2 - near_turn1, q4_m = angle4 - v29,
+        q6_m = angle6 - dhgen_signed_four(DHGEN_HALF_TURN, v34), q3_p = dhgen_lowered_four(q3_),
         q1_p = angle1 + v3 * (near_m2 * (e1 - 1.0)) + (w3 - w3);
 
     dhgen_store_4(q, q + 12, q + 24, q + 36, q1_p, angle3, q3_p, angle4);

@@ -77,8 +77,7 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 # near_d4 = 0.42008600000000007 [m], near_k1 = 0.382371519092 [m^2],
 # near_k2 = -0.022791048658000027 [m^2], near_doubt_limit1 = 9.25213e-05 [m],
 # near_longest3_apart = 0.7672753622269346 [m^2], near_k4 = 6.815359151455662 [m^-4],
-# near_doubt_limit = 9.999999999999999e-05, near3 = 0.00035570759116433794,
-# near4 = 2.1201759580571282e-05.
+# near_doubt_limit = 9.999999999999999e-05.
 d1 = 0.400051  # joint offset 1 [m]
 a1 = 0.024977  # link length 1 [m]
 ca1 = 3.1999999994631904e-05  # cosine of twist 1
@@ -136,10 +135,12 @@ near_m8 = 0.0021226567816523957
 # near_k3^2 * near_k4 - near_a3 * near_k2 * near_k3^2 * near_k4) [m]
 near_m9 = 0.03561238055741952
 near_m10 = 9.999999999999999e-09  # near_doubt_limit^2
-near1 = 0.0005998346  # near_length + near_length [m]
-near2 = 0.5  # 1 / 2
-h1 = 0.0003981111103254805  # near3 + near_m7 * near1
-h2 = 0.0007326169419092472  # near4 + near_m6 * near1
+near1 = 8.995038683929001e-08  # near_length^2 [m^2]
+near2 = 1.7990077367858003e-07  # near_length^2 + near_length^2 [m^2]
+near3 = 0.5  # 1 / 2
+near4 = 1.805034200162e-08  # near_angle^2 / 2
+near5 = 0.00035570759116433794  # near_m6 * near_length
+near6 = 2.1201759580571282e-05  # near_m7 * near_length
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -627,127 +628,360 @@ def _formulas(kept, turns, rows, w):
         c4_mp = s23_mp * T33 - c23_mp * v43
         c4_mm = s23_mm * T33 - c23_mm * v43
         v44 = T24 * T13 - T14 * T23
-        v45 = v2 * v44
-        Y4 = w1 * v45
-        v46 = Y4 * Y4
-        v47 = v46 + c4_pp * c4_pp
-        v48 = v46 + c4_pm * c4_pm
-        v49 = v46 + c4_mp * c4_mp
-        v50 = v46 + c4_mm * c4_mm
-        v51 = math.copysign(half_turn, Y4)
-        v52 = math.copysign(half_turn, -Y4)
+        Y4 = w1 * (v2 * v44)
+        v45 = Y4 * Y4
+        v46 = v45 + c4_pp * c4_pp
+        v47 = v45 + c4_pm * c4_pm
+        v48 = v45 + c4_mp * c4_mp
+        v49 = v45 + c4_mm * c4_mm
+        v50 = math.copysign(half_turn, Y4)
+        v51 = math.copysign(half_turn, -Y4)
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v53 = w1 * (v2 * (T14 * T22 - T24 * T12))
-        v54 = w1 * (v2 * (T14 * T12 + T24 * T22))
-        v55 = w1 * (v2 * (T14 * T21 - T24 * T11))
-        v56 = w1 * (v2 * (T14 * T11 + T24 * T21))
-        v57 = c4_pp * v55 + Y4 * (s23_pp * T31 + c23_pp * v56)
-        v58 = c4_pm * v55 + Y4 * (s23_pm * T31 + c23_pm * v56)
+        v52 = w1 * (v2 * (T14 * T22 - T24 * T12))
+        v53 = w1 * (v2 * (T14 * T12 + T24 * T22))
+        v54 = w1 * (v2 * (T14 * T21 - T24 * T11))
+        v55 = w1 * (v2 * (T14 * T11 + T24 * T21))
+        v56 = c4_pp * v54 + Y4 * (s23_pp * T31 + c23_pp * v55)
+        v57 = c4_pm * v54 + Y4 * (s23_pm * T31 + c23_pm * v55)
 
         # joint values
-        v59 = abs(T14)
-        v60 = abs(T24)
-        v61 = near_length * (near_length + 2.0 * v59) + near_length * (near_length + 2.0 * v60)
-        v62 = abs(T34)
-        v63 = near_length * (near_length + 2.0 * v62)
-        v64 = abs(w1)
-        v65 = abs(Z2_3_p)
-        v66 = abs(v3)
-        v67 = v63 + near1 * (near1 + 2.0 * v65)
-        v68 = v63 + near1 * (near1 + 2.0 * v66)
-        v69 = abs(v1)
-        v70 = abs(v5)
-        v71 = abs(v6)
-        v72 = abs(v7)
-        v73 = abs(v8)
-        v74 = abs(N3_p)
-        v75 = abs(N3_m)
-        v76 = abs(v2)
-        v77 = v61 * v76 / (v69 - v61)
-        v78 = near_angle * v60
-        v79 = near_length * (near_angle + abs(T13))
-        v80 = near_angle * v59
-        v81 = near_length * (near_angle + abs(T23))
-        v82 = v78 + v79 + (v80 + v81)
-        v83 = v76 * v82 + v77 * (v82 + abs(v44))
-        v84 = v64 * v83 + near1 * (v83 + abs(v45))
-        v85 = abs(factor2_p)
-        v86 = abs(factor2_m)
-        v87 = v67 * v85 / (v74 - v67)
-        v88 = v68 * v86 / (v75 - v68)
-        v89 = near_m9 * v87
-        v90 = near_m9 * v88
-        v91 = near_m8 * v87
-        v92 = near_m8 * v88
-        v93 = v91 + abs(v22)
-        v94 = v92 + abs(v23)
-        v95 = v66 * v90 + near1 * (v90 + abs(-v25)) + (v62 * v92 + near_length * v94)
-        v96 = (v67 * v70 + v67 * (v67 + v72)) / D3_p
-        v97 = (v68 * v71 + v68 * (v68 + v73)) / D3_m
-        v98 = v96 * (1.0 + v96) * (near2 * w3_p)
-        v99 = v97 * (1.0 + v97) * (near2 * w3_m)
-        v100 = v85 * h1 + v87 * (h1 + abs(v33))
-        v101 = v86 * h1 + v88 * (h1 + abs(v34))
-        v102 = abs(w3_p)
-        v103 = abs(w3_m)
-        v104 = near_angle + abs(T33)
-        v105 = v65 * v91 + near1 * v93 + (v62 * v89 + near_length * (v89 + abs(v24)))
-        v106 = v85 * h2 + v87 * (h2 + abs(v20))
-        v107 = v86 * h2 + v88 * (h2 + abs(v21))
-        v108 = v79 + v80 + (v78 + v81)
-        v109 = v76 * v108 + v77 * (v108 + abs(v41))
-        v110 = v64 * v109 + near1 * (v109 + abs(v42))
-        v111 = v110 + abs(v43)
-        v112 = (
-            v104 * (v65 * v89 + near1 * (v89 + abs(-v24)) + (v62 * v91 + near_length * v93) + (v100
-            * v102 + v98 * (v100 + abs(v37))))
+        v58 = near_length * T34
+        v59 = abs(T34)
+        v60 = v58 + v58
+        v61 = near_length * T14
+        v62 = v61 + v61
+        v63 = near_length * T24
+        v64 = v63 + v63
+        v65 = near2 + math.sqrt(v62 * v62 + v64 * v64)
+        v66 = near3 / w1
+        v67 = v62 * v66
+        v68 = v64 * v66
+        v69 = near2 * abs(v66)
+        v70 = Z2_3_p * v67
+        v71 = v3 * v67
+        v72 = Z2_3_p * v68
+        v73 = v3 * v68
+        v74 = abs(Z2_3_p)
+        v75 = abs(v3)
+        v76 = v69 * v74
+        v77 = v69 * v75
+        v78 = v70 + v70
+        v79 = v71 + v71
+        v80 = v72 + v72
+        v81 = v73 + v73
+        v82 = v69 + (abs(v67) + abs(v68))
+        v83 = v82 * v82
+        v84 = near1 + (v83 + (v76 + v76))
+        v85 = near1 + (v83 + (v77 + v77))
+        v86 = v5 * v78 - v7 * v78
+        v87 = v6 * v79 - v8 * v79
+        v88 = v5 * v80 - v7 * v80
+        v89 = v6 * v81 - v8 * v81
+        v90 = v5 * v60 - v7 * v60
+        v91 = v6 * v60 - v8 * v60
+        v92 = abs(v60)
+        v93 = v84 + (v92 + (abs(v78) + abs(v80)))
+        v94 = v85 + (v92 + (abs(v79) + abs(v81)))
+        v95 = v84 * abs(v5) + v84 * abs(v7) + v93 * v93
+        v96 = v85 * abs(v6) + v85 * abs(v8) + v94 * v94
+        v97 = v95 + math.sqrt(v86 * v86 + v88 * v88 + v90 * v90)
+        v98 = v96 + math.sqrt(v87 * v87 + v89 * v89 + v91 * v91)
+        v99 = abs(v1)
+        v100 = v60 * v60
+        v101 = v84 + math.sqrt(v100 + (v78 * v78 + v80 * v80))
+        v102 = v85 + math.sqrt(v100 + (v79 * v79 + v81 * v81))
+        v103 = abs(N3_p)
+        v104 = abs(N3_m)
+        v105 = w1 * v2
+        v106 = near_angle * T33
+        v107 = near_angle * T23
+        v108 = T24 * v106
+        v109 = near4 * abs(T24)
+        v110 = near_length * T13
+        v111 = abs(v106)
+        v112 = abs(v107)
+        v113 = near_length * (near4 + (v111 + v112))
+        v114 = near_angle * T13
+        v115 = T14 * v106
+        v116 = near4 * abs(T14)
+        v117 = near_length * T23
+        v118 = abs(v114)
+        v119 = near_length * (near4 + (v111 + v118))
+        v120 = T24 * v107 + T14 * v114
+        v121 = v109 + v113 + (v116 + v119)
+        v122 = abs(v2)
+        v123 = v2 * (v2 * v62)
+        v124 = v2 * (v2 * v64)
+        v125 = v122 * (near2 * v122)
+        v126 = abs(v123) + abs(v124)
+        v127 = v125 + (v125 + v126) * (v65 / (v99 - v65))
+        v128 = abs(w1)
+        v129 = v2 * v67 - w1 * v123
+        v130 = v2 * v68 - w1 * v124
+        v131 = v126 + v127
+        v132 = v127 * v128 + v69 * v122 + v82 * v131
+        v133 = v105 * v115
+        v134 = v105 * v108
+        v135 = v105 * v120
+        v136 = v44 * v129 - v105 * v117
+        v137 = v44 * v130 + v105 * v110
+        v138 = abs(v117)
+        v139 = abs(v110)
+        v140 = abs(v115) + abs(v108)
+        v141 = (
+            v132 * abs(v44) + v121 * abs(v105) + (v121 + (v139 + (v138 + (v140 + abs(v120))))) *
+            (v132 + (abs(v129) + abs(v130))) + (math.sqrt(v133 * v133 + v134 * v134 + v135 * v135) +
+            math.sqrt(v136 * v136 + v137 * v137))
         )
-        v113 = v102 * v106
-        v114 = (
-            near_angle * abs(s23_pp) + v112 + (v110 * abs(c23_pp) + v111 * (v105 + (v113 + v98 *
-            (v106 + abs(v28)))))
+        v142 = abs(factor2_p)
+        v143 = abs(factor2_m)
+        v144 = factor2_p * (factor2_p * v78)
+        v145 = factor2_m * (factor2_m * v79)
+        v146 = factor2_p * (factor2_p * v80)
+        v147 = factor2_m * (factor2_m * v81)
+        v148 = factor2_p * (factor2_p * v60)
+        v149 = factor2_m * (factor2_m * v60)
+        v150 = v142 * (v84 * v142)
+        v151 = v143 * (v85 * v143)
+        v152 = abs(v148) + (abs(v144) + abs(v146))
+        v153 = abs(v149) + (abs(v145) + abs(v147))
+        v154 = v150 + (v150 + v152) * (v101 / (v103 - v101))
+        v155 = v151 + (v151 + v153) * (v102 / (v104 - v102))
+        v156 = near_m9 * v144
+        v157 = near_m9 * v145
+        v158 = near_m9 * v146
+        v159 = near_m9 * v147
+        v160 = near_m9 * v148
+        v161 = near_m9 * v149
+        v162 = near_m9 * v154
+        v163 = near_m9 * v155
+        v164 = v162 + (abs(v160) + (abs(v156) + abs(v158)))
+        v165 = v163 + (abs(v161) + (abs(v157) + abs(v159)))
+        v166 = near_m8 * v144
+        v167 = near_m8 * v145
+        v168 = near_m8 * v146
+        v169 = near_m8 * v147
+        v170 = near_m8 * v148
+        v171 = near_m8 * v149
+        v172 = near_m8 * v154
+        v173 = near_m8 * v155
+        v174 = v172 + (abs(v170) + (abs(v166) + abs(v168)))
+        v175 = v173 + (abs(v171) + (abs(v167) + abs(v169)))
+        v176 = Z2_3_p * v156 + -v24 * v67 - T34 * v166
+        v177 = v3 * v157 + -v25 * v67 + T34 * v167
+        v178 = Z2_3_p * v158 + -v24 * v68 - T34 * v168
+        v179 = v3 * v159 + -v25 * v68 + T34 * v169
+        v180 = Z2_3_p * v160 + (near_length * v22 - T34 * v170)
+        v181 = near_length * v23 - T34 * v171 - v3 * v161
+        v182 = v74 * v162 + v69 * abs(-v24) + v82 * v164 + (v59 * v172 + near_length * v174)
+        v183 = v75 * v163 + v69 * abs(-v25) + v82 * v165 + (v59 * v173 + near_length * v175)
+        v184 = near3 / w3_p
+        v185 = near3 / w3_m
+        v186 = v86 * v184
+        v187 = v87 * v185
+        v188 = v88 * v184
+        v189 = v89 * v185
+        v190 = v90 * v184
+        v191 = v91 * v185
+        v192 = v97 * v184
+        v193 = v98 * v185
+        v194 = v192 * v192 / w3_p
+        v195 = v193 * v193 / w3_m
+        v196 = v194 + (v194 + v95 * abs(v184))
+        v197 = v195 + (v195 + v96 * abs(v185))
+        v198 = near_m7 * v67
+        v199 = near_m7 * v68
+        v200 = near_m7 * v69
+        v201 = factor2_p * v198 - v33 * v144
+        v202 = factor2_m * v198
+        v203 = v202 + v34 * v145
+        v204 = v202 - -v34 * v145
+        v205 = factor2_p * v199 - v33 * v146
+        v206 = factor2_m * v199
+        v207 = v206 + v34 * v147
+        v208 = v206 - -v34 * v147
+        v209 = near5 * factor2_p - v33 * v148
+        v210 = near5 * factor2_m
+        v211 = v210 - v34 * v149
+        v212 = v210 + -v34 * v149
+        v213 = v152 + v154
+        v214 = v153 + v155
+        v215 = v200 + (near5 + (abs(v198) + abs(v199)))
+        v216 = v142 * v200 + v154 * abs(v33) + v213 * v215
+        v217 = v143 * v200 + v155 * abs(v34) + v214 * v215
+        v218 = abs(w3_p)
+        v219 = abs(w3_m)
+        v220 = v217 * v219
+        v221 = v196 + (abs(v190) + (abs(v186) + abs(v188)))
+        v222 = v197 + (abs(v191) + (abs(v187) + abs(v189)))
+        v223 = v37 * v186
+        v224 = v176 - (w3_p * v201 + v223)
+        v225 = v176 - (w3_p * -v201 - v223)
+        v226 = v177 + (v38 * v187 - w3_m * v203)
+        v227 = v177 + (w3_m * v204 + v39 * v187)
+        v228 = v37 * v188
+        v229 = v178 - (w3_p * v205 + v228)
+        v230 = v178 - (w3_p * -v205 - v228)
+        v231 = v179 + (v38 * v189 - w3_m * v207)
+        v232 = v179 + (w3_m * v208 + v39 * v189)
+        v233 = v37 * v190
+        v234 = v180 - (w3_p * v209 + v233)
+        v235 = v180 - (w3_p * -v209 - v233)
+        v236 = v181 - (w3_m * v211 + v38 * v191)
+        v237 = v181 - (v39 * v191 - w3_m * v212)
+        v238 = v216 * v218 + v196 * abs(v37)
+        v239 = v182 + (v238 + v221 * (v216 + (abs(v209) + (abs(v201) + abs(v205)))))
+        v240 = v182 + (v238 + v221 * (v216 + (abs(-v209) + (abs(-v201) + abs(-v205)))))
+        v241 = (
+            v183 + (v220 + v197 * abs(v38) + v222 * (v217 + (abs(v211) + (abs(v203) + abs(v207)))))
         )
-        v115 = (
-            v112 + near_angle * abs(s23_pm) + (v110 * abs(c23_pm) + v111 * (v105 + (v113 + v98 *
-            (v106 + abs(v29)))))
+        v242 = (
+            v183 + (v220 + v197 * abs(v39) + v222 * (v217 + (abs(v212) + (abs(v204) + abs(v208)))))
         )
-        v116 = v101 * v103
-        v117 = (
-            v111 * (v66 * v92 + near1 * v94 + (v62 * v90 + near_length * (v90 + abs(v25))) + (v103 *
-            v107 + v99 * (v107 + abs(v30))))
+        v243 = abs(T33)
+        v244 = near4 + (v112 + v118)
+        v245 = v22 * v67 - Z2_3_p * v166 - T34 * v156
+        v246 = v3 * v167 - v23 * v67 - T34 * v157
+        v247 = v22 * v68 - Z2_3_p * v168 - T34 * v158
+        v248 = v3 * v169 - v23 * v68 - T34 * v159
+        v249 = near_length * v24 - T34 * v160 - Z2_3_p * v170
+        v250 = near_length * v25 - T34 * v161 + v3 * v171
+        v251 = v74 * v172 + v69 * abs(v22) + v82 * v174 + (v59 * v162 + near_length * v164)
+        v252 = v75 * v173 + v69 * abs(v23) + v82 * v175 + (v59 * v163 + near_length * v165)
+        v253 = near_m6 * v67
+        v254 = near_m6 * v68
+        v255 = near_m6 * v69
+        v256 = factor2_p * v253
+        v257 = v256 + v20 * v144
+        v258 = -v20 * v144 - v256
+        v259 = v21 * v145 - factor2_m * v253
+        v260 = factor2_p * v254
+        v261 = v260 + v20 * v146
+        v262 = -v20 * v146 - v260
+        v263 = v21 * v147 - factor2_m * v254
+        v264 = near6 * factor2_p
+        v265 = v264 - v20 * v148
+        v266 = v264 + -v20 * v148
+        v267 = near6 * factor2_m - v21 * v149
+        v268 = v255 + (near6 + (abs(v253) + abs(v254)))
+        v269 = v142 * v255 + v154 * abs(v20) + v213 * v268
+        v270 = v143 * v255 + v155 * abs(v21) + v214 * v268
+        v271 = v218 * v269
+        v272 = v245 + (v28 * v186 - w3_p * v257)
+        v273 = v245 + (v29 * v186 - w3_p * v258)
+        v274 = v30 * v187
+        v275 = v246 + (v274 - w3_m * v259)
+        v276 = v246 - (v274 + w3_m * -v259)
+        v277 = v247 + (v28 * v188 - w3_p * v261)
+        v278 = v247 + (v29 * v188 - w3_p * v262)
+        v279 = v30 * v189
+        v280 = v248 + (v279 - w3_m * v263)
+        v281 = v248 - (v279 + w3_m * -v263)
+        v282 = v249 + (w3_p * v265 + v28 * v190)
+        v283 = v249 + (v29 * v190 - w3_p * v266)
+        v284 = v30 * v191
+        v285 = v250 + (w3_m * v267 + v284)
+        v286 = v250 + (w3_m * -v267 - v284)
+        v287 = (
+            v251 + (v271 + v196 * abs(v28) + v221 * (v269 + (abs(v265) + (abs(v257) + abs(v261)))))
         )
-        v118 = (
-            near_angle * abs(s23_mp) + v104 * (v95 + (v116 + v99 * (v101 + abs(v38)))) + (v110 *
-            abs(c23_mp) + v117)
+        v288 = (
+            v251 + (v271 + v196 * abs(v29) + v221 * (v269 + (abs(v266) + (abs(v258) + abs(v262)))))
         )
-        v119 = (
-            near_angle * abs(s23_mm) + v104 * (v95 + (v116 + v99 * (v101 + abs(v39)))) + (v117 +
-            v110 * abs(c23_mm))
+        v289 = v219 * v270 + v197 * abs(v30)
+        v290 = v252 + (v289 + v222 * (v270 + (abs(v267) + (abs(v259) + abs(v263)))))
+        v291 = v252 + (v289 + v222 * (v270 + (abs(-v267) + (abs(-v259) + abs(-v263)))))
+        v292 = T24 * v114 - T14 * v107
+        v293 = v113 + v116 + (v109 + v119)
+        v294 = v2 * v108
+        v295 = v2 * v115
+        v296 = v2 * v292
+        v297 = v2 * v110 - v41 * v123
+        v298 = v2 * v117 - v41 * v124
+        v299 = v122 * v293 + v127 * abs(v41) + v131 * (v293 + (v138 + (v139 + (v140 + abs(v292)))))
+        v300 = w1 * v294
+        v301 = w1 * v295
+        v302 = w1 * v296
+        v303 = w1 * v297 + v42 * v67
+        v304 = w1 * v298 + v42 * v68
+        v305 = (
+            v128 * v299 + v69 * abs(v42) + v82 * (v299 + (abs(v298) + (abs(v297) + (abs(v296) +
+            (abs(v294) + abs(v295))))))
         )
-        v120 = v84 * v84
+        v306 = abs(v43)
+        v307 = v305 + (abs(v304) + (abs(v303) + (abs(v302) + (abs(v300) + abs(v301)))))
+        v308 = c23_pp * v302
+        v309 = c23_pm * v302
+        v310 = c23_mp * v302
+        v311 = c23_mm * v302
+        v312 = s23_pp * v107 - c23_pp * v300
+        v313 = s23_pm * v107 - c23_pm * v300
+        v314 = s23_mp * v107 + c23_mp * v300
+        v315 = s23_mm * v107 + c23_mm * v300
+        v316 = c23_pp * v301 - s23_pp * v114
+        v317 = c23_pm * v301 - s23_pm * v114
+        v318 = c23_mp * v301 + s23_mp * v114
+        v319 = c23_mm * v301 + s23_mm * v114
+        v320 = T33 * v224 + (c23_pp * v303 + v43 * v272)
+        v321 = T33 * v225 + (c23_pm * v303 + v43 * v273)
+        v322 = T33 * v226 + (c23_mp * v303 + v43 * v275)
+        v323 = T33 * v227 + (c23_mm * v303 + v43 * v276)
+        v324 = T33 * v229 + (c23_pp * v304 + v43 * v277)
+        v325 = T33 * v230 + (c23_pm * v304 + v43 * v278)
+        v326 = T33 * v231 + (c23_mp * v304 + v43 * v280)
+        v327 = T33 * v232 + (c23_mm * v304 + v43 * v281)
+        v328 = T33 * v234 + v43 * v282
+        v329 = T33 * v235 + v43 * v283
+        v330 = T33 * v236 - v43 * v285
+        v331 = T33 * v237 - v43 * v286
+        v332 = (
+            near4 * abs(s23_pp) + v239 * v243 + v244 * (v239 + (abs(v234) + (abs(v224) +
+            abs(v229)))) + (v305 * abs(c23_pp) + v287 * v306 + v307 * (v287 + (abs(v282) +
+            (abs(v272) + abs(v277))))) + (math.sqrt(v312 * v312 + v316 * v316 + v308 * v308) +
+            math.sqrt(v320 * v320 + v324 * v324 + v328 * v328))
+        )
+        v333 = (
+            near4 * abs(s23_pm) + v240 * v243 + v244 * (v240 + (abs(v235) + (abs(v225) +
+            abs(v230)))) + (v305 * abs(c23_pm) + v288 * v306 + v307 * (v288 + (abs(v283) +
+            (abs(v273) + abs(v278))))) + (math.sqrt(v313 * v313 + v317 * v317 + v309 * v309) +
+            math.sqrt(v321 * v321 + v325 * v325 + v329 * v329))
+        )
+        v334 = (
+            near4 * abs(s23_mp) + v241 * v243 + v244 * (v241 + (abs(v236) + (abs(v226) +
+            abs(v231)))) + (v305 * abs(c23_mp) + v290 * v306 + v307 * (v290 + (abs(v285) +
+            (abs(v275) + abs(v280))))) + (math.sqrt(v314 * v314 + v318 * v318 + v310 * v310) +
+            math.sqrt(v322 * v322 + v326 * v326 + v330 * v330))
+        )
+        v335 = (
+            near4 * abs(s23_mm) + v242 * v243 + v244 * (v242 + (abs(v237) + (abs(v227) +
+            abs(v232)))) + (v305 * abs(c23_mm) + v291 * v306 + v307 * (v291 + (abs(v286) +
+            (abs(v276) + abs(v281))))) + (math.sqrt(v315 * v315 + v319 * v319 + v311 * v311) +
+            math.sqrt(v323 * v323 + v327 * v327 + v331 * v331))
+        )
+        v336 = v141 * v141
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if v71 <= v68 or abs(D3_m) <= near_m3 or v70 <= v67 or abs(D3_p) <= near_m3 or v73
-            <= v68 or v72 <= v67 or abs(v50) <= v120 + v119 * v119 or v50 <= near_m10 or abs(v49) <=
-            v120 + v118 * v118 or v49 <= near_m10 or abs(v48) <= v120 + v115 * v115 or v48 <=
-            near_m10 or abs(v47) <= v120 + v114 * v114 or v47 <= near_m10 or v75 <= v68 or v1 <=
-            near_m1 or v69 <= v61 or v74 <= v67 else kept[16 * w + k]
+            1.0 if abs(v98 + (D3_m + D3_m)) <= v98 or abs(D3_m) <= near_m3 or abs(v97 + (D3_p +
+            D3_p)) <= v97 or abs(D3_p) <= near_m3 or v99 <= v65 or v1 <= near_m1 or v49 <= v336 +
+            v335 * v335 or v49 <= near_m10 or v48 <= v336 + v334 * v334 or v48 <= near_m10 or v47 <=
+            v336 + v333 * v333 or v47 <= near_m10 or v46 <= v336 + v332 * v332 or v46 <= near_m10 or
+            v104 <= v102 or v1 <= near2 or v103 <= v101 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3_p, w3_m, c23_mp
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = c23_mm, s23_mp, s23_mm
         kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = c4_mp, c4_mm, Y4
-        kept[26 * w + k], kept[27 * w + k], kept[28 * w + k], kept[29 * w + k] = v51, v52, v55, v56
-        kept[30 * w + k], kept[31 * w + k], turns[0 * w + k], turns[1 * w + k] = v57, v58, T24, w3_p
+        kept[26 * w + k], kept[27 * w + k], kept[28 * w + k], kept[29 * w + k] = v50, v51, v54, v55
+        kept[30 * w + k], kept[31 * w + k], turns[0 * w + k], turns[1 * w + k] = v56, v57, T24, w3_p
         turns[2 * w + k], turns[3 * w + k] = w3_m, v11 - w3_p * (near_m4 * Z2_3_p)
         turns[4 * w + k], turns[5 * w + k] = v11 - w3_p * (near_m4 * -Z2_3_p), v12 + v17
         turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = v12 - v17, Y4, Y4
-        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = -Y4, -Y4, math.sqrt(v47)
-        turns[12 * w + k], turns[13 * w + k] = math.sqrt(v48), math.sqrt(v49)
-        turns[14 * w + k], turns[15 * w + k], turns[16 * w + k] = math.sqrt(v50), v57, v58
-        turns[17 * w + k] = -(c4_mp * v55 + Y4 * (s23_mp * T31 - c23_mp * v56))
-        turns[18 * w + k] = -(c4_mm * v55 + Y4 * (s23_mm * T31 - c23_mm * v56))
+        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = -Y4, -Y4, math.sqrt(v46)
+        turns[12 * w + k], turns[13 * w + k] = math.sqrt(v47), math.sqrt(v48)
+        turns[14 * w + k], turns[15 * w + k], turns[16 * w + k] = math.sqrt(v49), v56, v57
+        turns[17 * w + k] = -(c4_mp * v54 + Y4 * (s23_mp * T31 - c23_mp * v55))
+        turns[18 * w + k] = -(c4_mm * v54 + Y4 * (s23_mm * T31 - c23_mm * v55))
         turns[24 * w + k], turns[25 * w + k] = T14, N3_p - near_k3
         turns[26 * w + k], turns[27 * w + k] = N3_m - near_k3, v13 + v16
         turns[28 * w + k], turns[29 * w + k], turns[30 * w + k] = v13 - v16, v18 - v14, -(v14 + v18)
@@ -756,10 +990,10 @@ def _formulas(kept, turns, rows, w):
         turns[36 * w + k] = c23_pm * T33 - s23_pm * v43
         turns[37 * w + k] = c23_mp * T33 + s23_mp * v43
         turns[38 * w + k] = c23_mm * T33 + s23_mm * v43
-        turns[39 * w + k] = c4_pp * v53 + Y4 * (s23_pp * T32 + c23_pp * v54)
-        turns[40 * w + k] = c4_pm * v53 + Y4 * (s23_pm * T32 + c23_pm * v54)
-        turns[41 * w + k] = -(c4_mp * v53 + Y4 * (s23_mp * T32 - c23_mp * v54))
-        turns[42 * w + k] = -(c4_mm * v53 + Y4 * (s23_mm * T32 - c23_mm * v54))
+        turns[39 * w + k] = c4_pp * v52 + Y4 * (s23_pp * T32 + c23_pp * v53)
+        turns[40 * w + k] = c4_pm * v52 + Y4 * (s23_pm * T32 + c23_pm * v53)
+        turns[41 * w + k] = -(c4_mp * v52 + Y4 * (s23_mp * T32 - c23_mp * v53))
+        turns[42 * w + k] = -(c4_mm * v52 + Y4 * (s23_mm * T32 - c23_mm * v53))
     if w == 1 and kept[16] != 0.0:
         return
     end = 24 if w == 1 else 19 * w
@@ -772,8 +1006,8 @@ def _formulas(kept, turns, rows, w):
         T24, T31, w3_p, w3_m = kept[7 * w + k], kept[8 * w + k], kept[17 * w + k], kept[18 * w + k]
         c23_mp, c23_mm, s23_mp = kept[19 * w + k], kept[20 * w + k], kept[21 * w + k]
         s23_mm, c4_mp, c4_mm = kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        Y4, v51, v52, v55 = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k], kept[28 * w + k]
-        v56, v57, v58 = kept[29 * w + k], kept[30 * w + k], kept[31 * w + k]
+        Y4, v50, v51, v54 = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k], kept[28 * w + k]
+        v55, v56, v57 = kept[29 * w + k], kept[30 * w + k], kept[31 * w + k]
         angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
         angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
         angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
@@ -789,19 +1023,19 @@ def _formulas(kept, turns, rows, w):
         v10 = near_turn1 + angle3
 
         # theta4, type 2: U4[3, 3]
-        q4_ppm = angle8 - v51
-        q4_pmm = angle9 - v51
-        q4_mpm = angle10 - v52
-        q4_mmm = angle11 - v52
+        q4_ppm = angle8 - v50
+        q4_pmm = angle9 - v50
+        q4_mpm = angle10 - v51
+        q4_mmm = angle11 - v51
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        q6_ppm = angle16 - math.copysign(half_turn, v57)
-        q6_pmm = angle17 - math.copysign(half_turn, v58)
+        q6_ppm = angle16 - math.copysign(half_turn, v56)
+        q6_pmm = angle17 - math.copysign(half_turn, v57)
         q6_mpm = (
-            angle18 - math.copysign(half_turn, -(c4_mp * v55 + Y4 * (s23_mp * T31 - c23_mp * v56)))
+            angle18 - math.copysign(half_turn, -(c4_mp * v54 + Y4 * (s23_mp * T31 - c23_mp * v55)))
         )
         q6_mmm = (
-            angle19 - math.copysign(half_turn, -(c4_mm * v55 + Y4 * (s23_mm * T31 - c23_mm * v56)))
+            angle19 - math.copysign(half_turn, -(c4_mm * v54 + Y4 * (s23_mm * T31 - c23_mm * v55)))
         )
 
         # joint values

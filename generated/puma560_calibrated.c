@@ -9,6 +9,12 @@
  */
 #include "puma560_calibrated.h"
 
+#if defined(PUMA560_CALIBRATED_SCALAR) && !defined(DHGEN_SCALAR)
+#define DHGEN_SCALAR
+#endif
+#if defined(PUMA560_CALIBRATED_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 16
 #define DHGEN_TRAITS 0x0u /* what the arm needs of it */
@@ -19,6 +25,10 @@
 #include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
+#include "dhgen/general/near.h"
+#ifndef PUMA560_CALIBRATED_PLAIN
+#include "dhgen/tile.h"
+#endif
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
@@ -58,6 +68,12 @@ static const double
     f1 = -2.3070697884642687e-07, /* d2 * ca1 [m] */
     f2 = 1.7152850204059354e-06, /* sa2 * ca1 */
     f3 = 0.0016085433446793326; /* ca2 * ca1 */
+
+/* Entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const puma560_calibrated_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
@@ -280,6 +296,340 @@ void puma560_calibrated_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = ca1; J[32] = z2_z; J[33] = z3_z; J[34] = z4_z; J[35] = z5_z;
 }
 
+#ifndef PUMA560_CALIBRATED_PLAIN
+/* The nearest arm with a structure: what follows is its closed form. A pose at which one of its
+ * branches may end by what the two arms differ is left to the general algorithm. */
+/* In formulas below, near_arm_size1 = 1.0332489194603163 [m], near_a2 = 0.4314454936115 [m],
+ * near_a3 = -0.020185839855499987 [m], near_d4 = 0.4326956882369999 [m],
+ * near_k5 = 0.3733692095899602 [m^2], near_k6 = -0.01741817928083776 [m^2],
+ * near_k3 = 3.0774677988139795e-15 [m^2], near_longest3_apart = 0.7475535203061898 [m^2],
+ * near_k8 = 7.157788307709011 [m^-4], near_doubt_limit = 9.999999999999999e-05. */
+static const double
+    near_angle = 0.0063859344, /* the two arms' tools are turned by no more */
+    near_length = 0.0076985885, /* and no farther apart [m] */
+    near_d3 = 0.14892189775631642, /* joint offset 3 [m] */
+    near_longest3 = 0.7475535203062076, /* square of the longest reach [m^2] */
+    near_shortest3 = 2.961108259928867e-06, /* square of the shortest reach [m^2] */
+    near_k1 = 0.022177731631342762, /* near_d3^2 [m^2] */
+    near_k4 = 0.9678209975988334, /* 1 / near_arm_size1 [m^-1] */
+    near_k7 = 0.37377824070723376, /* near_a2^2 + (near_a3^2 + near_d4^2) [m^2] */
+    near_turn1 = -1.6174138820106556, /* atan2(-near_k5, near_k6) [rad] */
+    near_m1 = 3.0774677988139795e-12, /* 1000 * near_k3 [m^2] */
+    /* 1000 * (near_longest3 - near_longest3_apart) * (near_longest3_apart - near_shortest3)
+     * [m^4] */
+    near_m2 = 1.3279165486287245e-11,
+    near_m3 = 0.12467563999795989, /* -near_k6 * near_k8 [m^-2] */
+    near_m4 = 0.9989215120964166, /* near_k5 * near_k7 * near_k8 */
+    near_m5 = 2.6724977628615725, /* near_k5 * near_k8 [m^-2] */
+    near_m6 = 0.04660104137748587, /* -near_k6 * near_k7 * near_k8 */
+    near_m7 = 1.1588949413161114, /* near_k8 * (near_d4 * near_k5 + near_a3 * near_k6) [m^-1] */
+    /* near_d4 * near_k5 * near_k7 * near_k8 + near_a3 * near_k6 * near_k7 * near_k8 - near_a2
+     * [m] */
+    near_m8 = 0.0017242187181490598,
+    near_m9 = 9.999999999999999e-09, /* near_doubt_limit^2 */
+    near1 = 0.0001185365297846645, /* near_length^2 + near_length^2 [m^2] */
+    near2 = 0.00017780479467699675, /* near_length^2 + near_length^2 + near_length^2 [m^2] */
+    near3 = 0.0011464884094649535, /* near_d3 * near_length [m^2] */
+    near4 = 0.5, /* 1 / 2 */
+    near5 = 2.0390079080551684e-05, /* near_angle^2 / 2 */
+    near6 = 2.216792657106042e-05, /* near_m3 * near2 */
+    near7 = 0.00020605707709292137, /* near_m7 * near2 [m] */
+    near8 = 0.00047518291600033504; /* near_m5 * near2 */
+
+/* What one pose and many compute alike: values without signs of branches, with the first, with
+ * all that are in lanes. */
+#define KNOWN(number) \
+    /* theta1 */ \
+    const dhgen_##number N1 = T14 * T14 + T24 * T24, D1 = N1 - near_k1, \
+        w1 = dhgen_sqrt_##number(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = near_d3 * T24, \
+        v3 = inverse1 * v2, v6 = near_d3 * T14, v7 = inverse1 * v6; \
+    /* theta3 */ \
+    const dhgen_##number N3 = D1 + T34 * T34, v10 = near_longest3 - N3, v11 = N3 - near_shortest3, \
+        D3 = v10 * v11, w3 = dhgen_sqrt_##number(D3), v12 = w3 - w3, v13 = near_m5 * N3 - near_m4, \
+        v15 = near_m6 - near_m3 * N3; \
+    /* theta2 */ \
+    const dhgen_##number X1_2 = near_m7 * N3 - near_m8, v17 = T34 * X1_2, factor2 = 1.0 / N3; \
+    /* joint values */ \
+    const dhgen_##number v33 = near_length * T14, v34 = v33 + v33, v35 = near_length * T24, \
+        v36 = v35 + v35, v37 = v34 * v34 + v36 * v36, v38 = near1 + dhgen_sqrt_##number(v37), \
+        v39 = near_length * T34, v40 = v39 + v39, v41 = v10 * v34 - v11 * v34, \
+        v42 = v10 * v36 - v11 * v36, v43 = v10 * v40 - v11 * v40, \
+        v44 = near2 + (dhgen_abs_##number(v40) + (dhgen_abs_##number(v34) + \
+            dhgen_abs_##number(v36))), \
+        v45 = near2 * dhgen_abs_##number(v10) + near2 * dhgen_abs_##number(v11) + v44 * v44, \
+        v46 = v45 + dhgen_sqrt_##number(v41 * v41 + v42 * v42 + v43 * v43), \
+        v47 = dhgen_abs_##number(N1), v48 = near2 + dhgen_sqrt_##number(v37 + v40 * v40), \
+        v49 = dhgen_abs_##number(N3), v50 = dhgen_abs_##number(inverse1), \
+        v51 = inverse1 * (inverse1 * v34), v52 = inverse1 * (inverse1 * v36), \
+        v53 = v50 * (near1 * v50), v54 = dhgen_abs_##number(v51) + dhgen_abs_##number(v52), \
+        v55 = v53 + (v53 + v54) * (v38 / (v47 - v38)), v56 = near3 * inverse1, v57 = v6 * v52, \
+        v58 = v56 - v6 * v51, v59 = v54 + v55, v60 = near3 * v59, \
+        v61 = v60 + v55 * dhgen_abs_##number(v6), v62 = near4 / w1, v63 = v34 * v62, \
+        v64 = v36 * v62, v65 = v38 * v62, v66 = v65 * v65 / w1, \
+        v67 = v66 + (v66 + near1 * dhgen_abs_##number(v62)), v71 = near_length * v59, \
+        v72 = v71 + v55 * dhgen_abs_##number(T24), v73 = dhgen_abs_##number(w1), v74 = v72 * v73, \
+        v75 = v67 + (dhgen_abs_##number(v63) + dhgen_abs_##number(v64)), v79 = near_angle * T33, \
+        v80 = near_angle * T23, v83 = dhgen_abs_##number(T13), v85 = dhgen_abs_##number(v79), \
+        v86 = dhgen_abs_##number(v80), v87 = near5 + (v85 + v86), \
+        v90 = v71 + v55 * dhgen_abs_##number(T14), v91 = v73 * v90, v92 = v2 * v51, \
+        v93 = v60 + v55 * dhgen_abs_##number(v2), v95 = v2 * v52 - v56, v98 = near_angle * T13, \
+        v101 = dhgen_abs_##number(T23), v103 = dhgen_abs_##number(v98), \
+        v104 = near5 + (v85 + v103), v109 = dhgen_abs_##number(factor2), \
+        v110 = factor2 * (factor2 * v34), v111 = factor2 * (factor2 * v36), \
+        v112 = factor2 * (factor2 * v40), v113 = v109 * (near2 * v109), \
+        v114 = dhgen_abs_##number(v112) + (dhgen_abs_##number(v110) + dhgen_abs_##number(v111)), \
+        v115 = v113 + (v113 + v114) * (v48 / (v49 - v48)), v116 = near_m3 * v34, \
+        v117 = near_m3 * v36, v118 = near_m3 * v40, v119 = near4 / w3, v120 = v41 * v119, \
+        v121 = v42 * v119, v122 = v43 * v119, v123 = v46 * v119, v124 = v123 * v123 / w3, \
+        v125 = v124 + (v124 + v45 * dhgen_abs_##number(v119)), v129 = near6 + near_m5 * v125, \
+        v131 = dhgen_abs_##number(w3), \
+        v135 = v125 + (dhgen_abs_##number(v122) + (dhgen_abs_##number(v120) + \
+            dhgen_abs_##number(v121))), v136 = near_m7 * v34, v137 = near_m7 * v36, \
+        v138 = near_m7 * v40, \
+        v142 = near7 + (dhgen_abs_##number(v138) + (dhgen_abs_##number(v136) + \
+            dhgen_abs_##number(v137))), \
+        v143 = near7 * v73 + v67 * dhgen_abs_##number(X1_2) + v75 * v142, v153 = near_m5 * v34, \
+        v154 = near_m5 * v36, v155 = near_m5 * v40, v159 = near8 + near_m3 * v125, \
+        v160 = T34 * v136, v161 = T34 * v137, v162 = T34 * v138 + near_length * X1_2, \
+        v163 = near7 * dhgen_abs_##number(T34) + near_length * v142, \
+        v192 = dhgen_abs_##number(T33), v193 = near5 + (v86 + v103), v206 = v114 + v115
+#define SIGNED(number, signs) \
+    /* theta1 */ \
+    const dhgen_##number v4 = e1 * T14, v5 = inverse1 * v4, c1 = w1 * v5 - v3, v8 = e1 * T24, \
+        v9 = inverse1 * v8, s1 = v7 + w1 * v9; \
+    /* theta2 */ \
+    const dhgen_##number v22 = e1 * X1_2, v23 = w1 * v22; \
+    /* theta4 */ \
+    const dhgen_##number v24 = c1 * T13 + s1 * T23, Y4 = s1 * T13 - c1 * T23, v25 = Y4 * Y4, \
+        v28 = dhgen_signed_##number(DHGEN_HALF_TURN, Y4); \
+    /* theta6 */ \
+    const dhgen_##number v29 = c1 * T22 - s1 * T12, v30 = c1 * T12 + s1 * T22, \
+        v31 = c1 * T21 - s1 * T11, v32 = c1 * T11 + s1 * T21; \
+    /* joint values */ \
+    const dhgen_##number v68 = inverse1 * (near_length * e1), v69 = v8 * v51, \
+        v70 = v68 - v8 * v52, v76 = v58 + (v9 * v63 - w1 * v69), v77 = w1 * v70 + v9 * v64 - v57, \
+        v78 = v61 + (v74 + v67 * dhgen_abs_##number(v9) + v75 * (v72 + (dhgen_abs_##number(v69) + \
+            dhgen_abs_##number(v70)))), v81 = s1 * v79, v82 = near5 * dhgen_abs_##number(s1), \
+        v84 = v78 + (dhgen_abs_##number(v76) + dhgen_abs_##number(v77)), v88 = v4 * v52, \
+        v89 = v68 - v4 * v51, v94 = v92 + (w1 * v89 + v5 * v63), \
+        v96 = v95 + (v5 * v64 - w1 * v88), \
+        v97 = v93 + (v91 + v67 * dhgen_abs_##number(v5) + v75 * (v90 + (dhgen_abs_##number(v89) + \
+            dhgen_abs_##number(v88)))), v99 = c1 * v79, v100 = near5 * dhgen_abs_##number(c1), \
+        v102 = v97 + (dhgen_abs_##number(v94) + dhgen_abs_##number(v96)), \
+        v105 = s1 * v80 + c1 * v98, v106 = T13 * v76 - T23 * v94, v107 = T13 * v77 - T23 * v96, \
+        v108 = v82 + v78 * v83 + v84 * v87 + (v100 + v97 * v101 + v102 * v104) + \
+            (dhgen_sqrt_##number(v99 * v99 + v81 * v81 + v105 * v105) + dhgen_sqrt_##number(v106 * \
+            v106 + v107 * v107)), v139 = w1 * (e1 * v138), v140 = w1 * (e1 * v136) + v22 * v63, \
+        v141 = w1 * (e1 * v137) + v22 * v64, v180 = s1 * v98 - c1 * v80, \
+        v181 = T13 * v94 + T23 * v76, v182 = T13 * v96 + T23 * v77, \
+        v183 = v100 + v83 * v97 + v87 * v102 + (v82 + v78 * v101 + v84 * v104), \
+        v185 = dhgen_abs_##number(v24), \
+        v186 = v183 + (dhgen_abs_##number(v182) + (dhgen_abs_##number(v181) + \
+            (dhgen_abs_##number(v180) + (dhgen_abs_##number(v81) + dhgen_abs_##number(v99))))), \
+        v208 = v108 * v108
+#define SIGNED_TWICE(number, signs) \
+    /* theta3 */ \
+    const dhgen_##signs v14 = near_m3 * e3; \
+    const dhgen_##number s3 = v13 - w3 * v14; \
+    const dhgen_##signs v16 = near_m5 * e3; \
+    const dhgen_##number c3 = v15 - w3 * v16; \
+    /* theta2 */ \
+    const dhgen_##signs v18 = e1 * e3; \
+    const dhgen_##number v19 = near_m7 * (w1 * v18), S2 = v17 - w3 * v19, \
+        v20 = near_m7 * (e3 * T34), v21 = w3 * v20, C2 = v21 + v23; \
+    /* theta4 */ \
+    const dhgen_##number c23 = c3 * C2 - s3 * S2, s23 = c3 * S2 + s3 * C2, \
+        c4 = c23 * v24 + s23 * T33, v26 = factor2 * c4, v27 = v25 + factor2 * (c4 * v26); \
+    /* theta6 */ \
+    const dhgen_##number s6 = c4 * v31 + Y4 * (c23 * v32 + s23 * T31); \
+    /* joint values */ \
+    const dhgen_##number v126 = v116 + v16 * v120, v127 = v117 + v16 * v121, \
+        v128 = v118 + v16 * v122; \
+    const dhgen_##signs v130 = near_m7 * (near_length * e3); \
+    const dhgen_##number v132 = v20 * v120, v133 = v20 * v121, v134 = w3 * v130 + v20 * v122, \
+        v144 = v132 + v140, v145 = v133 + v141, v146 = v134 + v139, v148 = dhgen_abs_##number(c3), \
+        v150 = dhgen_abs_##number(C2), \
+        v151 = v129 + (dhgen_abs_##number(v128) + (dhgen_abs_##number(v126) + \
+            dhgen_abs_##number(v127))), v156 = v153 - v14 * v120, v157 = v154 - v14 * v121, \
+        v158 = v155 - v14 * v122, v164 = near_m7 * (v18 * v63), v165 = near_m7 * (v18 * v64), \
+        v168 = v160 - (w3 * v164 + v19 * v120), v169 = v161 - (w3 * v165 + v19 * v121), \
+        v170 = v162 - v19 * v122, v172 = dhgen_abs_##number(s3), v173 = dhgen_abs_##number(S2), \
+        v174 = v159 + (dhgen_abs_##number(v158) + (dhgen_abs_##number(v156) + \
+            dhgen_abs_##number(v157))), v176 = c3 * v144 - C2 * v126 - (s3 * v168 + S2 * v156), \
+        v177 = c3 * v145 - C2 * v127 - (s3 * v169 + S2 * v157), \
+        v178 = c3 * v146 - C2 * v128 - (s3 * v170 + S2 * v158), v184 = c23 * v180, \
+        v188 = c3 * v168 - S2 * v126 + (s3 * v144 + C2 * v156), \
+        v189 = c3 * v169 - S2 * v127 + (s3 * v145 + C2 * v157), \
+        v190 = c3 * v170 - S2 * v128 + (s3 * v146 + C2 * v158), v194 = s23 * v80 - c23 * v81, \
+        v195 = c23 * v99 - s23 * v98, v196 = c23 * v181 + v24 * v176 + T33 * v188, \
+        v197 = c23 * v182 + v24 * v177 + T33 * v189, v198 = v24 * v178 + T33 * v190, \
+        v200 = factor2 * v194, v201 = factor2 * v195, v202 = factor2 * v184, \
+        v203 = factor2 * v196 - c4 * v110, v204 = factor2 * v197 - c4 * v111, \
+        v205 = factor2 * v198 - c4 * v112
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+DHGEN_INLINE dhgen_wide_mask solve_wide(
+    const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
+{
+    (void)free_joints;
+    ENTRIES(dhgen_wide);
+    dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
+        DHGEN_ORTHONORMAL) == 0;
+    KNOWN(wide);
+
+    /* theta3 */
+    const dhgen_wide angle1 = dhgen_atan2_wide(w3, N3 - near_k7);
+    left |= (dhgen_abs_wide(v46 + (D3 + D3)) <= v46) | (dhgen_abs_wide(v38 + (D1 + D1)) <= v38) |
+        (v47 <= v38) | (v49 <= v48) | (dhgen_abs_wide(D3 * (near_k4 * w1)) <= near_m2) |
+        (dhgen_abs_wide(D1) <= near_m1);
+
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
+        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        SIGNED(wide, double);
+
+        /* joint values */
+        const dhgen_wide angle6 = dhgen_atan2_wide(s1, c1), q1_p = v12 + angle6;
+
+        for (int i2 = 0; i2 < 2; i2++) { /* +, - */
+            const double e3 = i2 == 0 ? 1.0 : -1.0;
+            SIGNED_TWICE(wide, double);
+
+            /* theta3 */
+            const dhgen_wide q3_ = e3 * angle1 - near_turn1;
+
+            /* theta2 */
+            const dhgen_wide angle2 = dhgen_atan2_wide(S2, C2);
+
+            /* theta4 */
+            const dhgen_wide angle3 = dhgen_atan2_wide(Y4, v26);
+
+            /* theta5 */
+            const dhgen_wide angle4 = dhgen_atan2_wide(dhgen_sqrt_wide(v27), factor2 * (c23 * T33 -
+                s23 * v24));
+
+            /* theta6 */
+            const dhgen_wide angle5 = dhgen_atan2_wide(s6, c4 * v29 + Y4 * (c23 * v30 + s23 * T32));
+
+            /* joint values */
+            const dhgen_wide q3_p = v1 + dhgen_lowered_wide(q3_),
+                v147 = v143 + (v125 * dhgen_abs_wide(v20) + v135 * fabs(v130)), v149 = v147 * v148,
+                v152 = v147 + (dhgen_abs_wide(v146) + (dhgen_abs_wide(v144) +
+                    dhgen_abs_wide(v145))), v166 = near_m7 * (v67 * fabs(e3)), v167 = v131 * v166,
+                v171 = v163 + (v167 + v125 * dhgen_abs_wide(v19) + v135 * (v166 +
+                    (dhgen_abs_wide(v164) + dhgen_abs_wide(v165)))),
+                v175 = v171 + (dhgen_abs_wide(v170) + (dhgen_abs_wide(v168) +
+                    dhgen_abs_wide(v169))),
+                v179 = v149 + v129 * v150 + v151 * v152 + (v171 * v172 + v159 * v173 + v174 * v175),
+                v187 = v147 * v172,
+                v191 = v148 * v171 + v129 * v173 + v151 * v175 + (v187 + v150 * v159 + v152 * v174),
+                v199 = v183 * dhgen_abs_wide(c23) + v179 * v185 + v186 * (v179 +
+                    (dhgen_abs_wide(v178) + (dhgen_abs_wide(v176) + dhgen_abs_wide(v177)))) + (near5
+                    * dhgen_abs_wide(s23) + v191 * v192 + v193 * (v191 + (dhgen_abs_wide(v190) +
+                    (dhgen_abs_wide(v188) + dhgen_abs_wide(v189))))),
+                v207 = v109 * v199 + v115 * dhgen_abs_wide(c4) + v206 * (v199 +
+                    (dhgen_abs_wide(v198) + (dhgen_abs_wide(v197) + (dhgen_abs_wide(v196) +
+                    (dhgen_abs_wide(v184) + (dhgen_abs_wide(v194) + dhgen_abs_wide(v195))))))) +
+                    (dhgen_sqrt_wide(v200 * v200 + v201 * v201 + v202 * v202) + dhgen_sqrt_wide(v203
+                    * v203 + v204 * v204 + v205 * v205));
+            const int row = 4 * i1 + 2 * i2;
+            q[6 * row] = q1_p; q[6 * row + 1] = angle2; q[6 * row + 2] = q3_p;
+            q[6 * row + 3] = angle3; q[6 * row + 4] = angle4; q[6 * row + 5] = angle5;
+            kind[row] = dhgen_kind_wide(q[6 * row]);
+            q[6 * row + 6] = q1_p; q[6 * row + 7] = angle2; q[6 * row + 8] = q3_p;
+            q[6 * row + 9] = angle3 - v28; q[6 * row + 10] = -angle4;
+            q[6 * row + 11] = angle5 - dhgen_signed_wide(DHGEN_HALF_TURN, s6);
+            kind[row + 1] = dhgen_kind_wide(q[6 * row + 6]);
+            left |= (v27 <= near_m9) | (v27 <= v208 + v207 * v207);
+        }
+    }
+    return left;
+}
+
+#if DHGEN_LANES > 1
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+DHGEN_ALWAYS
+DHGEN_INLINE int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    (void)free_joints;
+    const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
+    ENTRIES(double);
+    KNOWN(double);
+    SIGNED(four, four);
+    SIGNED_TWICE(four, four);
+
+    /* joint values */
+    const dhgen_four v147 = v143 + (v125 * dhgen_abs_four(v20) + v135 * dhgen_abs_four(v130)),
+        v149 = v147 * v148,
+        v152 = v147 + (dhgen_abs_four(v146) + (dhgen_abs_four(v144) + dhgen_abs_four(v145))),
+        v166 = near_m7 * (v67 * dhgen_abs_four(e3)), v167 = v131 * v166,
+        v171 = v163 + (v167 + v125 * dhgen_abs_four(v19) + v135 * (v166 + (dhgen_abs_four(v164) +
+            dhgen_abs_four(v165)))),
+        v175 = v171 + (dhgen_abs_four(v170) + (dhgen_abs_four(v168) + dhgen_abs_four(v169))),
+        v179 = v149 + v129 * v150 + v151 * v152 + (v171 * v172 + v159 * v173 + v174 * v175),
+        v187 = v147 * v172,
+        v191 = v148 * v171 + v129 * v173 + v151 * v175 + (v187 + v150 * v159 + v152 * v174),
+        v199 = v183 * dhgen_abs_four(c23) + v179 * v185 + v186 * (v179 + (dhgen_abs_four(v178) +
+            (dhgen_abs_four(v176) + dhgen_abs_four(v177)))) + (near5 * dhgen_abs_four(s23) + v191 *
+            v192 + v193 * (v191 + (dhgen_abs_four(v190) + (dhgen_abs_four(v188) +
+            dhgen_abs_four(v189))))),
+        v207 = v109 * v199 + v115 * dhgen_abs_four(c4) + v206 * (v199 + (dhgen_abs_four(v198) +
+            (dhgen_abs_four(v197) + (dhgen_abs_four(v196) + (dhgen_abs_four(v184) +
+            (dhgen_abs_four(v194) + dhgen_abs_four(v195))))))) + (dhgen_sqrt_four(v200 * v200 + v201
+            * v201 + v202 * v202) + dhgen_sqrt_four(v203 * v203 + v204 * v204 + v205 * v205));
+
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v27 <= near_m9)
+        | (v27 <= v208 + v207 * v207))) | (unsigned)((fabs(v46 + (D3 + D3)) <= v46) | (fabs(v38 +
+        (D1 + D1)) <= v38) | (v47 <= v38) | (v49 <= v48) | (fabs(D3 * (near_k4 * w1)) <= near_m2) |
+        (fabs(D1) <= near_m1)))
+        return -1;
+
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, dhgen_all_four(w3), 0, 5,
+        2, 3), dhgen_shuffle(c1, dhgen_all_four(N3 - near_k7), 0, 5, 2, 3)),
+        ratio2 = dhgen_ratio_four(S2, C2), ratio3 = dhgen_ratio_four(Y4, v26),
+        ratio4 = dhgen_ratio_four(s6, c4 * v29 + Y4 * (c23 * v30 + s23 * T32)),
+        ratio5 = dhgen_ratio_four(dhgen_sqrt_four(v27), factor2 * (c23 * T33 - s23 * v24));
+    const dhgen_four packed1 = dhgen_angle_four(ratio1),
+        angle6 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2),
+        angle1 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = dhgen_angle_four(ratio2),
+        angle3 = dhgen_angle_four(ratio3), angle5 = dhgen_angle_four(ratio4),
+        angle4 = dhgen_angle_four(ratio5);
+    const dhgen_four q3_ = e3 * angle1 - near_turn1, q4_m = angle3 - v28,
+        q6_m = angle5 - dhgen_signed_four(DHGEN_HALF_TURN, s6), q1_p = v12 + angle6,
+        q3_p = v1 + dhgen_lowered_four(q3_);
+
+    dhgen_store_4(q, q + 12, q + 24, q + 36, q1_p, angle2, q3_p, angle3);
+    dhgen_store_2(q + 4, q + 16, q + 28, q + 40, angle4, angle5);
+    dhgen_store_4(q + 6, q + 18, q + 30, q + 42, q1_p, angle2, q3_p, q4_m);
+    dhgen_store_2(q + 10, q + 22, q + 34, q + 46, -angle4, q6_m);
+    const unsigned long long none1 = (dhgen_bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long kind1 = none1 * DHGEN_UNREACHABLE;
+    __builtin_memcpy(status, &kind1, 8);
+    return __builtin_popcountll(0x101010101010101ull & ~none1);
+}
+#else
+static int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    return dhgen_solve_branches(solve_wide, 8, T, free_joints, q, status);
+}
+#endif
+
+DHGEN_TABLE dhgen_nearest_arm nearest_arm = {
+    8, /* rows */
+    { 1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.6712591624 },
+    { -1.0, 0.0, 0.0, 9.38408e-05, -0.0, -0.999998804206049, -0.0015464755000093547,
+        -1.8575731718540364e-06, 0.0, -0.0015464755000093547, 0.999998804206049,
+        0.0012011641636534413 },
+    { 0.0, -3.5450000001824906e-07, -3.141592299089793, 3.141592235789793, 3.141592653889793, 0.0 },
+    { 0, 1, 2, 3, 4, 5 },
+};
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
@@ -288,8 +638,12 @@ static void solve(
     double (*const q)[6] = (double (*)[6])rows;
     (void)free_joints;
     (void)moved;
-    double (*const nearby)[6] = NULL; /* no nearest arm is tried first */
+    double nearby[16][6];
+#ifdef PUMA560_CALIBRATED_PLAIN
     const int nearby_count = 0;
+#else
+    const int nearby_count = dhgen_near_solutions(&nearest_arm, solve_regular, T, NULL, nearby);
+#endif
 
     /* all joints: the general 6R loop */
     double solution_roots[16][6];

@@ -30,6 +30,7 @@ def _runtime(name):
 
 _HOW = _runtime("jit").of_file(__file__, interface=1)
 _arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
+_atan2 = _runtime("angles").atan2
 _of_joints = _runtime("entry").of_joints(_HOW, 6)
 
 NAME = "puma560_calibrated"
@@ -72,6 +73,11 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
+# In formulas below, near_arm_size1 = 1.0332489194603163 [m], near_a2 = 0.4314454936115 [m],
+# near_a3 = -0.020185839855499987 [m], near_d4 = 0.4326956882369999 [m],
+# near_k5 = 0.3733692095899602 [m^2], near_k6 = -0.01741817928083776 [m^2],
+# near_k3 = 3.0774677988139795e-15 [m^2], near_longest3_apart = 0.7475535203061898 [m^2],
+# near_k8 = 7.157788307709011 [m^-4], near_doubt_limit = 9.999999999999999e-05.
 d1 = 0.6712591624431  # joint offset 1 [m]
 a1 = 0.0026544606897  # link length 1 [m]
 ca1 = 0.0016085442592340678  # cosine of twist 1
@@ -105,6 +111,35 @@ offset6 = -0.0022050175347  # offset of joint 6 [rad]
 f1 = -2.3070697884642687e-07  # d2 * ca1 [m]
 f2 = 1.7152850204059354e-06  # sa2 * ca1
 f3 = 0.0016085433446793326  # ca2 * ca1
+near_angle = 0.0063859344  # the two arms' tools are turned by no more
+near_length = 0.0076985885  # and no farther apart [m]
+near_d3 = 0.14892189775631642  # joint offset 3 [m]
+near_longest3 = 0.7475535203062076  # square of the longest reach [m^2]
+near_shortest3 = 2.961108259928867e-06  # square of the shortest reach [m^2]
+near_k1 = 0.022177731631342762  # near_d3^2 [m^2]
+near_k4 = 0.9678209975988334  # 1 / near_arm_size1 [m^-1]
+near_k7 = 0.37377824070723376  # near_a2^2 + (near_a3^2 + near_d4^2) [m^2]
+near_turn1 = -1.6174138820106556  # atan2(-near_k5, near_k6) [rad]
+near_m1 = 3.0774677988139795e-12  # 1000 * near_k3 [m^2]
+# 1000 * (near_longest3 - near_longest3_apart) * (near_longest3_apart - near_shortest3) [m^4]
+near_m2 = 1.3279165486287245e-11
+near_m3 = 0.12467563999795989  # -near_k6 * near_k8 [m^-2]
+near_m4 = 0.9989215120964166  # near_k5 * near_k7 * near_k8
+near_m5 = 2.6724977628615725  # near_k5 * near_k8 [m^-2]
+near_m6 = 0.04660104137748587  # -near_k6 * near_k7 * near_k8
+near_m7 = 1.1588949413161114  # near_k8 * (near_d4 * near_k5 + near_a3 * near_k6) [m^-1]
+# near_d4 * near_k5 * near_k7 * near_k8 + near_a3 * near_k6 * near_k7 * near_k8 - near_a2 [m]
+near_m8 = 0.0017242187181490598
+near_m9 = 9.999999999999999e-09  # near_doubt_limit^2
+near1 = 0.0001185365297846645  # near_length^2 + near_length^2 [m^2]
+near2 = 0.00017780479467699675  # near_length^2 + near_length^2 + near_length^2 [m^2]
+near3 = 0.0011464884094649535  # near_d3 * near_length [m^2]
+near4 = 0.5  # 1 / 2
+near5 = 2.0390079080551684e-05  # near_angle^2 / 2
+near6 = 2.216792657106042e-05  # near_m3 * near2
+near7 = 0.00020605707709292137  # near_m7 * near2 [m]
+near8 = 0.00047518291600033504  # near_m5 * near2
+h1 = 0.00892185526792439  # near_m7 * near_length
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -502,13 +537,605 @@ _LOOP = _loops.Loop(
 )
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
 _all_joints = _runtime("general.rows").all_joints
+_nearest, _COMPILED = _runtime("general.near"), _runtime("jit").COMPILED
 _NO_FREE = np.zeros(0)
+
+
+# The nearest arm with a structure: what follows is its closed form.
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
+
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
+    """
+    for k in range(w):
+        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+
+        # theta1, type 2: U1[3, 4]
+        N1 = T14 * T14 + T24 * T24
+        D1 = N1 - near_k1
+        w1 = math.sqrt(D1)
+        v1 = w1 - w1
+        inverse1 = 1.0 / N1
+        v2 = near_d3 * T24
+        v3 = inverse1 * v2
+        v4 = T14 * inverse1
+        v5 = w1 * v4
+        c1_p = v5 - v3
+        v6 = v3 + v5
+        v7 = near_d3 * T14
+        v8 = inverse1 * v7
+        v9 = T24 * inverse1
+        v10 = w1 * v9
+        s1_p = v8 + v10
+        s1_m = v8 - v10
+
+        # theta3, type 6: U1[2, 4] and U1[1, 4]
+        N3 = D1 + T34 * T34
+        v11 = near_longest3 - N3
+        v12 = N3 - near_shortest3
+        D3 = v11 * v12
+        w3 = math.sqrt(D3)
+        v13 = w3 - w3
+        v14 = near_m5 * N3 - near_m4
+        v15 = near_m3 * w3
+        s3_p = v14 - v15
+        s3_m = v14 + v15
+        v16 = near_m6 - near_m3 * N3
+        v17 = near_m5 * w3
+        c3_p = v16 - v17
+        c3_m = v16 + v17
+
+        # theta2, type 3: U1[2, 4] and U1[1, 4]
+        X1_2 = near_m7 * N3 - near_m8
+        v19 = T34 * X1_2
+        v20 = near_m7 * w1
+        v21 = w3 * v20
+        S2_pp = v19 - v21
+        S2_pm = v19 + v21
+        v22 = near_m7 * T34
+        v23 = w3 * v22
+        v24 = w1 * X1_2
+        v25 = w1 * -X1_2
+        C2_pp = v23 + v24
+        C2_pm = v24 - v23
+        C2_mp = v23 + v25
+        C2_mm = v25 - v23
+        factor2 = 1.0 / N3
+
+        # theta4, type 2: U4[3, 3]
+        c23_pp = c3_p * C2_pp - s3_p * S2_pp
+        c23_pm = c3_m * C2_pm - s3_m * S2_pm
+        c23_mp = c3_p * C2_mp - s3_p * S2_pm
+        c23_mm = c3_m * C2_mm - s3_m * S2_pp
+        s23_pp = c3_p * S2_pp + s3_p * C2_pp
+        s23_pm = c3_m * S2_pm + s3_m * C2_pm
+        s23_mp = c3_p * S2_pm + s3_p * C2_mp
+        s23_mm = c3_m * S2_pp + s3_m * C2_mm
+        v26 = c1_p * T13 + s1_p * T23
+        v27 = s1_m * T23 - v6 * T13
+        c4_pp = c23_pp * v26 + s23_pp * T33
+        c4_pm = c23_pm * v26 + s23_pm * T33
+        c4_mp = c23_mp * v27 + s23_mp * T33
+        c4_mm = c23_mm * v27 + s23_mm * T33
+        Y4_p = s1_p * T13 - c1_p * T23
+        Y4_m = s1_m * T13 + v6 * T23
+        v28 = Y4_p * Y4_p
+        v29 = Y4_m * Y4_m
+        v30 = factor2 * c4_pp
+        v31 = factor2 * c4_pm
+        v32 = factor2 * c4_mp
+        v33 = factor2 * c4_mm
+        v34 = v28 + factor2 * (c4_pp * v30)
+        v35 = v28 + factor2 * (c4_pm * v31)
+        v36 = v29 + factor2 * (c4_mp * v32)
+        v37 = v29 + factor2 * (c4_mm * v33)
+        v38 = math.copysign(half_turn, Y4_p)
+        v39 = math.copysign(half_turn, Y4_m)
+
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        v40 = c1_p * T22 - s1_p * T12
+        v41 = v6 * T22 + s1_m * T12
+        v42 = c1_p * T12 + s1_p * T22
+        v43 = s1_m * T22 - v6 * T12
+        v44 = c1_p * T21 - s1_p * T11
+        v45 = v6 * T21 + s1_m * T11
+        v46 = c1_p * T11 + s1_p * T21
+        v47 = s1_m * T21 - v6 * T11
+        s6_pp = c4_pp * v44 + Y4_p * (c23_pp * v46 + s23_pp * T31)
+        s6_pm = c4_pm * v44 + Y4_p * (c23_pm * v46 + s23_pm * T31)
+        s6_mp = Y4_m * (c23_mp * v47 + s23_mp * T31) - c4_mp * v45
+        s6_mm = Y4_m * (c23_mm * v47 + s23_mm * T31) - c4_mm * v45
+
+        # joint values
+        v48 = near_length * T14
+        v49 = v48 + v48
+        v50 = near_length * T24
+        v51 = v50 + v50
+        v52 = v49 * v49 + v51 * v51
+        v53 = near1 + math.sqrt(v52)
+        v54 = near_length * T34
+        v55 = v54 + v54
+        v56 = v11 * v49 - v12 * v49
+        v57 = v11 * v51 - v12 * v51
+        v58 = v11 * v55 - v12 * v55
+        v59 = near2 + (abs(v55) + (abs(v49) + abs(v51)))
+        v60 = near2 * abs(v11) + near2 * abs(v12) + v59 * v59
+        v61 = v60 + math.sqrt(v56 * v56 + v57 * v57 + v58 * v58)
+        v62 = abs(N1)
+        v63 = near2 + math.sqrt(v52 + v55 * v55)
+        v64 = abs(N3)
+        v65 = abs(inverse1)
+        v66 = inverse1 * (inverse1 * v49)
+        v67 = inverse1 * (inverse1 * v51)
+        v68 = v65 * (near1 * v65)
+        v69 = abs(v66) + abs(v67)
+        v70 = v68 + (v68 + v69) * (v53 / (v62 - v53))
+        v71 = near3 * inverse1
+        v72 = v7 * v67
+        v73 = v71 - v7 * v66
+        v74 = v69 + v70
+        v75 = near3 * v74
+        v76 = v75 + v70 * abs(v7)
+        v77 = near4 / w1
+        v78 = v49 * v77
+        v79 = v51 * v77
+        v80 = v53 * v77
+        v81 = v80 * v80 / w1
+        v82 = v81 + (v81 + near1 * abs(v77))
+        v83 = near_length * inverse1
+        v84 = T24 * v66
+        v85 = v83 - T24 * v67
+        v86 = near_length * v74
+        v87 = v86 + v70 * abs(T24)
+        v88 = abs(w1)
+        v89 = v82 + (abs(v78) + abs(v79))
+        v90 = v9 * v78 - w1 * v84
+        v91 = v73 + v90
+        v92 = v73 + -v90
+        v93 = v9 * v79
+        v94 = w1 * v85 + v93 - v72
+        v95 = w1 * -v85 - v93 - v72
+        v96 = v87 * v88 + v82 * abs(v9)
+        v97 = abs(v84)
+        v98 = v76 + (v96 + v89 * (v87 + (v97 + abs(v85))))
+        v99 = v76 + (v96 + v89 * (v87 + (v97 + abs(-v85))))
+        v100 = near_angle * T33
+        v101 = near_angle * T23
+        v102 = s1_p * v100
+        v103 = s1_m * v100
+        v104 = near5 * abs(s1_p)
+        v105 = near5 * abs(s1_m)
+        v106 = abs(T13)
+        v107 = v98 + (abs(v91) + abs(v94))
+        v108 = v99 + (abs(v92) + abs(v95))
+        v109 = abs(v100)
+        v110 = abs(v101)
+        v111 = near5 + (v109 + v110)
+        v112 = T14 * v67
+        v113 = v83 - T14 * v66
+        v114 = v86 + v70 * abs(T14)
+        v115 = v2 * v66
+        v116 = v75 + v70 * abs(v2)
+        v117 = v4 * v78
+        v118 = v115 + (w1 * v113 + v117)
+        v119 = v115 + (w1 * -v113 - v117)
+        v120 = v2 * v67 - v71
+        v121 = v4 * v79 - w1 * v112
+        v122 = v120 + v121
+        v123 = v120 + -v121
+        v124 = v88 * v114 + v82 * abs(v4)
+        v125 = abs(v112)
+        v126 = v116 + (v124 + v89 * (v114 + (abs(v113) + v125)))
+        v127 = v116 + (v124 + v89 * (v114 + (v125 + abs(-v113))))
+        v128 = near_angle * T13
+        v129 = c1_p * v100
+        v130 = v6 * v100
+        v131 = near5 * abs(c1_p)
+        v132 = near5 * abs(v6)
+        v133 = abs(T23)
+        v134 = v126 + (abs(v118) + abs(v122))
+        v135 = v127 + (abs(v119) + abs(v123))
+        v136 = abs(v128)
+        v137 = near5 + (v109 + v136)
+        v138 = s1_p * v101 + c1_p * v128
+        v139 = s1_m * v101 - v6 * v128
+        v140 = T13 * v91 - T23 * v118
+        v141 = T13 * v92 - T23 * v119
+        v142 = T13 * v94 - T23 * v122
+        v143 = T13 * v95 - T23 * v123
+        v144 = (
+            v104 + v98 * v106 + v107 * v111 + (v131 + v126 * v133 + v134 * v137) + (math.sqrt(v129 *
+            v129 + v102 * v102 + v138 * v138) + math.sqrt(v140 * v140 + v142 * v142))
+        )
+        v145 = (
+            v105 + v99 * v106 + v108 * v111 + (v132 + v127 * v133 + v135 * v137) + (math.sqrt(v130 *
+            v130 + v103 * v103 + v139 * v139) + math.sqrt(v141 * v141 + v143 * v143))
+        )
+        v146 = abs(factor2)
+        v147 = factor2 * (factor2 * v49)
+        v148 = factor2 * (factor2 * v51)
+        v149 = factor2 * (factor2 * v55)
+        v150 = v146 * (near2 * v146)
+        v151 = abs(v149) + (abs(v147) + abs(v148))
+        v152 = v150 + (v150 + v151) * (v63 / (v64 - v63))
+        v153 = near_m3 * v49
+        v154 = near_m3 * v51
+        v155 = near_m3 * v55
+        v156 = near4 / w3
+        v157 = v56 * v156
+        v158 = v57 * v156
+        v159 = v58 * v156
+        v160 = v61 * v156
+        v161 = v160 * v160 / w3
+        v162 = v161 + (v161 + v60 * abs(v156))
+        v163 = near_m5 * v157
+        v164 = v153 + v163
+        v165 = v153 - v163
+        v166 = near_m5 * v158
+        v167 = v154 + v166
+        v168 = v154 - v166
+        v169 = near_m5 * v159
+        v170 = v155 + v169
+        v171 = v155 - v169
+        v172 = near6 + near_m5 * v162
+        v173 = v22 * v157
+        v174 = v22 * v158
+        v175 = w3 * h1 + v22 * v159
+        v176 = v162 + (abs(v159) + (abs(v157) + abs(v158)))
+        v177 = near_m7 * v49
+        v178 = near_m7 * v51
+        v179 = near_m7 * v55
+        v180 = w1 * v179
+        v181 = w1 * v177
+        v182 = v181 + X1_2 * v78
+        v183 = -X1_2 * v78 - v181
+        v184 = w1 * v178
+        v185 = v184 + X1_2 * v79
+        v186 = -X1_2 * v79 - v184
+        v187 = near7 + (abs(v179) + (abs(v177) + abs(v178)))
+        v188 = v173 + v182
+        v189 = v182 - v173
+        v190 = v173 + v183
+        v191 = v183 - v173
+        v192 = v174 + v185
+        v193 = v185 - v174
+        v194 = v174 + v186
+        v195 = v186 - v174
+        v196 = v175 + v180
+        v197 = v180 - v175
+        v198 = near7 * v88 + v82 * abs(X1_2) + v89 * v187 + (v162 * abs(v22) + h1 * v176)
+        v199 = abs(c3_p)
+        v200 = abs(c3_m)
+        v201 = v198 * v199
+        v202 = v198 * v200
+        v203 = abs(C2_pp)
+        v204 = abs(C2_pm)
+        v205 = abs(C2_mp)
+        v206 = abs(C2_mm)
+        v207 = v172 + (abs(v170) + (abs(v164) + abs(v167)))
+        v208 = v172 + (abs(v171) + (abs(v165) + abs(v168)))
+        v209 = abs(v196)
+        v210 = v198 + (v209 + (abs(v188) + abs(v192)))
+        v211 = v198 + (abs(v197) + (abs(v189) + abs(v193)))
+        v212 = v198 + (abs(-v197) + (abs(v190) + abs(v194)))
+        v213 = v198 + (v209 + (abs(v191) + abs(v195)))
+        v214 = near_m5 * v49
+        v215 = near_m5 * v51
+        v216 = near_m5 * v55
+        v217 = near_m3 * v157
+        v218 = v214 - v217
+        v219 = v214 + v217
+        v220 = near_m3 * v158
+        v221 = v215 - v220
+        v222 = v215 + v220
+        v223 = near_m3 * v159
+        v224 = v216 - v223
+        v225 = v216 + v223
+        v226 = near8 + near_m3 * v162
+        v227 = T34 * v177
+        v228 = T34 * v178
+        v229 = T34 * v179 + near_length * X1_2
+        v230 = near_m7 * v78
+        v231 = near_m7 * v79
+        v232 = near_m7 * v82
+        v233 = w3 * v230 + v20 * v157
+        v234 = v227 - v233
+        v235 = v227 + v233
+        v236 = w3 * v231 + v20 * v158
+        v237 = v228 - v236
+        v238 = v228 + v236
+        v239 = v20 * v159
+        v240 = v229 - v239
+        v241 = v229 + v239
+        v242 = (
+            near7 * abs(T34) + near_length * v187 + (abs(w3) * v232 + v162 * abs(v20) + v176 * (v232
+            + (abs(v230) + abs(v231))))
+        )
+        v243 = abs(s3_p)
+        v244 = abs(s3_m)
+        v245 = abs(S2_pp)
+        v246 = abs(S2_pm)
+        v247 = v226 + (abs(v224) + (abs(v218) + abs(v221)))
+        v248 = v226 + (abs(v225) + (abs(v219) + abs(v222)))
+        v249 = v242 + (abs(v240) + (abs(v234) + abs(v237)))
+        v250 = v242 + (abs(v241) + (abs(v235) + abs(v238)))
+        v251 = c3_p * v188 - C2_pp * v164 - (s3_p * v234 + S2_pp * v218)
+        v252 = c3_m * v189 - C2_pm * v165 - (s3_m * v235 + S2_pm * v219)
+        v253 = c3_p * v190 - C2_mp * v164 - (s3_p * v235 + S2_pm * v218)
+        v254 = c3_m * v191 - C2_mm * v165 - (s3_m * v234 + S2_pp * v219)
+        v255 = c3_p * v192 - C2_pp * v167 - (s3_p * v237 + S2_pp * v221)
+        v256 = c3_m * v193 - C2_pm * v168 - (s3_m * v238 + S2_pm * v222)
+        v257 = c3_p * v194 - C2_mp * v167 - (s3_p * v238 + S2_pm * v221)
+        v258 = c3_m * v195 - C2_mm * v168 - (s3_m * v237 + S2_pp * v222)
+        v259 = c3_p * v196 - C2_pp * v170 - (s3_p * v240 + S2_pp * v224)
+        v260 = c3_m * v197 - C2_pm * v171 - (s3_m * v241 + S2_pm * v225)
+        v261 = c3_p * -v197 - C2_mp * v170 - (s3_p * v241 + S2_pm * v224)
+        v262 = c3_m * v196 + C2_mm * v171 + (s3_m * v240 + S2_pp * v225)
+        v263 = v242 * v243
+        v264 = v226 * v245
+        v265 = v201 + v172 * v203 + v207 * v210 + (v263 + v264 + v247 * v249)
+        v266 = v242 * v244
+        v267 = v226 * v246
+        v268 = v202 + v172 * v204 + v208 * v211 + (v266 + v267 + v248 * v250)
+        v269 = v201 + v172 * v205 + v207 * v212 + (v263 + v267 + v247 * v250)
+        v270 = v202 + v172 * v206 + v208 * v213 + (v264 + v266 + v248 * v249)
+        v271 = s1_p * v128 - c1_p * v101
+        v272 = s1_m * v128 + v6 * v101
+        v273 = T13 * v118 + T23 * v91
+        v274 = T13 * v119 + T23 * v92
+        v275 = T13 * v122 + T23 * v94
+        v276 = T13 * v123 + T23 * v95
+        v277 = v131 + v106 * v126 + v111 * v134 + (v104 + v98 * v133 + v107 * v137)
+        v278 = v132 + v106 * v127 + v111 * v135 + (v105 + v99 * v133 + v108 * v137)
+        v279 = c23_pp * v271
+        v280 = c23_pm * v271
+        v281 = c23_mp * v272
+        v282 = c23_mm * v272
+        v283 = abs(v26)
+        v284 = abs(v27)
+        v285 = v277 + (abs(v275) + (abs(v273) + (abs(v271) + (abs(v102) + abs(v129)))))
+        v286 = v278 + (abs(v276) + (abs(v274) + (abs(v272) + (abs(v103) + abs(v130)))))
+        v287 = v198 * v243
+        v288 = v198 * v244
+        v289 = c3_p * v234 - S2_pp * v164 + (s3_p * v188 + C2_pp * v218)
+        v290 = c3_m * v235 - S2_pm * v165 + (s3_m * v189 + C2_pm * v219)
+        v291 = c3_p * v235 - S2_pm * v164 + (s3_p * v190 + C2_mp * v218)
+        v292 = c3_m * v234 - S2_pp * v165 + (s3_m * v191 + C2_mm * v219)
+        v293 = c3_p * v237 - S2_pp * v167 + (s3_p * v192 + C2_pp * v221)
+        v294 = c3_m * v238 - S2_pm * v168 + (s3_m * v193 + C2_pm * v222)
+        v295 = c3_p * v238 - S2_pm * v167 + (s3_p * v194 + C2_mp * v221)
+        v296 = c3_m * v237 - S2_pp * v168 + (s3_m * v195 + C2_mm * v222)
+        v297 = c3_p * v240 - S2_pp * v170 + (s3_p * v196 + C2_pp * v224)
+        v298 = c3_m * v241 - S2_pm * v171 + (s3_m * v197 + C2_pm * v225)
+        v299 = c3_p * v241 - S2_pm * v170 + (s3_p * -v197 + C2_mp * v224)
+        v300 = c3_m * v240 - S2_pp * v171 + (C2_mm * v225 - s3_m * v196)
+        v301 = v199 * v242
+        v302 = v172 * v245
+        v303 = v301 + v302 + v207 * v249 + (v287 + v203 * v226 + v210 * v247)
+        v304 = v200 * v242
+        v305 = v172 * v246
+        v306 = v304 + v305 + v208 * v250 + (v288 + v204 * v226 + v211 * v248)
+        v307 = v301 + v305 + v207 * v250 + (v287 + v205 * v226 + v212 * v247)
+        v308 = v302 + v304 + v208 * v249 + (v288 + v206 * v226 + v213 * v248)
+        v309 = abs(T33)
+        v310 = near5 + (v110 + v136)
+        v311 = s23_pp * v101 - c23_pp * v102
+        v312 = s23_pm * v101 - c23_pm * v102
+        v313 = s23_mp * v101 - c23_mp * v103
+        v314 = s23_mm * v101 - c23_mm * v103
+        v315 = c23_pp * v129 - s23_pp * v128
+        v316 = c23_pm * v129 - s23_pm * v128
+        v317 = c23_mp * v130 + s23_mp * v128
+        v318 = c23_mm * v130 + s23_mm * v128
+        v319 = c23_pp * v273 + v26 * v251 + T33 * v289
+        v320 = c23_pm * v273 + v26 * v252 + T33 * v290
+        v321 = c23_mp * v274 + v27 * v253 + T33 * v291
+        v322 = c23_mm * v274 + v27 * v254 + T33 * v292
+        v323 = c23_pp * v275 + v26 * v255 + T33 * v293
+        v324 = c23_pm * v275 + v26 * v256 + T33 * v294
+        v325 = c23_mp * v276 + v27 * v257 + T33 * v295
+        v326 = c23_mm * v276 + v27 * v258 + T33 * v296
+        v327 = v26 * v259 + T33 * v297
+        v328 = v26 * v260 + T33 * v298
+        v329 = v27 * v261 + T33 * v299
+        v330 = T33 * v300 - v27 * v262
+        v331 = (
+            v277 * abs(c23_pp) + v265 * v283 + v285 * (v265 + (abs(v259) + (abs(v251) + abs(v255))))
+            + (near5 * abs(s23_pp) + v303 * v309 + v310 * (v303 + (abs(v297) + (abs(v289) +
+            abs(v293)))))
+        )
+        v332 = (
+            v277 * abs(c23_pm) + v268 * v283 + v285 * (v268 + (abs(v260) + (abs(v252) + abs(v256))))
+            + (near5 * abs(s23_pm) + v306 * v309 + v310 * (v306 + (abs(v298) + (abs(v290) +
+            abs(v294)))))
+        )
+        v333 = (
+            v278 * abs(c23_mp) + v269 * v284 + v286 * (v269 + (abs(v261) + (abs(v253) + abs(v257))))
+            + (near5 * abs(s23_mp) + v307 * v309 + v310 * (v307 + (abs(v299) + (abs(v291) +
+            abs(v295)))))
+        )
+        v334 = (
+            v278 * abs(c23_mm) + v270 * v284 + v286 * (v270 + (abs(v262) + (abs(v254) + abs(v258))))
+            + (near5 * abs(s23_mm) + v308 * v309 + v310 * (v308 + (abs(v300) + (abs(v292) +
+            abs(v296)))))
+        )
+        v335 = factor2 * v311
+        v336 = factor2 * v312
+        v337 = factor2 * v313
+        v338 = factor2 * v314
+        v339 = factor2 * v315
+        v340 = factor2 * v316
+        v341 = factor2 * v317
+        v342 = factor2 * v318
+        v343 = factor2 * v279
+        v344 = factor2 * v280
+        v345 = factor2 * v281
+        v346 = factor2 * v282
+        v347 = factor2 * v319 - c4_pp * v147
+        v348 = factor2 * v320 - c4_pm * v147
+        v349 = factor2 * v321 - c4_mp * v147
+        v350 = factor2 * v322 - c4_mm * v147
+        v351 = factor2 * v323 - c4_pp * v148
+        v352 = factor2 * v324 - c4_pm * v148
+        v353 = factor2 * v325 - c4_mp * v148
+        v354 = factor2 * v326 - c4_mm * v148
+        v355 = factor2 * v327 - c4_pp * v149
+        v356 = factor2 * v328 - c4_pm * v149
+        v357 = factor2 * v329 - c4_mp * v149
+        v358 = factor2 * v330 - c4_mm * v149
+        v359 = v151 + v152
+        v360 = (
+            v146 * v331 + v152 * abs(c4_pp) + v359 * (v331 + (abs(v327) + (abs(v323) + (abs(v319) +
+            (abs(v279) + (abs(v311) + abs(v315))))))) + (math.sqrt(v335 * v335 + v339 * v339 + v343
+            * v343) + math.sqrt(v347 * v347 + v351 * v351 + v355 * v355))
+        )
+        v361 = (
+            v146 * v332 + v152 * abs(c4_pm) + v359 * (v332 + (abs(v328) + (abs(v324) + (abs(v320) +
+            (abs(v280) + (abs(v312) + abs(v316))))))) + (math.sqrt(v336 * v336 + v340 * v340 + v344
+            * v344) + math.sqrt(v348 * v348 + v352 * v352 + v356 * v356))
+        )
+        v362 = (
+            v146 * v333 + v152 * abs(c4_mp) + v359 * (v333 + (abs(v329) + (abs(v325) + (abs(v321) +
+            (abs(v281) + (abs(v313) + abs(v317))))))) + (math.sqrt(v337 * v337 + v341 * v341 + v345
+            * v345) + math.sqrt(v349 * v349 + v353 * v353 + v357 * v357))
+        )
+        v363 = (
+            v146 * v334 + v152 * abs(c4_mm) + v359 * (v334 + (abs(v330) + (abs(v326) + (abs(v322) +
+            (abs(v282) + (abs(v314) + abs(v318))))))) + (math.sqrt(v338 * v338 + v342 * v342 + v346
+            * v346) + math.sqrt(v350 * v350 + v354 * v354 + v358 * v358))
+        )
+        v364 = v144 * v144
+        v365 = v145 * v145
+
+        # a joint is free, or branches meet
+        kept[16 * w + k] = (
+            1.0 if abs(v61 + (D3 + D3)) <= v61 or abs(v53 + (D1 + D1)) <= v53 or v62 <= v53 or v64
+            <= v63 or abs(D1) <= near_m1 or v37 <= v365 + v363 * v363 or v37 <= near_m9 or v36 <=
+            v365 + v362 * v362 or v36 <= near_m9 or v35 <= v364 + v361 * v361 or v35 <= near_m9 or
+            v34 <= v364 + v360 * v360 or abs(D3 * (near_k4 * w1)) <= near_m2 or v34 <= near_m9 else
+            kept[16 * w + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = v1, v13, v38, v39
+        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = s6_pp, s6_pm, s6_mp
+        kept[24 * w + k], turns[0 * w + k], turns[1 * w + k] = s6_mm, w3, S2_pp
+        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = S2_pm, S2_pm, S2_pp
+        turns[5 * w + k], turns[6 * w + k], turns[7 * w + k] = Y4_p, Y4_p, Y4_m
+        turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = Y4_m, math.sqrt(v34), math.sqrt(v35)
+        turns[11 * w + k], turns[12 * w + k] = math.sqrt(v36), math.sqrt(v37)
+        turns[13 * w + k], turns[14 * w + k], turns[15 * w + k] = s6_pp, s6_pm, s6_mp
+        turns[16 * w + k], turns[17 * w + k], turns[18 * w + k] = s6_mm, s1_p, s1_m
+        turns[24 * w + k], turns[25 * w + k], turns[26 * w + k] = N3 - near_k7, C2_pp, C2_pm
+        turns[27 * w + k], turns[28 * w + k], turns[29 * w + k] = C2_mp, C2_mm, v30
+        turns[30 * w + k], turns[31 * w + k], turns[32 * w + k] = v31, v32, v33
+        turns[33 * w + k] = factor2 * (c23_pp * T33 - s23_pp * v26)
+        turns[34 * w + k] = factor2 * (c23_pm * T33 - s23_pm * v26)
+        turns[35 * w + k] = factor2 * (c23_mp * T33 - s23_mp * v27)
+        turns[36 * w + k] = factor2 * (c23_mm * T33 - s23_mm * v27)
+        turns[37 * w + k] = c4_pp * v40 + Y4_p * (c23_pp * v42 + s23_pp * T32)
+        turns[38 * w + k] = c4_pm * v40 + Y4_p * (c23_pm * v42 + s23_pm * T32)
+        turns[39 * w + k] = Y4_m * (c23_mp * v43 + s23_mp * T32) - c4_mp * v41
+        turns[40 * w + k] = Y4_m * (c23_mm * v43 + s23_mm * T32) - c4_mm * v41
+        turns[41 * w + k], turns[42 * w + k] = c1_p, -v6
+    if w == 1 and kept[16] != 0.0:
+        return
+    end = 24 if w == 1 else 19 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(19 * w, end):
+        turns[k] = turns[k + 24 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 24 * w])
+    for k in range(w):
+        v1, v13, v38, v39 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
+        s6_pp, s6_pm, s6_mp = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
+        s6_mm, angle1, angle2 = kept[24 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
+        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
+        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
+        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
+        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
+        angle18, angle19 = turns[17 * w + k], turns[18 * w + k]
+
+        # theta3, type 6: U1[2, 4] and U1[1, 4]
+        q3__p = angle1 - near_turn1
+        v18 = near_turn1 + angle1
+
+        # theta4, type 2: U4[3, 3]
+        q4_ppm = angle6 - v38
+        q4_pmm = angle7 - v38
+        q4_mpm = angle8 - v39
+        q4_mmm = angle9 - v39
+
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        q6_ppm = angle14 - math.copysign(half_turn, s6_pp)
+        q6_pmm = angle15 - math.copysign(half_turn, s6_pm)
+        q6_mpm = angle16 - math.copysign(half_turn, s6_mp)
+        q6_mmm = angle17 - math.copysign(half_turn, s6_mm)
+
+        # joint values
+        q1_ppp = v13 + angle18
+        q1_mpp = v13 + angle19
+        q3_ppp = v1 + (q3__p + (-turn if half_turn < q3__p else 0.0))
+        q3_pmp = v1 + ((-turn if half_turn < -v18 else 0.0) - v18)
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, angle2, q3_ppp
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle6, angle10, angle14
+        rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q4_ppm, -angle10, q6_ppm
+        rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = angle3, q3_pmp, angle7
+        rows[12 * w + k], rows[13 * w + k], rows[14 * w + k] = angle11, angle15, q4_pmm
+        rows[15 * w + k], rows[16 * w + k], rows[17 * w + k] = -angle11, q6_pmm, q1_mpp
+        rows[18 * w + k], rows[19 * w + k], rows[20 * w + k] = angle4, angle8, angle12
+        rows[21 * w + k], rows[22 * w + k], rows[23 * w + k] = angle16, q4_mpm, -angle12
+        rows[24 * w + k], rows[25 * w + k], rows[26 * w + k] = q6_mpm, angle5, angle9
+        rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = angle13, angle17, q4_mmm
+        rows[30 * w + k], rows[31 * w + k] = -angle13, q6_mmm
+        rows[32 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[33 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[37 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+
+
+# Where in rows the joint values of each row are.
+_PLACES = np.array([
+    [0, 1, 2, 3, 4, 5],
+    [0, 1, 2, 6, 7, 8],
+    [0, 9, 10, 11, 12, 13],
+    [0, 9, 10, 14, 15, 16],
+    [17, 18, 2, 19, 20, 21],
+    [17, 18, 2, 22, 23, 24],
+    [17, 25, 10, 26, 27, 28],
+    [17, 25, 10, 29, 30, 31],
+])
+
+# What makes of a pose this arm's, before and behind it, and what its angles are more; where in rows
+# these are.
+_LEFT, _RIGHT = np.array((1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.6712591624)), np.array((-1.0, 0.0, 0.0, 9.38408e-05, -0.0, -0.999998804206049, -0.0015464755000093547, -1.8575731718540364e-06, 0.0, -0.0015464755000093547, 0.999998804206049, 0.0012011641636534413))
+_OFFSETS = np.array((0.0, -3.5450000001824906e-07, -3.141592299089793, 3.141592235789793, 3.141592653889793, 0.0))
+_ANGLES = np.ascontiguousarray(_PLACES[:, (0, 1, 2, 3, 4, 5)])
+
+
+@_HOW.merged
+def _nearby(pose, q_free):
+    """Joint values near which all solutions are; none where one of these rows may end."""
+    kept, turns, rows = np.zeros(25), np.zeros(48), np.zeros(40)
+    _nearest.near_pose(pose, _LEFT, _RIGHT, kept)
+    _formulas(kept, turns, rows, len(kept) // 25)
+    if kept[16] != 0.0:
+        return np.empty((0, 6))
+    return _nearest.near_solutions(rows, _ANGLES, _OFFSETS)
 
 
 @_HOW.apart(_arms.SOLVES)
 def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    nearby = np.empty((0, 6))
+    nearby = _nearby(pose, q_free) if _COMPILED else np.empty((0, 6))
     # all joints: the general 6R loop
     solution_roots, solution_found, solution_chosen = _all_joints(
         _NUMBERS, pose, _NO_FREE, seed, nearby

@@ -1,22 +1,31 @@
-"""The regular program of the nearest arm, with what shows that its rows are all an arm's rows.
+"""The regular program of the nearest arm, with what shows that its rows lead to all of an arm's.
 
 Whatever joint values the arm takes to T, those that the caller gives among them, the nearest arm
 takes them to a pose T' that is no farther from T than the two arms differ. So T' is in a ball
-around T, and what the program computes there is in an interval around what it computes at T: the
-centre is the program's value, the radius is worked out beside it (arithmetic of intervals by centre
-and radius; R. E. Moore 1966). What depends on given values alone is the same at both. Where no
-interval of a root's square, of a divisor, or of what else a branch ends at holds zero, every branch
-of the nearest arm has a solution all over the ball, or none anywhere in it.
+around T. Beside what the program computes at T it works out by how much that may differ in the ball
+(see bounds). What depends on given values alone is the same at both. Branches end, or meet, where
+something vanishes:
+
+- Where what is under a root passes through zero two of them end together. It is known where it is
+  negative all over the ball: there is no solution then. If it is negative at T alone, the pose is
+  left. If it is positive at T there are two rows, and corrections of both tell.
+- Where a divisor vanishes, or what is under a root and never negative, or what the program compares
+  with a tolerance, a joint is indeterminate: there a pose is left whose ball reaches that.
 """
 
 from __future__ import annotations
 
 import re
+from copy import deepcopy
 from dataclasses import replace
 from functools import reduce
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from dhgen.nominal.bounds import Bounds, NoBoundError
 from dhgen.program.building.builder import Builder
+from dhgen.program.interpret import outputs
 from dhgen.program.ir import Apply, Heading, Integer, Joint, Let, Pose, Variable
 from dhgen.program.regular.unguarded import Regular
 from dhgen.program.role import Source
@@ -24,18 +33,16 @@ from dhgen.program.role import Source
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from dhgen.arrays import FloatArray
     from dhgen.nominal.deviation import Deviation
     from dhgen.program.building.graph import Entry, Node
     from dhgen.program.ir import Expression, NamedConstant
 
 OWN = "near"  # what the names of the nearest arm's numbers, and of others made here, begin with
-TRANSLATION = 4  # the column of a pose
 COMPARISONS = frozenset({"less", "at_most"})
 SIGNS = frozenset({"neg", "abs"})
-
-
-class NoBoundError(Exception):
-    """A value has no bound that can be computed beside it."""
+POSES = 500  # by which what may be negative is told from what is not
+NEGATIVE = 1e-6  # times the largest value: less is rounding
 
 
 def certified(
@@ -75,10 +82,8 @@ class _Certificate:
         known = solver.program.reserved
         kept = replace(known, values=known.values | names, constants=known.constants | names)
         self._builder = Builder(kept, word)
-        self._turned, self._moved = self._bounds(deviation)
+        self._bounds = Bounds(self._builder, *self._ball(deviation))
         self._values: dict[str, Node] = {}
-        self._radii: dict[Node, Node | None] = {}
-        self._divisors: set[Node] = set()
 
     def run(self) -> Regular:
         builder, program = self._builder, self._solver.program
@@ -99,15 +104,14 @@ class _Certificate:
                         builder.hint(self._values[name], name)
         joints = [self._value(joint) for joint in self._solver.joints]
         told = [self._value(doubt) for doubt in self._solver.doubts]
-        near = [self._may_vanish(node) for node in self._ends([*joints, *told], told)]
-        doubts = builder.disjunctions([*told, *near])
+        doubts = builder.disjunctions([*told, *self._near(joints, told)])
         results = {f"q{place + 1}": node for place, node in enumerate(joints)}
         results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
         finished = builder.finish(program.name, results, [])
         count = len(joints)
         return Regular(finished, finished.outputs[:count], None, None, finished.outputs[count:], ())
 
-    def _bounds(self, deviation: Deviation | None) -> tuple[Node, Node]:
+    def _ball(self, deviation: Deviation | None) -> tuple[Node, Node]:
         """By how much the two arms' tools are turned and moved at most."""
         builder, word = self._builder, self._word
         if deviation is None:
@@ -150,24 +154,44 @@ class _Certificate:
             case Joint():
                 raise NoBoundError
 
-    def _ends(self, results: list[Node], doubts: list[Node]) -> list[Node]:
-        """What must not vanish: under roots, divided by, compared; each factor by itself.
+    def _near(self, joints: list[Node], told: list[Node]) -> Iterator[Node]:
+        """Where a branch may end within the ball, or two of them meet."""
+        entries = [self._entry(node) for node in self._reached([*joints, *told])]
+        roots = [entry.operands[0] for entry in entries if entry.operator == "sqrt"]
+        divisors = [entry.operands[1] for entry in entries if entry.operator == "div"]
+        crossing = self._may_be_negative(list(dict.fromkeys(roots)))
+        compared = [
+            factor
+            for entry in map(self._entry, self._reached(told))
+            if entry.operator in COMPARISONS
+            for operand in entry.operands
+            for factor in self._factors(operand, crossing)
+        ]
+        yield from map(self._may_begin, crossing)
+        yield from map(self._may_be_zero, dict.fromkeys(divisors))
+        whole = dict.fromkeys(root for root in roots if root not in crossing)
+        yield from map(self._may_vanish, dict.fromkeys([*whole, *compared]))
 
-        But what is divided by as a whole, as the bound of a quotient wants it.
-        """
-        found: list[Node] = []
-        for entry in map(self._entry, self._reached(results)):
-            if entry.operator == "sqrt":
-                found += self._factors(entry.operands[0])
-            elif entry.operator == "div":
-                divisor = entry.operands[1]
-                self._divisors.add(divisor)
-                is_exact = self._radius(divisor) is None
-                found += self._factors(divisor) if is_exact else [divisor]
-        for entry in map(self._entry, self._reached(doubts)):
-            if entry.operator in COMPARISONS:
-                found += [factor for each in entry.operands for factor in self._factors(each)]
-        return list(dict.fromkeys(found))
+    def _may_be_negative(self, nodes: list[Node]) -> list[Node]:
+        """Which values pass through zero: they are negative at some poses."""
+        if not nodes:
+            return []
+        results = {f"root{place}": node for place, node in enumerate(nodes)}
+        program = deepcopy(self._builder).finish(self._solver.program.name, results, [])
+        size = sum(abs(each.value) for each in program.constants if each.power == 1)
+        source = np.random.default_rng(0)
+        poses = _random_poses(source, size)
+        given = source.uniform(-np.pi, np.pi, (POSES, self._given()))
+        found = outputs(program, poses, free=given)
+        return [
+            node
+            for node, values in zip(nodes, found, strict=True)
+            if np.nanmin(values) < -NEGATIVE * np.nanmax(np.abs(values))
+        ]
+
+    def _given(self) -> int:
+        leaves = (self._entry(node).leaf for node in range(len(self._builder.entries)))
+        return max((leaf.number for leaf in leaves if isinstance(leaf, Joint)), default=0)
 
     def _reached(self, results: list[Node]) -> list[Node]:
         """Nodes and all that they are made of, in their order."""
@@ -178,125 +202,52 @@ class _Certificate:
             pending += sorted(fresh)
         return sorted(seen)
 
-    def _factors(self, node: Node) -> Iterator[Node]:
-        """What a product vanishes with."""
+    def _factors(self, node: Node, known: list[Node]) -> Iterator[Node]:
+        """What a product vanishes with, but what is known, and roots of that."""
         entry = self._entry(node)
-        if entry.operator in SIGNS:
-            yield from self._factors(entry.operands[0])
-        elif entry.operator == "mul":
+        if node in known:
+            return
+        if entry.operator in SIGNS or entry.operator in ("mul", "sqrt"):
             for operand in entry.operands:
-                yield from self._factors(operand)
+                yield from self._factors(operand, known)
         elif entry.operator is not None or isinstance(entry.leaf, Pose):
             yield node
 
-    def _may_vanish(self, node: Node) -> Node:
-        """Whether a value may be zero within the deviation.
+    def _may_begin(self, node: Node) -> Node:
+        """Whether what is under a root is negative here, and may be positive within the ball."""
+        builder, radius = self._builder, self._bounds.radius(node)
+        twice = builder.add(node, node)
+        if radius is None:
+            return builder.apply("at_most", builder.absolute(node), builder.integer(0))
+        return builder.apply("at_most", builder.absolute(builder.add(twice, radius)), radius)
 
-        A sum of squares is where all that is squared is zero, and so no larger than the sum of the
-        radii's squares. What is divided by has to be larger than its radius all the same.
+    def _may_be_zero(self, node: Node) -> Node:
+        """Whether a value may be zero within the ball."""
+        radius = self._bounds.radius(node)
+        limit = self._builder.integer(0) if radius is None else radius
+        return self._builder.apply("at_most", self._builder.absolute(node), limit)
+
+    def _may_vanish(self, node: Node) -> Node:
+        """The same; a sum of squares is zero where all that is squared is.
+
+        It is no larger than the sum of the radii's squares then.
         """
-        builder, radius = self._builder, self._radius(node)
-        parts = list(self._squared(node))
-        limit = builder.integer(0) if radius is None else radius
-        if len(parts) > 1 and node not in self._divisors:
-            radii = [self._radius(part) for part in parts if part is not None]
-            if len(radii) == len(parts) and radius is not None:
-                squares = [builder.square(each) for each in radii if each is not None]
-                limit = reduce(builder.add, squares)
-        return builder.apply("at_most", builder.absolute(node), limit)
+        builder, parts = self._builder, self._bounds.squared(node)
+        radii = [None if part is None else self._bounds.radius(part) for part in parts]
+        if len(parts) == 1 or None in radii:
+            return self._may_be_zero(node)
+        squares = [builder.square(radius) for radius in radii if radius is not None]
+        return builder.apply("at_most", node, reduce(builder.add, squares))
 
     def _entry(self, node: Node) -> Entry:
         return self._builder.entries[node]
 
-    def _radius(self, node: Node) -> Node | None:
-        """How far a value may be from where it is anywhere in the ball; None where nowhere."""
-        if node not in self._radii:
-            self._radii[node] = self._worked_out(node)
-        return self._radii[node]
 
-    def _worked_out(self, node: Node) -> Node | None:
-        builder, entry = self._builder, self._entry(node)
-        match entry.leaf:
-            case Pose(_, column):
-                return self._moved if column == TRANSLATION else self._turned
-            case None:
-                pass
-            case _:
-                return None
-        radii = [self._radius(operand) for operand in entry.operands]
-        if not any(radius is not None for radius in radii):
-            return None
-        match entry.operator:
-            case "neg" | "abs" | "sin" | "cos":
-                return radii[0]
-            case "add" | "sub":
-                return self._sum(*radii)
-            case "mul":
-                return self._of_product(*entry.operands)
-            case "div":
-                return self._of_quotient(*entry.operands)
-            case "sqrt":
-                return self._of_root(entry.operands[0])
-            case "maximum":
-                return builder.apply("maximum", *(r for r in radii if r is not None))
-            case _:
-                raise NoBoundError
-
-    def _sum(self, left: Node | None, right: Node | None) -> Node | None:
-        if left is None or right is None:
-            return right if left is None else left
-        return self._builder.add(left, right)
-
-    def _of_product(self, left: Node, right: Node) -> Node | None:
-        """|a| r + s (|b| + r) for the radii s of a and r of b."""
-        builder, s, r = self._builder, self._radius(left), self._radius(right)
-        a, b = builder.absolute(left), builder.absolute(right)
-        if s is None or r is None:
-            factor, radius = (a, r) if s is None else (b, s)
-            assert radius is not None
-            return radius if builder.is_sign(factor) else builder.mul(factor, radius)
-        if left == right:
-            return builder.mul(s, builder.add(builder.mul(builder.integer(2), a), s))
-        return builder.add(builder.mul(a, r), builder.mul(s, builder.add(b, r)))
-
-    def _of_quotient(self, left: Node, right: Node) -> Node | None:
-        """(s + |a / b| r) / (|b| - r), where |b| > r, which is seen to."""
-        builder, s, r = self._builder, self._radius(left), self._radius(right)
-        b = builder.absolute(right)
-        if r is None:
-            return None if s is None else builder.div(s, b)
-        size = builder.absolute(builder.div(left, right))
-        total = self._sum(s, builder.mul(size, r))
-        assert total is not None
-        return builder.div(total, builder.sub(b, r))
-
-    def _of_root(self, square: Node) -> Node | None:
-        """Of the length of a vector no more than of its parts; else w x (1 + x) / 2, x = r / w^2.
-
-        1 - sqrt(1 - x) <= x / 2 + x^2 / 2 for x from 0 to 1; beyond, zero is in the interval.
-        """
-        builder = self._builder
-        parts = list(self._squared(square))
-        if parts and all(part is not None for part in parts):
-            total: Node | None = None
-            for part in parts:
-                assert part is not None
-                total = self._sum(total, self._radius(part))
-            return total
-        r = self._radius(square)
-        assert r is not None
-        x = builder.div(r, square)
-        grown = builder.mul(x, builder.add(builder.integer(1), x))
-        half = builder.div(builder.apply("sqrt", square), builder.integer(2))
-        return builder.mul(half, grown)
-
-    def _squared(self, node: Node) -> Iterator[Node | None]:
-        """What is squared in a sum of squares; None for a part that is no square."""
-        entry = self._entry(node)
-        if entry.operator == "add":
-            for operand in entry.operands:
-                yield from self._squared(operand)
-        elif entry.operator == "mul" and entry.operands[0] == entry.operands[1]:
-            yield entry.operands[0]
-        else:
-            yield None
+def _random_poses(source: np.random.Generator, size: float) -> FloatArray:
+    """Poses in reach and out of it."""
+    poses = np.zeros((POSES, 4, 4))
+    poses[:, :3, :3] = np.linalg.qr(source.normal(size=(POSES, 3, 3)))[0]
+    poses[:, :3, :3] *= np.linalg.det(poses[:, :3, :3])[:, None, None]
+    poses[:, :3, 3] = source.normal(0.0, 0.5 * size, (POSES, 3))
+    poses[:, 3, 3] = 1.0
+    return poses

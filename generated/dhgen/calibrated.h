@@ -10,6 +10,7 @@
 #include "general.h"
 #include "general/near.h"
 #include "ik.h"
+#include "limits.h"
 #include "velocities.h"
 
 /* Parallel axes leave a common slide of their frames open: this much weight on the slides closes
@@ -136,7 +137,7 @@ DHGEN_FN void dhgen_make_loop(const dhgen_kind *kind, dhgen_calibration *of)
         dhgen_append(K, of->constant[i + 1]);
         dhgen_append_slide(K, shift[i + 1]);
         dhgen_append_turn(K, advance[0][i + 1], advance[1][i + 1]);
-        total += sqrt(K[3] * K[3] + K[7] * K[7] + K[11] * K[11]);
+        total += dhgen_length_of(K);
     }
     of->size = 0.5 * total;
     for (int i = 0; i < 5; i++)
@@ -167,12 +168,6 @@ DHGEN_FN double dhgen_moved_between(const double A[12], const double B[12])
     for (int i = 3; i < 12; i += 4)
         square += (A[i] - B[i]) * (A[i] - B[i]);
     return sqrt(square);
-}
-
-/* The length of what a transform moves by. */
-DHGEN_FN double dhgen_length_of(const double C[12])
-{
-    return sqrt(C[3] * C[3] + C[7] * C[7] + C[11] * C[11]);
 }
 
 /* A nominal constant with frames elsewhere on its axes, and another zero of the joint behind it:
@@ -331,8 +326,8 @@ DHGEN_FN struct dhgen_calibrated_arm dhgen_calibrated_arm_of(
     return arm;
 }
 
-/* Angles of the loop near which all solutions are. That each has one near it is certain, that none
- * has a second one is not proven. Returns how many; 0 where one of them may end. */
+/* Angles of the loop that lead to all solutions. That no other branch has one is certain, that none
+ * has a second one is not proven. Returns how many; -1 where it is not certain. */
 DHGEN_FN int dhgen_near_nominal(
     const dhgen_kind *kind, const dhgen_calibration *of, const double *T, double (*nearby)[6])
 {
@@ -340,12 +335,9 @@ DHGEN_FN int dhgen_near_nominal(
     double pose[16], q[DHGEN_ROWS][6];
     unsigned char status[DHGEN_ROWS];
     int count = 0;
-    dhgen_compose(of->left, T, pose);
-    dhgen_append(pose, of->right);
-    for (int i = 12; i < 16; i++)
-        pose[i] = T[i];
-    if (!kind->nearest || kind->nearest(pose, apart, q[0], status) <= 0)
-        return 0;
+    dhgen_pose_of_nearest(of->left, T, of->right, pose);
+    if (!kind->nearest || kind->nearest(pose, apart, q[0], status) < 0)
+        return -1;
     for (int row = 0; row < kind->nearest_rows; row++)
         if (status[row] == DHGEN_OK) {
             for (int i = 0; i < 6; i++)
@@ -355,19 +347,88 @@ DHGEN_FN int dhgen_near_nominal(
     return count;
 }
 
+/* The arm as the general algorithm reads it. */
+DHGEN_FN dhgen_general_arm dhgen_general_arm_of(const dhgen_kind *kind, const dhgen_calibration *of)
+{
+    dhgen_general_arm general = *kind->general;
+    general.size = of->size;
+    general.per_size = 1.0 / of->size;
+    general.constant = of->loop;
+    return general;
+}
+
+/* The places of rows in their order: by the first joint, then by the second and so on. */
+DHGEN_FN void dhgen_order_rows(double (*q)[6], int count, int *order)
+{
+    unsigned char first[DHGEN_ROWS] = { 0 };
+    int single = count < 2;
+    for (int k = 0; k < count; k++)
+        order[k] = k;
+    for (int i = 0; i < 6 && !single; i++) {
+        double value[DHGEN_ROWS];
+        for (int k = 0; k < count; k++)
+            value[k] = dhgen_order_of(q[k][i], 1);
+        single = dhgen_order_blocks(value, DHGEN_TIE, count, order, first);
+    }
+}
+
+/* Turns the joints of a row inside their limits. Returns its status; -1 where one of them is beyond
+ * a limit by so little that it may be moved there. */
+DHGEN_FN int dhgen_limited_row(const dhgen_kind *kind, double *q)
+{
+    const struct dhgen_arm *const arm = kind->arm;
+    int status = DHGEN_OK;
+    for (int i = 0; i < 6; i++) {
+        const struct dhgen_joint *const of = arm->joints + i;
+        if (of->lowest <= q[i] && q[i] <= of->highest)
+            continue;
+        q[i] = dhgen_turned(arm, i, q[i], 0.0);
+        const double off = fabs(dhgen_overshoot(arm, i, q[i]));
+        if (0.0 < off && off <= DHGEN_DOUBTFUL)
+            return -1;
+        if (off > 0.0)
+            status = DHGEN_OUT_OF_LIMITS;
+    }
+    return status;
+}
+
+/* The rows of a pose where the nominal arm's lead to all solutions. Returns how many are inside
+ * limits, or -1 where the pose has to be left to the general algorithm. */
+DHGEN_FN int dhgen_certain_rows(const dhgen_kind *kind, const dhgen_calibration *of,
+    const double *T, double *q, unsigned char *status)
+{
+    const dhgen_general_arm general = dhgen_general_arm_of(kind, of);
+    double rows[DHGEN_ROWS][6];
+    int order[DHGEN_ROWS], inside = 0;
+    const int count = dhgen_near_nominal(kind, of, T, rows);
+    if (count < 0 || !dhgen_general_correct(&general, T, rows, count))
+        return -1;
+    for (int k = 0; k < count; k++)
+        for (int i = 0; i < 6; i++)
+            rows[k][i] *= kind->facing[i];
+    dhgen_order_rows(rows, count, order);
+    for (int row = 0; row < DHGEN_ROWS; row++) {
+        const int held = row < count, said = held ? dhgen_limited_row(kind, rows[order[row]]) : 0;
+        if (said < 0)
+            return -1;
+        for (int i = 0; i < 6; i++)
+            q[6 * row + i] = held ? rows[order[row]][i] : DHGEN_NAN;
+        status[row] = held ? (unsigned char)said : DHGEN_UNREACHABLE;
+        inside += status[row] == DHGEN_OK;
+    }
+    return inside;
+}
+
 /* All rows of a calibrated arm, as a robot's solver fills them. */
 DHGEN_FN void dhgen_calibrated_rows(const dhgen_kind *kind, const dhgen_calibration *of,
     const double *T, const double *seed, double *q, unsigned char *status)
 {
-    double nearby[16][6], rows[DHGEN_ROWS][6];
+    const dhgen_general_arm general = dhgen_general_arm_of(kind, of);
+    double nearby[DHGEN_ROWS][6], rows[DHGEN_ROWS][6];
     int found[DHGEN_ROWS], chosen[DHGEN_ROWS];
     struct dhgen_calibrated_descents descents;
-    dhgen_general_arm general = *kind->general;
     descents.arm = *kind->descents;
     descents.calibration = of;
-    general.size = of->size;
-    general.per_size = 1.0 / of->size;
-    general.constant = of->loop;
     const int count = dhgen_near_nominal(kind, of, T, nearby);
     dhgen_general_rows(
         &general, &descents.arm, T, NULL, seed, nearby, count, rows[0], found, chosen);

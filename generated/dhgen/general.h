@@ -24,18 +24,23 @@ extern "C" {
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most arm->most, but that of
  * continua, where there may be any, several members are told: DHGEN_PLACES at most.
  *
- * T: row by row. q, residual: room for DHGEN_PLACES rows. nearby, nearby_count: joint values with
- * one solution near each and no other one, as dhgen_near_solutions has them, or none where that is
- * not known. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose q1 agree
- * to DHGEN_TIE in the order of q2, and so on, singular ones and nearly singular ones last.
- * residual: by how much the loop stays open, in radians and arm sizes. Returns how many; -1 - count
- * when it is not certain that these are all: for want of a certificate of its own (where every
- * polynomial vanishes identically there may be a continuum, which poses close by do not have), or
- * because roots met or the arm is singular at a solution, or nearly, so that steps did not make it
- * exact. */
+ * T: row by row. q, residual: room for DHGEN_PLACES rows. nearby, nearby_count: joint values that
+ * lead to all solutions, each to one, as dhgen_near_solutions has them, or none where that is not
+ * known; they are corrected. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows
+ * whose q1 agree to DHGEN_TIE in the order of q2, and so on, singular ones and nearly singular ones
+ * last. residual: by how much the loop stays open, in radians and arm sizes. Returns how many; -1 -
+ * count when it is not certain that these are all: for want of a certificate of its own (where
+ * every polynomial vanishes identically there may be a continuum, which poses close by do not
+ * have), or because roots met or the arm is singular at a solution, or nearly, so that steps did
+ * not make it exact. */
 DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double T[16],
     const double *free_joints, double (*nearby)[6], int nearby_count, double (*q)[6],
     double *residual);
+
+/* Takes angles that are near solutions to these, of an arm without slides. Returns whether all are
+ * exact, and no two of them near one another; if not, nothing is known of them. */
+DHGEN_API int dhgen_general_correct(
+    const dhgen_general_arm *arm, const double T[16], double (*angle)[6], int count);
 
 /* All solutions, sorted by the first joint, then by the second and so on: rows of joint values,
  * which of them there are, and which were chosen from a continuum. Where it is not certain that

@@ -5,6 +5,7 @@
 #define DHGEN_RIGID_H
 
 #include "interface.h"
+#include <math.h>
 
 /* C = A B for rigid transforms, three rows of four. */
 DHGEN_INLINE void dhgen_compose(const double A[12], const double B[12], double C[12])
@@ -15,6 +16,12 @@ DHGEN_INLINE void dhgen_compose(const double A[12], const double B[12], double C
                 + (j == 3 ? A[4 * i + 3] : 0.0);
         }
     }
+}
+
+/* The length of what a transform moves by. */
+DHGEN_INLINE double dhgen_length_of(const double C[12])
+{
+    return sqrt(C[3] * C[3] + C[7] * C[7] + C[11] * C[11]);
 }
 
 /* B becomes the inverse of the rigid transform A. */

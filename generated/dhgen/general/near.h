@@ -20,20 +20,27 @@ typedef struct {
 typedef int dhgen_nearest_rows(
     const double *T, const double *free_joints, double *q, unsigned char *status);
 
+/* Such an arm's pose for a pose T. */
+DHGEN_FN void dhgen_pose_of_nearest(
+    const double left[12], const double T[16], const double right[12], double pose[16])
+{
+    dhgen_compose(left, T, pose);
+    dhgen_append(pose, right);
+    for (int i = 12; i < 16; i++) {
+        pose[i] = T[i];
+    }
+}
+
 #ifdef DHGEN_DOF /* rows are as long as those of the robot whose file this is a part of */
-/* Angles of the loop near which all solutions are. That each has one near it is certain, that none
- * has a second one is not proven. Returns how many; 0 where one of them may end. */
+/* Angles of the loop that lead to all solutions. That no other branch has one is certain, that none
+ * has a second one is not proven. Returns how many; 0 where it is not certain. */
 DHGEN_FN int dhgen_near_solutions(const dhgen_nearest_arm *arm, dhgen_nearest_rows *solve,
     const double *T, const double *free_joints, double (*nearby)[6])
 {
     double pose[16], q[16][DHGEN_DOF];
     unsigned char status[16];
     int count = 0;
-    dhgen_compose(arm->left, T, pose);
-    dhgen_append(pose, arm->right);
-    for (int i = 12; i < 16; i++) {
-        pose[i] = T[i];
-    }
+    dhgen_pose_of_nearest(arm->left, T, arm->right, pose);
     if (solve(pose, free_joints, q[0], status) <= 0) {
         return 0;
     }

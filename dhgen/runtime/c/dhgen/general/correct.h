@@ -11,6 +11,8 @@
 /* Steps at most, and the longest that is the last one [rad]: the next one would be its square. */
 #define DHGEN_CORRECTIONS 8
 #define DHGEN_LAST_CORRECTION 1e-07
+/* Solutions of which some joint differs by more are not about to meet [rad]. */
+#define DHGEN_WELL_APART 0.01
 /* The tolerance `exact`: the loop of an exact solution stays open by no more [rad, arm sizes]. */
 #define DHGEN_LOOP_EXACT 1e-12
 
@@ -210,41 +212,80 @@ DHGEN_INLINE void dhgen_lane_direction(dhgen_lane angle, dhgen_lane *c, dhgen_la
     *s = b;
 }
 
-/* Finds the solutions near joint values that are known to have one near each and no others; returns
- * whether all of them are exact and unlike one another. If not, none is kept. */
+/* Takes angles of the loop from near to solutions to these, and tells by how much it stays open
+ * there. */
+DHGEN_FN void dhgen_correct_angles(
+    const dhgen_loop *loop, double (*angle)[6], int count, double *residual)
+{
+    const double *const cosine = loop->arm->advance[0], *const sine = loop->arm->advance[1];
+    dhgen_middle middle;
+    dhgen_look_from_middle(loop, &middle);
+    for (int from = 0; from < count; from += DHGEN_GENERAL_LANES) {
+        const int left = count - from,
+                  now = left < DHGEN_GENERAL_LANES ? left : DHGEN_GENERAL_LANES;
+        double values[6][DHGEN_GENERAL_LANES], miss[DHGEN_GENERAL_LANES];
+        dhgen_lane c[6], s[6];
+        for (int i = 0; i < 6; i++) {
+            dhgen_lane a, b;
+            for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
+                values[i][k] = angle[from + (k < now ? k : 0)][i];
+            }
+            dhgen_lane_direction(DHGEN_LOAD(values[i]), &a, &b);
+            c[i] = a * cosine[i] + b * sine[i];
+            s[i] = b * cosine[i] - a * sine[i];
+        }
+        DHGEN_STORE(miss, dhgen_correct_lanes(loop, &middle, c, s));
+        for (int i = 0; i < 6; i++) {
+            DHGEN_STORE(values[i],
+                dhgen_lane_angle(
+                    s[i] * cosine[i] + c[i] * sine[i], c[i] * cosine[i] - s[i] * sine[i]));
+        }
+        for (int k = 0; k < now; k++) {
+            residual[from + k] = miss[k];
+            for (int i = 0; i < 6; i++) {
+                /* half a turn is +pi, also when rounding says otherwise */
+                angle[from + k][i] =
+                    values[i][k] < -DHGEN_ALMOST_PI ? DHGEN_HALF_TURN : values[i][k];
+            }
+        }
+    }
+}
+
+/* Whether all are exact, and no two of them near one another. */
+DHGEN_FN int dhgen_are_apart(
+    const dhgen_general_arm *arm, double (*angle)[6], int count, const double *residual)
+{
+    for (int k = 0; k < count; k++) {
+        if (!(residual[k] <= DHGEN_LOOP_EXACT)) {
+            return 0;
+        }
+        for (int i = 0; i < k; i++) {
+            if (dhgen_is_close(arm, angle[i], angle[k], DHGEN_WELL_APART)) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+/* Finds the solutions near joint values of which each leads to one, and all lead to all; returns
+ * whether these are exact and unlike one another. If not, none is kept. */
 DHGEN_FN int dhgen_solve_near(
     const dhgen_loop *loop, double (*nearby)[6], int nearby_count, dhgen_found *found)
 {
-    dhgen_middle middle;
-    int place[DHGEN_GENERAL_LANES];
-    if (!nearby_count) {
+    double residual[DHGEN_PLACES];
+    if (nearby_count <= 0) {
         return 0;
     }
-    dhgen_look_from_middle(loop, &middle);
-    for (int from = 0; from < nearby_count; from += DHGEN_GENERAL_LANES) {
-        const int left = nearby_count - from,
-                  now = left < DHGEN_GENERAL_LANES ? left : DHGEN_GENERAL_LANES;
-        dhgen_lane c[6], s[6];
-        for (int i = 0; i < 6; i++) {
-            const double cosine = loop->arm->advance[0][i], sine = loop->arm->advance[1][i];
-            double angle[DHGEN_GENERAL_LANES];
-            dhgen_lane a, b;
-            for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
-                angle[k] = nearby[from + (k < now ? k : 0)][i];
-            }
-            dhgen_lane_direction(DHGEN_LOAD(angle), &a, &b);
-            c[i] = a * cosine + b * sine;
-            s[i] = b * cosine - a * sine;
-        }
-        const dhgen_lane miss = dhgen_correct_lanes(loop, &middle, c, s);
-        (void)dhgen_keep_lanes(loop, c, s, now, miss, dhgen_lane_all(1.0), found, place);
+    dhgen_correct_angles(loop, nearby, nearby_count, residual);
+    int complete = 1;
+    for (int k = 0; k < nearby_count; k++) {
+        complete &= residual[k] <= DHGEN_LOOP_EXACT;
+        (void)dhgen_keep_solution(loop->arm, found, nearby[k], residual[k], 1.0);
     }
-    int complete = found->count == nearby_count;
-    for (int i = 0; i < found->count; i++) {
-        complete &= found->residual[i] <= DHGEN_LOOP_EXACT;
-    }
-    if (!complete) {
+    if (!complete || found->count < nearby_count) {
         dhgen_forget(found);
+        complete = 0;
     }
     return complete;
 }

@@ -201,6 +201,16 @@ DHGEN_FN void dhgen_put_in_order(
     }
 }
 
+DHGEN_API int dhgen_general_correct(
+    const dhgen_general_arm *arm, const double T[16], double (*angle)[6], int count)
+{
+    double residual[DHGEN_PLACES];
+    dhgen_loop loop;
+    dhgen_close_loop(arm, T, NULL, &loop);
+    dhgen_correct_angles(&loop, angle, count, residual);
+    return dhgen_are_apart(arm, angle, count, residual);
+}
+
 DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double T[16],
     const double *free_joints, double (*nearby)[6], int nearby_count, double (*q)[6],
     double *residual)
