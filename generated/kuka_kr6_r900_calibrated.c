@@ -353,43 +353,26 @@ static const double
     /* joint values */ \
     const dhgen_##number v35 = near_length * T34, v36 = dhgen_abs_##number(T34), v37 = v35 + v35, \
         v38 = near_length * T14, v39 = v38 + v38, v40 = near_length * T24, v41 = v40 + v40, \
-        v42 = near2 + dhgen_sqrt_##number(v39 * v39 + v41 * v41), v43 = near3 / w1, \
-        v44 = v39 * v43, v45 = v41 * v43, v46 = near2 * dhgen_abs_##number(v43), \
-        v55 = v46 + (dhgen_abs_##number(v44) + dhgen_abs_##number(v45)), v56 = v55 * v55, \
-        v61 = dhgen_abs_##number(v37), v65 = dhgen_abs_##number(v1), v66 = v37 * v37, \
-        v69 = w1 * v2, v70 = near_angle * T33, v71 = near_angle * T23, v72 = T24 * v70, \
-        v73 = near4 * dhgen_abs_##number(T24), v74 = near_length * T13, \
-        v75 = dhgen_abs_##number(v70), v76 = dhgen_abs_##number(v71), \
-        v77 = near_length * (near4 + (v75 + v76)), v78 = near_angle * T13, v79 = T14 * v70, \
-        v80 = near4 * dhgen_abs_##number(T14), v81 = near_length * T23, \
-        v82 = dhgen_abs_##number(v78), v83 = near_length * (near4 + (v75 + v82)), \
-        v84 = T24 * v71 + T14 * v78, v85 = v73 + v77 + (v80 + v83), v86 = dhgen_abs_##number(v2), \
-        v87 = v2 * (v2 * v39), v88 = v2 * (v2 * v41), v89 = v86 * (near2 * v86), \
-        v90 = dhgen_abs_##number(v87) + dhgen_abs_##number(v88), \
-        v91 = v89 + (v89 + v90) * (v42 / (v65 - v42)), v92 = dhgen_abs_##number(w1), \
-        v93 = v2 * v44 - w1 * v87, v94 = v2 * v45 - w1 * v88, v95 = v90 + v91, \
-        v96 = v91 * v92 + v46 * v86 + v55 * v95, v97 = v69 * v79, v98 = v69 * v72, \
-        v99 = v69 * v84, v100 = v25 * v93 - v69 * v81, v101 = v25 * v94 + v69 * v74, \
-        v102 = dhgen_abs_##number(v81), v103 = dhgen_abs_##number(v74), \
-        v104 = dhgen_abs_##number(v79) + dhgen_abs_##number(v72), \
-        v105 = v96 * dhgen_abs_##number(v25) + v85 * dhgen_abs_##number(v69) + (v85 + (v103 + \
-            (v102 + (v104 + dhgen_abs_##number(v84))))) * (v96 + (dhgen_abs_##number(v93) + \
-            dhgen_abs_##number(v94))) + (dhgen_sqrt_##number(v97 * v97 + v98 * v98 + v99 * v99) + \
-            dhgen_sqrt_##number(v100 * v100 + v101 * v101)), v136 = near_m7 * v46, \
-        v150 = dhgen_abs_##number(T33), v151 = near4 + (v76 + v82), v158 = near_m6 * v46, \
-        v169 = T24 * v78 - T14 * v71, v170 = v77 + v80 + (v73 + v83), v171 = v2 * v72, \
-        v172 = v2 * v79, v173 = v2 * v169, v174 = v2 * v74 - v22 * v87, \
-        v175 = v2 * v81 - v22 * v88, \
-        v176 = v86 * v170 + v91 * dhgen_abs_##number(v22) + v95 * (v170 + (v102 + (v103 + (v104 + \
-            dhgen_abs_##number(v169))))), v177 = w1 * v171, v178 = w1 * v172, v179 = w1 * v173, \
-        v180 = w1 * v174 + v23 * v44, v181 = w1 * v175 + v23 * v45, \
-        v182 = v92 * v176 + v46 * dhgen_abs_##number(v23) + v55 * (v176 + \
-            (dhgen_abs_##number(v175) + (dhgen_abs_##number(v174) + (dhgen_abs_##number(v173) + \
-            (dhgen_abs_##number(v171) + dhgen_abs_##number(v172)))))), \
-        v183 = dhgen_abs_##number(v24), \
-        v184 = v182 + (dhgen_abs_##number(v181) + (dhgen_abs_##number(v180) + \
-            (dhgen_abs_##number(v179) + (dhgen_abs_##number(v177) + dhgen_abs_##number(v178))))), \
-        v192 = v105 * v105
+        v42 = near3 / w1, v43 = v39 * v42, v44 = v41 * v42, v45 = near2 * dhgen_abs_##number(v42), \
+        v48 = v45 + dhgen_sqrt_##number(v43 * v43 + v44 * v44), v58 = v37 * v37, v66 = w1 * v2, \
+        v67 = near_angle * T33, v68 = near_angle * T23, v69 = T24 * v67, \
+        v70 = near4 * dhgen_abs_##number(T24), v71 = near_length * T13, v72 = v67 * v67, \
+        v73 = v68 * v68, v74 = near_length * (near4 + dhgen_sqrt_##number(v72 + v73)), \
+        v75 = near_angle * T13, v76 = T14 * v67, v77 = near4 * dhgen_abs_##number(T14), \
+        v78 = near_length * T23, v79 = v75 * v75, \
+        v80 = near_length * (near4 + dhgen_sqrt_##number(v72 + v79)), v81 = T24 * v68 + T14 * v75, \
+        v82 = v70 + v74 + (v77 + v80), v83 = dhgen_abs_##number(v2), v84 = v2 * (v2 * v39), \
+        v85 = v2 * (v2 * v41), v86 = v83 * (near2 * v83), v89 = dhgen_abs_##number(w1), \
+        v91 = v2 * v43 - w1 * v84, v92 = v2 * v44 - w1 * v85, v94 = v66 * v76, v95 = v66 * v69, \
+        v96 = v66 * v81, v97 = v76 * v76 + v69 * v69, \
+        v98 = dhgen_sqrt_##number(v78 * v78 + v71 * v71), v99 = v25 * v91 - v66 * v78, \
+        v100 = v25 * v92 + v66 * v71, v133 = near_m7 * v45, v149 = dhgen_abs_##number(T33), \
+        v150 = near4 + dhgen_sqrt_##number(v73 + v79), v157 = near_m6 * v45, \
+        v171 = T24 * v75 - T14 * v68, v172 = v74 + v77 + (v70 + v80), v173 = v2 * v69, \
+        v174 = v2 * v76, v175 = v2 * v171, v176 = v2 * v71 - v22 * v84, \
+        v177 = v2 * v78 - v22 * v85, v179 = w1 * v173, v180 = w1 * v174, v181 = w1 * v175, \
+        v182 = w1 * v176 + v23 * v43, v183 = w1 * v177 + v23 * v44, \
+        v185 = dhgen_abs_##number(v24)
 #define SIGNED(number, signs) \
     /* theta3 */ \
     const dhgen_##number Z2_3 = e1 * w1 - near_a1, N3 = v4 + Z2_3 * Z2_3, v5 = near_longest3 - N3, \
@@ -403,43 +386,39 @@ static const double
         v18 = v17 + near_m7 * Z2_3, v19 = Z2_3 * -v13 + T34 * v12, v28 = e1 * Y4, \
         v29 = dhgen_signed_##number(DHGEN_HALF_TURN, v28); \
     /* joint values */ \
-    const dhgen_##number v47 = e1 * v44, v48 = e1 * v45, v49 = Z2_3 * v47, v50 = Z2_3 * v48, \
-        v51 = dhgen_abs_##number(Z2_3), v52 = v46 * v51, v53 = v49 + v49, v54 = v50 + v50, \
-        v57 = near1 + (v56 + (v52 + v52)), v58 = v5 * v53 - v6 * v53, v59 = v5 * v54 - v6 * v54, \
-        v60 = v5 * v37 - v6 * v37, \
-        v62 = v57 + (v61 + (dhgen_abs_##number(v53) + dhgen_abs_##number(v54))), \
-        v63 = v57 * dhgen_abs_##number(v5) + v57 * dhgen_abs_##number(v6) + v62 * v62, \
-        v64 = v63 + dhgen_sqrt_##number(v58 * v58 + v59 * v59 + v60 * v60), \
-        v67 = v57 + dhgen_sqrt_##number(v66 + (v53 * v53 + v54 * v54)), \
-        v68 = dhgen_abs_##number(N3), v106 = dhgen_abs_##number(factor2), \
-        v107 = factor2 * (factor2 * v53), v108 = factor2 * (factor2 * v54), \
-        v109 = factor2 * (factor2 * v37), v110 = v106 * (v57 * v106), \
-        v111 = dhgen_abs_##number(v109) + (dhgen_abs_##number(v107) + dhgen_abs_##number(v108)), \
-        v112 = v110 + (v110 + v111) * (v67 / (v68 - v67)), v113 = near_m9 * v107, \
-        v114 = near_m9 * v108, v115 = near_m9 * v109, v116 = near_m9 * v112, \
-        v117 = v116 + (dhgen_abs_##number(v115) + (dhgen_abs_##number(v113) + \
-            dhgen_abs_##number(v114))), v118 = near_m8 * v107, v119 = near_m8 * v108, \
-        v120 = near_m8 * v109, v121 = near_m8 * v112, \
-        v122 = v121 + (dhgen_abs_##number(v120) + (dhgen_abs_##number(v118) + \
-            dhgen_abs_##number(v119))), v123 = Z2_3 * v113 - v13 * v47 - T34 * v118, \
-        v124 = Z2_3 * v114 - v13 * v48 - T34 * v119, \
-        v125 = Z2_3 * v115 + (near_length * v12 - T34 * v120), \
-        v126 = v51 * v116 + v46 * dhgen_abs_##number(-v13) + v55 * v117 + (v36 * v121 + \
-            near_length * v122), v127 = near3 / w3, v128 = v58 * v127, v129 = v59 * v127, \
-        v130 = v60 * v127, v131 = v64 * v127, v132 = v131 * v131 / w3, \
-        v133 = v132 + (v132 + v63 * dhgen_abs_##number(v127)), v134 = near_m7 * v47, \
-        v135 = near_m7 * v48, v141 = v111 + v112, \
-        v142 = v106 * v136 + v112 * dhgen_abs_##number(v18) + v141 * (v136 + (near5 + \
-            (dhgen_abs_##number(v134) + dhgen_abs_##number(v135)))), \
-        v143 = dhgen_abs_##number(w3), v144 = v142 * v143, \
-        v145 = v133 + (dhgen_abs_##number(v130) + (dhgen_abs_##number(v128) + \
-            dhgen_abs_##number(v129))), v152 = v12 * v47 - Z2_3 * v118 - T34 * v113, \
-        v153 = v12 * v48 - Z2_3 * v119 - T34 * v114, \
-        v154 = near_length * v13 - T34 * v115 - Z2_3 * v120, \
-        v155 = v51 * v121 + v46 * dhgen_abs_##number(v12) + v55 * v122 + (v36 * v116 + near_length \
-            * v117), v156 = near_m6 * v47, v157 = near_m6 * v48, \
-        v163 = v106 * v158 + v112 * dhgen_abs_##number(v11) + v141 * (v158 + (near6 + \
-            (dhgen_abs_##number(v156) + dhgen_abs_##number(v157)))), v164 = v143 * v163
+    const dhgen_##number v46 = e1 * v43, v47 = e1 * v44, v49 = Z2_3 * v46, v50 = Z2_3 * v47, \
+        v51 = dhgen_abs_##number(Z2_3), v52 = v45 * v51, \
+        v53 = v45 + dhgen_sqrt_##number(v46 * v46 + v47 * v47), v54 = v49 + v49, v55 = v50 + v50, \
+        v56 = v53 * v53, v57 = near1 + (v56 + (v52 + v52)), \
+        v59 = v57 + dhgen_sqrt_##number(v58 + (v54 * v54 + v55 * v55)), v60 = v5 * v54 - v6 * v54, \
+        v61 = v5 * v55 - v6 * v55, v62 = v5 * v37 - v6 * v37, \
+        v63 = v57 * dhgen_abs_##number(v5) + v57 * dhgen_abs_##number(v6) + v59 * v59, \
+        v64 = v63 + dhgen_sqrt_##number(v60 * v60 + v61 * v61 + v62 * v62), v65 = near1 + v56, \
+        v102 = dhgen_abs_##number(factor2), v103 = factor2 * (factor2 * v54), \
+        v104 = factor2 * (factor2 * v55), v105 = factor2 * (factor2 * v37), \
+        v106 = v102 * (v57 * v102), v107 = dhgen_sqrt_##number(N3) - dhgen_sqrt_##number(v65), \
+        v108 = v106 + (v106 + (dhgen_abs_##number(v105) + (dhgen_abs_##number(v103) + \
+            dhgen_abs_##number(v104)))) * (v59 / (v107 * v107)), v109 = near_m9 * v103, \
+        v110 = near_m9 * v104, v111 = near_m9 * v105, v112 = near_m9 * v108, \
+        v113 = v108 + dhgen_sqrt_##number(v103 * v103 + v104 * v104 + v105 * v105), \
+        v114 = v112 + dhgen_sqrt_##number(v109 * v109 + v110 * v110 + v111 * v111), \
+        v115 = near_m8 * v103, v116 = near_m8 * v104, v117 = near_m8 * v105, \
+        v118 = near_m8 * v108, \
+        v119 = v118 + dhgen_sqrt_##number(v115 * v115 + v116 * v116 + v117 * v117), \
+        v120 = Z2_3 * v109 - v13 * v46 - T34 * v115, v121 = Z2_3 * v110 - v13 * v47 - T34 * v116, \
+        v122 = Z2_3 * v111 + (near_length * v12 - T34 * v117), \
+        v123 = v51 * v112 + v45 * dhgen_abs_##number(-v13) + v53 * v114 + (v36 * v118 + \
+            near_length * v119), v124 = near3 / w3, v125 = v60 * v124, v126 = v61 * v124, \
+        v127 = v62 * v124, v128 = v64 * v124, v129 = v128 * v128 / w3, \
+        v130 = v129 + (v129 + v63 * dhgen_abs_##number(v124)), v131 = near_m7 * v46, \
+        v132 = near_m7 * v47, v141 = v102 * v133 + v108 * dhgen_abs_##number(v18), \
+        v143 = dhgen_abs_##number(w3), \
+        v144 = v130 + dhgen_sqrt_##number(v125 * v125 + v126 * v126 + v127 * v127), \
+        v151 = v12 * v46 - Z2_3 * v115 - T34 * v109, v152 = v12 * v47 - Z2_3 * v116 - T34 * v110, \
+        v153 = near_length * v13 - T34 * v111 - Z2_3 * v117, \
+        v154 = v51 * v118 + v45 * dhgen_abs_##number(v12) + v53 * v119 + (v36 * v112 + near_length \
+            * v114), v155 = near_m6 * v46, v156 = near_m6 * v47, \
+        v165 = v102 * v157 + v108 * dhgen_abs_##number(v11)
 #define SIGNED_TWICE(number, signs) \
     /* theta2 */ \
     const dhgen_##number v9 = near_m4 * (e3 * T34); \
@@ -450,29 +429,27 @@ static const double
     /* theta6 */ \
     const dhgen_##number v34 = e1 * (c4 * v32 + Y4 * (s23 * T31 + e1 * (c23 * v33))); \
     /* joint values */ \
-    const dhgen_##signs v137 = near5 * e3; \
-    const dhgen_##number v138 = factor2 * (e3 * v134) - v20 * v107, \
-        v139 = factor2 * (e3 * v135) - v20 * v108, v140 = factor2 * v137 - v20 * v109, \
-        v146 = v123 - (w3 * v138 + v21 * v128), v147 = v124 - (w3 * v139 + v21 * v129), \
-        v148 = v125 - (w3 * v140 + v21 * v130), \
-        v149 = v126 + (v144 + v133 * dhgen_abs_##number(v21) + v145 * (v142 + \
-            (dhgen_abs_##number(v140) + (dhgen_abs_##number(v138) + dhgen_abs_##number(v139))))); \
-    const dhgen_##signs v159 = near6 * e3; \
-    const dhgen_##number v160 = factor2 * (e3 * v156) + v15 * v107, \
-        v161 = factor2 * (e3 * v157) + v15 * v108, v162 = factor2 * v159 - v15 * v109, \
-        v165 = v152 + (v16 * v128 - w3 * v160), v166 = v153 + (v16 * v129 - w3 * v161), \
-        v167 = v154 + (w3 * v162 + v16 * v130), \
-        v168 = v155 + (v164 + v133 * dhgen_abs_##number(v16) + v145 * (v163 + \
-            (dhgen_abs_##number(v162) + (dhgen_abs_##number(v160) + dhgen_abs_##number(v161))))), \
-        v185 = e1 * (c23 * v179), v186 = s23 * v71 - e1 * (c23 * v177), \
-        v187 = e1 * (c23 * v178) - s23 * v78, v188 = T33 * v146 + e1 * (c23 * v180 + v24 * v165), \
-        v189 = T33 * v147 + e1 * (c23 * v181 + v24 * v166), v190 = T33 * v148 + e1 * (v24 * v167), \
-        v191 = near4 * dhgen_abs_##number(s23) + v149 * v150 + v151 * (v149 + \
-            (dhgen_abs_##number(v148) + (dhgen_abs_##number(v146) + dhgen_abs_##number(v147)))) + \
-            (v182 * dhgen_abs_##number(c23) + v168 * v183 + v184 * (v168 + \
-            (dhgen_abs_##number(v167) + (dhgen_abs_##number(v165) + dhgen_abs_##number(v166))))) + \
-            (dhgen_sqrt_##number(v186 * v186 + v187 * v187 + v185 * v185) + \
-            dhgen_sqrt_##number(v188 * v188 + v189 * v189 + v190 * v190))
+    const dhgen_##number v134 = e3 * v131, v135 = e3 * v132; \
+    const dhgen_##signs v136 = near5 * e3, v137 = v136 * v136; \
+    const dhgen_##number v138 = factor2 * v134 - v20 * v103, v139 = factor2 * v135 - v20 * v104, \
+        v140 = factor2 * v136 - v20 * v105, \
+        v142 = v141 + v113 * (v133 + dhgen_sqrt_##number(v137 + (v134 * v134 + v135 * v135))), \
+        v145 = v120 - (w3 * v138 + v21 * v125), v146 = v121 - (w3 * v139 + v21 * v126), \
+        v147 = v122 - (w3 * v140 + v21 * v127), \
+        v148 = v123 + (v142 * v143 + v130 * dhgen_abs_##number(v21) + v144 * (v142 + \
+            dhgen_sqrt_##number(v138 * v138 + v139 * v139 + v140 * v140))), v158 = e3 * v155, \
+        v159 = e3 * v156; \
+    const dhgen_##signs v160 = near6 * e3, v161 = v160 * v160; \
+    const dhgen_##number v162 = factor2 * v158 + v15 * v103, v163 = factor2 * v159 + v15 * v104, \
+        v164 = factor2 * v160 - v15 * v105, \
+        v166 = v165 + v113 * (v157 + dhgen_sqrt_##number(v161 + (v158 * v158 + v159 * v159))), \
+        v167 = v151 + (v16 * v125 - w3 * v162), v168 = v152 + (v16 * v126 - w3 * v163), \
+        v169 = v153 + (w3 * v164 + v16 * v127), \
+        v170 = v154 + (v143 * v166 + v130 * dhgen_abs_##number(v16) + v144 * (v166 + \
+            dhgen_sqrt_##number(v162 * v162 + v163 * v163 + v164 * v164))), \
+        v187 = e1 * (c23 * v181), v188 = s23 * v68 - e1 * (c23 * v179), \
+        v189 = e1 * (c23 * v180) - s23 * v75, v190 = T33 * v145 + e1 * (c23 * v182 + v24 * v167), \
+        v191 = T33 * v146 + e1 * (c23 * v183 + v24 * v168), v192 = T33 * v147 + e1 * (v24 * v169)
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -488,7 +465,23 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta1 */
     const dhgen_wide angle1 = dhgen_atan2_wide(T24, T14),
         v3 = dhgen_signed_wide(DHGEN_HALF_TURN, T24);
-    left |= (v65 <= v42) | (v1 <= near2) | (v1 <= near_m1);
+
+    /* joint values */
+    const dhgen_wide v87 = w1 - sqrt(near2),
+        v88 = v86 + (v86 + (dhgen_abs_wide(v84) + dhgen_abs_wide(v85))) * ((near2 +
+            dhgen_sqrt_wide(v39 * v39 + v41 * v41)) / (v87 * v87)),
+        v90 = v88 + dhgen_sqrt_wide(v84 * v84 + v85 * v85), v93 = v88 * v89 + v45 * v83 + v48 * v90,
+        v101 = v93 * dhgen_abs_wide(v25) + v82 * dhgen_abs_wide(v66) + (v82 + (v98 +
+            dhgen_sqrt_wide(v97 + v81 * v81))) * (v93 + dhgen_sqrt_wide(v91 * v91 + v92 * v92)) +
+            (dhgen_sqrt_wide(v94 * v94 + v95 * v95 + v96 * v96) + dhgen_sqrt_wide(v99 * v99 + v100 *
+            v100)),
+        v178 = v83 * v172 + v88 * dhgen_abs_wide(v22) + v90 * (v172 + (v98 + dhgen_sqrt_wide(v97 +
+            v171 * v171))),
+        v184 = v89 * v178 + v45 * dhgen_abs_wide(v23) + v48 * (v178 + (dhgen_sqrt_wide(v173 * v173 +
+            v174 * v174 + v175 * v175) + dhgen_sqrt_wide(v176 * v176 + v177 * v177))),
+        v186 = v184 + (dhgen_sqrt_wide(v179 * v179 + v180 * v180 + v181 * v181) +
+            dhgen_sqrt_wide(v182 * v182 + v183 * v183)), v194 = v101 * v101;
+    left |= (v1 <= near_m1) | (dhgen_abs_wide(v1) <= near2);
 
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -499,8 +492,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
         /* joint values */
         const dhgen_wide q1_p = angle1 + v3 * (near_m2 * (e1 - 1.0)) + (w3 - w3);
-        left |= (dhgen_abs_wide(v64 + (D3 + D3)) <= v64) | (v68 <= v67) | (dhgen_abs_wide(D3) <=
-            near_m3);
+        left |= (dhgen_abs_wide(v64 + (D3 + D3)) <= v64) | (dhgen_abs_wide(N3) <= v65) |
+            (dhgen_abs_wide(D3) <= near_m3);
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
@@ -525,7 +518,12 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
                 (c23 * v31))));
 
             /* joint values */
-            const dhgen_wide q3_p = dhgen_lowered_wide(q3_);
+            const dhgen_wide q3_p = dhgen_lowered_wide(q3_),
+                v193 = near4 * dhgen_abs_wide(s23) + v148 * v149 + v150 * (v148 +
+                    dhgen_sqrt_wide(v145 * v145 + v146 * v146 + v147 * v147)) + (v184 *
+                    dhgen_abs_wide(c23) + v170 * v185 + v186 * (v170 + dhgen_sqrt_wide(v167 * v167 +
+                    v168 * v168 + v169 * v169))) + (dhgen_sqrt_wide(v188 * v188 + v189 * v189 + v187
+                    * v187) + dhgen_sqrt_wide(v190 * v190 + v191 * v191 + v192 * v192));
             const int row = 4 * i1 + 2 * i2;
             q[6 * row] = q1_p; q[6 * row + 1] = angle3; q[6 * row + 2] = q3_p;
             q[6 * row + 3] = angle4; q[6 * row + 4] = angle5; q[6 * row + 5] = angle6;
@@ -534,7 +532,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             q[6 * row + 9] = angle4 - v29; q[6 * row + 10] = -angle5;
             q[6 * row + 11] = angle6 - dhgen_signed_wide(DHGEN_HALF_TURN, v34);
             kind[row + 1] = dhgen_kind_wide(q[6 * row + 6]);
-            left |= (v27 <= near_m10) | (v27 <= v192 + v191 * v191);
+            left |= (v27 <= near_m10) | (dhgen_abs_wide(v27) <= v194 + v193 * v193);
         }
     }
     return left;
@@ -558,10 +556,30 @@ DHGEN_INLINE int solve_regular(
     /* theta1 */
     const double v3 = copysign(DHGEN_HALF_TURN, T24);
 
+    /* joint values */
+    const double v87 = w1 - sqrt(near2),
+        v88 = v86 + (v86 + (fabs(v84) + fabs(v85))) * ((near2 + sqrt(v39 * v39 + v41 * v41)) / (v87
+            * v87)), v90 = v88 + sqrt(v84 * v84 + v85 * v85),
+        v93 = v88 * v89 + v45 * v83 + v48 * v90,
+        v101 = v93 * fabs(v25) + v82 * fabs(v66) + (v82 + (v98 + sqrt(v97 + v81 * v81))) * (v93 +
+            sqrt(v91 * v91 + v92 * v92)) + (sqrt(v94 * v94 + v95 * v95 + v96 * v96) + sqrt(v99 * v99
+            + v100 * v100)),
+        v178 = v83 * v172 + v88 * fabs(v22) + v90 * (v172 + (v98 + sqrt(v97 + v171 * v171))),
+        v184 = v89 * v178 + v45 * fabs(v23) + v48 * (v178 + (sqrt(v173 * v173 + v174 * v174 + v175 *
+            v175) + sqrt(v176 * v176 + v177 * v177))),
+        v186 = v184 + (sqrt(v179 * v179 + v180 * v180 + v181 * v181) + sqrt(v182 * v182 + v183 *
+            v183));
+    const dhgen_four v193 = near4 * dhgen_abs_four(s23) + v148 * v149 + v150 * (v148 +
+        dhgen_sqrt_four(v145 * v145 + v146 * v146 + v147 * v147)) + (v184 * dhgen_abs_four(c23) +
+        v170 * v185 + v186 * (v170 + dhgen_sqrt_four(v167 * v167 + v168 * v168 + v169 * v169))) +
+        (dhgen_sqrt_four(v188 * v188 + v189 * v189 + v187 * v187) + dhgen_sqrt_four(v190 * v190 +
+        v191 * v191 + v192 * v192));
+    const double v194 = v101 * v101;
+
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
-        ((dhgen_abs_four(v64 + (D3 + D3)) <= v64) | (v68 <= v67) | (dhgen_abs_four(D3) <= near_m3))
-        | ((v27 <= near_m10) | (v27 <= v192 + v191 * v191))) | (unsigned)((v65 <= v42) | (v1 <=
-        near2) | (v1 <= near_m1)))
+        ((dhgen_abs_four(v64 + (D3 + D3)) <= v64) | (dhgen_abs_four(N3) <= v65) |
+        (dhgen_abs_four(D3) <= near_m3)) | ((v27 <= near_m10) | (dhgen_abs_four(v27) <= v194 + v193
+        * v193))) | (unsigned)((v1 <= near_m1) | (fabs(v1) <= near2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(T24), 0,

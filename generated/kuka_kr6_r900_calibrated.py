@@ -141,6 +141,8 @@ near3 = 0.5  # 1 / 2
 near4 = 1.805034200162e-08  # near_angle^2 / 2
 near5 = 0.00035570759116433794  # near_m6 * near_length
 near6 = 2.1201759580571282e-05  # near_m7 * near_length
+h1 = 1.265278904119358e-07  # near5^2
+h2 = 4.4951460931234614e-10  # near6^2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -653,321 +655,332 @@ def _formulas(kept, turns, rows, w):
         v62 = v61 + v61
         v63 = near_length * T24
         v64 = v63 + v63
-        v65 = near2 + math.sqrt(v62 * v62 + v64 * v64)
-        v66 = near3 / w1
-        v67 = v62 * v66
-        v68 = v64 * v66
-        v69 = near2 * abs(v66)
-        v70 = Z2_3_p * v67
-        v71 = v3 * v67
-        v72 = Z2_3_p * v68
-        v73 = v3 * v68
+        v65 = near3 / w1
+        v66 = v62 * v65
+        v67 = v64 * v65
+        v68 = near2 * abs(v65)
+        v69 = v68 + math.sqrt(v66 * v66 + v67 * v67)
+        v70 = Z2_3_p * v66
+        v71 = v3 * v66
+        v72 = Z2_3_p * v67
+        v73 = v3 * v67
         v74 = abs(Z2_3_p)
         v75 = abs(v3)
-        v76 = v69 * v74
-        v77 = v69 * v75
+        v76 = v68 * v74
+        v77 = v68 * v75
         v78 = v70 + v70
         v79 = v71 + v71
         v80 = v72 + v72
         v81 = v73 + v73
-        v82 = v69 + (abs(v67) + abs(v68))
-        v83 = v82 * v82
-        v84 = near1 + (v83 + (v76 + v76))
-        v85 = near1 + (v83 + (v77 + v77))
-        v86 = v5 * v78 - v7 * v78
-        v87 = v6 * v79 - v8 * v79
-        v88 = v5 * v80 - v7 * v80
-        v89 = v6 * v81 - v8 * v81
-        v90 = v5 * v60 - v7 * v60
-        v91 = v6 * v60 - v8 * v60
-        v92 = abs(v60)
-        v93 = v84 + (v92 + (abs(v78) + abs(v80)))
-        v94 = v85 + (v92 + (abs(v79) + abs(v81)))
-        v95 = v84 * abs(v5) + v84 * abs(v7) + v93 * v93
-        v96 = v85 * abs(v6) + v85 * abs(v8) + v94 * v94
-        v97 = v95 + math.sqrt(v86 * v86 + v88 * v88 + v90 * v90)
-        v98 = v96 + math.sqrt(v87 * v87 + v89 * v89 + v91 * v91)
-        v99 = abs(v1)
-        v100 = v60 * v60
-        v101 = v84 + math.sqrt(v100 + (v78 * v78 + v80 * v80))
-        v102 = v85 + math.sqrt(v100 + (v79 * v79 + v81 * v81))
-        v103 = abs(N3_p)
-        v104 = abs(N3_m)
-        v105 = w1 * v2
-        v106 = near_angle * T33
-        v107 = near_angle * T23
-        v108 = T24 * v106
-        v109 = near4 * abs(T24)
-        v110 = near_length * T13
-        v111 = abs(v106)
-        v112 = abs(v107)
-        v113 = near_length * (near4 + (v111 + v112))
-        v114 = near_angle * T13
-        v115 = T14 * v106
-        v116 = near4 * abs(T14)
-        v117 = near_length * T23
-        v118 = abs(v114)
-        v119 = near_length * (near4 + (v111 + v118))
-        v120 = T24 * v107 + T14 * v114
-        v121 = v109 + v113 + (v116 + v119)
-        v122 = abs(v2)
-        v123 = v2 * (v2 * v62)
-        v124 = v2 * (v2 * v64)
-        v125 = v122 * (near2 * v122)
-        v126 = abs(v123) + abs(v124)
-        v127 = v125 + (v125 + v126) * (v65 / (v99 - v65))
-        v128 = abs(w1)
-        v129 = v2 * v67 - w1 * v123
-        v130 = v2 * v68 - w1 * v124
-        v131 = v126 + v127
-        v132 = v127 * v128 + v69 * v122 + v82 * v131
-        v133 = v105 * v115
-        v134 = v105 * v108
-        v135 = v105 * v120
-        v136 = v44 * v129 - v105 * v117
-        v137 = v44 * v130 + v105 * v110
-        v138 = abs(v117)
-        v139 = abs(v110)
-        v140 = abs(v115) + abs(v108)
-        v141 = (
-            v132 * abs(v44) + v121 * abs(v105) + (v121 + (v139 + (v138 + (v140 + abs(v120))))) *
-            (v132 + (abs(v129) + abs(v130))) + (math.sqrt(v133 * v133 + v134 * v134 + v135 * v135) +
-            math.sqrt(v136 * v136 + v137 * v137))
+        v82 = v69 * v69
+        v83 = near1 + (v82 + (v76 + v76))
+        v84 = near1 + (v82 + (v77 + v77))
+        v85 = v60 * v60
+        v86 = v83 + math.sqrt(v85 + (v78 * v78 + v80 * v80))
+        v87 = v84 + math.sqrt(v85 + (v79 * v79 + v81 * v81))
+        v88 = v5 * v78 - v7 * v78
+        v89 = v6 * v79 - v8 * v79
+        v90 = v5 * v80 - v7 * v80
+        v91 = v6 * v81 - v8 * v81
+        v92 = v5 * v60 - v7 * v60
+        v93 = v6 * v60 - v8 * v60
+        v94 = v83 * abs(v5) + v83 * abs(v7) + v86 * v86
+        v95 = v84 * abs(v6) + v84 * abs(v8) + v87 * v87
+        v96 = v94 + math.sqrt(v88 * v88 + v90 * v90 + v92 * v92)
+        v97 = v95 + math.sqrt(v89 * v89 + v91 * v91 + v93 * v93)
+        v98 = near1 + v82
+        v99 = w1 * v2
+        v100 = near_angle * T33
+        v101 = near_angle * T23
+        v102 = T24 * v100
+        v103 = near4 * abs(T24)
+        v104 = near_length * T13
+        v105 = v100 * v100
+        v106 = v101 * v101
+        v107 = near_length * (near4 + math.sqrt(v105 + v106))
+        v108 = near_angle * T13
+        v109 = T14 * v100
+        v110 = near4 * abs(T14)
+        v111 = near_length * T23
+        v112 = v108 * v108
+        v113 = near_length * (near4 + math.sqrt(v105 + v112))
+        v114 = T24 * v101 + T14 * v108
+        v115 = v103 + v107 + (v110 + v113)
+        v116 = abs(v2)
+        v117 = v2 * (v2 * v62)
+        v118 = v2 * (v2 * v64)
+        v119 = v116 * (near2 * v116)
+        v120 = w1 - math.sqrt(near2)
+        v121 = (
+            v119 + (v119 + (abs(v117) + abs(v118))) * ((near2 + math.sqrt(v62 * v62 + v64 * v64)) /
+            (v120 * v120))
         )
-        v142 = abs(factor2_p)
-        v143 = abs(factor2_m)
-        v144 = factor2_p * (factor2_p * v78)
-        v145 = factor2_m * (factor2_m * v79)
-        v146 = factor2_p * (factor2_p * v80)
-        v147 = factor2_m * (factor2_m * v81)
-        v148 = factor2_p * (factor2_p * v60)
-        v149 = factor2_m * (factor2_m * v60)
-        v150 = v142 * (v84 * v142)
-        v151 = v143 * (v85 * v143)
-        v152 = abs(v148) + (abs(v144) + abs(v146))
-        v153 = abs(v149) + (abs(v145) + abs(v147))
-        v154 = v150 + (v150 + v152) * (v101 / (v103 - v101))
-        v155 = v151 + (v151 + v153) * (v102 / (v104 - v102))
-        v156 = near_m9 * v144
-        v157 = near_m9 * v145
-        v158 = near_m9 * v146
-        v159 = near_m9 * v147
-        v160 = near_m9 * v148
-        v161 = near_m9 * v149
-        v162 = near_m9 * v154
-        v163 = near_m9 * v155
-        v164 = v162 + (abs(v160) + (abs(v156) + abs(v158)))
-        v165 = v163 + (abs(v161) + (abs(v157) + abs(v159)))
-        v166 = near_m8 * v144
-        v167 = near_m8 * v145
-        v168 = near_m8 * v146
-        v169 = near_m8 * v147
-        v170 = near_m8 * v148
-        v171 = near_m8 * v149
-        v172 = near_m8 * v154
-        v173 = near_m8 * v155
-        v174 = v172 + (abs(v170) + (abs(v166) + abs(v168)))
-        v175 = v173 + (abs(v171) + (abs(v167) + abs(v169)))
-        v176 = Z2_3_p * v156 + -v24 * v67 - T34 * v166
-        v177 = v3 * v157 + -v25 * v67 + T34 * v167
-        v178 = Z2_3_p * v158 + -v24 * v68 - T34 * v168
-        v179 = v3 * v159 + -v25 * v68 + T34 * v169
-        v180 = Z2_3_p * v160 + (near_length * v22 - T34 * v170)
-        v181 = near_length * v23 - T34 * v171 - v3 * v161
-        v182 = v74 * v162 + v69 * abs(-v24) + v82 * v164 + (v59 * v172 + near_length * v174)
-        v183 = v75 * v163 + v69 * abs(-v25) + v82 * v165 + (v59 * v173 + near_length * v175)
-        v184 = near3 / w3_p
-        v185 = near3 / w3_m
-        v186 = v86 * v184
-        v187 = v87 * v185
-        v188 = v88 * v184
-        v189 = v89 * v185
-        v190 = v90 * v184
-        v191 = v91 * v185
-        v192 = v97 * v184
-        v193 = v98 * v185
-        v194 = v192 * v192 / w3_p
-        v195 = v193 * v193 / w3_m
-        v196 = v194 + (v194 + v95 * abs(v184))
-        v197 = v195 + (v195 + v96 * abs(v185))
-        v198 = near_m7 * v67
-        v199 = near_m7 * v68
-        v200 = near_m7 * v69
-        v201 = factor2_p * v198 - v33 * v144
-        v202 = factor2_m * v198
-        v203 = v202 + v34 * v145
-        v204 = v202 - -v34 * v145
-        v205 = factor2_p * v199 - v33 * v146
-        v206 = factor2_m * v199
-        v207 = v206 + v34 * v147
-        v208 = v206 - -v34 * v147
-        v209 = near5 * factor2_p - v33 * v148
-        v210 = near5 * factor2_m
-        v211 = v210 - v34 * v149
-        v212 = v210 + -v34 * v149
-        v213 = v152 + v154
-        v214 = v153 + v155
-        v215 = v200 + (near5 + (abs(v198) + abs(v199)))
-        v216 = v142 * v200 + v154 * abs(v33) + v213 * v215
-        v217 = v143 * v200 + v155 * abs(v34) + v214 * v215
-        v218 = abs(w3_p)
-        v219 = abs(w3_m)
-        v220 = v217 * v219
-        v221 = v196 + (abs(v190) + (abs(v186) + abs(v188)))
-        v222 = v197 + (abs(v191) + (abs(v187) + abs(v189)))
-        v223 = v37 * v186
-        v224 = v176 - (w3_p * v201 + v223)
-        v225 = v176 - (w3_p * -v201 - v223)
-        v226 = v177 + (v38 * v187 - w3_m * v203)
-        v227 = v177 + (w3_m * v204 + v39 * v187)
-        v228 = v37 * v188
-        v229 = v178 - (w3_p * v205 + v228)
-        v230 = v178 - (w3_p * -v205 - v228)
-        v231 = v179 + (v38 * v189 - w3_m * v207)
-        v232 = v179 + (w3_m * v208 + v39 * v189)
-        v233 = v37 * v190
-        v234 = v180 - (w3_p * v209 + v233)
-        v235 = v180 - (w3_p * -v209 - v233)
-        v236 = v181 - (w3_m * v211 + v38 * v191)
-        v237 = v181 - (v39 * v191 - w3_m * v212)
-        v238 = v216 * v218 + v196 * abs(v37)
-        v239 = v182 + (v238 + v221 * (v216 + (abs(v209) + (abs(v201) + abs(v205)))))
-        v240 = v182 + (v238 + v221 * (v216 + (abs(-v209) + (abs(-v201) + abs(-v205)))))
-        v241 = (
-            v183 + (v220 + v197 * abs(v38) + v222 * (v217 + (abs(v211) + (abs(v203) + abs(v207)))))
+        v122 = abs(w1)
+        v123 = v121 + math.sqrt(v117 * v117 + v118 * v118)
+        v124 = v2 * v66 - w1 * v117
+        v125 = v2 * v67 - w1 * v118
+        v126 = v121 * v122 + v68 * v116 + v69 * v123
+        v127 = v99 * v109
+        v128 = v99 * v102
+        v129 = v99 * v114
+        v130 = v109 * v109 + v102 * v102
+        v131 = math.sqrt(v111 * v111 + v104 * v104)
+        v132 = v44 * v124 - v99 * v111
+        v133 = v44 * v125 + v99 * v104
+        v134 = (
+            v126 * abs(v44) + v115 * abs(v99) + (v115 + (v131 + math.sqrt(v130 + v114 * v114))) *
+            (v126 + math.sqrt(v124 * v124 + v125 * v125)) + (math.sqrt(v127 * v127 + v128 * v128 +
+            v129 * v129) + math.sqrt(v132 * v132 + v133 * v133))
         )
-        v242 = (
-            v183 + (v220 + v197 * abs(v39) + v222 * (v217 + (abs(v212) + (abs(v204) + abs(v208)))))
+        v135 = abs(factor2_p)
+        v136 = abs(factor2_m)
+        v137 = factor2_p * (factor2_p * v78)
+        v138 = factor2_m * (factor2_m * v79)
+        v139 = factor2_p * (factor2_p * v80)
+        v140 = factor2_m * (factor2_m * v81)
+        v141 = factor2_p * (factor2_p * v60)
+        v142 = factor2_m * (factor2_m * v60)
+        v143 = v135 * (v83 * v135)
+        v144 = v136 * (v84 * v136)
+        v145 = math.sqrt(v98)
+        v146 = math.sqrt(N3_p) - v145
+        v147 = math.sqrt(N3_m) - v145
+        v148 = v143 + (v143 + (abs(v141) + (abs(v137) + abs(v139)))) * (v86 / (v146 * v146))
+        v149 = v144 + (v144 + (abs(v142) + (abs(v138) + abs(v140)))) * (v87 / (v147 * v147))
+        v150 = near_m9 * v137
+        v151 = near_m9 * v138
+        v152 = near_m9 * v139
+        v153 = near_m9 * v140
+        v154 = near_m9 * v141
+        v155 = near_m9 * v142
+        v156 = near_m9 * v148
+        v157 = near_m9 * v149
+        v158 = v148 + math.sqrt(v137 * v137 + v139 * v139 + v141 * v141)
+        v159 = v149 + math.sqrt(v138 * v138 + v140 * v140 + v142 * v142)
+        v160 = v156 + math.sqrt(v150 * v150 + v152 * v152 + v154 * v154)
+        v161 = v157 + math.sqrt(v151 * v151 + v153 * v153 + v155 * v155)
+        v162 = near_m8 * v137
+        v163 = near_m8 * v138
+        v164 = near_m8 * v139
+        v165 = near_m8 * v140
+        v166 = near_m8 * v141
+        v167 = near_m8 * v142
+        v168 = near_m8 * v148
+        v169 = near_m8 * v149
+        v170 = v168 + math.sqrt(v162 * v162 + v164 * v164 + v166 * v166)
+        v171 = v169 + math.sqrt(v163 * v163 + v165 * v165 + v167 * v167)
+        v172 = Z2_3_p * v150 + -v24 * v66 - T34 * v162
+        v173 = v3 * v151 + -v25 * v66 + T34 * v163
+        v174 = Z2_3_p * v152 + -v24 * v67 - T34 * v164
+        v175 = v3 * v153 + -v25 * v67 + T34 * v165
+        v176 = Z2_3_p * v154 + (near_length * v22 - T34 * v166)
+        v177 = near_length * v23 - T34 * v167 - v3 * v155
+        v178 = v74 * v156 + v68 * abs(-v24) + v69 * v160 + (v59 * v168 + near_length * v170)
+        v179 = v75 * v157 + v68 * abs(-v25) + v69 * v161 + (v59 * v169 + near_length * v171)
+        v180 = near3 / w3_p
+        v181 = near3 / w3_m
+        v182 = v88 * v180
+        v183 = v89 * v181
+        v184 = v90 * v180
+        v185 = v91 * v181
+        v186 = v92 * v180
+        v187 = v93 * v181
+        v188 = v96 * v180
+        v189 = v97 * v181
+        v190 = v188 * v188 / w3_p
+        v191 = v189 * v189 / w3_m
+        v192 = v190 + (v190 + v94 * abs(v180))
+        v193 = v191 + (v191 + v95 * abs(v181))
+        v194 = near_m7 * v66
+        v195 = near_m7 * v67
+        v196 = near_m7 * v68
+        v197 = factor2_p * v194 - v33 * v137
+        v198 = factor2_m * v194
+        v199 = v198 + v34 * v138
+        v200 = v198 - -v34 * v138
+        v201 = factor2_p * v195 - v33 * v139
+        v202 = factor2_m * v195
+        v203 = v202 + v34 * v140
+        v204 = v202 - -v34 * v140
+        v205 = near5 * factor2_p - v33 * v141
+        v206 = near5 * factor2_m
+        v207 = v206 - v34 * v142
+        v208 = v206 + -v34 * v142
+        v209 = v196 + math.sqrt(h1 + (v194 * v194 + v195 * v195))
+        v210 = v135 * v196 + v148 * abs(v33) + v158 * v209
+        v211 = v136 * v196 + v149 * abs(v34) + v159 * v209
+        v212 = abs(w3_p)
+        v213 = abs(w3_m)
+        v214 = v192 + math.sqrt(v182 * v182 + v184 * v184 + v186 * v186)
+        v215 = v193 + math.sqrt(v183 * v183 + v185 * v185 + v187 * v187)
+        v216 = v37 * v182
+        v217 = v172 - (w3_p * v197 + v216)
+        v218 = v172 - (w3_p * -v197 - v216)
+        v219 = v173 + (v38 * v183 - w3_m * v199)
+        v220 = v173 + (w3_m * v200 + v39 * v183)
+        v221 = v37 * v184
+        v222 = v174 - (w3_p * v201 + v221)
+        v223 = v174 - (w3_p * -v201 - v221)
+        v224 = v175 + (v38 * v185 - w3_m * v203)
+        v225 = v175 + (w3_m * v204 + v39 * v185)
+        v226 = v37 * v186
+        v227 = v176 - (w3_p * v205 + v226)
+        v228 = v176 - (w3_p * -v205 - v226)
+        v229 = v177 - (w3_m * v207 + v38 * v187)
+        v230 = v177 - (v39 * v187 - w3_m * v208)
+        v231 = v210 * v212 + v192 * abs(v37)
+        v232 = v178 + (v231 + v214 * (v210 + math.sqrt(v197 * v197 + v201 * v201 + v205 * v205)))
+        v233 = (
+            v178 + (v231 + v214 * (v210 + math.sqrt(-v197 * -v197 + -v201 * -v201 + -v205 * -v205)))
         )
-        v243 = abs(T33)
-        v244 = near4 + (v112 + v118)
-        v245 = v22 * v67 - Z2_3_p * v166 - T34 * v156
-        v246 = v3 * v167 - v23 * v67 - T34 * v157
-        v247 = v22 * v68 - Z2_3_p * v168 - T34 * v158
-        v248 = v3 * v169 - v23 * v68 - T34 * v159
-        v249 = near_length * v24 - T34 * v160 - Z2_3_p * v170
-        v250 = near_length * v25 - T34 * v161 + v3 * v171
-        v251 = v74 * v172 + v69 * abs(v22) + v82 * v174 + (v59 * v162 + near_length * v164)
-        v252 = v75 * v173 + v69 * abs(v23) + v82 * v175 + (v59 * v163 + near_length * v165)
-        v253 = near_m6 * v67
-        v254 = near_m6 * v68
-        v255 = near_m6 * v69
-        v256 = factor2_p * v253
-        v257 = v256 + v20 * v144
-        v258 = -v20 * v144 - v256
-        v259 = v21 * v145 - factor2_m * v253
-        v260 = factor2_p * v254
-        v261 = v260 + v20 * v146
-        v262 = -v20 * v146 - v260
-        v263 = v21 * v147 - factor2_m * v254
-        v264 = near6 * factor2_p
-        v265 = v264 - v20 * v148
-        v266 = v264 + -v20 * v148
-        v267 = near6 * factor2_m - v21 * v149
-        v268 = v255 + (near6 + (abs(v253) + abs(v254)))
-        v269 = v142 * v255 + v154 * abs(v20) + v213 * v268
-        v270 = v143 * v255 + v155 * abs(v21) + v214 * v268
-        v271 = v218 * v269
-        v272 = v245 + (v28 * v186 - w3_p * v257)
-        v273 = v245 + (v29 * v186 - w3_p * v258)
-        v274 = v30 * v187
-        v275 = v246 + (v274 - w3_m * v259)
-        v276 = v246 - (v274 + w3_m * -v259)
-        v277 = v247 + (v28 * v188 - w3_p * v261)
-        v278 = v247 + (v29 * v188 - w3_p * v262)
-        v279 = v30 * v189
-        v280 = v248 + (v279 - w3_m * v263)
-        v281 = v248 - (v279 + w3_m * -v263)
-        v282 = v249 + (w3_p * v265 + v28 * v190)
-        v283 = v249 + (v29 * v190 - w3_p * v266)
-        v284 = v30 * v191
-        v285 = v250 + (w3_m * v267 + v284)
-        v286 = v250 + (w3_m * -v267 - v284)
-        v287 = (
-            v251 + (v271 + v196 * abs(v28) + v221 * (v269 + (abs(v265) + (abs(v257) + abs(v261)))))
+        v234 = v211 * v213
+        v235 = (
+            v179 + (v234 + v193 * abs(v38) + v215 * (v211 + math.sqrt(v199 * v199 + v203 * v203 +
+            v207 * v207)))
         )
-        v288 = (
-            v251 + (v271 + v196 * abs(v29) + v221 * (v269 + (abs(v266) + (abs(v258) + abs(v262)))))
+        v236 = (
+            v179 + (v234 + v193 * abs(v39) + v215 * (v211 + math.sqrt(v200 * v200 + v204 * v204 +
+            v208 * v208)))
         )
-        v289 = v219 * v270 + v197 * abs(v30)
-        v290 = v252 + (v289 + v222 * (v270 + (abs(v267) + (abs(v259) + abs(v263)))))
-        v291 = v252 + (v289 + v222 * (v270 + (abs(-v267) + (abs(-v259) + abs(-v263)))))
-        v292 = T24 * v114 - T14 * v107
-        v293 = v113 + v116 + (v109 + v119)
-        v294 = v2 * v108
-        v295 = v2 * v115
-        v296 = v2 * v292
-        v297 = v2 * v110 - v41 * v123
-        v298 = v2 * v117 - v41 * v124
-        v299 = v122 * v293 + v127 * abs(v41) + v131 * (v293 + (v138 + (v139 + (v140 + abs(v292)))))
-        v300 = w1 * v294
-        v301 = w1 * v295
-        v302 = w1 * v296
-        v303 = w1 * v297 + v42 * v67
-        v304 = w1 * v298 + v42 * v68
-        v305 = (
-            v128 * v299 + v69 * abs(v42) + v82 * (v299 + (abs(v298) + (abs(v297) + (abs(v296) +
-            (abs(v294) + abs(v295))))))
+        v237 = abs(T33)
+        v238 = near4 + math.sqrt(v106 + v112)
+        v239 = v22 * v66 - Z2_3_p * v162 - T34 * v150
+        v240 = v3 * v163 - v23 * v66 - T34 * v151
+        v241 = v22 * v67 - Z2_3_p * v164 - T34 * v152
+        v242 = v3 * v165 - v23 * v67 - T34 * v153
+        v243 = near_length * v24 - T34 * v154 - Z2_3_p * v166
+        v244 = near_length * v25 - T34 * v155 + v3 * v167
+        v245 = v74 * v168 + v68 * abs(v22) + v69 * v170 + (v59 * v156 + near_length * v160)
+        v246 = v75 * v169 + v68 * abs(v23) + v69 * v171 + (v59 * v157 + near_length * v161)
+        v247 = near_m6 * v66
+        v248 = near_m6 * v67
+        v249 = near_m6 * v68
+        v250 = factor2_p * v247
+        v251 = v250 + v20 * v137
+        v252 = -v20 * v137 - v250
+        v253 = v21 * v138 - factor2_m * v247
+        v254 = factor2_p * v248
+        v255 = v254 + v20 * v139
+        v256 = -v20 * v139 - v254
+        v257 = v21 * v140 - factor2_m * v248
+        v258 = near6 * factor2_p
+        v259 = v258 - v20 * v141
+        v260 = v258 + -v20 * v141
+        v261 = near6 * factor2_m - v21 * v142
+        v262 = v249 + math.sqrt(h2 + (v247 * v247 + v248 * v248))
+        v263 = v135 * v249 + v148 * abs(v20) + v158 * v262
+        v264 = v136 * v249 + v149 * abs(v21) + v159 * v262
+        v265 = v239 + (v28 * v182 - w3_p * v251)
+        v266 = v239 + (v29 * v182 - w3_p * v252)
+        v267 = v30 * v183
+        v268 = v240 + (v267 - w3_m * v253)
+        v269 = v240 - (v267 + w3_m * -v253)
+        v270 = v241 + (v28 * v184 - w3_p * v255)
+        v271 = v241 + (v29 * v184 - w3_p * v256)
+        v272 = v30 * v185
+        v273 = v242 + (v272 - w3_m * v257)
+        v274 = v242 - (v272 + w3_m * -v257)
+        v275 = v243 + (w3_p * v259 + v28 * v186)
+        v276 = v243 + (v29 * v186 - w3_p * v260)
+        v277 = v30 * v187
+        v278 = v244 + (w3_m * v261 + v277)
+        v279 = v244 + (w3_m * -v261 - v277)
+        v280 = v212 * v263
+        v281 = (
+            v245 + (v280 + v192 * abs(v28) + v214 * (v263 + math.sqrt(v251 * v251 + v255 * v255 +
+            v259 * v259)))
         )
-        v306 = abs(v43)
-        v307 = v305 + (abs(v304) + (abs(v303) + (abs(v302) + (abs(v300) + abs(v301)))))
-        v308 = c23_pp * v302
-        v309 = c23_pm * v302
-        v310 = c23_mp * v302
-        v311 = c23_mm * v302
-        v312 = s23_pp * v107 - c23_pp * v300
-        v313 = s23_pm * v107 - c23_pm * v300
-        v314 = s23_mp * v107 + c23_mp * v300
-        v315 = s23_mm * v107 + c23_mm * v300
-        v316 = c23_pp * v301 - s23_pp * v114
-        v317 = c23_pm * v301 - s23_pm * v114
-        v318 = c23_mp * v301 + s23_mp * v114
-        v319 = c23_mm * v301 + s23_mm * v114
-        v320 = T33 * v224 + (c23_pp * v303 + v43 * v272)
-        v321 = T33 * v225 + (c23_pm * v303 + v43 * v273)
-        v322 = T33 * v226 + (c23_mp * v303 + v43 * v275)
-        v323 = T33 * v227 + (c23_mm * v303 + v43 * v276)
-        v324 = T33 * v229 + (c23_pp * v304 + v43 * v277)
-        v325 = T33 * v230 + (c23_pm * v304 + v43 * v278)
-        v326 = T33 * v231 + (c23_mp * v304 + v43 * v280)
-        v327 = T33 * v232 + (c23_mm * v304 + v43 * v281)
-        v328 = T33 * v234 + v43 * v282
-        v329 = T33 * v235 + v43 * v283
-        v330 = T33 * v236 - v43 * v285
-        v331 = T33 * v237 - v43 * v286
-        v332 = (
-            near4 * abs(s23_pp) + v239 * v243 + v244 * (v239 + (abs(v234) + (abs(v224) +
-            abs(v229)))) + (v305 * abs(c23_pp) + v287 * v306 + v307 * (v287 + (abs(v282) +
-            (abs(v272) + abs(v277))))) + (math.sqrt(v312 * v312 + v316 * v316 + v308 * v308) +
-            math.sqrt(v320 * v320 + v324 * v324 + v328 * v328))
+        v282 = (
+            v245 + (v280 + v192 * abs(v29) + v214 * (v263 + math.sqrt(v252 * v252 + v256 * v256 +
+            v260 * v260)))
         )
-        v333 = (
-            near4 * abs(s23_pm) + v240 * v243 + v244 * (v240 + (abs(v235) + (abs(v225) +
-            abs(v230)))) + (v305 * abs(c23_pm) + v288 * v306 + v307 * (v288 + (abs(v283) +
-            (abs(v273) + abs(v278))))) + (math.sqrt(v313 * v313 + v317 * v317 + v309 * v309) +
-            math.sqrt(v321 * v321 + v325 * v325 + v329 * v329))
+        v283 = v213 * v264 + v193 * abs(v30)
+        v284 = v246 + (v283 + v215 * (v264 + math.sqrt(v253 * v253 + v257 * v257 + v261 * v261)))
+        v285 = (
+            v246 + (v283 + v215 * (v264 + math.sqrt(-v253 * -v253 + -v257 * -v257 + -v261 * -v261)))
         )
-        v334 = (
-            near4 * abs(s23_mp) + v241 * v243 + v244 * (v241 + (abs(v236) + (abs(v226) +
-            abs(v231)))) + (v305 * abs(c23_mp) + v290 * v306 + v307 * (v290 + (abs(v285) +
-            (abs(v275) + abs(v280))))) + (math.sqrt(v314 * v314 + v318 * v318 + v310 * v310) +
-            math.sqrt(v322 * v322 + v326 * v326 + v330 * v330))
+        v286 = T24 * v108 - T14 * v101
+        v287 = v107 + v110 + (v103 + v113)
+        v288 = v2 * v102
+        v289 = v2 * v109
+        v290 = v2 * v286
+        v291 = v2 * v104 - v41 * v117
+        v292 = v2 * v111 - v41 * v118
+        v293 = (
+            v116 * v287 + v121 * abs(v41) + v123 * (v287 + (v131 + math.sqrt(v130 + v286 * v286)))
         )
-        v335 = (
-            near4 * abs(s23_mm) + v242 * v243 + v244 * (v242 + (abs(v237) + (abs(v227) +
-            abs(v232)))) + (v305 * abs(c23_mm) + v291 * v306 + v307 * (v291 + (abs(v286) +
-            (abs(v276) + abs(v281))))) + (math.sqrt(v315 * v315 + v319 * v319 + v311 * v311) +
-            math.sqrt(v323 * v323 + v327 * v327 + v331 * v331))
+        v294 = w1 * v288
+        v295 = w1 * v289
+        v296 = w1 * v290
+        v297 = w1 * v291 + v42 * v66
+        v298 = w1 * v292 + v42 * v67
+        v299 = (
+            v122 * v293 + v68 * abs(v42) + v69 * (v293 + (math.sqrt(v288 * v288 + v289 * v289 + v290
+            * v290) + math.sqrt(v291 * v291 + v292 * v292)))
         )
-        v336 = v141 * v141
+        v300 = abs(v43)
+        v301 = (
+            v299 + (math.sqrt(v294 * v294 + v295 * v295 + v296 * v296) + math.sqrt(v297 * v297 +
+            v298 * v298))
+        )
+        v302 = c23_pp * v296
+        v303 = c23_pm * v296
+        v304 = c23_mp * v296
+        v305 = c23_mm * v296
+        v306 = s23_pp * v101 - c23_pp * v294
+        v307 = s23_pm * v101 - c23_pm * v294
+        v308 = s23_mp * v101 + c23_mp * v294
+        v309 = s23_mm * v101 + c23_mm * v294
+        v310 = c23_pp * v295 - s23_pp * v108
+        v311 = c23_pm * v295 - s23_pm * v108
+        v312 = c23_mp * v295 + s23_mp * v108
+        v313 = c23_mm * v295 + s23_mm * v108
+        v314 = T33 * v217 + (c23_pp * v297 + v43 * v265)
+        v315 = T33 * v218 + (c23_pm * v297 + v43 * v266)
+        v316 = T33 * v219 + (c23_mp * v297 + v43 * v268)
+        v317 = T33 * v220 + (c23_mm * v297 + v43 * v269)
+        v318 = T33 * v222 + (c23_pp * v298 + v43 * v270)
+        v319 = T33 * v223 + (c23_pm * v298 + v43 * v271)
+        v320 = T33 * v224 + (c23_mp * v298 + v43 * v273)
+        v321 = T33 * v225 + (c23_mm * v298 + v43 * v274)
+        v322 = T33 * v227 + v43 * v275
+        v323 = T33 * v228 + v43 * v276
+        v324 = T33 * v229 - v43 * v278
+        v325 = T33 * v230 - v43 * v279
+        v326 = (
+            near4 * abs(s23_pp) + v232 * v237 + v238 * (v232 + math.sqrt(v217 * v217 + v222 * v222 +
+            v227 * v227)) + (v299 * abs(c23_pp) + v281 * v300 + v301 * (v281 + math.sqrt(v265 * v265
+            + v270 * v270 + v275 * v275))) + (math.sqrt(v306 * v306 + v310 * v310 + v302 * v302) +
+            math.sqrt(v314 * v314 + v318 * v318 + v322 * v322))
+        )
+        v327 = (
+            near4 * abs(s23_pm) + v233 * v237 + v238 * (v233 + math.sqrt(v218 * v218 + v223 * v223 +
+            v228 * v228)) + (v299 * abs(c23_pm) + v282 * v300 + v301 * (v282 + math.sqrt(v266 * v266
+            + v271 * v271 + v276 * v276))) + (math.sqrt(v307 * v307 + v311 * v311 + v303 * v303) +
+            math.sqrt(v315 * v315 + v319 * v319 + v323 * v323))
+        )
+        v328 = (
+            near4 * abs(s23_mp) + v235 * v237 + v238 * (v235 + math.sqrt(v219 * v219 + v224 * v224 +
+            v229 * v229)) + (v299 * abs(c23_mp) + v284 * v300 + v301 * (v284 + math.sqrt(v268 * v268
+            + v273 * v273 + v278 * v278))) + (math.sqrt(v308 * v308 + v312 * v312 + v304 * v304) +
+            math.sqrt(v316 * v316 + v320 * v320 + v324 * v324))
+        )
+        v329 = (
+            near4 * abs(s23_mm) + v236 * v237 + v238 * (v236 + math.sqrt(v220 * v220 + v225 * v225 +
+            v230 * v230)) + (v299 * abs(c23_mm) + v285 * v300 + v301 * (v285 + math.sqrt(v269 * v269
+            + v274 * v274 + v279 * v279))) + (math.sqrt(v309 * v309 + v313 * v313 + v305 * v305) +
+            math.sqrt(v317 * v317 + v321 * v321 + v325 * v325))
+        )
+        v330 = v134 * v134
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if abs(v98 + (D3_m + D3_m)) <= v98 or abs(D3_m) <= near_m3 or abs(v97 + (D3_p +
-            D3_p)) <= v97 or abs(D3_p) <= near_m3 or v99 <= v65 or v1 <= near_m1 or v49 <= v336 +
-            v335 * v335 or v49 <= near_m10 or v48 <= v336 + v334 * v334 or v48 <= near_m10 or v47 <=
-            v336 + v333 * v333 or v47 <= near_m10 or v46 <= v336 + v332 * v332 or v46 <= near_m10 or
-            v104 <= v102 or v1 <= near2 or v103 <= v101 else kept[16 * w + k]
+            1.0 if abs(v97 + (D3_m + D3_m)) <= v97 or abs(D3_m) <= near_m3 or abs(v96 + (D3_p +
+            D3_p)) <= v96 or abs(D3_p) <= near_m3 or abs(v49) <= v330 + v329 * v329 or v49 <=
+            near_m10 or abs(v48) <= v330 + v328 * v328 or v48 <= near_m10 or abs(v47) <= v330 + v327
+            * v327 or v47 <= near_m10 or abs(v46) <= v330 + v326 * v326 or v46 <= near_m10 or
+            abs(N3_m) <= v98 or v1 <= near_m1 or abs(v1) <= near2 or abs(N3_p) <= v98 else kept[16 *
+            w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3_p, w3_m, c23_mp
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = c23_mm, s23_mp, s23_mm

@@ -352,47 +352,38 @@ static const double
     /* joint values */ \
     const dhgen_##number v33 = near_length * T14, v34 = v33 + v33, v35 = near_length * T24, \
         v36 = v35 + v35, v37 = v34 * v34 + v36 * v36, v38 = near1 + dhgen_sqrt_##number(v37), \
-        v39 = near_length * T34, v40 = v39 + v39, v41 = v10 * v34 - v11 * v34, \
-        v42 = v10 * v36 - v11 * v36, v43 = v10 * v40 - v11 * v40, \
-        v44 = near2 + (dhgen_abs_##number(v40) + (dhgen_abs_##number(v34) + \
-            dhgen_abs_##number(v36))), \
-        v45 = near2 * dhgen_abs_##number(v10) + near2 * dhgen_abs_##number(v11) + v44 * v44, \
-        v46 = v45 + dhgen_sqrt_##number(v41 * v41 + v42 * v42 + v43 * v43), \
-        v47 = dhgen_abs_##number(N1), v48 = near2 + dhgen_sqrt_##number(v37 + v40 * v40), \
-        v49 = dhgen_abs_##number(N3), v50 = dhgen_abs_##number(inverse1), \
-        v51 = inverse1 * (inverse1 * v34), v52 = inverse1 * (inverse1 * v36), \
-        v53 = v50 * (near1 * v50), v54 = dhgen_abs_##number(v51) + dhgen_abs_##number(v52), \
-        v55 = v53 + (v53 + v54) * (v38 / (v47 - v38)), v56 = near3 * inverse1, v57 = v6 * v52, \
-        v58 = v56 - v6 * v51, v59 = v54 + v55, v60 = near3 * v59, \
-        v61 = v60 + v55 * dhgen_abs_##number(v6), v62 = near4 / w1, v63 = v34 * v62, \
-        v64 = v36 * v62, v65 = v38 * v62, v66 = v65 * v65 / w1, \
-        v67 = v66 + (v66 + near1 * dhgen_abs_##number(v62)), v71 = near_length * v59, \
-        v72 = v71 + v55 * dhgen_abs_##number(T24), v73 = dhgen_abs_##number(w1), v74 = v72 * v73, \
-        v75 = v67 + (dhgen_abs_##number(v63) + dhgen_abs_##number(v64)), v79 = near_angle * T33, \
-        v80 = near_angle * T23, v83 = dhgen_abs_##number(T13), v85 = dhgen_abs_##number(v79), \
-        v86 = dhgen_abs_##number(v80), v87 = near5 + (v85 + v86), \
-        v90 = v71 + v55 * dhgen_abs_##number(T14), v91 = v73 * v90, v92 = v2 * v51, \
-        v93 = v60 + v55 * dhgen_abs_##number(v2), v95 = v2 * v52 - v56, v98 = near_angle * T13, \
-        v101 = dhgen_abs_##number(T23), v103 = dhgen_abs_##number(v98), \
-        v104 = near5 + (v85 + v103), v109 = dhgen_abs_##number(factor2), \
-        v110 = factor2 * (factor2 * v34), v111 = factor2 * (factor2 * v36), \
-        v112 = factor2 * (factor2 * v40), v113 = v109 * (near2 * v109), \
-        v114 = dhgen_abs_##number(v112) + (dhgen_abs_##number(v110) + dhgen_abs_##number(v111)), \
-        v115 = v113 + (v113 + v114) * (v48 / (v49 - v48)), v116 = near_m3 * v34, \
-        v117 = near_m3 * v36, v118 = near_m3 * v40, v119 = near4 / w3, v120 = v41 * v119, \
-        v121 = v42 * v119, v122 = v43 * v119, v123 = v46 * v119, v124 = v123 * v123 / w3, \
-        v125 = v124 + (v124 + v45 * dhgen_abs_##number(v119)), v129 = near6 + near_m5 * v125, \
-        v131 = dhgen_abs_##number(w3), \
-        v135 = v125 + (dhgen_abs_##number(v122) + (dhgen_abs_##number(v120) + \
-            dhgen_abs_##number(v121))), v136 = near_m7 * v34, v137 = near_m7 * v36, \
-        v138 = near_m7 * v40, \
-        v142 = near7 + (dhgen_abs_##number(v138) + (dhgen_abs_##number(v136) + \
-            dhgen_abs_##number(v137))), \
-        v143 = near7 * v73 + v67 * dhgen_abs_##number(X1_2) + v75 * v142, v153 = near_m5 * v34, \
-        v154 = near_m5 * v36, v155 = near_m5 * v40, v159 = near8 + near_m3 * v125, \
-        v160 = T34 * v136, v161 = T34 * v137, v162 = T34 * v138 + near_length * X1_2, \
-        v163 = near7 * dhgen_abs_##number(T34) + near_length * v142, \
-        v192 = dhgen_abs_##number(T33), v193 = near5 + (v86 + v103), v206 = v114 + v115
+        v39 = near_length * T34, v40 = v39 + v39, \
+        v41 = near2 + dhgen_sqrt_##number(v37 + v40 * v40), v42 = v10 * v34 - v11 * v34, \
+        v43 = v10 * v36 - v11 * v36, v44 = v10 * v40 - v11 * v40, \
+        v45 = near2 * dhgen_abs_##number(v10) + near2 * dhgen_abs_##number(v11) + v41 * v41, \
+        v46 = v45 + dhgen_sqrt_##number(v42 * v42 + v43 * v43 + v44 * v44), \
+        v47 = dhgen_abs_##number(N3), v48 = dhgen_abs_##number(inverse1), \
+        v49 = inverse1 * (inverse1 * v34), v50 = inverse1 * (inverse1 * v36), \
+        v51 = v48 * (near1 * v48), v54 = near3 * inverse1, v55 = v6 * v50, v57 = v54 - v6 * v49, \
+        v60 = near4 / w1, v61 = v34 * v60, v62 = v36 * v60, v63 = v38 * v60, v64 = v63 * v63 / w1, \
+        v65 = v64 + (v64 + near1 * dhgen_abs_##number(v60)), v71 = dhgen_abs_##number(w1), \
+        v73 = v65 + dhgen_sqrt_##number(v61 * v61 + v62 * v62), v77 = near_angle * T33, \
+        v78 = near_angle * T23, v81 = dhgen_abs_##number(T13), v83 = v77 * v77, v84 = v78 * v78, \
+        v85 = near5 + dhgen_sqrt_##number(v83 + v84), v90 = v2 * v49, v93 = v2 * v50 - v54, \
+        v96 = near_angle * T13, v99 = dhgen_abs_##number(T23), v101 = v96 * v96, \
+        v102 = near5 + dhgen_sqrt_##number(v83 + v101), v108 = dhgen_abs_##number(factor2), \
+        v109 = factor2 * (factor2 * v34), v110 = factor2 * (factor2 * v36), \
+        v111 = factor2 * (factor2 * v40), v112 = v108 * (near2 * v108), \
+        v113 = v112 + (v112 + (dhgen_abs_##number(v111) + (dhgen_abs_##number(v109) + \
+            dhgen_abs_##number(v110)))) * (v41 / (v47 - v41)), v114 = near_m3 * v34, \
+        v115 = near_m3 * v36, v116 = near_m3 * v40, v117 = near4 / w3, v118 = v42 * v117, \
+        v119 = v43 * v117, v120 = v44 * v117, v121 = v46 * v117, v122 = v121 * v121 / w3, \
+        v123 = v122 + (v122 + v45 * dhgen_abs_##number(v117)), \
+        v124 = v123 + dhgen_sqrt_##number(v118 * v118 + v119 * v119 + v120 * v120), \
+        v128 = near6 + near_m5 * v123, v130 = dhgen_abs_##number(w3), v135 = near_m7 * v34, \
+        v136 = near_m7 * v36, v137 = near_m7 * v40, \
+        v144 = near7 * v71 + v65 * dhgen_abs_##number(X1_2), v154 = near_m5 * v34, \
+        v155 = near_m5 * v36, v156 = near_m5 * v40, v160 = near8 + near_m3 * v123, \
+        v161 = T34 * v135, v162 = T34 * v136, v163 = T34 * v137 + near_length * X1_2, \
+        v164 = near7 * dhgen_abs_##number(T34) + near_length * (near7 + dhgen_sqrt_##number(v135 * \
+            v135 + v136 * v136 + v137 * v137)), v192 = dhgen_abs_##number(T33), \
+        v193 = near5 + dhgen_sqrt_##number(v84 + v101), \
+        v203 = v113 + dhgen_sqrt_##number(v109 * v109 + v110 * v110 + v111 * v111)
 #define SIGNED(number, signs) \
     /* theta1 */ \
     const dhgen_##number v4 = e1 * T14, v5 = inverse1 * v4, c1 = w1 * v5 - v3, v8 = e1 * T24, \
@@ -406,27 +397,17 @@ static const double
     const dhgen_##number v29 = c1 * T22 - s1 * T12, v30 = c1 * T12 + s1 * T22, \
         v31 = c1 * T21 - s1 * T11, v32 = c1 * T11 + s1 * T21; \
     /* joint values */ \
-    const dhgen_##number v68 = inverse1 * (near_length * e1), v69 = v8 * v51, \
-        v70 = v68 - v8 * v52, v76 = v58 + (v9 * v63 - w1 * v69), v77 = w1 * v70 + v9 * v64 - v57, \
-        v78 = v61 + (v74 + v67 * dhgen_abs_##number(v9) + v75 * (v72 + (dhgen_abs_##number(v69) + \
-            dhgen_abs_##number(v70)))), v81 = s1 * v79, v82 = near5 * dhgen_abs_##number(s1), \
-        v84 = v78 + (dhgen_abs_##number(v76) + dhgen_abs_##number(v77)), v88 = v4 * v52, \
-        v89 = v68 - v4 * v51, v94 = v92 + (w1 * v89 + v5 * v63), \
-        v96 = v95 + (v5 * v64 - w1 * v88), \
-        v97 = v93 + (v91 + v67 * dhgen_abs_##number(v5) + v75 * (v90 + (dhgen_abs_##number(v89) + \
-            dhgen_abs_##number(v88)))), v99 = c1 * v79, v100 = near5 * dhgen_abs_##number(c1), \
-        v102 = v97 + (dhgen_abs_##number(v94) + dhgen_abs_##number(v96)), \
-        v105 = s1 * v80 + c1 * v98, v106 = T13 * v76 - T23 * v94, v107 = T13 * v77 - T23 * v96, \
-        v108 = v82 + v78 * v83 + v84 * v87 + (v100 + v97 * v101 + v102 * v104) + \
-            (dhgen_sqrt_##number(v99 * v99 + v81 * v81 + v105 * v105) + dhgen_sqrt_##number(v106 * \
-            v106 + v107 * v107)), v139 = w1 * (e1 * v138), v140 = w1 * (e1 * v136) + v22 * v63, \
-        v141 = w1 * (e1 * v137) + v22 * v64, v180 = s1 * v98 - c1 * v80, \
-        v181 = T13 * v94 + T23 * v76, v182 = T13 * v96 + T23 * v77, \
-        v183 = v100 + v83 * v97 + v87 * v102 + (v82 + v78 * v101 + v84 * v104), \
-        v185 = dhgen_abs_##number(v24), \
-        v186 = v183 + (dhgen_abs_##number(v182) + (dhgen_abs_##number(v181) + \
-            (dhgen_abs_##number(v180) + (dhgen_abs_##number(v81) + dhgen_abs_##number(v99))))), \
-        v208 = v108 * v108
+    const dhgen_##number v66 = inverse1 * (near_length * e1), v67 = v8 * v49, \
+        v68 = v66 - v8 * v50, v74 = v57 + (v9 * v61 - w1 * v67), v75 = w1 * v68 + v9 * v62 - v55, \
+        v79 = s1 * v77, v80 = near5 * dhgen_abs_##number(s1), v86 = v4 * v50, \
+        v87 = v66 - v4 * v49, v92 = v90 + (w1 * v87 + v5 * v61), \
+        v94 = v93 + (v5 * v62 - w1 * v86), v97 = c1 * v77, v98 = near5 * dhgen_abs_##number(c1), \
+        v103 = s1 * v78 + c1 * v96, v104 = T13 * v74 - T23 * v92, v105 = T13 * v75 - T23 * v94, \
+        v106 = v97 * v97 + v79 * v79, v138 = e1 * v135, v139 = e1 * v136, v140 = e1 * v137, \
+        v141 = w1 * v140, v142 = w1 * v138 + v22 * v61, v143 = w1 * v139 + v22 * v62, \
+        v145 = v144 + v73 * (near7 + dhgen_sqrt_##number(v138 * v138 + v139 * v139 + v140 * \
+            v140)), v181 = s1 * v96 - c1 * v78, v182 = T13 * v92 + T23 * v74, \
+        v183 = T13 * v94 + T23 * v75, v186 = dhgen_abs_##number(v24)
 #define SIGNED_TWICE(number, signs) \
     /* theta3 */ \
     const dhgen_##signs v14 = near_m3 * e3; \
@@ -443,29 +424,29 @@ static const double
     /* theta6 */ \
     const dhgen_##number s6 = c4 * v31 + Y4 * (c23 * v32 + s23 * T31); \
     /* joint values */ \
-    const dhgen_##number v126 = v116 + v16 * v120, v127 = v117 + v16 * v121, \
-        v128 = v118 + v16 * v122; \
-    const dhgen_##signs v130 = near_m7 * (near_length * e3); \
-    const dhgen_##number v132 = v20 * v120, v133 = v20 * v121, v134 = w3 * v130 + v20 * v122, \
-        v144 = v132 + v140, v145 = v133 + v141, v146 = v134 + v139, v148 = dhgen_abs_##number(c3), \
-        v150 = dhgen_abs_##number(C2), \
-        v151 = v129 + (dhgen_abs_##number(v128) + (dhgen_abs_##number(v126) + \
-            dhgen_abs_##number(v127))), v156 = v153 - v14 * v120, v157 = v154 - v14 * v121, \
-        v158 = v155 - v14 * v122, v164 = near_m7 * (v18 * v63), v165 = near_m7 * (v18 * v64), \
-        v168 = v160 - (w3 * v164 + v19 * v120), v169 = v161 - (w3 * v165 + v19 * v121), \
-        v170 = v162 - v19 * v122, v172 = dhgen_abs_##number(s3), v173 = dhgen_abs_##number(S2), \
-        v174 = v159 + (dhgen_abs_##number(v158) + (dhgen_abs_##number(v156) + \
-            dhgen_abs_##number(v157))), v176 = c3 * v144 - C2 * v126 - (s3 * v168 + S2 * v156), \
-        v177 = c3 * v145 - C2 * v127 - (s3 * v169 + S2 * v157), \
-        v178 = c3 * v146 - C2 * v128 - (s3 * v170 + S2 * v158), v184 = c23 * v180, \
-        v188 = c3 * v168 - S2 * v126 + (s3 * v144 + C2 * v156), \
-        v189 = c3 * v169 - S2 * v127 + (s3 * v145 + C2 * v157), \
-        v190 = c3 * v170 - S2 * v128 + (s3 * v146 + C2 * v158), v194 = s23 * v80 - c23 * v81, \
-        v195 = c23 * v99 - s23 * v98, v196 = c23 * v181 + v24 * v176 + T33 * v188, \
-        v197 = c23 * v182 + v24 * v177 + T33 * v189, v198 = v24 * v178 + T33 * v190, \
-        v200 = factor2 * v194, v201 = factor2 * v195, v202 = factor2 * v184, \
-        v203 = factor2 * v196 - c4 * v110, v204 = factor2 * v197 - c4 * v111, \
-        v205 = factor2 * v198 - c4 * v112
+    const dhgen_##number v125 = v114 + v16 * v118, v126 = v115 + v16 * v119, \
+        v127 = v116 + v16 * v120; \
+    const dhgen_##signs v129 = near_m7 * (near_length * e3); \
+    const dhgen_##number v131 = v20 * v118, v132 = v20 * v119, v133 = w3 * v129 + v20 * v120, \
+        v146 = v131 + v142, v147 = v132 + v143, v148 = v133 + v141, v150 = dhgen_abs_##number(c3), \
+        v151 = dhgen_abs_##number(C2), \
+        v152 = v128 + dhgen_sqrt_##number(v125 * v125 + v126 * v126 + v127 * v127), \
+        v157 = v154 - v14 * v118, v158 = v155 - v14 * v119, v159 = v156 - v14 * v120, \
+        v165 = near_m7 * (v18 * v61), v166 = near_m7 * (v18 * v62), \
+        v169 = v161 - (w3 * v165 + v19 * v118), v170 = v162 - (w3 * v166 + v19 * v119), \
+        v171 = v163 - v19 * v120, v173 = dhgen_abs_##number(s3), v174 = dhgen_abs_##number(S2), \
+        v175 = v160 + dhgen_sqrt_##number(v157 * v157 + v158 * v158 + v159 * v159), \
+        v177 = c3 * v146 - C2 * v125 - (s3 * v169 + S2 * v157), \
+        v178 = c3 * v147 - C2 * v126 - (s3 * v170 + S2 * v158), \
+        v179 = c3 * v148 - C2 * v127 - (s3 * v171 + S2 * v159), v185 = c23 * v181, \
+        v188 = c3 * v169 - S2 * v125 + (s3 * v146 + C2 * v157), \
+        v189 = c3 * v170 - S2 * v126 + (s3 * v147 + C2 * v158), \
+        v190 = c3 * v171 - S2 * v127 + (s3 * v148 + C2 * v159), v194 = s23 * v78 - c23 * v79, \
+        v195 = c23 * v97 - s23 * v96, v196 = c23 * v182 + v24 * v177 + T33 * v188, \
+        v197 = c23 * v183 + v24 * v178 + T33 * v189, v198 = v24 * v179 + T33 * v190, \
+        v200 = factor2 * v194, v201 = factor2 * v195, v202 = factor2 * v185, \
+        v204 = factor2 * v196 - c4 * v109, v205 = factor2 * v197 - c4 * v110, \
+        v206 = factor2 * v198 - c4 * v111
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -480,16 +461,34 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide angle1 = dhgen_atan2_wide(w3, N3 - near_k7);
+
+    /* joint values */
+    const dhgen_wide v52 = dhgen_sqrt_wide(N1) - sqrt(near1),
+        v53 = v51 + (v51 + (dhgen_abs_wide(v49) + dhgen_abs_wide(v50))) * (v38 / (v52 * v52)),
+        v56 = v53 + dhgen_sqrt_wide(v49 * v49 + v50 * v50), v58 = near3 * v56,
+        v59 = v58 + v53 * dhgen_abs_wide(v6), v69 = near_length * v56,
+        v70 = v69 + v53 * dhgen_abs_wide(T24), v72 = v70 * v71,
+        v88 = v69 + v53 * dhgen_abs_wide(T14), v89 = v71 * v88,
+        v91 = v58 + v53 * dhgen_abs_wide(v2);
     left |= (dhgen_abs_wide(v46 + (D3 + D3)) <= v46) | (dhgen_abs_wide(v38 + (D1 + D1)) <= v38) |
-        (v47 <= v38) | (v49 <= v48) | (dhgen_abs_wide(D3 * (near_k4 * w1)) <= near_m2) |
-        (dhgen_abs_wide(D1) <= near_m1);
+        (dhgen_abs_wide(N1) <= near1) | (v47 <= v41) | (dhgen_abs_wide(D3 * (near_k4 * w1)) <=
+        near_m2) | (dhgen_abs_wide(D1) <= near_m1);
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         SIGNED(wide, double);
 
         /* joint values */
-        const dhgen_wide angle6 = dhgen_atan2_wide(s1, c1), q1_p = v12 + angle6;
+        const dhgen_wide angle6 = dhgen_atan2_wide(s1, c1), q1_p = v12 + angle6,
+            v76 = v59 + (v72 + v65 * dhgen_abs_wide(v9) + v73 * (v70 + dhgen_sqrt_wide(v67 * v67 +
+                v68 * v68))), v82 = v76 + dhgen_sqrt_wide(v74 * v74 + v75 * v75),
+            v95 = v91 + (v89 + v65 * dhgen_abs_wide(v5) + v73 * (v88 + dhgen_sqrt_wide(v87 * v87 +
+                v86 * v86))), v100 = v95 + dhgen_sqrt_wide(v92 * v92 + v94 * v94),
+            v107 = v80 + v76 * v81 + v82 * v85 + (v98 + v95 * v99 + v100 * v102) +
+                (dhgen_sqrt_wide(v106 + v103 * v103) + dhgen_sqrt_wide(v104 * v104 + v105 * v105)),
+            v184 = v98 + v81 * v95 + v85 * v100 + (v80 + v76 * v99 + v82 * v102),
+            v187 = v184 + (dhgen_sqrt_wide(v106 + v181 * v181) + dhgen_sqrt_wide(v182 * v182 + v183
+                * v183)), v208 = v107 * v107;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
@@ -513,25 +512,24 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
             /* joint values */
             const dhgen_wide q3_p = v1 + dhgen_lowered_wide(q3_),
-                v147 = v143 + (v125 * dhgen_abs_wide(v20) + v135 * fabs(v130)), v149 = v147 * v148,
-                v152 = v147 + (dhgen_abs_wide(v146) + (dhgen_abs_wide(v144) +
-                    dhgen_abs_wide(v145))), v166 = near_m7 * (v67 * fabs(e3)), v167 = v131 * v166,
-                v171 = v163 + (v167 + v125 * dhgen_abs_wide(v19) + v135 * (v166 +
-                    (dhgen_abs_wide(v164) + dhgen_abs_wide(v165)))),
-                v175 = v171 + (dhgen_abs_wide(v170) + (dhgen_abs_wide(v168) +
-                    dhgen_abs_wide(v169))),
-                v179 = v149 + v129 * v150 + v151 * v152 + (v171 * v172 + v159 * v173 + v174 * v175),
-                v187 = v147 * v172,
-                v191 = v148 * v171 + v129 * v173 + v151 * v175 + (v187 + v150 * v159 + v152 * v174),
-                v199 = v183 * dhgen_abs_wide(c23) + v179 * v185 + v186 * (v179 +
-                    (dhgen_abs_wide(v178) + (dhgen_abs_wide(v176) + dhgen_abs_wide(v177)))) + (near5
-                    * dhgen_abs_wide(s23) + v191 * v192 + v193 * (v191 + (dhgen_abs_wide(v190) +
-                    (dhgen_abs_wide(v188) + dhgen_abs_wide(v189))))),
-                v207 = v109 * v199 + v115 * dhgen_abs_wide(c4) + v206 * (v199 +
-                    (dhgen_abs_wide(v198) + (dhgen_abs_wide(v197) + (dhgen_abs_wide(v196) +
-                    (dhgen_abs_wide(v184) + (dhgen_abs_wide(v194) + dhgen_abs_wide(v195))))))) +
-                    (dhgen_sqrt_wide(v200 * v200 + v201 * v201 + v202 * v202) + dhgen_sqrt_wide(v203
-                    * v203 + v204 * v204 + v205 * v205));
+                v134 = v123 * dhgen_abs_wide(v20) + v124 * fabs(v129), v149 = v134 + v145,
+                v153 = v149 + dhgen_sqrt_wide(v146 * v146 + v147 * v147 + v148 * v148),
+                v167 = near_m7 * (v65 * fabs(e3)), v168 = v130 * v167,
+                v172 = v164 + (v168 + v123 * dhgen_abs_wide(v19) + v124 * (v167 +
+                    dhgen_sqrt_wide(v165 * v165 + v166 * v166))),
+                v176 = v172 + dhgen_sqrt_wide(v169 * v169 + v170 * v170 + v171 * v171),
+                v180 = v149 * v150 + v128 * v151 + v152 * v153 + (v172 * v173 + v160 * v174 + v175 *
+                    v176),
+                v191 = v150 * v172 + v128 * v174 + v152 * v176 + (v149 * v173 + v151 * v160 + v153 *
+                    v175),
+                v199 = v184 * dhgen_abs_wide(c23) + v180 * v186 + v187 * (v180 +
+                    dhgen_sqrt_wide(v177 * v177 + v178 * v178 + v179 * v179)) + (near5 *
+                    dhgen_abs_wide(s23) + v191 * v192 + v193 * (v191 + dhgen_sqrt_wide(v188 * v188 +
+                    v189 * v189 + v190 * v190))),
+                v207 = v108 * v199 + v113 * dhgen_abs_wide(c4) + v203 * (v199 +
+                    (dhgen_sqrt_wide(v194 * v194 + v195 * v195 + v185 * v185) + dhgen_sqrt_wide(v196
+                    * v196 + v197 * v197 + v198 * v198))) + (dhgen_sqrt_wide(v200 * v200 + v201 *
+                    v201 + v202 * v202) + dhgen_sqrt_wide(v204 * v204 + v205 * v205 + v206 * v206));
             const int row = 4 * i1 + 2 * i2;
             q[6 * row] = q1_p; q[6 * row + 1] = angle2; q[6 * row + 2] = q3_p;
             q[6 * row + 3] = angle3; q[6 * row + 4] = angle4; q[6 * row + 5] = angle5;
@@ -540,7 +538,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             q[6 * row + 9] = angle3 - v28; q[6 * row + 10] = -angle4;
             q[6 * row + 11] = angle5 - dhgen_signed_wide(DHGEN_HALF_TURN, s6);
             kind[row + 1] = dhgen_kind_wide(q[6 * row + 6]);
-            left |= (v27 <= near_m9) | (v27 <= v208 + v207 * v207);
+            left |= (v27 <= near_m9) | (dhgen_abs_wide(v27) <= v208 + v207 * v207);
         }
     }
     return left;
@@ -562,29 +560,40 @@ DHGEN_INLINE int solve_regular(
     SIGNED_TWICE(four, four);
 
     /* joint values */
-    const dhgen_four v147 = v143 + (v125 * dhgen_abs_four(v20) + v135 * dhgen_abs_four(v130)),
-        v149 = v147 * v148,
-        v152 = v147 + (dhgen_abs_four(v146) + (dhgen_abs_four(v144) + dhgen_abs_four(v145))),
-        v166 = near_m7 * (v67 * dhgen_abs_four(e3)), v167 = v131 * v166,
-        v171 = v163 + (v167 + v125 * dhgen_abs_four(v19) + v135 * (v166 + (dhgen_abs_four(v164) +
-            dhgen_abs_four(v165)))),
-        v175 = v171 + (dhgen_abs_four(v170) + (dhgen_abs_four(v168) + dhgen_abs_four(v169))),
-        v179 = v149 + v129 * v150 + v151 * v152 + (v171 * v172 + v159 * v173 + v174 * v175),
-        v187 = v147 * v172,
-        v191 = v148 * v171 + v129 * v173 + v151 * v175 + (v187 + v150 * v159 + v152 * v174),
-        v199 = v183 * dhgen_abs_four(c23) + v179 * v185 + v186 * (v179 + (dhgen_abs_four(v178) +
-            (dhgen_abs_four(v176) + dhgen_abs_four(v177)))) + (near5 * dhgen_abs_four(s23) + v191 *
-            v192 + v193 * (v191 + (dhgen_abs_four(v190) + (dhgen_abs_four(v188) +
-            dhgen_abs_four(v189))))),
-        v207 = v109 * v199 + v115 * dhgen_abs_four(c4) + v206 * (v199 + (dhgen_abs_four(v198) +
-            (dhgen_abs_four(v197) + (dhgen_abs_four(v196) + (dhgen_abs_four(v184) +
-            (dhgen_abs_four(v194) + dhgen_abs_four(v195))))))) + (dhgen_sqrt_four(v200 * v200 + v201
-            * v201 + v202 * v202) + dhgen_sqrt_four(v203 * v203 + v204 * v204 + v205 * v205));
+    const double v52 = sqrt(N1) - sqrt(near1),
+        v53 = v51 + (v51 + (fabs(v49) + fabs(v50))) * (v38 / (v52 * v52)),
+        v56 = v53 + sqrt(v49 * v49 + v50 * v50), v58 = near3 * v56, v59 = v58 + v53 * fabs(v6),
+        v69 = near_length * v56, v70 = v69 + v53 * fabs(T24), v72 = v70 * v71;
+    const dhgen_four v76 = v59 + (v72 + v65 * dhgen_abs_four(v9) + v73 * (v70 + dhgen_sqrt_four(v67
+        * v67 + v68 * v68))), v82 = v76 + dhgen_sqrt_four(v74 * v74 + v75 * v75);
+    const double v88 = v69 + v53 * fabs(T14), v89 = v71 * v88, v91 = v58 + v53 * fabs(v2);
+    const dhgen_four v95 = v91 + (v89 + v65 * dhgen_abs_four(v5) + v73 * (v88 + dhgen_sqrt_four(v87
+        * v87 + v86 * v86))), v100 = v95 + dhgen_sqrt_four(v92 * v92 + v94 * v94),
+        v107 = v80 + v76 * v81 + v82 * v85 + (v98 + v95 * v99 + v100 * v102) + (dhgen_sqrt_four(v106
+            + v103 * v103) + dhgen_sqrt_four(v104 * v104 + v105 * v105)),
+        v134 = v123 * dhgen_abs_four(v20) + v124 * dhgen_abs_four(v129), v149 = v134 + v145,
+        v153 = v149 + dhgen_sqrt_four(v146 * v146 + v147 * v147 + v148 * v148),
+        v167 = near_m7 * (v65 * dhgen_abs_four(e3)), v168 = v130 * v167,
+        v172 = v164 + (v168 + v123 * dhgen_abs_four(v19) + v124 * (v167 + dhgen_sqrt_four(v165 *
+            v165 + v166 * v166))),
+        v176 = v172 + dhgen_sqrt_four(v169 * v169 + v170 * v170 + v171 * v171),
+        v180 = v149 * v150 + v128 * v151 + v152 * v153 + (v172 * v173 + v160 * v174 + v175 * v176),
+        v184 = v98 + v81 * v95 + v85 * v100 + (v80 + v76 * v99 + v82 * v102),
+        v187 = v184 + (dhgen_sqrt_four(v106 + v181 * v181) + dhgen_sqrt_four(v182 * v182 + v183 *
+            v183)),
+        v191 = v150 * v172 + v128 * v174 + v152 * v176 + (v149 * v173 + v151 * v160 + v153 * v175),
+        v199 = v184 * dhgen_abs_four(c23) + v180 * v186 + v187 * (v180 + dhgen_sqrt_four(v177 * v177
+            + v178 * v178 + v179 * v179)) + (near5 * dhgen_abs_four(s23) + v191 * v192 + v193 *
+            (v191 + dhgen_sqrt_four(v188 * v188 + v189 * v189 + v190 * v190))),
+        v207 = v108 * v199 + v113 * dhgen_abs_four(c4) + v203 * (v199 + (dhgen_sqrt_four(v194 * v194
+            + v195 * v195 + v185 * v185) + dhgen_sqrt_four(v196 * v196 + v197 * v197 + v198 *
+            v198))) + (dhgen_sqrt_four(v200 * v200 + v201 * v201 + v202 * v202) +
+            dhgen_sqrt_four(v204 * v204 + v205 * v205 + v206 * v206)), v208 = v107 * v107;
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v27 <= near_m9)
-        | (v27 <= v208 + v207 * v207))) | (unsigned)((fabs(v46 + (D3 + D3)) <= v46) | (fabs(v38 +
-        (D1 + D1)) <= v38) | (v47 <= v38) | (v49 <= v48) | (fabs(D3 * (near_k4 * w1)) <= near_m2) |
-        (fabs(D1) <= near_m1)))
+        | (dhgen_abs_four(v27) <= v208 + v207 * v207))) | (unsigned)((fabs(v46 + (D3 + D3)) <= v46)
+        | (fabs(v38 + (D1 + D1)) <= v38) | (fabs(N1) <= near1) | (v47 <= v41) | (fabs(D3 * (near_k4
+        * w1)) <= near_m2) | (fabs(D1) <= near_m1)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, dhgen_all_four(w3), 0, 5,

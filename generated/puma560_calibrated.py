@@ -659,310 +659,310 @@ def _formulas(kept, turns, rows, w):
         v53 = near1 + math.sqrt(v52)
         v54 = near_length * T34
         v55 = v54 + v54
-        v56 = v11 * v49 - v12 * v49
-        v57 = v11 * v51 - v12 * v51
-        v58 = v11 * v55 - v12 * v55
-        v59 = near2 + (abs(v55) + (abs(v49) + abs(v51)))
-        v60 = near2 * abs(v11) + near2 * abs(v12) + v59 * v59
-        v61 = v60 + math.sqrt(v56 * v56 + v57 * v57 + v58 * v58)
-        v62 = abs(N1)
-        v63 = near2 + math.sqrt(v52 + v55 * v55)
-        v64 = abs(N3)
-        v65 = abs(inverse1)
-        v66 = inverse1 * (inverse1 * v49)
-        v67 = inverse1 * (inverse1 * v51)
-        v68 = v65 * (near1 * v65)
-        v69 = abs(v66) + abs(v67)
-        v70 = v68 + (v68 + v69) * (v53 / (v62 - v53))
-        v71 = near3 * inverse1
-        v72 = v7 * v67
-        v73 = v71 - v7 * v66
-        v74 = v69 + v70
-        v75 = near3 * v74
-        v76 = v75 + v70 * abs(v7)
-        v77 = near4 / w1
-        v78 = v49 * v77
-        v79 = v51 * v77
-        v80 = v53 * v77
-        v81 = v80 * v80 / w1
-        v82 = v81 + (v81 + near1 * abs(v77))
-        v83 = near_length * inverse1
-        v84 = T24 * v66
-        v85 = v83 - T24 * v67
-        v86 = near_length * v74
-        v87 = v86 + v70 * abs(T24)
-        v88 = abs(w1)
-        v89 = v82 + (abs(v78) + abs(v79))
-        v90 = v9 * v78 - w1 * v84
-        v91 = v73 + v90
-        v92 = v73 + -v90
-        v93 = v9 * v79
-        v94 = w1 * v85 + v93 - v72
-        v95 = w1 * -v85 - v93 - v72
-        v96 = v87 * v88 + v82 * abs(v9)
-        v97 = abs(v84)
-        v98 = v76 + (v96 + v89 * (v87 + (v97 + abs(v85))))
-        v99 = v76 + (v96 + v89 * (v87 + (v97 + abs(-v85))))
-        v100 = near_angle * T33
-        v101 = near_angle * T23
-        v102 = s1_p * v100
-        v103 = s1_m * v100
-        v104 = near5 * abs(s1_p)
-        v105 = near5 * abs(s1_m)
-        v106 = abs(T13)
-        v107 = v98 + (abs(v91) + abs(v94))
-        v108 = v99 + (abs(v92) + abs(v95))
-        v109 = abs(v100)
-        v110 = abs(v101)
-        v111 = near5 + (v109 + v110)
-        v112 = T14 * v67
-        v113 = v83 - T14 * v66
-        v114 = v86 + v70 * abs(T14)
-        v115 = v2 * v66
-        v116 = v75 + v70 * abs(v2)
-        v117 = v4 * v78
-        v118 = v115 + (w1 * v113 + v117)
-        v119 = v115 + (w1 * -v113 - v117)
-        v120 = v2 * v67 - v71
-        v121 = v4 * v79 - w1 * v112
-        v122 = v120 + v121
-        v123 = v120 + -v121
-        v124 = v88 * v114 + v82 * abs(v4)
-        v125 = abs(v112)
-        v126 = v116 + (v124 + v89 * (v114 + (abs(v113) + v125)))
-        v127 = v116 + (v124 + v89 * (v114 + (v125 + abs(-v113))))
-        v128 = near_angle * T13
-        v129 = c1_p * v100
-        v130 = v6 * v100
-        v131 = near5 * abs(c1_p)
-        v132 = near5 * abs(v6)
-        v133 = abs(T23)
-        v134 = v126 + (abs(v118) + abs(v122))
-        v135 = v127 + (abs(v119) + abs(v123))
-        v136 = abs(v128)
-        v137 = near5 + (v109 + v136)
-        v138 = s1_p * v101 + c1_p * v128
-        v139 = s1_m * v101 - v6 * v128
-        v140 = T13 * v91 - T23 * v118
-        v141 = T13 * v92 - T23 * v119
-        v142 = T13 * v94 - T23 * v122
-        v143 = T13 * v95 - T23 * v123
+        v56 = near2 + math.sqrt(v52 + v55 * v55)
+        v57 = v11 * v49 - v12 * v49
+        v58 = v11 * v51 - v12 * v51
+        v59 = v11 * v55 - v12 * v55
+        v60 = near2 * abs(v11) + near2 * abs(v12) + v56 * v56
+        v61 = v60 + math.sqrt(v57 * v57 + v58 * v58 + v59 * v59)
+        v62 = abs(N3)
+        v63 = abs(inverse1)
+        v64 = inverse1 * (inverse1 * v49)
+        v65 = inverse1 * (inverse1 * v51)
+        v66 = v63 * (near1 * v63)
+        v67 = math.sqrt(N1) - math.sqrt(near1)
+        v68 = v66 + (v66 + (abs(v64) + abs(v65))) * (v53 / (v67 * v67))
+        v69 = near3 * inverse1
+        v70 = v7 * v65
+        v71 = v68 + math.sqrt(v64 * v64 + v65 * v65)
+        v72 = v69 - v7 * v64
+        v73 = near3 * v71
+        v74 = v73 + v68 * abs(v7)
+        v75 = near4 / w1
+        v76 = v49 * v75
+        v77 = v51 * v75
+        v78 = v53 * v75
+        v79 = v78 * v78 / w1
+        v80 = v79 + (v79 + near1 * abs(v75))
+        v81 = near_length * inverse1
+        v82 = T24 * v64
+        v83 = v81 - T24 * v65
+        v84 = near_length * v71
+        v85 = v84 + v68 * abs(T24)
+        v86 = abs(w1)
+        v87 = v80 + math.sqrt(v76 * v76 + v77 * v77)
+        v88 = v9 * v76 - w1 * v82
+        v89 = v72 + v88
+        v90 = v72 + -v88
+        v91 = v9 * v77
+        v92 = w1 * v83 + v91 - v70
+        v93 = w1 * -v83 - v91 - v70
+        v94 = v85 * v86 + v80 * abs(v9)
+        v95 = v82 * v82
+        v96 = v74 + (v94 + v87 * (v85 + math.sqrt(v95 + v83 * v83)))
+        v97 = v74 + (v94 + v87 * (v85 + math.sqrt(v95 + -v83 * -v83)))
+        v98 = near_angle * T33
+        v99 = near_angle * T23
+        v100 = s1_p * v98
+        v101 = s1_m * v98
+        v102 = near5 * abs(s1_p)
+        v103 = near5 * abs(s1_m)
+        v104 = abs(T13)
+        v105 = v96 + math.sqrt(v89 * v89 + v92 * v92)
+        v106 = v97 + math.sqrt(v90 * v90 + v93 * v93)
+        v107 = v98 * v98
+        v108 = v99 * v99
+        v109 = near5 + math.sqrt(v107 + v108)
+        v110 = T14 * v65
+        v111 = v81 - T14 * v64
+        v112 = v84 + v68 * abs(T14)
+        v113 = v2 * v64
+        v114 = v73 + v68 * abs(v2)
+        v115 = v4 * v76
+        v116 = v113 + (w1 * v111 + v115)
+        v117 = v113 + (w1 * -v111 - v115)
+        v118 = v2 * v65 - v69
+        v119 = v4 * v77 - w1 * v110
+        v120 = v118 + v119
+        v121 = v118 + -v119
+        v122 = v86 * v112 + v80 * abs(v4)
+        v123 = v110 * v110
+        v124 = v114 + (v122 + v87 * (v112 + math.sqrt(v111 * v111 + v123)))
+        v125 = v114 + (v122 + v87 * (v112 + math.sqrt(v123 + -v111 * -v111)))
+        v126 = near_angle * T13
+        v127 = c1_p * v98
+        v128 = v6 * v98
+        v129 = near5 * abs(c1_p)
+        v130 = near5 * abs(v6)
+        v131 = abs(T23)
+        v132 = v124 + math.sqrt(v116 * v116 + v120 * v120)
+        v133 = v125 + math.sqrt(v117 * v117 + v121 * v121)
+        v134 = v126 * v126
+        v135 = near5 + math.sqrt(v107 + v134)
+        v136 = s1_p * v99 + c1_p * v126
+        v137 = s1_m * v99 - v6 * v126
+        v138 = T13 * v89 - T23 * v116
+        v139 = T13 * v90 - T23 * v117
+        v140 = T13 * v92 - T23 * v120
+        v141 = T13 * v93 - T23 * v121
+        v142 = v127 * v127 + v100 * v100
+        v143 = v128 * v128 + v101 * v101
         v144 = (
-            v104 + v98 * v106 + v107 * v111 + (v131 + v126 * v133 + v134 * v137) + (math.sqrt(v129 *
-            v129 + v102 * v102 + v138 * v138) + math.sqrt(v140 * v140 + v142 * v142))
+            v102 + v96 * v104 + v105 * v109 + (v129 + v124 * v131 + v132 * v135) + (math.sqrt(v142 +
+            v136 * v136) + math.sqrt(v138 * v138 + v140 * v140))
         )
         v145 = (
-            v105 + v99 * v106 + v108 * v111 + (v132 + v127 * v133 + v135 * v137) + (math.sqrt(v130 *
-            v130 + v103 * v103 + v139 * v139) + math.sqrt(v141 * v141 + v143 * v143))
+            v103 + v97 * v104 + v106 * v109 + (v130 + v125 * v131 + v133 * v135) + (math.sqrt(v143 +
+            v137 * v137) + math.sqrt(v139 * v139 + v141 * v141))
         )
         v146 = abs(factor2)
         v147 = factor2 * (factor2 * v49)
         v148 = factor2 * (factor2 * v51)
         v149 = factor2 * (factor2 * v55)
         v150 = v146 * (near2 * v146)
-        v151 = abs(v149) + (abs(v147) + abs(v148))
-        v152 = v150 + (v150 + v151) * (v63 / (v64 - v63))
-        v153 = near_m3 * v49
-        v154 = near_m3 * v51
-        v155 = near_m3 * v55
-        v156 = near4 / w3
-        v157 = v56 * v156
-        v158 = v57 * v156
-        v159 = v58 * v156
-        v160 = v61 * v156
-        v161 = v160 * v160 / w3
-        v162 = v161 + (v161 + v60 * abs(v156))
-        v163 = near_m5 * v157
-        v164 = v153 + v163
-        v165 = v153 - v163
-        v166 = near_m5 * v158
-        v167 = v154 + v166
-        v168 = v154 - v166
-        v169 = near_m5 * v159
-        v170 = v155 + v169
-        v171 = v155 - v169
-        v172 = near6 + near_m5 * v162
-        v173 = v22 * v157
-        v174 = v22 * v158
-        v175 = w3 * h1 + v22 * v159
-        v176 = v162 + (abs(v159) + (abs(v157) + abs(v158)))
-        v177 = near_m7 * v49
-        v178 = near_m7 * v51
-        v179 = near_m7 * v55
-        v180 = w1 * v179
-        v181 = w1 * v177
-        v182 = v181 + X1_2 * v78
-        v183 = -X1_2 * v78 - v181
-        v184 = w1 * v178
-        v185 = v184 + X1_2 * v79
-        v186 = -X1_2 * v79 - v184
-        v187 = near7 + (abs(v179) + (abs(v177) + abs(v178)))
-        v188 = v173 + v182
-        v189 = v182 - v173
-        v190 = v173 + v183
-        v191 = v183 - v173
-        v192 = v174 + v185
-        v193 = v185 - v174
-        v194 = v174 + v186
-        v195 = v186 - v174
-        v196 = v175 + v180
-        v197 = v180 - v175
-        v198 = near7 * v88 + v82 * abs(X1_2) + v89 * v187 + (v162 * abs(v22) + h1 * v176)
-        v199 = abs(c3_p)
-        v200 = abs(c3_m)
-        v201 = v198 * v199
-        v202 = v198 * v200
-        v203 = abs(C2_pp)
-        v204 = abs(C2_pm)
-        v205 = abs(C2_mp)
-        v206 = abs(C2_mm)
-        v207 = v172 + (abs(v170) + (abs(v164) + abs(v167)))
-        v208 = v172 + (abs(v171) + (abs(v165) + abs(v168)))
-        v209 = abs(v196)
-        v210 = v198 + (v209 + (abs(v188) + abs(v192)))
-        v211 = v198 + (abs(v197) + (abs(v189) + abs(v193)))
-        v212 = v198 + (abs(-v197) + (abs(v190) + abs(v194)))
-        v213 = v198 + (v209 + (abs(v191) + abs(v195)))
-        v214 = near_m5 * v49
-        v215 = near_m5 * v51
-        v216 = near_m5 * v55
+        v151 = v150 + (v150 + (abs(v149) + (abs(v147) + abs(v148)))) * (v56 / (v62 - v56))
+        v152 = near_m3 * v49
+        v153 = near_m3 * v51
+        v154 = near_m3 * v55
+        v155 = near4 / w3
+        v156 = v57 * v155
+        v157 = v58 * v155
+        v158 = v59 * v155
+        v159 = v61 * v155
+        v160 = v159 * v159 / w3
+        v161 = v160 + (v160 + v60 * abs(v155))
+        v162 = v161 + math.sqrt(v156 * v156 + v157 * v157 + v158 * v158)
+        v163 = near_m5 * v156
+        v164 = v152 + v163
+        v165 = v152 - v163
+        v166 = near_m5 * v157
+        v167 = v153 + v166
+        v168 = v153 - v166
+        v169 = near_m5 * v158
+        v170 = v154 + v169
+        v171 = v154 - v169
+        v172 = near6 + near_m5 * v161
+        v173 = v22 * v156
+        v174 = v22 * v157
+        v175 = w3 * h1 + v22 * v158
+        v176 = near_m7 * v49
+        v177 = near_m7 * v51
+        v178 = near_m7 * v55
+        v179 = w1 * v178
+        v180 = w1 * v176
+        v181 = v180 + X1_2 * v76
+        v182 = -X1_2 * v76 - v180
+        v183 = w1 * v177
+        v184 = v183 + X1_2 * v77
+        v185 = -X1_2 * v77 - v183
+        v186 = near7 + math.sqrt(v176 * v176 + v177 * v177 + v178 * v178)
+        v187 = v173 + v181
+        v188 = v181 - v173
+        v189 = v173 + v182
+        v190 = v182 - v173
+        v191 = v174 + v184
+        v192 = v184 - v174
+        v193 = v174 + v185
+        v194 = v185 - v174
+        v195 = v175 + v179
+        v196 = v179 - v175
+        v197 = v161 * abs(v22) + v162 * h1 + (near7 * v86 + v80 * abs(X1_2) + v87 * v186)
+        v198 = abs(c3_p)
+        v199 = abs(c3_m)
+        v200 = abs(C2_pp)
+        v201 = abs(C2_pm)
+        v202 = abs(C2_mp)
+        v203 = abs(C2_mm)
+        v204 = v172 + math.sqrt(v164 * v164 + v167 * v167 + v170 * v170)
+        v205 = v172 + math.sqrt(v165 * v165 + v168 * v168 + v171 * v171)
+        v206 = v195 * v195
+        v207 = v197 + math.sqrt(v187 * v187 + v191 * v191 + v206)
+        v208 = v197 + math.sqrt(v188 * v188 + v192 * v192 + v196 * v196)
+        v209 = v197 + math.sqrt(v189 * v189 + v193 * v193 + -v196 * -v196)
+        v210 = v197 + math.sqrt(v206 + (v190 * v190 + v194 * v194))
+        v211 = near_m5 * v49
+        v212 = near_m5 * v51
+        v213 = near_m5 * v55
+        v214 = near_m3 * v156
+        v215 = v211 - v214
+        v216 = v211 + v214
         v217 = near_m3 * v157
-        v218 = v214 - v217
-        v219 = v214 + v217
+        v218 = v212 - v217
+        v219 = v212 + v217
         v220 = near_m3 * v158
-        v221 = v215 - v220
-        v222 = v215 + v220
-        v223 = near_m3 * v159
-        v224 = v216 - v223
-        v225 = v216 + v223
-        v226 = near8 + near_m3 * v162
-        v227 = T34 * v177
-        v228 = T34 * v178
-        v229 = T34 * v179 + near_length * X1_2
-        v230 = near_m7 * v78
-        v231 = near_m7 * v79
-        v232 = near_m7 * v82
-        v233 = w3 * v230 + v20 * v157
-        v234 = v227 - v233
-        v235 = v227 + v233
-        v236 = w3 * v231 + v20 * v158
-        v237 = v228 - v236
-        v238 = v228 + v236
-        v239 = v20 * v159
-        v240 = v229 - v239
-        v241 = v229 + v239
-        v242 = (
-            near7 * abs(T34) + near_length * v187 + (abs(w3) * v232 + v162 * abs(v20) + v176 * (v232
-            + (abs(v230) + abs(v231))))
+        v221 = v213 - v220
+        v222 = v213 + v220
+        v223 = near8 + near_m3 * v161
+        v224 = T34 * v176
+        v225 = T34 * v177
+        v226 = T34 * v178 + near_length * X1_2
+        v227 = near_m7 * v76
+        v228 = near_m7 * v77
+        v229 = near_m7 * v80
+        v230 = w3 * v227 + v20 * v156
+        v231 = v224 - v230
+        v232 = v224 + v230
+        v233 = w3 * v228 + v20 * v157
+        v234 = v225 - v233
+        v235 = v225 + v233
+        v236 = v20 * v158
+        v237 = v226 - v236
+        v238 = v226 + v236
+        v239 = (
+            near7 * abs(T34) + near_length * v186 + (abs(w3) * v229 + v161 * abs(v20) + v162 * (v229
+            + math.sqrt(v227 * v227 + v228 * v228)))
         )
-        v243 = abs(s3_p)
-        v244 = abs(s3_m)
-        v245 = abs(S2_pp)
-        v246 = abs(S2_pm)
-        v247 = v226 + (abs(v224) + (abs(v218) + abs(v221)))
-        v248 = v226 + (abs(v225) + (abs(v219) + abs(v222)))
-        v249 = v242 + (abs(v240) + (abs(v234) + abs(v237)))
-        v250 = v242 + (abs(v241) + (abs(v235) + abs(v238)))
-        v251 = c3_p * v188 - C2_pp * v164 - (s3_p * v234 + S2_pp * v218)
-        v252 = c3_m * v189 - C2_pm * v165 - (s3_m * v235 + S2_pm * v219)
-        v253 = c3_p * v190 - C2_mp * v164 - (s3_p * v235 + S2_pm * v218)
-        v254 = c3_m * v191 - C2_mm * v165 - (s3_m * v234 + S2_pp * v219)
-        v255 = c3_p * v192 - C2_pp * v167 - (s3_p * v237 + S2_pp * v221)
-        v256 = c3_m * v193 - C2_pm * v168 - (s3_m * v238 + S2_pm * v222)
-        v257 = c3_p * v194 - C2_mp * v167 - (s3_p * v238 + S2_pm * v221)
-        v258 = c3_m * v195 - C2_mm * v168 - (s3_m * v237 + S2_pp * v222)
-        v259 = c3_p * v196 - C2_pp * v170 - (s3_p * v240 + S2_pp * v224)
-        v260 = c3_m * v197 - C2_pm * v171 - (s3_m * v241 + S2_pm * v225)
-        v261 = c3_p * -v197 - C2_mp * v170 - (s3_p * v241 + S2_pm * v224)
-        v262 = c3_m * v196 + C2_mm * v171 + (s3_m * v240 + S2_pp * v225)
-        v263 = v242 * v243
-        v264 = v226 * v245
-        v265 = v201 + v172 * v203 + v207 * v210 + (v263 + v264 + v247 * v249)
-        v266 = v242 * v244
-        v267 = v226 * v246
-        v268 = v202 + v172 * v204 + v208 * v211 + (v266 + v267 + v248 * v250)
-        v269 = v201 + v172 * v205 + v207 * v212 + (v263 + v267 + v247 * v250)
-        v270 = v202 + v172 * v206 + v208 * v213 + (v264 + v266 + v248 * v249)
-        v271 = s1_p * v128 - c1_p * v101
-        v272 = s1_m * v128 + v6 * v101
-        v273 = T13 * v118 + T23 * v91
-        v274 = T13 * v119 + T23 * v92
-        v275 = T13 * v122 + T23 * v94
-        v276 = T13 * v123 + T23 * v95
-        v277 = v131 + v106 * v126 + v111 * v134 + (v104 + v98 * v133 + v107 * v137)
-        v278 = v132 + v106 * v127 + v111 * v135 + (v105 + v99 * v133 + v108 * v137)
-        v279 = c23_pp * v271
-        v280 = c23_pm * v271
-        v281 = c23_mp * v272
-        v282 = c23_mm * v272
-        v283 = abs(v26)
-        v284 = abs(v27)
-        v285 = v277 + (abs(v275) + (abs(v273) + (abs(v271) + (abs(v102) + abs(v129)))))
-        v286 = v278 + (abs(v276) + (abs(v274) + (abs(v272) + (abs(v103) + abs(v130)))))
-        v287 = v198 * v243
-        v288 = v198 * v244
-        v289 = c3_p * v234 - S2_pp * v164 + (s3_p * v188 + C2_pp * v218)
-        v290 = c3_m * v235 - S2_pm * v165 + (s3_m * v189 + C2_pm * v219)
-        v291 = c3_p * v235 - S2_pm * v164 + (s3_p * v190 + C2_mp * v218)
-        v292 = c3_m * v234 - S2_pp * v165 + (s3_m * v191 + C2_mm * v219)
-        v293 = c3_p * v237 - S2_pp * v167 + (s3_p * v192 + C2_pp * v221)
-        v294 = c3_m * v238 - S2_pm * v168 + (s3_m * v193 + C2_pm * v222)
-        v295 = c3_p * v238 - S2_pm * v167 + (s3_p * v194 + C2_mp * v221)
-        v296 = c3_m * v237 - S2_pp * v168 + (s3_m * v195 + C2_mm * v222)
-        v297 = c3_p * v240 - S2_pp * v170 + (s3_p * v196 + C2_pp * v224)
-        v298 = c3_m * v241 - S2_pm * v171 + (s3_m * v197 + C2_pm * v225)
-        v299 = c3_p * v241 - S2_pm * v170 + (s3_p * -v197 + C2_mp * v224)
-        v300 = c3_m * v240 - S2_pp * v171 + (C2_mm * v225 - s3_m * v196)
-        v301 = v199 * v242
-        v302 = v172 * v245
-        v303 = v301 + v302 + v207 * v249 + (v287 + v203 * v226 + v210 * v247)
-        v304 = v200 * v242
-        v305 = v172 * v246
-        v306 = v304 + v305 + v208 * v250 + (v288 + v204 * v226 + v211 * v248)
-        v307 = v301 + v305 + v207 * v250 + (v287 + v205 * v226 + v212 * v247)
-        v308 = v302 + v304 + v208 * v249 + (v288 + v206 * v226 + v213 * v248)
-        v309 = abs(T33)
-        v310 = near5 + (v110 + v136)
-        v311 = s23_pp * v101 - c23_pp * v102
-        v312 = s23_pm * v101 - c23_pm * v102
-        v313 = s23_mp * v101 - c23_mp * v103
-        v314 = s23_mm * v101 - c23_mm * v103
-        v315 = c23_pp * v129 - s23_pp * v128
-        v316 = c23_pm * v129 - s23_pm * v128
-        v317 = c23_mp * v130 + s23_mp * v128
-        v318 = c23_mm * v130 + s23_mm * v128
-        v319 = c23_pp * v273 + v26 * v251 + T33 * v289
-        v320 = c23_pm * v273 + v26 * v252 + T33 * v290
-        v321 = c23_mp * v274 + v27 * v253 + T33 * v291
-        v322 = c23_mm * v274 + v27 * v254 + T33 * v292
-        v323 = c23_pp * v275 + v26 * v255 + T33 * v293
-        v324 = c23_pm * v275 + v26 * v256 + T33 * v294
-        v325 = c23_mp * v276 + v27 * v257 + T33 * v295
-        v326 = c23_mm * v276 + v27 * v258 + T33 * v296
-        v327 = v26 * v259 + T33 * v297
-        v328 = v26 * v260 + T33 * v298
-        v329 = v27 * v261 + T33 * v299
-        v330 = T33 * v300 - v27 * v262
+        v240 = abs(s3_p)
+        v241 = abs(s3_m)
+        v242 = abs(S2_pp)
+        v243 = abs(S2_pm)
+        v244 = v223 + math.sqrt(v215 * v215 + v218 * v218 + v221 * v221)
+        v245 = v223 + math.sqrt(v216 * v216 + v219 * v219 + v222 * v222)
+        v246 = v239 + math.sqrt(v231 * v231 + v234 * v234 + v237 * v237)
+        v247 = v239 + math.sqrt(v232 * v232 + v235 * v235 + v238 * v238)
+        v248 = c3_p * v187 - C2_pp * v164 - (s3_p * v231 + S2_pp * v215)
+        v249 = c3_m * v188 - C2_pm * v165 - (s3_m * v232 + S2_pm * v216)
+        v250 = c3_p * v189 - C2_mp * v164 - (s3_p * v232 + S2_pm * v215)
+        v251 = c3_m * v190 - C2_mm * v165 - (s3_m * v231 + S2_pp * v216)
+        v252 = c3_p * v191 - C2_pp * v167 - (s3_p * v234 + S2_pp * v218)
+        v253 = c3_m * v192 - C2_pm * v168 - (s3_m * v235 + S2_pm * v219)
+        v254 = c3_p * v193 - C2_mp * v167 - (s3_p * v235 + S2_pm * v218)
+        v255 = c3_m * v194 - C2_mm * v168 - (s3_m * v234 + S2_pp * v219)
+        v256 = c3_p * v195 - C2_pp * v170 - (s3_p * v237 + S2_pp * v221)
+        v257 = c3_m * v196 - C2_pm * v171 - (s3_m * v238 + S2_pm * v222)
+        v258 = c3_p * -v196 - C2_mp * v170 - (s3_p * v238 + S2_pm * v221)
+        v259 = c3_m * v195 + C2_mm * v171 + (s3_m * v237 + S2_pp * v222)
+        v260 = v197 * v198
+        v261 = v239 * v240
+        v262 = v223 * v242
+        v263 = v260 + v172 * v200 + v204 * v207 + (v261 + v262 + v244 * v246)
+        v264 = v197 * v199
+        v265 = v239 * v241
+        v266 = v223 * v243
+        v267 = v264 + v172 * v201 + v205 * v208 + (v265 + v266 + v245 * v247)
+        v268 = v260 + v172 * v202 + v204 * v209 + (v261 + v266 + v244 * v247)
+        v269 = v264 + v172 * v203 + v205 * v210 + (v262 + v265 + v245 * v246)
+        v270 = s1_p * v126 - c1_p * v99
+        v271 = s1_m * v126 + v6 * v99
+        v272 = T13 * v116 + T23 * v89
+        v273 = T13 * v117 + T23 * v90
+        v274 = T13 * v120 + T23 * v92
+        v275 = T13 * v121 + T23 * v93
+        v276 = v129 + v104 * v124 + v109 * v132 + (v102 + v96 * v131 + v105 * v135)
+        v277 = v130 + v104 * v125 + v109 * v133 + (v103 + v97 * v131 + v106 * v135)
+        v278 = c23_pp * v270
+        v279 = c23_pm * v270
+        v280 = c23_mp * v271
+        v281 = c23_mm * v271
+        v282 = abs(v26)
+        v283 = abs(v27)
+        v284 = v276 + (math.sqrt(v142 + v270 * v270) + math.sqrt(v272 * v272 + v274 * v274))
+        v285 = v277 + (math.sqrt(v143 + v271 * v271) + math.sqrt(v273 * v273 + v275 * v275))
+        v286 = c3_p * v231 - S2_pp * v164 + (s3_p * v187 + C2_pp * v215)
+        v287 = c3_m * v232 - S2_pm * v165 + (s3_m * v188 + C2_pm * v216)
+        v288 = c3_p * v232 - S2_pm * v164 + (s3_p * v189 + C2_mp * v215)
+        v289 = c3_m * v231 - S2_pp * v165 + (s3_m * v190 + C2_mm * v216)
+        v290 = c3_p * v234 - S2_pp * v167 + (s3_p * v191 + C2_pp * v218)
+        v291 = c3_m * v235 - S2_pm * v168 + (s3_m * v192 + C2_pm * v219)
+        v292 = c3_p * v235 - S2_pm * v167 + (s3_p * v193 + C2_mp * v218)
+        v293 = c3_m * v234 - S2_pp * v168 + (s3_m * v194 + C2_mm * v219)
+        v294 = c3_p * v237 - S2_pp * v170 + (s3_p * v195 + C2_pp * v221)
+        v295 = c3_m * v238 - S2_pm * v171 + (s3_m * v196 + C2_pm * v222)
+        v296 = c3_p * v238 - S2_pm * v170 + (s3_p * -v196 + C2_mp * v221)
+        v297 = c3_m * v237 - S2_pp * v171 + (C2_mm * v222 - s3_m * v195)
+        v298 = v198 * v239
+        v299 = v172 * v242
+        v300 = v197 * v240
+        v301 = v298 + v299 + v204 * v246 + (v300 + v200 * v223 + v207 * v244)
+        v302 = v199 * v239
+        v303 = v172 * v243
+        v304 = v197 * v241
+        v305 = v302 + v303 + v205 * v247 + (v304 + v201 * v223 + v208 * v245)
+        v306 = v298 + v303 + v204 * v247 + (v300 + v202 * v223 + v209 * v244)
+        v307 = v299 + v302 + v205 * v246 + (v304 + v203 * v223 + v210 * v245)
+        v308 = abs(T33)
+        v309 = near5 + math.sqrt(v108 + v134)
+        v310 = s23_pp * v99 - c23_pp * v100
+        v311 = s23_pm * v99 - c23_pm * v100
+        v312 = s23_mp * v99 - c23_mp * v101
+        v313 = s23_mm * v99 - c23_mm * v101
+        v314 = c23_pp * v127 - s23_pp * v126
+        v315 = c23_pm * v127 - s23_pm * v126
+        v316 = c23_mp * v128 + s23_mp * v126
+        v317 = c23_mm * v128 + s23_mm * v126
+        v318 = c23_pp * v272 + v26 * v248 + T33 * v286
+        v319 = c23_pm * v272 + v26 * v249 + T33 * v287
+        v320 = c23_mp * v273 + v27 * v250 + T33 * v288
+        v321 = c23_mm * v273 + v27 * v251 + T33 * v289
+        v322 = c23_pp * v274 + v26 * v252 + T33 * v290
+        v323 = c23_pm * v274 + v26 * v253 + T33 * v291
+        v324 = c23_mp * v275 + v27 * v254 + T33 * v292
+        v325 = c23_mm * v275 + v27 * v255 + T33 * v293
+        v326 = v26 * v256 + T33 * v294
+        v327 = v26 * v257 + T33 * v295
+        v328 = v27 * v258 + T33 * v296
+        v329 = T33 * v297 - v27 * v259
+        v330 = (
+            v276 * abs(c23_pp) + v263 * v282 + v284 * (v263 + math.sqrt(v248 * v248 + v252 * v252 +
+            v256 * v256)) + (near5 * abs(s23_pp) + v301 * v308 + v309 * (v301 + math.sqrt(v286 *
+            v286 + v290 * v290 + v294 * v294)))
+        )
         v331 = (
-            v277 * abs(c23_pp) + v265 * v283 + v285 * (v265 + (abs(v259) + (abs(v251) + abs(v255))))
-            + (near5 * abs(s23_pp) + v303 * v309 + v310 * (v303 + (abs(v297) + (abs(v289) +
-            abs(v293)))))
+            v276 * abs(c23_pm) + v267 * v282 + v284 * (v267 + math.sqrt(v249 * v249 + v253 * v253 +
+            v257 * v257)) + (near5 * abs(s23_pm) + v305 * v308 + v309 * (v305 + math.sqrt(v287 *
+            v287 + v291 * v291 + v295 * v295)))
         )
         v332 = (
-            v277 * abs(c23_pm) + v268 * v283 + v285 * (v268 + (abs(v260) + (abs(v252) + abs(v256))))
-            + (near5 * abs(s23_pm) + v306 * v309 + v310 * (v306 + (abs(v298) + (abs(v290) +
-            abs(v294)))))
+            v277 * abs(c23_mp) + v268 * v283 + v285 * (v268 + math.sqrt(v250 * v250 + v254 * v254 +
+            v258 * v258)) + (near5 * abs(s23_mp) + v306 * v308 + v309 * (v306 + math.sqrt(v288 *
+            v288 + v292 * v292 + v296 * v296)))
         )
         v333 = (
-            v278 * abs(c23_mp) + v269 * v284 + v286 * (v269 + (abs(v261) + (abs(v253) + abs(v257))))
-            + (near5 * abs(s23_mp) + v307 * v309 + v310 * (v307 + (abs(v299) + (abs(v291) +
-            abs(v295)))))
+            v277 * abs(c23_mm) + v269 * v283 + v285 * (v269 + math.sqrt(v251 * v251 + v255 * v255 +
+            v259 * v259)) + (near5 * abs(s23_mm) + v307 * v308 + v309 * (v307 + math.sqrt(v289 *
+            v289 + v293 * v293 + v297 * v297)))
         )
-        v334 = (
-            v278 * abs(c23_mm) + v270 * v284 + v286 * (v270 + (abs(v262) + (abs(v254) + abs(v258))))
-            + (near5 * abs(s23_mm) + v308 * v309 + v310 * (v308 + (abs(v300) + (abs(v292) +
-            abs(v296)))))
-        )
+        v334 = factor2 * v310
         v335 = factor2 * v311
         v336 = factor2 * v312
         v337 = factor2 * v313
@@ -970,54 +970,53 @@ def _formulas(kept, turns, rows, w):
         v339 = factor2 * v315
         v340 = factor2 * v316
         v341 = factor2 * v317
-        v342 = factor2 * v318
+        v342 = factor2 * v278
         v343 = factor2 * v279
         v344 = factor2 * v280
         v345 = factor2 * v281
-        v346 = factor2 * v282
-        v347 = factor2 * v319 - c4_pp * v147
-        v348 = factor2 * v320 - c4_pm * v147
-        v349 = factor2 * v321 - c4_mp * v147
-        v350 = factor2 * v322 - c4_mm * v147
-        v351 = factor2 * v323 - c4_pp * v148
-        v352 = factor2 * v324 - c4_pm * v148
-        v353 = factor2 * v325 - c4_mp * v148
-        v354 = factor2 * v326 - c4_mm * v148
-        v355 = factor2 * v327 - c4_pp * v149
-        v356 = factor2 * v328 - c4_pm * v149
-        v357 = factor2 * v329 - c4_mp * v149
-        v358 = factor2 * v330 - c4_mm * v149
-        v359 = v151 + v152
+        v346 = v151 + math.sqrt(v147 * v147 + v148 * v148 + v149 * v149)
+        v347 = factor2 * v318 - c4_pp * v147
+        v348 = factor2 * v319 - c4_pm * v147
+        v349 = factor2 * v320 - c4_mp * v147
+        v350 = factor2 * v321 - c4_mm * v147
+        v351 = factor2 * v322 - c4_pp * v148
+        v352 = factor2 * v323 - c4_pm * v148
+        v353 = factor2 * v324 - c4_mp * v148
+        v354 = factor2 * v325 - c4_mm * v148
+        v355 = factor2 * v326 - c4_pp * v149
+        v356 = factor2 * v327 - c4_pm * v149
+        v357 = factor2 * v328 - c4_mp * v149
+        v358 = factor2 * v329 - c4_mm * v149
+        v359 = (
+            v146 * v330 + v151 * abs(c4_pp) + v346 * (v330 + (math.sqrt(v310 * v310 + v314 * v314 +
+            v278 * v278) + math.sqrt(v318 * v318 + v322 * v322 + v326 * v326))) + (math.sqrt(v334 *
+            v334 + v338 * v338 + v342 * v342) + math.sqrt(v347 * v347 + v351 * v351 + v355 * v355))
+        )
         v360 = (
-            v146 * v331 + v152 * abs(c4_pp) + v359 * (v331 + (abs(v327) + (abs(v323) + (abs(v319) +
-            (abs(v279) + (abs(v311) + abs(v315))))))) + (math.sqrt(v335 * v335 + v339 * v339 + v343
-            * v343) + math.sqrt(v347 * v347 + v351 * v351 + v355 * v355))
+            v146 * v331 + v151 * abs(c4_pm) + v346 * (v331 + (math.sqrt(v311 * v311 + v315 * v315 +
+            v279 * v279) + math.sqrt(v319 * v319 + v323 * v323 + v327 * v327))) + (math.sqrt(v335 *
+            v335 + v339 * v339 + v343 * v343) + math.sqrt(v348 * v348 + v352 * v352 + v356 * v356))
         )
         v361 = (
-            v146 * v332 + v152 * abs(c4_pm) + v359 * (v332 + (abs(v328) + (abs(v324) + (abs(v320) +
-            (abs(v280) + (abs(v312) + abs(v316))))))) + (math.sqrt(v336 * v336 + v340 * v340 + v344
-            * v344) + math.sqrt(v348 * v348 + v352 * v352 + v356 * v356))
+            v146 * v332 + v151 * abs(c4_mp) + v346 * (v332 + (math.sqrt(v312 * v312 + v316 * v316 +
+            v280 * v280) + math.sqrt(v320 * v320 + v324 * v324 + v328 * v328))) + (math.sqrt(v336 *
+            v336 + v340 * v340 + v344 * v344) + math.sqrt(v349 * v349 + v353 * v353 + v357 * v357))
         )
         v362 = (
-            v146 * v333 + v152 * abs(c4_mp) + v359 * (v333 + (abs(v329) + (abs(v325) + (abs(v321) +
-            (abs(v281) + (abs(v313) + abs(v317))))))) + (math.sqrt(v337 * v337 + v341 * v341 + v345
-            * v345) + math.sqrt(v349 * v349 + v353 * v353 + v357 * v357))
+            v146 * v333 + v151 * abs(c4_mm) + v346 * (v333 + (math.sqrt(v313 * v313 + v317 * v317 +
+            v281 * v281) + math.sqrt(v321 * v321 + v325 * v325 + v329 * v329))) + (math.sqrt(v337 *
+            v337 + v341 * v341 + v345 * v345) + math.sqrt(v350 * v350 + v354 * v354 + v358 * v358))
         )
-        v363 = (
-            v146 * v334 + v152 * abs(c4_mm) + v359 * (v334 + (abs(v330) + (abs(v326) + (abs(v322) +
-            (abs(v282) + (abs(v314) + abs(v318))))))) + (math.sqrt(v338 * v338 + v342 * v342 + v346
-            * v346) + math.sqrt(v350 * v350 + v354 * v354 + v358 * v358))
-        )
-        v364 = v144 * v144
-        v365 = v145 * v145
+        v363 = v144 * v144
+        v364 = v145 * v145
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if abs(v61 + (D3 + D3)) <= v61 or abs(v53 + (D1 + D1)) <= v53 or v62 <= v53 or v64
-            <= v63 or abs(D1) <= near_m1 or v37 <= v365 + v363 * v363 or v37 <= near_m9 or v36 <=
-            v365 + v362 * v362 or v36 <= near_m9 or v35 <= v364 + v361 * v361 or v35 <= near_m9 or
-            v34 <= v364 + v360 * v360 or abs(D3 * (near_k4 * w1)) <= near_m2 or v34 <= near_m9 else
-            kept[16 * w + k]
+            1.0 if abs(v61 + (D3 + D3)) <= v61 or abs(v53 + (D1 + D1)) <= v53 or abs(N1) <= near1 or
+            v62 <= v56 or abs(D1) <= near_m1 or abs(v37) <= v364 + v362 * v362 or v37 <= near_m9 or
+            abs(v36) <= v364 + v361 * v361 or v36 <= near_m9 or abs(v35) <= v363 + v360 * v360 or
+            v35 <= near_m9 or abs(v34) <= v363 + v359 * v359 or abs(D3 * (near_k4 * w1)) <= near_m2
+            or v34 <= near_m9 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = v1, v13, v38, v39
         kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = s6_pp, s6_pm, s6_mp

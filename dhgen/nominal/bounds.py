@@ -72,6 +72,18 @@ class Bounds:
             self._radii[node] = self._total([*lengths, change.rest])
         return self._radii[node] if change is not None else None
 
+    def near_zero(self, node: Node) -> Node | None:
+        """What a value that may be zero in the ball is no larger than; None where that is nothing.
+
+        A sum of squares is zero where all that is squared is: it is no larger then than the sum of
+        the radii's squares.
+        """
+        parts = self.squared(node)
+        radii = [None if part is None else self.radius(part) for part in parts]
+        if len(parts) == 1 or None in radii:
+            return self.radius(node)
+        return self._total(self._builder.square(radius) for radius in radii if radius is not None)
+
     def squared(self, node: Node) -> list[Node | None]:
         """What is squared in a sum of squares; None for a part that is no square."""
         entry = self._builder.entries[node]
@@ -149,10 +161,11 @@ class Bounds:
     def _of_product(self, left: Node, right: Node) -> Change | None:
         """a' b + a b', and the product of what the two differ by."""
         one, other = self._scaled(left, right), self._scaled(right, left)
-        if one is None or other is None:
+        most, much = self.radius(left), self.radius(right)
+        if one is None or other is None or most is None or much is None:
             return one or other
         both = self._of_sum("add", one, other)
-        return Change(both.slopes, self._sum([both.rest, self._crossed(left, right)]))
+        return Change(both.slopes, self._sum([both.rest, self._builder.mul(most, much)]))
 
     def _of_quotient(self, node: Node, left: Node, right: Node) -> Change | None:
         """(a' - q b') / b for q = a / b, the same times what 1 / b is more elsewhere."""
@@ -167,8 +180,16 @@ class Bounds:
         ]
         rest = self._times(size, change.rest)
         most = self._total([*map(self._size, _there(slopes)), rest])
-        beyond = builder.div(radius, builder.sub(builder.absolute(right), radius))
+        beyond = builder.div(radius, self._least(right, radius))
         return Change(tuple(slopes), self._sum([rest, builder.mul(most, beyond)]))
+
+    def _least(self, node: Node, radius: Node) -> Node:
+        """The least size of a value that may not be zero: of a vector's length no part may be."""
+        builder, limit = self._builder, self.near_zero(node)
+        if limit is None or limit == radius:
+            return builder.sub(builder.absolute(node), radius)
+        lengths = builder.apply("sqrt", node), builder.apply("sqrt", limit)
+        return builder.square(builder.sub(*lengths))
 
     def _of_root(self, node: Node, square: Node) -> Change | None:
         """x / 2 w for the change x of w^2.
@@ -183,17 +204,6 @@ class Bounds:
             return change
         less = builder.div(builder.square(builder.mul(radius, half)), node)
         return Change(change.slopes, self._sum([change.rest, less, less]))
-
-    def _crossed(self, left: Node, right: Node) -> Node:
-        """No less than the product of what two values differ by."""
-        one, other = self._coarse(left), self._coarse(right)
-        return self._builder.mul(one, other)
-
-    def _coarse(self, node: Node) -> Node:
-        """No less than the radius, without roots."""
-        change = self.change(node)
-        assert change is not None
-        return self._total([*map(self._size, _there(change.slopes)), change.rest])
 
     def _length(self, parts: Sequence[Node]) -> Node:
         """Of a vector."""

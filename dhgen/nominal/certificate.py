@@ -18,7 +18,6 @@ from __future__ import annotations
 import re
 from copy import deepcopy
 from dataclasses import replace
-from functools import reduce
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -168,9 +167,8 @@ class _Certificate:
             for factor in self._factors(operand, crossing)
         ]
         yield from map(self._may_begin, crossing)
-        yield from map(self._may_be_zero, dict.fromkeys(divisors))
-        whole = dict.fromkeys(root for root in roots if root not in crossing)
-        yield from map(self._may_vanish, dict.fromkeys([*whole, *compared]))
+        whole = [root for root in roots if root not in crossing]
+        yield from map(self._may_vanish, dict.fromkeys([*divisors, *whole, *compared]))
 
     def _may_be_negative(self, nodes: list[Node]) -> list[Node]:
         """Which values pass through zero: they are negative at some poses."""
@@ -221,23 +219,11 @@ class _Certificate:
             return builder.apply("at_most", builder.absolute(node), builder.integer(0))
         return builder.apply("at_most", builder.absolute(builder.add(twice, radius)), radius)
 
-    def _may_be_zero(self, node: Node) -> Node:
-        """Whether a value may be zero within the ball."""
-        radius = self._bounds.radius(node)
-        limit = self._builder.integer(0) if radius is None else radius
-        return self._builder.apply("at_most", self._builder.absolute(node), limit)
-
     def _may_vanish(self, node: Node) -> Node:
-        """The same; a sum of squares is zero where all that is squared is.
-
-        It is no larger than the sum of the radii's squares then.
-        """
-        builder, parts = self._builder, self._bounds.squared(node)
-        radii = [None if part is None else self._bounds.radius(part) for part in parts]
-        if len(parts) == 1 or None in radii:
-            return self._may_be_zero(node)
-        squares = [builder.square(radius) for radius in radii if radius is not None]
-        return builder.apply("at_most", node, reduce(builder.add, squares))
+        """Whether a value may be zero within the ball."""
+        limit = self._bounds.near_zero(node)
+        limit = self._builder.integer(0) if limit is None else limit
+        return self._builder.apply("at_most", self._builder.absolute(node), limit)
 
     def _entry(self, node: Node) -> Entry:
         return self._builder.entries[node]

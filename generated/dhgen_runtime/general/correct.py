@@ -22,6 +22,7 @@ OWN = of_file(__file__)
 apart, inner, merged = OWN.apart, OWN.inner, OWN.merged
 
 CORRECTIONS = 8  # steps at most
+LAST_MISS = 1e-5  # what so short a step may take back [rad, arm sizes]: the loop is two long
 LAST_CORRECTION = 1e-7  # the longest step that is the last one [rad]: the next one is its square
 # Places in what the pose's solutions have in common: the inverses of K1 and K0; the twist of axis 4
 # divided by its largest entry but the last; the place of that entry, those of the others, and its
@@ -147,15 +148,21 @@ def _correction(middle: Floats, A: Floats, x: Floats) -> None:
 
 @apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1])")
 def correct(loop: Floats, middle: Floats, c: Floats, s: Floats) -> float:
-    """Takes cosines and sines of the joints from near to a solution to it; returns the miss."""
+    """Takes cosines and sines of the joints from near to a solution to it.
+
+    Returns the miss, no less than it is: that before the last step is taken back by it up to its
+    square.
+    """
     A, x, most = carray(room(30), (6, 5)), carray(room(6), 6), 1.0
+    total, square = 1.0, 1.0
     for _ in range(CORRECTIONS):
         if not most > LAST_CORRECTION:
             break
-        _middle_miss(loop, middle, c, s, A)
+        square = _middle_miss(loop, middle, c, s, A)
         _correction(middle, A, x)
-        most = 0.0
+        most, total = 0.0, 0.0
         for i in range(6):
             turn_by(c, s, i, x[i])
             most = max(most, abs(x[i]))
-    return math.sqrt(_middle_miss(loop, middle, c, s, A))
+            total += abs(x[i])
+    return total * total if square <= LAST_MISS * LAST_MISS else 1.0

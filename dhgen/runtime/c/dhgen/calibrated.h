@@ -408,12 +408,15 @@ DHGEN_FN int dhgen_certain_rows(const dhgen_kind *kind, const dhgen_calibration 
             rows[k][i] *= kind->facing[i];
     dhgen_order_rows(rows, count, order);
     for (int row = 0; row < DHGEN_ROWS; row++) {
-        const int held = row < count, said = held ? dhgen_limited_row(kind, rows[order[row]]) : 0;
+        double *const values = row < count ? rows[order[row]] : NULL;
+        int said = DHGEN_UNREACHABLE;
+        if (values)
+            said = dhgen_limited_row(kind, values);
         if (said < 0)
             return -1;
         for (int i = 0; i < 6; i++)
-            q[6 * row + i] = held ? rows[order[row]][i] : DHGEN_NAN;
-        status[row] = held ? (unsigned char)said : DHGEN_UNREACHABLE;
+            q[6 * row + i] = values ? values[i] : DHGEN_NAN;
+        status[row] = (unsigned char)said;
         inside += status[row] == DHGEN_OK;
     }
     return inside;

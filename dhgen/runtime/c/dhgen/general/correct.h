@@ -11,6 +11,8 @@
 /* Steps at most, and the longest that is the last one [rad]: the next one would be its square. */
 #define DHGEN_CORRECTIONS 8
 #define DHGEN_LAST_CORRECTION 1e-07
+/* What so short a step may take back [rad, arm sizes]: the loop is two long. */
+#define DHGEN_LAST_MISS 1e-05
 /* Solutions of which some joint differs by more are not about to meet [rad]. */
 #define DHGEN_WELL_APART 0.01
 /* The tolerance `exact`: the loop of an exact solution stays open by no more [rad, arm sizes]. */
@@ -166,16 +168,17 @@ DHGEN_INLINE void dhgen_correction(const dhgen_middle *middle, dhgen_lane A[6][5
     x[5] = y[3];
 }
 
-/* Takes cosines and sines of the joints from near to solutions to these. Returns the misses. */
+/* Takes cosines and sines of the joints from near to solutions to these. Returns the misses, no
+ * less than they are: those before the last step are taken back by it up to its square. */
 DHGEN_INLINE dhgen_lane dhgen_correct_lanes(
     const dhgen_loop *loop, const dhgen_middle *middle, dhgen_lane c[6], dhgen_lane s[6])
 {
-    dhgen_lane A[6][5], x[6], most = dhgen_lane_all(1.0);
+    dhgen_lane A[6][5], x[6], most = dhgen_lane_all(1.0), sum = most, square = most;
     for (int n = 0; n < DHGEN_CORRECTIONS && dhgen_lane_largest(most) > DHGEN_LAST_CORRECTION;
          n++) {
-        (void)dhgen_middle_miss(loop, middle, c, s, A);
+        square = dhgen_middle_miss(loop, middle, c, s, A);
         dhgen_correction(middle, A, x);
-        most = dhgen_lane_all(0.0);
+        most = sum = dhgen_lane_all(0.0);
         DHGEN_UNROLL
         for (int i = 0; i < 6; i++) {
             /* a turn by 2 atan(x/2), without trigonometry */
@@ -184,9 +187,11 @@ DHGEN_INLINE dhgen_lane dhgen_correct_lanes(
             c[i] = old * dc - s[i] * ds;
             s[i] = s[i] * dc + old * ds;
             most = dhgen_lane_max(most, dhgen_lane_abs(x[i]));
+            sum += dhgen_lane_abs(x[i]);
         }
     }
-    return dhgen_lane_sqrt(dhgen_middle_miss(loop, middle, c, s, A));
+    return dhgen_lane_select(
+        square <= DHGEN_LAST_MISS * DHGEN_LAST_MISS, sum * sum, dhgen_lane_all(1.0));
 }
 
 /* Cosine and sine of an angle within a turn of zero, to 1e-7, and of a vector that is one long: the

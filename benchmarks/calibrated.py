@@ -1,0 +1,128 @@
+"""Arms whose tables come at run time: how long a pose takes in C, and how many are left.
+
+    python -m benchmarks.calibrated [--arms NAME ...] [--poses N] [--write]
+
+Tables are those of data sheets with normal errors in every number. CPU time of one process, the C
+of a kind of arms at -O3 -march=native, all solutions of random poses. Every pose is solved five
+times, in five passes over all of them; its least time counts, and the quantiles are taken over the
+poses. Beside it stands the general algorithm alone, and at how many poses its rows are those, bit
+for bit: these were left to it. Solutions that only one of the two has are counted. `--write` puts
+the table into docs/benchmarks.md.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import sys
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from benchmarks.arms import robot_path
+from benchmarks.native import NATIVE, Interface, compiled
+from benchmarks.options import parser, show
+from benchmarks.report import table, time_text
+from dhgen.atomic_write import write_files
+from dhgen.compiler import worked_out
+from dhgen.fleet import kind_of
+from dhgen.robot_files import RobotFile
+from dhgen.runtime import c_runtime_files
+from dhgen.targets.c.kind import kind_files
+from dhgen.targets.reserved import RESERVED
+from dhgen.verify.kind import poses_of
+
+if TYPE_CHECKING:
+    from benchmarks.native import Native
+    from dhgen.arrays import FloatArray
+    from dhgen.targets.kind import Kind
+
+ARMS = ("ur5e", "puma560", "kuka_kr6_r900", "abb_irb120")
+ERRORS = (1e-6, 1e-4, 1e-3)  # [rad, arm sizes]
+PASSES = 5
+SAME = 1e-6  # [rad] solutions that differ by less are one
+SHIM = """#include "{name}.h"
+static {name}_calibration arm;
+void choose(const double *table);
+void choose(const double *table)
+{{
+    {name}_calibrate(table, &arm);
+}}
+static int solve(const double *T, double *q)
+{{
+    unsigned char status[{rows}];
+    return {name}_ik(&arm, T, NULL, (double (*)[{dof}])q, status);
+}}
+"""
+HEAD = ("arm", "errors", "mean", "median", "99 %", "slowest", "left", "general alone", "differ")
+
+
+def main(arguments: list[str]) -> None:
+    """Prints one line an arm and an error."""
+    options = parser("benchmarks.calibrated", __doc__, ARMS)
+    options.add_argument("--poses", type=int, default=2000)
+    chosen = options.parse_args(arguments)
+    lines = []
+    with tempfile.TemporaryDirectory(prefix="dhgen-bench-") as folder:
+        write_files(Path(folder), c_runtime_files())
+        for name in chosen.arms:
+            kind = read_kind(name)
+            write_files(Path(folder), kind_files(kind))
+            solvers = [_solver(kind, flags, Path(folder)) for flags in ((), _plain(kind))]
+            for error in ERRORS:
+                lines.append((name, f"{error:g}", *measure(kind, solvers, error, chosen.poses)))
+                print(*lines[-1], flush=True)
+    show(table(HEAD, lines), "calibrated", write=chosen.write)
+
+
+def read_kind(name: str) -> Kind:
+    """The kind of arms of a robot file."""
+    file = RobotFile.read(robot_path(name))
+    return kind_of(file.robot, worked_out(file)[1], RESERVED)
+
+
+def measure(kind: Kind, solvers: list[Native], error: float, count: int) -> tuple[str, ...]:
+    """The cells of a line.
+
+    Args:
+        kind: The kind of the arm.
+        solvers: Its C, and the general algorithm alone.
+        error: The standard deviation of errors in its table [rad, arm sizes].
+        count: How many poses.
+    """
+    source, size = np.random.default_rng(1), kind.nominal.chain.size
+    nominal = np.array(kind.table.rows)
+    numbers = nominal + source.normal(0.0, error, nominal.shape) * [1.0, size, size, 1.0]
+    q = source.uniform(-np.pi, np.pi, (count, kind.module.chain.dof))
+    T = poses_of(kind, numbers, q)
+    for solver in solvers:
+        solver.library.choose(np.ascontiguousarray(numbers).ctypes.data_as(ctypes.c_void_p))
+    own, plain = solvers
+    seconds, alone = own.each(T, PASSES), plain.each(T, PASSES)
+    pairs = list(zip(own.solve(T), plain.solve(T), strict=True))
+    left = np.mean([np.array_equal(*both) for both in pairs])
+    differ = sum(_unlike(*both) + _unlike(*both[::-1]) for both in pairs)
+    times = [seconds.mean(), *np.quantile(seconds, [0.5, 0.99, 1.0])]
+    told = [time_text(1e9 * each) for each in (*times, alone.mean())]
+    return (*told[:4], f"{100.0 * left:.1f} %", told[4], str(differ))
+
+
+def _plain(kind: Kind) -> tuple[str, ...]:
+    return (f"-D{kind.module.name.upper()}_PLAIN",)
+
+
+def _solver(kind: Kind, flags: tuple[str, ...], folder: Path) -> Native:
+    name, rows, dof = kind.module.name, kind.module.solver.rows, kind.module.chain.dof
+    interface = Interface(SHIM.format(name=name, rows=rows, dof=dof), rows, dof)
+    return compiled(folder / f"{name}.c", interface, (*NATIVE, *flags), folder)
+
+
+def _unlike(rows: FloatArray, others: FloatArray) -> int:
+    """How many solutions are not among others."""
+    off = np.abs(np.mod(rows[:, None] - others[None] + np.pi, 2.0 * np.pi) - np.pi)
+    return int((off.max(axis=2).min(axis=1, initial=np.inf) > SAME).sum())
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
