@@ -19,6 +19,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from dhgen.fleet import kind_of
+from dhgen.targets.c.kind import kind_files
+from dhgen.verify.kind import poses_of
 
 from benchmarks.arms import robot_path
 from benchmarks.native import NATIVE, Interface, compiled
@@ -26,17 +29,15 @@ from benchmarks.options import parser, show
 from benchmarks.report import table, time_text
 from dhgen.atomic_write import write_files
 from dhgen.compiler import worked_out
-from dhgen.fleet import kind_of
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import c_runtime_files
-from dhgen.targets.c.kind import kind_files
 from dhgen.targets.reserved import RESERVED
-from dhgen.verify.kind import poses_of
 
 if TYPE_CHECKING:
+    from dhgen.targets.kind import Kind
+
     from benchmarks.native import Native
     from dhgen.arrays import FloatArray
-    from dhgen.targets.kind import Kind
 
 ARMS = ("ur5e", "puma560", "kuka_kr6_r900", "abb_irb120")
 ERRORS = (1e-6, 1e-4, 1e-3)  # [rad, arm sizes]

@@ -293,7 +293,11 @@ static const double
     near_m3 = 7.596199999999998e-11, /* 10 * near_blur_slack1 [m] */
     near_m4 = 3.3295501674584984e-17, /* near_doubt_limit_squared2^2 [m^4] */
     near_m5 = 9.999999999999999e-09, /* near_doubt_limit^2 */
-    near1 = 0.5; /* 1 / 2 */
+    near1 = 2.4500014000001997e-07, /* near_length^2 + near_length^2 [m^2] */
+    near2 = 3.6750021000002996e-07, /* near_length^2 + near1 [m^2] */
+    near3 = 0.5, /* 1 / 2 */
+    near4 = 9.721858904945563e-08, /* near_k1 * near2 [m^4] */
+    near5 = 5.0000000000000005e-21; /* near_angle^2 / 2 */
 
 /* What one pose and many compute alike: values without signs of branches, with the first, with
  * all that are in lanes. */
@@ -309,100 +313,226 @@ static const double
     const dhgen_##number N1 = v2 + v3, v10 = near_d5 * s3, v11 = near_d4 * c3 - near_d2, \
         v12 = near_k5 * w4, inverse1 = 1.0 / N1; \
     /* theta2 */ \
-    const dhgen_##number v23 = near_d5 * c3, v24 = near_d4 * s3, \
-        v26 = v24 + inverse4 * (v4 * v23), v27 = T34 * v26; \
+    const dhgen_##number v24 = near_d5 * c3, v25 = near_d4 * s3, \
+        v27 = v25 + inverse4 * (v4 * v24), v28 = T34 * v27; \
     /* theta5 */ \
-    const dhgen_##number v37 = c3 * T13, v39 = c3 * T23, v44 = c3 * T33, \
-        v46 = T24 * T13 - T14 * T23, v55 = s3 * T33; \
+    const dhgen_##number v38 = c3 * T13, v40 = c3 * T23, v45 = c3 * T33, \
+        v47 = T24 * T13 - T14 * T23, v56 = s3 * T33; \
     /* theta7 */ \
-    const dhgen_##number v65 = s3 * T32, v67 = c3 * T12, v69 = c3 * T22, v74 = c3 * T32, \
-        v76 = s3 * T31, v78 = c3 * T11, v80 = c3 * T21, v85 = c3 * T31; \
+    const dhgen_##number v66 = s3 * T32, v68 = c3 * T12, v70 = c3 * T22, v75 = c3 * T32, \
+        v77 = s3 * T31, v79 = c3 * T11, v81 = c3 * T21, v86 = c3 * T31; \
     /* joint values */ \
-    const dhgen_##number v87 = free_joints[0] + (w4 - w4), v88 = dhgen_abs_##number(D4), \
-        v89 = 2.0 * dhgen_abs_##number(Z4), v90 = near_merge_slack2 + v89, \
-        v91 = dhgen_abs_##number(T14), v92 = near_length * (near_length + 2.0 * v91), \
-        v93 = dhgen_abs_##number(T24), v94 = near_length * (near_length + 2.0 * v93), \
-        v95 = v92 + v94, v96 = dhgen_abs_##number(T34), \
-        v97 = v92 + (v94 + near_length * (near_length + 2.0 * v96)), \
-        v98 = v97 * dhgen_abs_##number(X4), v99 = dhgen_abs_##number(v23), \
-        v100 = dhgen_abs_##number(inverse4), v101 = v100 * (v98 * v99), \
-        v102 = v96 * v101 + near_length * (v101 + dhgen_abs_##number(v26)), \
-        v103 = v97 * (v89 + v97), v104 = v103 / D4, v105 = v104 * (1.0 + v104) * (near1 * w4), \
-        v107 = dhgen_abs_##number(w4), v109 = v98 * v100, v111 = dhgen_abs_##number(v10), \
-        v116 = v100 * (near_k1 * v97), v132 = dhgen_abs_##number(N1), \
-        v137 = dhgen_abs_##number(inverse1), v138 = v95 * v137 / (v132 - v95), \
-        v149 = near_angle + dhgen_abs_##number(T13), v159 = near_angle + dhgen_abs_##number(T23), \
-        v163 = dhgen_abs_##number(c3), v164 = near_angle * v163, \
-        v166 = v164 + dhgen_abs_##number(v44), v169 = near_angle + dhgen_abs_##number(T33), \
-        v171 = v164 + dhgen_abs_##number(v37), v174 = v164 + dhgen_abs_##number(v39), \
-        v180 = near_angle * v93 + near_length * v149 + (near_angle * v91 + near_length * v159), \
-        v181 = dhgen_abs_##number(s3), v192 = near_angle * v181, \
-        v193 = v192 + dhgen_abs_##number(v55)
+    const dhgen_##number v88 = free_joints[0] + (w4 - w4), v89 = dhgen_abs_##number(Z4), \
+        v90 = near_merge_slack2 + 2.0 * v89, v91 = near_length * T14, \
+        v92 = dhgen_abs_##number(T14), v93 = v91 + v91, v94 = near_length * T24, \
+        v95 = dhgen_abs_##number(T24), v96 = v94 + v94, v97 = near_length * T34, \
+        v98 = dhgen_abs_##number(T34), v99 = v97 + v97, v100 = Z4 * v93, v101 = Z4 * v96, \
+        v102 = Z4 * v99, v103 = near2 * v89, v104 = v93 * v93 + v96 * v96, \
+        v105 = near2 + dhgen_sqrt_##number(v104 + v99 * v99), v106 = v100 + v100, \
+        v107 = v101 + v101, v108 = v102 + v102, v109 = v103 + v103 + v105 * v105, \
+        v110 = v109 + dhgen_sqrt_##number(v106 * v106 + v107 * v107 + v108 * v108), \
+        v111 = X4 * v93, v112 = X4 * v96, v113 = X4 * v99, v114 = near2 * dhgen_abs_##number(X4), \
+        v115 = inverse4 * v111, v116 = inverse4 * v112, v117 = inverse4 * v113, \
+        v118 = dhgen_abs_##number(inverse4), v119 = v114 * v118, v120 = near3 / w4, \
+        v121 = v106 * v120, v122 = v107 * v120, v123 = v108 * v120, v124 = v110 * v120, \
+        v125 = v124 * v124 / w4, v126 = v125 + (v125 + v109 * dhgen_abs_##number(v120)), \
+        v127 = v126 + dhgen_sqrt_##number(v121 * v121 + v122 * v122 + v123 * v123), \
+        v135 = dhgen_abs_##number(v10), v148 = dhgen_abs_##number(v24), \
+        v149 = inverse4 * (v24 * v111), v150 = inverse4 * (v24 * v112), \
+        v151 = inverse4 * (v24 * v113), v152 = v118 * (v114 * v148), v153 = T34 * v149, \
+        v154 = T34 * v150, v155 = T34 * v151 + near_length * v27, \
+        v156 = v98 * v152 + near_length * (v152 + dhgen_sqrt_##number(v149 * v149 + v150 * v150 + \
+            v151 * v151)), v168 = inverse4 * (near_k1 * v93), v169 = inverse4 * (near_k1 * v96), \
+        v170 = inverse4 * (near_k1 * v99), v171 = near4 * v118, \
+        v240 = dhgen_abs_##number(inverse1), v241 = inverse1 * (inverse1 * v93), \
+        v242 = inverse1 * (inverse1 * v96), v243 = v240 * (near1 * v240), v271 = near_angle * T33, \
+        v272 = near_angle * T23, v279 = dhgen_abs_##number(T13), v280 = v271 * v271, \
+        v281 = v272 * v272, v282 = near5 + dhgen_sqrt_##number(v280 + v281), \
+        v309 = near_angle * T13, v314 = dhgen_abs_##number(T23), v315 = v309 * v309, \
+        v316 = near5 + dhgen_sqrt_##number(v280 + v315), v323 = c3 * v272, v324 = c3 * v309, \
+        v325 = dhgen_abs_##number(c3), v326 = near5 * v325, \
+        v327 = near5 + dhgen_sqrt_##number(v281 + v315), v335 = dhgen_abs_##number(v45), \
+        v336 = v323 * v323, v337 = v324 * v324, v338 = v326 + dhgen_sqrt_##number(v336 + v337), \
+        v349 = dhgen_abs_##number(T33), v351 = c3 * v271, v356 = dhgen_abs_##number(v38), \
+        v357 = v351 * v351, v358 = v326 + dhgen_sqrt_##number(v336 + v357), \
+        v366 = dhgen_abs_##number(v40), v367 = v326 + dhgen_sqrt_##number(v337 + v357), \
+        v387 = T24 * v271, v388 = near_length * T13, v389 = T14 * v271, v390 = near_length * T23, \
+        v391 = T24 * v272 + T14 * v309, v397 = dhgen_abs_##number(s3), \
+        v398 = v397 * (near5 * v95 + near_length * v282 + (near5 * v92 + near_length * v316)), \
+        v402 = v240 * v398, v448 = s3 * v272, v449 = s3 * v309, v450 = near5 * v397, \
+        v451 = dhgen_abs_##number(v56), \
+        v453 = v450 + dhgen_sqrt_##number(v448 * v448 + v449 * v449)
 #define SIGNED(number, signs) \
     /* theta4 */ \
     const dhgen_##number v6 = near_m2 * (e4 * inverse4), s4 = v5 - w4 * v6, \
         v8 = inverse4 * (e4 * X4), v9 = v7 + w4 * v8; \
     /* theta1 */ \
     const dhgen_##number Z1 = v11 - s4 * v10, D1 = N1 - Z1 * Z1, w1 = dhgen_sqrt_##number(D1), \
-        v13 = w1 - w1, v14 = dhgen_abs_##number(Z1), v15 = 2.0 * v14, \
-        v16 = near_blur_slack1 + v15, v17 = T14 * Z1, v18 = T24 * Z1, v20 = inverse1 * v18, \
-        v22 = inverse1 * v17; \
+        v13 = w1 - w1, v14 = dhgen_abs_##number(Z1), v15 = near_blur_slack1 + 2.0 * v14, \
+        v16 = T14 * Z1, v17 = T24 * Z1, v20 = inverse1 * v17, v23 = inverse1 * v16; \
     /* theta2 */ \
-    const dhgen_##number v25 = near_d3 + near_d5 * v9, \
-        v28 = near_m2 * (inverse4 * (v23 * (e4 * T34))), v29 = v27 - w4 * v28, v30 = w1 * v25, \
-        v31 = T34 * v25, v32 = v24 + s4 * v23, v33 = w1 * v32; \
+    const dhgen_##number v26 = near_d3 + near_d5 * v9, \
+        v29 = near_m2 * (inverse4 * (v24 * (e4 * T34))), v30 = v28 - w4 * v29, v31 = w1 * v26, \
+        v32 = T34 * v26, v33 = v25 + s4 * v24, v34 = w1 * v33; \
     /* theta5 */ \
-    const dhgen_##number v38 = v9 * v37, v40 = v9 * v39, v41 = s4 * T33, v42 = s4 * T13, \
-        v43 = s4 * T23, v45 = v9 * v44, v49 = s3 * (v17 * T13 + v18 * T23), v50 = inverse1 * v49; \
+    const dhgen_##number v39 = v9 * v38, v41 = v9 * v40, v42 = s4 * T33, v43 = s4 * T13, \
+        v44 = s4 * T23, v46 = v9 * v45, v50 = s3 * (v16 * T13 + v17 * T23), v51 = inverse1 * v50; \
     /* theta6 */ \
-    const dhgen_##number v59 = s4 * v37, v60 = s4 * v39, v61 = v9 * T33, v62 = v9 * T13, \
-        v63 = v9 * T23, v64 = s4 * v44; \
+    const dhgen_##number v60 = s4 * v38, v61 = s4 * v40, v62 = v9 * T33, v63 = v9 * T13, \
+        v64 = v9 * T23, v65 = s4 * v45; \
     /* theta7 */ \
-    const dhgen_##number v68 = v9 * v67, v70 = v9 * v69, v71 = s4 * T32, v72 = s4 * T12, \
-        v73 = s4 * T22, v75 = v9 * v74, v79 = v9 * v78, v81 = v9 * v80, v82 = s4 * T31, \
-        v83 = s4 * T11, v84 = s4 * T21, v86 = v9 * v85; \
+    const dhgen_##number v69 = v9 * v68, v71 = v9 * v70, v72 = s4 * T32, v73 = s4 * T12, \
+        v74 = s4 * T22, v76 = v9 * v75, v80 = v9 * v79, v82 = v9 * v81, v83 = s4 * T31, \
+        v84 = s4 * T11, v85 = s4 * T21, v87 = v9 * v86; \
     /* joint values */ \
-    const dhgen_##number q3_p = v13 + v87, v110 = v109 + v105 * dhgen_abs_##number(v6), \
-        v112 = v110 * v111, v113 = v95 + v112 * (v15 + v112), v114 = v113 / D1, \
-        v115 = v114 * (1.0 + v114) * (near1 * w1), v117 = v116 + v105 * dhgen_abs_##number(v8), \
-        v118 = dhgen_abs_##number(v9), v119 = near_d5 * v117, v120 = dhgen_abs_##number(w1), \
-        v121 = dhgen_abs_##number(v25) - v119, v122 = v115 * v121 - v119 * v120, \
-        v126 = v99 * v110, v127 = v120 * v126 + v115 * (v126 + dhgen_abs_##number(v32)), \
-        v128 = near_length * v121 - v96 * v119, v139 = near_length * (v14 + v112), \
-        v140 = v139 + v93 * v112, v141 = dhgen_abs_##number(v18), \
-        v142 = v137 * v140 + v138 * (v140 + v141), v148 = near_angle * dhgen_abs_##number(s4), \
-        v150 = v148 + v110 * v149, v152 = v150 + dhgen_abs_##number(v42), \
-        v155 = v139 + v91 * v112, v156 = dhgen_abs_##number(v17), \
-        v157 = v137 * v155 + v138 * (v155 + v156), v160 = v148 + v110 * v159, \
-        v162 = v160 + dhgen_abs_##number(v43), v165 = v118 * v164, v167 = v165 + v117 * v166, \
-        v170 = v148 + v110 * v169, v172 = v165 + v117 * v171, \
-        v173 = v172 + dhgen_abs_##number(v38), v175 = v165 + v117 * v174, \
-        v176 = v175 + dhgen_abs_##number(v40), \
-        v185 = v181 * (near_angle * v156 + v149 * v155 + (near_angle * v141 + v140 * v159)), \
-        v186 = v137 * v185 + v138 * (v185 + dhgen_abs_##number(v49))
+    const dhgen_##number q3_p = v13 + v88, v128 = v115 + v6 * v121, v129 = v116 + v6 * v122, \
+        v130 = v117 + v6 * v123, v131 = v119 + v126 * dhgen_abs_##number(v6), v132 = v10 * v128, \
+        v133 = v10 * v129, v134 = v10 * v130, v136 = v131 * v135, \
+        v137 = v131 + dhgen_sqrt_##number(v128 * v128 + v129 * v129 + v130 * v130), \
+        v138 = Z1 * v132, v139 = Z1 * v133, v140 = Z1 * v134, v141 = v14 * v136, \
+        v142 = v136 + dhgen_sqrt_##number(v132 * v132 + v133 * v133 + v134 * v134), \
+        v143 = v140 + v140, v144 = v93 + (v138 + v138), v145 = v96 + (v139 + v139), \
+        v146 = near1 + (v141 + v141 + v142 * v142), \
+        v147 = v146 + dhgen_sqrt_##number(v144 * v144 + v145 * v145 + v143 * v143), \
+        v157 = near_m2 * (inverse4 * (v24 * (near_length * e4))), v158 = v153 + v29 * v121, \
+        v159 = v154 + v29 * v122, v160 = v155 + (v29 * v123 - w4 * v157), v161 = near3 / w1, \
+        v162 = v144 * v161, v163 = v145 * v161, v164 = v143 * v161, v165 = v147 * v161, \
+        v166 = v165 * v165 / w1, v167 = v166 + (v166 + v146 * dhgen_abs_##number(v161)), \
+        v172 = v168 - v8 * v121, v173 = v169 - v8 * v122, v174 = v170 - v8 * v123, \
+        v175 = v171 + v126 * dhgen_abs_##number(v8), v176 = near_d5 * v172, v177 = near_d5 * v173, \
+        v178 = near_d5 * v174, v179 = near_d5 * v175, \
+        v180 = v175 + dhgen_sqrt_##number(v172 * v172 + v173 * v173 + v174 * v174), \
+        v181 = dhgen_abs_##number(w1), \
+        v182 = v167 + dhgen_sqrt_##number(v162 * v162 + v163 * v163 + v164 * v164), \
+        v183 = dhgen_sqrt_##number(v176 * v176 + v177 * v177 + v178 * v178) - v179, \
+        v184 = w1 * v176 + v26 * v162, v185 = w1 * v177 + v26 * v163, \
+        v186 = w1 * v178 + v26 * v164, \
+        v190 = v156 + (v126 * dhgen_abs_##number(v29) + v127 * dhgen_abs_##number(v157)) + (v167 * \
+            dhgen_abs_##number(v26) - v179 * v181 + v182 * v183), v192 = v24 * v128, \
+        v193 = v24 * v129, v194 = v24 * v130, v195 = v131 * v148, v196 = w1 * v192 + v33 * v162, \
+        v197 = w1 * v193 + v33 * v163, v198 = w1 * v194 + v33 * v164, v199 = T34 * v176, \
+        v200 = T34 * v177, v201 = T34 * v178 + near_length * v26, \
+        v205 = v181 * v195 + v167 * dhgen_abs_##number(v33) + v182 * (v195 + \
+            dhgen_sqrt_##number(v192 * v192 + v193 * v193 + v194 * v194)) + (near_length * v183 - \
+            v98 * v179), v246 = T24 * v132, v247 = T24 * v134, v248 = near_length * Z1, \
+        v249 = v248 - T24 * v133, v250 = near_length * v142, v251 = v250 + v95 * v136, \
+        v252 = inverse1 * v247, v253 = dhgen_abs_##number(v17), \
+        v255 = v251 + dhgen_sqrt_##number(v246 * v246 + v249 * v249 + v247 * v247), \
+        v256 = inverse1 * v246 + v17 * v241, v257 = inverse1 * v249 - v17 * v242, \
+        v273 = s4 * v271, v274 = s4 * v272, v275 = near5 * dhgen_abs_##number(s4), \
+        v276 = T13 * v128, v277 = T13 * v129, v278 = T13 * v130, \
+        v283 = v275 + v131 * v279 + v137 * v282, v285 = dhgen_abs_##number(v43), \
+        v287 = v273 * v273, \
+        v288 = v283 + (dhgen_sqrt_##number(v287 + v274 * v274) + dhgen_sqrt_##number(v276 * v276 + \
+            v277 * v277 + v278 * v278)), v295 = T14 * v133, v296 = T14 * v134, \
+        v297 = v248 - T14 * v132, v298 = v250 + v92 * v136, v299 = inverse1 * v296, \
+        v300 = dhgen_abs_##number(v16), \
+        v301 = v298 + dhgen_sqrt_##number(v297 * v297 + v295 * v295 + v296 * v296), \
+        v302 = inverse1 * v295 + v16 * v242, v304 = v16 * v241 - inverse1 * v297, \
+        v310 = s4 * v309, v311 = T23 * v128, v312 = T23 * v129, v313 = T23 * v130, \
+        v317 = v275 + v131 * v314 + v137 * v316, v319 = dhgen_abs_##number(v44), \
+        v321 = v317 + (dhgen_sqrt_##number(v287 + v310 * v310) + dhgen_sqrt_##number(v311 * v311 + \
+            v312 * v312 + v313 * v313)), v328 = v9 * v323, v329 = v9 * v324, \
+        v330 = dhgen_abs_##number(v9), v331 = v326 * v330, v332 = v45 * v172, v333 = v45 * v173, \
+        v334 = v45 * v174, v339 = v331 + v175 * v335 + v180 * v338, v346 = T33 * v128, \
+        v347 = T33 * v129, v348 = T33 * v130, v350 = v275 + v131 * v349 + v137 * v327, \
+        v352 = v9 * v351, v353 = v38 * v172, v354 = v38 * v173, v355 = v38 * v174, \
+        v359 = v331 + v175 * v356 + v180 * v358, v360 = dhgen_abs_##number(v39), \
+        v361 = v352 * v352, \
+        v362 = v359 + (dhgen_sqrt_##number(v361 + v328 * v328) + dhgen_sqrt_##number(v353 * v353 + \
+            v354 * v354 + v355 * v355)), v363 = v40 * v172, v364 = v40 * v173, v365 = v40 * v174, \
+        v368 = v331 + v175 * v366 + v180 * v367, v369 = dhgen_abs_##number(v41), \
+        v370 = v368 + (dhgen_sqrt_##number(v361 + v329 * v329) + dhgen_sqrt_##number(v363 * v363 + \
+            v364 * v364 + v365 * v365)), v408 = s3 * (v17 * v271), v409 = s3 * (v16 * v271), \
+        v410 = s3 * (v17 * v309 - v16 * v272), v411 = s3 * (T13 * v297 - T23 * v246), \
+        v412 = s3 * (T23 * v249 - T13 * v295), v413 = s3 * (T13 * v296 + T23 * v247), \
+        v414 = v397 * (near5 * v300 + v279 * v298 + v282 * v301 + (near5 * v253 + v251 * v314 + \
+            v255 * v316)), v415 = inverse1 * v408, v416 = inverse1 * v409, v417 = inverse1 * v410, \
+        v418 = inverse1 * v413, v423 = v50 * v241 - inverse1 * v411, \
+        v425 = v50 * v242 - inverse1 * v412, v452 = v190 * v451
 #define SIGNED_TWICE(number, signs) \
     /* theta1 */ \
-    const dhgen_##number v19 = inverse1 * (e1 * T14), c1 = v20 + w1 * v19, \
-        v21 = inverse1 * (e1 * T24), s1 = w1 * v21 - v22; \
+    const dhgen_##number v18 = e1 * T14, v19 = inverse1 * v18, c1 = v20 + w1 * v19, \
+        v21 = e1 * T24, v22 = inverse1 * v21, s1 = w1 * v22 - v23; \
     /* theta2 */ \
-    const dhgen_##number S2 = v29 + e1 * v30, C2 = e1 * v33 - v31, v34 = S2 * S2 + C2 * C2, \
-        v35 = dhgen_sqrt_##number(v34), v36 = 1.0 / v34, factor2 = v35 * v36; \
+    const dhgen_##number S2 = v30 + e1 * v31, C2 = e1 * v34 - v32, v35 = S2 * S2 + C2 * C2, \
+        v36 = dhgen_sqrt_##number(v35), v37 = 1.0 / v35, factor2 = v36 * v37; \
     /* theta5 */ \
-    const dhgen_##number v47 = s3 * (e1 * v46), v48 = inverse1 * v47, v51 = w1 * v48 - v50, \
-        v52 = c1 * v42 + s1 * v43 - v45, v53 = v41 + (c1 * v38 + s1 * v40), \
-        v54 = S2 * v52 - C2 * v53, c5 = factor2 * v54 - v9 * v51, \
-        v56 = s3 * (c1 * T13 + s1 * T23), v57 = C2 * v56 + S2 * v55, \
-        Y5 = factor2 * v57 - c3 * (s1 * T13 - c1 * T23), v58 = c5 * c5 + Y5 * Y5; \
+    const dhgen_##number v48 = s3 * (e1 * v47), v49 = inverse1 * v48, v52 = w1 * v49 - v51, \
+        v53 = c1 * v43 + s1 * v44 - v46, v54 = v42 + (c1 * v39 + s1 * v41), \
+        v55 = S2 * v53 - C2 * v54, c5 = factor2 * v55 - v9 * v52, \
+        v57 = s3 * (c1 * T13 + s1 * T23), v58 = C2 * v57 + S2 * v56, \
+        Y5 = factor2 * v58 - c3 * (s1 * T13 - c1 * T23), v59 = c5 * c5 + Y5 * Y5; \
     /* theta7 */ \
-    const dhgen_##number v66 = s1 * T12 - c1 * T22, v77 = s1 * T11 - c1 * T21, \
-        s7 = c5 * (c3 * v77 - factor2 * (C2 * (s3 * (c1 * T11 + s1 * T21)) + S2 * v76)) + Y5 * \
-            (factor2 * (S2 * (c1 * v83 + s1 * v84 - v86) - C2 * (v82 + (c1 * v79 + s1 * v81))) - \
-            v9 * (s3 * v77)); \
+    const dhgen_##number v67 = s1 * T12 - c1 * T22, v78 = s1 * T11 - c1 * T21, \
+        s7 = c5 * (c3 * v78 - factor2 * (C2 * (s3 * (c1 * T11 + s1 * T21)) + S2 * v77)) + Y5 * \
+            (factor2 * (S2 * (c1 * v84 + s1 * v85 - v87) - C2 * (v83 + (c1 * v80 + s1 * v82))) - \
+            v9 * (s3 * v78)); \
     /* joint values */ \
-    const dhgen_##number v125 = dhgen_abs_##number(S2), v130 = dhgen_abs_##number(C2), \
-        v133 = dhgen_abs_##number(v34), v134 = dhgen_abs_##number(v36), \
-        v151 = dhgen_abs_##number(c1), v161 = dhgen_abs_##number(s1), \
-        v179 = dhgen_abs_##number(factor2), v189 = near_angle * v151, v190 = near_angle * v161
+    const dhgen_##number v187 = v158 + e1 * v184, v188 = v159 + e1 * v185, \
+        v189 = v160 + e1 * v186, \
+        v191 = v190 + dhgen_sqrt_##number(v187 * v187 + v188 * v188 + v189 * v189), \
+        v202 = e1 * v196 - v199, v203 = e1 * v197 - v200, v204 = e1 * v198 - v201, \
+        v206 = v205 + dhgen_sqrt_##number(v202 * v202 + v203 * v203 + v204 * v204), \
+        v207 = v191 * v191, v208 = v206 * v206, v209 = v207 + v208, v210 = S2 * v187, \
+        v211 = S2 * v188, v212 = S2 * v189, v213 = dhgen_abs_##number(S2), v214 = v190 * v213, \
+        v215 = C2 * v202, v216 = C2 * v203, v217 = C2 * v204, v218 = dhgen_abs_##number(C2), \
+        v219 = v205 * v218, v220 = v210 + v210 + (v215 + v215), \
+        v221 = v211 + v211 + (v216 + v216), v222 = v212 + v212 + (v217 + v217), \
+        v223 = v207 + (v214 + v214) + (v208 + (v219 + v219)), v224 = near3 / v36, \
+        v225 = v220 * v224, v226 = v221 * v224, v227 = v222 * v224, \
+        v228 = v223 * dhgen_abs_##number(v224), v229 = dhgen_abs_##number(v37), \
+        v230 = v37 * (v37 * v220), v231 = v37 * (v37 * v221), v232 = v37 * (v37 * v222), \
+        v233 = v229 * (v223 * v229), v234 = v36 - dhgen_sqrt_##number(v209), \
+        v235 = v233 + (v233 + (dhgen_abs_##number(v232) + (dhgen_abs_##number(v230) + \
+            dhgen_abs_##number(v231)))) * ((v223 + dhgen_sqrt_##number(v220 * v220 + v221 * v221 + \
+            v222 * v222)) / (v234 * v234)), v236 = v37 * v225 - v36 * v230, \
+        v237 = v37 * v226 - v36 * v231, v238 = v37 * v227 - v36 * v232, \
+        v239 = v235 * dhgen_abs_##number(v36) + v228 * v229 + (v228 + dhgen_sqrt_##number(v225 * \
+            v225 + v226 * v226 + v227 * v227)) * (v235 + dhgen_sqrt_##number(v230 * v230 + v231 * \
+            v231 + v232 * v232)), v259 = inverse1 * (near_length * e1), v260 = v18 * v242, \
+        v261 = v259 - v18 * v241, v265 = dhgen_abs_##number(v19), \
+        v267 = w1 * v261 + v19 * v162 - v256, v268 = v257 + (v19 * v163 - w1 * v260), \
+        v269 = v19 * v164 - v252, v284 = dhgen_abs_##number(c1), v289 = v21 * v241, \
+        v290 = v259 - v21 * v242, v293 = dhgen_abs_##number(v22), \
+        v305 = v304 + (v22 * v162 - w1 * v289), v306 = v302 + (w1 * v290 + v22 * v163), \
+        v307 = v299 + v22 * v164, v318 = dhgen_abs_##number(s1), v322 = s1 * v310 - c1 * v274, \
+        v340 = v328 + s1 * v273, v341 = v329 + c1 * v273, \
+        v342 = c1 * v276 + v43 * v267 + (s1 * v311 + v44 * v305) - v332, \
+        v343 = c1 * v277 + v43 * v268 + (s1 * v312 + v44 * v306) - v333, \
+        v344 = c1 * v278 + v43 * v269 + (s1 * v313 + v44 * v307) - v334, \
+        v371 = s1 * v329 - c1 * v328, v372 = v274 - s1 * v352, v373 = c1 * v352 - v310, \
+        v374 = v346 + (c1 * v353 + v39 * v267 + (s1 * v363 + v41 * v305)), \
+        v375 = v347 + (c1 * v354 + v39 * v268 + (s1 * v364 + v41 * v306)), \
+        v376 = v348 + (c1 * v355 + v39 * v269 + (s1 * v365 + v41 * v307)), \
+        v378 = S2 * v340 + C2 * v372, v379 = S2 * v341 - C2 * v373, v380 = S2 * v322 - C2 * v371, \
+        v381 = S2 * v342 + v53 * v187 - (C2 * v374 + v54 * v202), \
+        v382 = S2 * v343 + v53 * v188 - (C2 * v375 + v54 * v203), \
+        v383 = S2 * v344 + v53 * v189 - (C2 * v376 + v54 * v204), \
+        v385 = dhgen_abs_##number(factor2), \
+        v386 = v239 + dhgen_sqrt_##number(v236 * v236 + v237 * v237 + v238 * v238), \
+        v392 = s3 * (e1 * v389), v393 = s3 * (e1 * v387), v394 = s3 * (e1 * v391), \
+        v395 = s3 * (e1 * v390), v396 = s3 * (e1 * v388), v399 = inverse1 * v392, \
+        v400 = inverse1 * v393, v401 = inverse1 * v394, v403 = inverse1 * v395 + v48 * v241, \
+        v404 = inverse1 * v396 - v48 * v242, v406 = dhgen_abs_##number(v49), \
+        v420 = v415 + w1 * v399, v421 = w1 * v400 - v416, v422 = v417 + w1 * v401, \
+        v424 = v423 + (v49 * v162 - w1 * v403), v426 = v425 + (w1 * v404 + v49 * v163), \
+        v427 = v418 + v49 * v164, v429 = factor2 * v378 + v9 * v420, \
+        v430 = factor2 * v379 - v9 * v421, v431 = factor2 * v380 + v9 * v422, \
+        v432 = factor2 * v381 + v55 * v236 - (v9 * v424 + v52 * v172), \
+        v433 = factor2 * v382 + v55 * v237 - (v9 * v426 + v52 * v173), \
+        v434 = factor2 * v383 + v55 * v238 - (v9 * v427 + v52 * v174), v436 = c1 * v271, \
+        v437 = near5 * v284, v438 = s1 * v271, v439 = near5 * v318, v440 = s3 * v438, \
+        v441 = s3 * v436, v442 = s3 * (s1 * v309 - c1 * v272), \
+        v443 = s3 * (T13 * v267 + T23 * v305), v444 = s3 * (T13 * v268 + T23 * v306), \
+        v445 = s3 * (T13 * v269 + T23 * v307), v447 = C2 * v442, v454 = S2 * v448 - C2 * v440, \
+        v455 = C2 * v441 - S2 * v449, v456 = C2 * v443 + v57 * v202 + v56 * v187, \
+        v457 = C2 * v444 + v57 * v203 + v56 * v188, v458 = C2 * v445 + v57 * v204 + v56 * v189, \
+        v460 = factor2 * v454 - c3 * v436, v461 = factor2 * v455 - c3 * v438, \
+        v462 = factor2 * v447 + c3 * (s1 * v272 + c1 * v309), \
+        v463 = factor2 * v456 + v58 * v236 - c3 * (T13 * v305 - T23 * v267), \
+        v464 = factor2 * v457 + v58 * v237 - c3 * (T13 * v306 - T23 * v268), \
+        v465 = factor2 * v458 + v58 * v238 - c3 * (T13 * v307 - T23 * v269)
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -413,9 +543,17 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11] + free_joints[0])
         <= DHGEN_ORTHONORMAL) == 0;
     KNOWN(wide);
-    left |= (dhgen_abs_wide(N4) <= 0.0) | (v88 <= v103) | (v132 <= v95) | (v107 <= v105) |
-        (dhgen_abs_wide(v90) <= 2.0 * v97) | (N1 <= near_doubt_limit_squared2) | (v88 <= near_m1 *
-        v90) | (N4 <= near_doubt_limit_squared4);
+
+    /* joint values */
+    const dhgen_wide v244 = dhgen_sqrt_wide(N1) - sqrt(near1),
+        v245 = v243 + (v243 + (dhgen_abs_wide(v241) + dhgen_abs_wide(v242))) * ((near1 +
+            dhgen_sqrt_wide(v104)) / (v244 * v244)),
+        v254 = v245 + dhgen_sqrt_wide(v241 * v241 + v242 * v242), v262 = near_length * v254,
+        v263 = v262 + v92 * v245, v291 = v262 + v95 * v245;
+    left |= (dhgen_abs_wide(N4) <= 0.0) | (dhgen_abs_wide(v110 + (D4 + D4)) <= v110) |
+        (dhgen_abs_wide(N1) <= near1) | (dhgen_abs_wide(v90) <= 2.0 * v105) | (N1 <=
+        near_doubt_limit_squared2) | (dhgen_abs_wide(D4) <= near_m1 * v90) | (N4 <=
+        near_doubt_limit_squared4);
 
     for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
         const double e4 = i1 == 0 ? 1.0 : -1.0;
@@ -423,10 +561,13 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
         /* joint values */
         const dhgen_wide angle6 = dhgen_atan2_wide(s4, -v9), q4_p = v13 + angle6,
-            v106 = near_m2 * (v100 * (v99 * (near_length * fabs(e4)))),
-            v108 = v102 + (v106 * v107 + v105 * (v106 + dhgen_abs_wide(v28)));
-        left |= (dhgen_abs_wide(D1) <= v113) | (dhgen_abs_wide(v16) <= 2.0 * v112) |
-            (dhgen_abs_wide(D1 * v12) <= near_m3 * v16);
+            v258 = v240 * v251 + v245 * v253 + v254 * v255, v264 = v181 * v263, v292 = v181 * v291,
+            v303 = v240 * v298 + v245 * v300 + v254 * v301,
+            v419 = v240 * v414 + v245 * dhgen_abs_wide(v50) + v254 * (v414 + (dhgen_sqrt_wide(v408 *
+                v408 + v409 * v409 + v410 * v410) + dhgen_sqrt_wide(v411 * v411 + v412 * v412 + v413
+                * v413)));
+        left |= (dhgen_abs_wide(v147 + (D1 + D1)) <= v147) | (dhgen_abs_wide(v15) <= 2.0 * v142) |
+            (dhgen_abs_wide(D1 * v12) <= near_m3 * v15);
 
         for (int i2 = 0; i2 < 2; i2++) { /* shoulder+, shoulder- */
             const double e1 = i2 == 0 ? 1.0 : -1.0;
@@ -442,38 +583,53 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             const dhgen_wide angle3 = dhgen_atan2_wide(Y5, c5);
 
             /* theta6 */
-            const dhgen_wide angle4 = dhgen_atan2_wide(dhgen_sqrt_wide(v58), -(s4 * v51 + factor2 *
-                (C2 * (c1 * v59 + s1 * v60 - v61) + S2 * (v64 + (c1 * v62 + s1 * v63)))));
+            const dhgen_wide angle4 = dhgen_atan2_wide(dhgen_sqrt_wide(v59), -(s4 * v52 + factor2 *
+                (C2 * (c1 * v60 + s1 * v61 - v62) + S2 * (v65 + (c1 * v63 + s1 * v64)))));
 
             /* theta7 */
-            const dhgen_wide angle5 = dhgen_atan2_wide(s7, c5 * (c3 * v66 - factor2 * (C2 * (s3 *
-                (c1 * T12 + s1 * T22)) + S2 * v65)) + Y5 * (factor2 * (S2 * (c1 * v72 + s1 * v73 -
-                v75) - C2 * (v71 + (c1 * v68 + s1 * v70))) - v9 * (s3 * v66)));
+            const dhgen_wide angle5 = dhgen_atan2_wide(s7, c5 * (c3 * v67 - factor2 * (C2 * (s3 *
+                (c1 * T12 + s1 * T22)) + S2 * v66)) + Y5 * (factor2 * (S2 * (c1 * v73 + s1 * v74 -
+                v76) - C2 * (v72 + (c1 * v69 + s1 * v71))) - v9 * (s3 * v67)));
 
             /* joint values */
-            const double v123 = fabs(e1);
-            const dhgen_wide v124 = v108 + v122 * v123, v129 = v128 + v123 * v127,
-                v131 = v124 * (v124 + 2.0 * v125) + v129 * (v129 + 2.0 * v130),
-                v135 = v131 * v134 / (v133 - v131),
-                v136 = v135 * dhgen_abs_wide(v35) + (v124 + v129) * (v134 + v135);
-            const double v143 = near_length * v123;
-            const dhgen_wide v144 = v137 * v143, v145 = v144 + v138 * (v91 + v143),
-                v146 = v145 + dhgen_abs_wide(v19), v147 = v142 + (v120 * v145 + v115 * v146),
-                v153 = v144 + v138 * (v93 + v143), v154 = v153 + dhgen_abs_wide(v21),
-                v158 = v157 + (v120 * v153 + v115 * v154),
-                v168 = v167 + (v150 * v151 + v147 * v152 + (v160 * v161 + v158 * v162)),
-                v177 = v170 + (v151 * v172 + v147 * v173 + (v161 * v175 + v158 * v176)),
-                v178 = v125 * v168 + v124 * (v168 + dhgen_abs_wide(v52)) + (v130 * v177 + v129 *
-                    (v177 + dhgen_abs_wide(v53))), v182 = v181 * (v123 * v180),
-                v183 = v137 * v182 + v138 * (v182 + dhgen_abs_wide(v47)),
-                v184 = v183 + dhgen_abs_wide(v48), v187 = v186 + (v120 * v183 + v115 * v184),
-                v188 = v178 * v179 + v136 * (v178 + dhgen_abs_wide(v54)) + (v118 * v187 + v117 *
-                    (v187 + dhgen_abs_wide(v51))),
-                v191 = v181 * (v189 + v147 * v149 + (v190 + v158 * v159)),
-                v194 = v130 * v191 + v129 * (v191 + dhgen_abs_wide(v56)) + (v125 * v192 + v124 *
-                    v193),
-                v195 = v179 * v194 + v136 * (v194 + dhgen_abs_wide(v57)) + v163 * (v190 + v149 *
-                    v158 + (v189 + v147 * v159));
+            const dhgen_wide v266 = v263 + dhgen_sqrt_wide(v261 * v261 + v260 * v260),
+                v270 = v258 + (v264 + v167 * v265 + v182 * v266),
+                v286 = v270 + dhgen_sqrt_wide(v267 * v267 + v268 * v268 + v269 * v269),
+                v294 = v291 + dhgen_sqrt_wide(v289 * v289 + v290 * v290),
+                v308 = v303 + (v292 + v167 * v293 + v182 * v294),
+                v320 = v308 + dhgen_sqrt_wide(v305 * v305 + v306 * v306 + v307 * v307),
+                v345 = v339 + (v283 * v284 + v270 * v285 + v286 * v288 + (v317 * v318 + v308 * v319
+                    + v320 * v321)),
+                v377 = v350 + (v284 * v359 + v270 * v360 + v286 * v362 + (v318 * v368 + v308 * v369
+                    + v320 * v370)),
+                v384 = v213 * v345 + v190 * dhgen_abs_wide(v53) + v191 * (v345 +
+                    (dhgen_sqrt_wide(v340 * v340 + v341 * v341 + v322 * v322) + dhgen_sqrt_wide(v342
+                    * v342 + v343 * v343 + v344 * v344))) + (v218 * v377 + v205 *
+                    dhgen_abs_wide(v54) + v206 * (v377 + (dhgen_sqrt_wide(v372 * v372 + v373 * v373
+                    + v371 * v371) + dhgen_sqrt_wide(v374 * v374 + v375 * v375 + v376 * v376)))),
+                v405 = v402 + v245 * dhgen_abs_wide(v48) + v254 * (v398 + (dhgen_sqrt_wide(v392 *
+                    v392 + v393 * v393 + v394 * v394) + dhgen_sqrt_wide(v395 * v395 + v396 *
+                    v396))),
+                v407 = v405 + (dhgen_sqrt_wide(v399 * v399 + v400 * v400 + v401 * v401) +
+                    dhgen_sqrt_wide(v403 * v403 + v404 * v404)),
+                v428 = v419 + (v181 * v405 + v167 * v406 + v182 * v407),
+                v435 = v384 * v385 + v239 * dhgen_abs_wide(v55) + v386 * (v384 +
+                    (dhgen_sqrt_wide(v378 * v378 + v379 * v379 + v380 * v380) + dhgen_sqrt_wide(v381
+                    * v381 + v382 * v382 + v383 * v383))) + (v330 * v428 + v175 *
+                    dhgen_abs_wide(v52) + v180 * (v428 + (dhgen_sqrt_wide(v420 * v420 + v421 * v421
+                    + v422 * v422) + dhgen_sqrt_wide(v424 * v424 + v426 * v426 + v427 * v427)))) +
+                    (dhgen_sqrt_wide(v429 * v429 + v430 * v430 + v431 * v431) + dhgen_sqrt_wide(v432
+                    * v432 + v433 * v433 + v434 * v434)),
+                v446 = v397 * (v437 + v270 * v279 + v282 * v286 + (v439 + v308 * v314 + v316 *
+                    v320)),
+                v459 = v218 * v446 + v205 * dhgen_abs_wide(v57) + v206 * (v446 +
+                    (dhgen_sqrt_wide(v440 * v440 + v441 * v441 + v442 * v442) + dhgen_sqrt_wide(v443
+                    * v443 + v444 * v444 + v445 * v445))) + (v452 + v213 * v450 + v191 * v453),
+                v466 = v385 * v459 + v239 * dhgen_abs_wide(v58) + v386 * (v459 +
+                    (dhgen_sqrt_wide(v454 * v454 + v455 * v455 + v447 * v447) + dhgen_sqrt_wide(v456
+                    * v456 + v457 * v457 + v458 * v458))) + v325 * (v439 + v279 * v308 + v282 * v320
+                    + (v437 + v270 * v314 + v286 * v316)) + (dhgen_sqrt_wide(v460 * v460 + v461 *
+                    v461 + v462 * v462) + dhgen_sqrt_wide(v463 * v463 + v464 * v464 + v465 * v465));
             const int row = 4 * i1 + 2 * i2;
             q[7 * row] = angle1; q[7 * row + 1] = angle2; q[7 * row + 2] = q3_p;
             q[7 * row + 3] = q4_p; q[7 * row + 4] = angle3; q[7 * row + 5] = angle4;
@@ -485,8 +641,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             q[7 * row + 12] = -angle4;
             q[7 * row + 13] = angle5 - dhgen_signed_wide(DHGEN_HALF_TURN, s7);
             kind[row + 1] = dhgen_kind_wide(q[7 * row + 7]);
-            left |= (dhgen_abs_wide(v58) <= v188 * v188 + v195 * v195) | (v133 <= v131) | (v58 <=
-                near_m5) | (v34 <= near_m4);
+            left |= (dhgen_abs_wide(v59) <= v435 * v435 + v466 * v466) | (dhgen_abs_wide(v35) <=
+                v209) | (v59 <= near_m5) | (v35 <= near_m4);
         }
     }
     return left;
@@ -507,44 +663,68 @@ DHGEN_INLINE int solve_regular(
     SIGNED_TWICE(four, four);
 
     /* joint values */
-    const dhgen_four v106 = near_m2 * (v100 * (v99 * (near_length * dhgen_abs_four(e4)))),
-        v108 = v102 + (v106 * v107 + v105 * (v106 + dhgen_abs_four(v28))),
-        v123 = dhgen_abs_four(e1), v124 = v108 + v122 * v123, v129 = v128 + v123 * v127,
-        v131 = v124 * (v124 + 2.0 * v125) + v129 * (v129 + 2.0 * v130),
-        v135 = v131 * v134 / (v133 - v131),
-        v136 = v135 * dhgen_abs_four(v35) + (v124 + v129) * (v134 + v135),
-        v143 = near_length * v123, v144 = v137 * v143, v145 = v144 + v138 * (v91 + v143),
-        v146 = v145 + dhgen_abs_four(v19), v147 = v142 + (v120 * v145 + v115 * v146),
-        v153 = v144 + v138 * (v93 + v143), v154 = v153 + dhgen_abs_four(v21),
-        v158 = v157 + (v120 * v153 + v115 * v154),
-        v168 = v167 + (v150 * v151 + v147 * v152 + (v160 * v161 + v158 * v162)),
-        v177 = v170 + (v151 * v172 + v147 * v173 + (v161 * v175 + v158 * v176)),
-        v178 = v125 * v168 + v124 * (v168 + dhgen_abs_four(v52)) + (v130 * v177 + v129 * (v177 +
-            dhgen_abs_four(v53))), v182 = v181 * (v123 * v180),
-        v183 = v137 * v182 + v138 * (v182 + dhgen_abs_four(v47)), v184 = v183 + dhgen_abs_four(v48),
-        v187 = v186 + (v120 * v183 + v115 * v184),
-        v188 = v178 * v179 + v136 * (v178 + dhgen_abs_four(v54)) + (v118 * v187 + v117 * (v187 +
-            dhgen_abs_four(v51))), v191 = v181 * (v189 + v147 * v149 + (v190 + v158 * v159)),
-        v194 = v130 * v191 + v129 * (v191 + dhgen_abs_four(v56)) + (v125 * v192 + v124 * v193),
-        v195 = v179 * v194 + v136 * (v194 + dhgen_abs_four(v57)) + v163 * (v190 + v149 * v158 +
-            (v189 + v147 * v159));
+    const double v244 = sqrt(N1) - sqrt(near1),
+        v245 = v243 + (v243 + (fabs(v241) + fabs(v242))) * ((near1 + sqrt(v104)) / (v244 * v244)),
+        v254 = v245 + sqrt(v241 * v241 + v242 * v242);
+    const dhgen_four v258 = v240 * v251 + v245 * v253 + v254 * v255;
+    const double v262 = near_length * v254, v263 = v262 + v92 * v245;
+    const dhgen_four v264 = v181 * v263, v266 = v263 + dhgen_sqrt_four(v261 * v261 + v260 * v260),
+        v270 = v258 + (v264 + v167 * v265 + v182 * v266),
+        v286 = v270 + dhgen_sqrt_four(v267 * v267 + v268 * v268 + v269 * v269);
+    const double v291 = v262 + v95 * v245;
+    const dhgen_four v292 = v181 * v291, v294 = v291 + dhgen_sqrt_four(v289 * v289 + v290 * v290),
+        v303 = v240 * v298 + v245 * v300 + v254 * v301,
+        v308 = v303 + (v292 + v167 * v293 + v182 * v294),
+        v320 = v308 + dhgen_sqrt_four(v305 * v305 + v306 * v306 + v307 * v307),
+        v345 = v339 + (v283 * v284 + v270 * v285 + v286 * v288 + (v317 * v318 + v308 * v319 + v320 *
+            v321)),
+        v377 = v350 + (v284 * v359 + v270 * v360 + v286 * v362 + (v318 * v368 + v308 * v369 + v320 *
+            v370)),
+        v384 = v213 * v345 + v190 * dhgen_abs_four(v53) + v191 * (v345 + (dhgen_sqrt_four(v340 *
+            v340 + v341 * v341 + v322 * v322) + dhgen_sqrt_four(v342 * v342 + v343 * v343 + v344 *
+            v344))) + (v218 * v377 + v205 * dhgen_abs_four(v54) + v206 * (v377 +
+            (dhgen_sqrt_four(v372 * v372 + v373 * v373 + v371 * v371) + dhgen_sqrt_four(v374 * v374
+            + v375 * v375 + v376 * v376)))),
+        v405 = v402 + v245 * dhgen_abs_four(v48) + v254 * (v398 + (dhgen_sqrt_four(v392 * v392 +
+            v393 * v393 + v394 * v394) + dhgen_sqrt_four(v395 * v395 + v396 * v396))),
+        v407 = v405 + (dhgen_sqrt_four(v399 * v399 + v400 * v400 + v401 * v401) +
+            dhgen_sqrt_four(v403 * v403 + v404 * v404)),
+        v419 = v240 * v414 + v245 * dhgen_abs_four(v50) + v254 * (v414 + (dhgen_sqrt_four(v408 *
+            v408 + v409 * v409 + v410 * v410) + dhgen_sqrt_four(v411 * v411 + v412 * v412 + v413 *
+            v413))), v428 = v419 + (v181 * v405 + v167 * v406 + v182 * v407),
+        v435 = v384 * v385 + v239 * dhgen_abs_four(v55) + v386 * (v384 + (dhgen_sqrt_four(v378 *
+            v378 + v379 * v379 + v380 * v380) + dhgen_sqrt_four(v381 * v381 + v382 * v382 + v383 *
+            v383))) + (v330 * v428 + v175 * dhgen_abs_four(v52) + v180 * (v428 +
+            (dhgen_sqrt_four(v420 * v420 + v421 * v421 + v422 * v422) + dhgen_sqrt_four(v424 * v424
+            + v426 * v426 + v427 * v427)))) + (dhgen_sqrt_four(v429 * v429 + v430 * v430 + v431 *
+            v431) + dhgen_sqrt_four(v432 * v432 + v433 * v433 + v434 * v434)),
+        v446 = v397 * (v437 + v270 * v279 + v282 * v286 + (v439 + v308 * v314 + v316 * v320)),
+        v459 = v218 * v446 + v205 * dhgen_abs_four(v57) + v206 * (v446 + (dhgen_sqrt_four(v440 *
+            v440 + v441 * v441 + v442 * v442) + dhgen_sqrt_four(v443 * v443 + v444 * v444 + v445 *
+            v445))) + (v452 + v213 * v450 + v191 * v453),
+        v466 = v385 * v459 + v239 * dhgen_abs_four(v58) + v386 * (v459 + (dhgen_sqrt_four(v454 *
+            v454 + v455 * v455 + v447 * v447) + dhgen_sqrt_four(v456 * v456 + v457 * v457 + v458 *
+            v458))) + v325 * (v439 + v279 * v308 + v282 * v320 + (v437 + v270 * v314 + v286 * v316))
+            + (dhgen_sqrt_four(v460 * v460 + v461 * v461 + v462 * v462) + dhgen_sqrt_four(v463 *
+            v463 + v464 * v464 + v465 * v465));
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) + 0.0 * (free_joints[0]) <= DHGEN_ORTHONORMAL)
-        == 0) | ((dhgen_abs_four(D1) <= v113) | (dhgen_abs_four(v16) <= 2.0 * v112) |
-        (dhgen_abs_four(D1 * v12) <= near_m3 * v16)) | ((dhgen_abs_four(v58) <= v188 * v188 + v195 *
-        v195) | (v133 <= v131) | (v58 <= near_m5) | (v34 <= near_m4))) | (unsigned)((fabs(N4) <=
-        0.0) | (v88 <= v103) | (v132 <= v95) | (v107 <= v105) | (fabs(v90) <= 2.0 * v97) | (N1 <=
-        near_doubt_limit_squared2) | (v88 <= near_m1 * v90) | (N4 <= near_doubt_limit_squared4)))
+        == 0) | ((dhgen_abs_four(v147 + (D1 + D1)) <= v147) | (dhgen_abs_four(v15) <= 2.0 * v142) |
+        (dhgen_abs_four(D1 * v12) <= near_m3 * v15)) | ((dhgen_abs_four(v59) <= v435 * v435 + v466 *
+        v466) | (dhgen_abs_four(v35) <= v209) | (v59 <= near_m5) | (v35 <= near_m4))) |
+        (unsigned)((fabs(N4) <= 0.0) | (fabs(v110 + (D4 + D4)) <= v110) | (fabs(N1) <= near1) |
+        (fabs(v90) <= 2.0 * v105) | (N1 <= near_doubt_limit_squared2) | (fabs(D4) <= near_m1 * v90)
+        | (N4 <= near_doubt_limit_squared4)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(s4, -v9),
         ratio2 = dhgen_ratio_four(s1, c1), ratio3 = dhgen_ratio_four(S2, C2),
         ratio4 = dhgen_ratio_four(Y5, c5),
-        ratio5 = dhgen_ratio_four(s7, c5 * (c3 * v66 - factor2 * (C2 * (s3 * (c1 * T12 + s1 * T22))
-            + S2 * v65)) + Y5 * (factor2 * (S2 * (c1 * v72 + s1 * v73 - v75) - C2 * (v71 + (c1 * v68
-            + s1 * v70))) - v9 * (s3 * v66))),
-        ratio6 = dhgen_ratio_four(dhgen_sqrt_four(v58), -(s4 * v51 + factor2 * (C2 * (c1 * v59 + s1
-            * v60 - v61) + S2 * (v64 + (c1 * v62 + s1 * v63)))));
+        ratio5 = dhgen_ratio_four(s7, c5 * (c3 * v67 - factor2 * (C2 * (s3 * (c1 * T12 + s1 * T22))
+            + S2 * v66)) + Y5 * (factor2 * (S2 * (c1 * v73 + s1 * v74 - v76) - C2 * (v72 + (c1 * v69
+            + s1 * v71))) - v9 * (s3 * v67))),
+        ratio6 = dhgen_ratio_four(dhgen_sqrt_four(v59), -(s4 * v52 + factor2 * (C2 * (c1 * v60 + s1
+            * v61 - v62) + S2 * (v65 + (c1 * v63 + s1 * v64)))));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle6 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2), angle1 = dhgen_angle_four(ratio2),
         angle2 = dhgen_angle_four(ratio3), angle3 = dhgen_angle_four(ratio4),

@@ -153,11 +153,249 @@ static const double
     near_k5 = 0.33444584, /* near_a2^2 + near_a3^2 [m^2] */
     near_m1 = 3.4985918000001714e-12, /* 1000 * near_k3 [m^2] */
     near_m2 = 9.999999999999999e-09, /* near_doubt_limit^2 */
+    near_m3 = 0.5, /* 1 / 2 */
     /* 10 * (near_longest3 - near_longest3_clear) * (near_longest3_clear - near_shortest3) [m^4] */
     near_m4 = 1.4300283221564012e-10,
     near_m5 = 1.1764705882352942, /* -near_a3 * near_k6 [m^-1] */
     near_m6 = 0.031534305882352925, /* near_a3 * near_k5 * near_k6 - near_a2 [m] */
     near1 = 0.5; /* 1 / 2 */
+
+/* What one pose and many compute alike: values without signs of branches, with the first, with
+ * all that are in lanes. */
+#define KNOWN(number) \
+    /* theta1 */ \
+    const dhgen_##number X1 = near_d6 * T13 - T14, wy = T24 - near_d6 * T23, \
+        N1 = X1 * X1 + wy * wy, D1 = N1 - near_k1, w1 = dhgen_sqrt_##number(D1), \
+        v1 = near_k4 * w1, inverse1 = 1.0 / N1, v2 = near_d4 * wy, v3 = inverse1 * v2, \
+        v7 = near_d4 * X1, v8 = inverse1 * v7; \
+    /* theta3 */ \
+    const dhgen_##number v24 = T34 - near_d1; \
+    /* joint values */ \
+    const dhgen_##number v40 = T33 * free_joints[0], v41 = T23 * free_joints[0], \
+        v42 = near1 * (free_joints[0] * free_joints[0]), v43 = near_d6 * v40, v44 = near_d6 * v41, \
+        v45 = near_d6 * v42, v46 = v40 * v40, v47 = v42 + dhgen_sqrt_##number(v46 + v41 * v41), \
+        v48 = X1 * v43, v49 = X1 * v44, v50 = X1 * free_joints[1], v51 = dhgen_abs_##number(X1), \
+        v52 = v45 * v51, v53 = v43 * v43, v54 = dhgen_abs_##number(free_joints[1]), \
+        v55 = v45 + (v54 + dhgen_sqrt_##number(v53 + v44 * v44)), v56 = v48 + v48, \
+        v57 = v50 + v50, v58 = v55 * v55, v59 = T13 * free_joints[0], v60 = near_d6 * v59, \
+        v61 = v42 + dhgen_sqrt_##number(v46 + v59 * v59), v62 = wy * v43, v63 = wy * v60, \
+        v64 = wy * free_joints[1], v65 = dhgen_abs_##number(wy), v66 = v45 * v65, \
+        v67 = v45 + (v54 + dhgen_sqrt_##number(v53 + v60 * v60)), v68 = v62 + v62, \
+        v69 = v64 + v64, v70 = v67 * v67, v71 = v49 + v49 + (v63 + v63), \
+        v72 = v58 + (v52 + v52) + (v70 + (v66 + v66)), \
+        v73 = v72 + (dhgen_sqrt_##number(v68 * v68 + v56 * v56 + v71 * v71) + \
+            dhgen_sqrt_##number(v57 * v57 + v69 * v69)), v74 = dhgen_abs_##number(inverse1), \
+        v75 = inverse1 * (inverse1 * v68), v76 = inverse1 * (inverse1 * v56), \
+        v77 = inverse1 * (inverse1 * v71), v78 = inverse1 * (inverse1 * v57), \
+        v79 = inverse1 * (inverse1 * v69), v80 = v74 * (v72 * v74), v81 = v58 + v70, \
+        v82 = dhgen_sqrt_##number(N1) - dhgen_sqrt_##number(v81), \
+        v83 = v80 + (v80 + (dhgen_abs_##number(v79) + (dhgen_abs_##number(v78) + \
+            (dhgen_abs_##number(v77) + (dhgen_abs_##number(v75) + dhgen_abs_##number(v76)))))) * \
+            (v73 / (v82 * v82)), v84 = near_d4 * v43, v85 = near_d4 * v60, \
+        v86 = near_d4 * free_joints[1], v87 = near_d4 * v45, v88 = inverse1 * v84, \
+        v89 = inverse1 * v86, v90 = v74 * v87, v91 = v2 * v76, v92 = v2 * v78, \
+        v93 = v83 + (dhgen_sqrt_##number(v75 * v75 + v76 * v76 + v77 * v77) + \
+            dhgen_sqrt_##number(v78 * v78 + v79 * v79)), v94 = v84 * v84, \
+        v95 = dhgen_abs_##number(v86), v96 = v88 - v2 * v75, v97 = v2 * v77 - inverse1 * v85, \
+        v98 = v89 - v2 * v79, \
+        v99 = v90 + v83 * dhgen_abs_##number(v2) + v93 * (v87 + (v95 + dhgen_sqrt_##number(v94 + \
+            v85 * v85))), v100 = near1 / w1, v101 = v68 * v100, v102 = v56 * v100, \
+        v103 = v71 * v100, v104 = v57 * v100, v105 = v69 * v100, v106 = v73 * v100, \
+        v107 = v106 * v106 / w1, v108 = v107 + (v107 + v72 * dhgen_abs_##number(v100)), \
+        v113 = v45 * v74, v120 = v113 + v51 * v83, v122 = dhgen_abs_##number(w1), \
+        v123 = v108 + (dhgen_sqrt_##number(v101 * v101 + v102 * v102 + v103 * v103) + \
+            dhgen_sqrt_##number(v104 * v104 + v105 * v105)), v130 = T11 * free_joints[0], \
+        v131 = T31 * free_joints[0], v133 = dhgen_abs_##number(T21), v135 = v131 * v131, \
+        v136 = v130 * v130, v137 = v42 + dhgen_sqrt_##number(v135 + v136), \
+        v144 = v113 + v65 * v83, v146 = near_d4 * v44, v147 = v7 * v75, v148 = v7 * v79, \
+        v149 = v90 + v83 * dhgen_abs_##number(v7) + v93 * (v87 + (v95 + dhgen_sqrt_##number(v94 + \
+            v146 * v146))), v151 = v7 * v76 - v88, v153 = inverse1 * v146 - v7 * v77, \
+        v155 = v89 - v7 * v78, v159 = T21 * free_joints[0], v161 = dhgen_abs_##number(T11), \
+        v163 = v159 * v159, v164 = v42 + dhgen_sqrt_##number(v135 + v163), \
+        v180 = T12 * free_joints[0], v181 = T32 * free_joints[0], v182 = dhgen_abs_##number(T22), \
+        v183 = v181 * v181, v184 = v180 * v180, v185 = v42 + dhgen_sqrt_##number(v183 + v184), \
+        v186 = T22 * free_joints[0], v187 = dhgen_abs_##number(T12), v188 = v186 * v186, \
+        v189 = v42 + dhgen_sqrt_##number(v183 + v188), v228 = dhgen_abs_##number(T13), \
+        v229 = dhgen_abs_##number(T23), v237 = dhgen_abs_##number(T31), \
+        v238 = v42 + dhgen_sqrt_##number(v136 + v163), v240 = dhgen_abs_##number(T32), \
+        v241 = v42 + dhgen_sqrt_##number(v184 + v188), v318 = free_joints[1] * free_joints[1], \
+        v321 = dhgen_abs_##number(T24), v322 = dhgen_abs_##number(T14)
+#define SIGNED(number, signs) \
+    /* theta1 */ \
+    const dhgen_##number v4 = e1 * X1, v5 = inverse1 * v4, v6 = v3 + w1 * v5, v9 = e1 * wy, \
+        v10 = inverse1 * v9, s1 = w1 * v10 - v8; \
+    /* theta6 */ \
+    const dhgen_##number v11 = v6 * T21 + s1 * T11, v12 = v6 * T22 + s1 * T12, \
+        v13 = v11 * v11 + v12 * v12, w6 = dhgen_sqrt_##number(v13), v14 = 1.0 / v13, \
+        v15 = dhgen_signed_##number(DHGEN_HALF_TURN, -v12); \
+    /* theta5 */ \
+    const dhgen_##number c5 = T13 * s1 + T23 * v6; \
+    /* theta234 */ \
+    const dhgen_##number v17 = v11 * T32 - v12 * T31, v18 = v14 * v17, c234 = w6 * v18, \
+        v19 = v11 * T31 + v12 * T32, v20 = c5 * v19, v21 = v14 * v20 - T33, s234 = w6 * v21, \
+        v22 = dhgen_signed_##number(DHGEN_HALF_TURN, v21); \
+    /* theta3 */ \
+    const dhgen_##number v23 = near_d6 * w6, v25 = near_d5 * c234, v26 = s234 * v23, \
+        v27 = T24 * s1 - T14 * v6, v28 = c234 * v23, v29 = near_d5 * s234; \
+    /* joint values */ \
+    const dhgen_##number v109 = e1 * v43, v110 = e1 * v44, v111 = inverse1 * v109, \
+        v112 = inverse1 * (e1 * free_joints[1]), v114 = v4 * v75, v115 = v4 * v79, \
+        v116 = v109 * v109, v117 = v111 - v4 * v76, v118 = v4 * v77 - inverse1 * v110, \
+        v119 = v4 * v78 - v112, \
+        v121 = v120 + v93 * (v45 + (v54 + dhgen_sqrt_##number(v116 + v110 * v110))), \
+        v124 = v96 + (v5 * v101 - w1 * v114), v125 = w1 * v117 + v5 * v102 - v91, \
+        v126 = v97 + (w1 * v118 - v5 * v103), v127 = v92 + (w1 * v119 - v5 * v104), \
+        v128 = v98 + (v5 * v105 - w1 * v115), \
+        v129 = v99 + (v121 * v122 + v108 * dhgen_abs_##number(v5) + v123 * (v121 + \
+            (dhgen_sqrt_##number(v114 * v114 + v117 * v117 + v118 * v118) + \
+            dhgen_sqrt_##number(v119 * v119 + v115 * v115)))), \
+        v132 = v42 * dhgen_abs_##number(v6), \
+        v134 = v129 + (dhgen_sqrt_##number(v124 * v124 + v125 * v125 + v126 * v126) + \
+            dhgen_sqrt_##number(v127 * v127 + v128 * v128)), v138 = e1 * v60, v139 = v9 * v76, \
+        v140 = v9 * v78, v141 = v111 - v9 * v75, v142 = v9 * v77 - inverse1 * v138, \
+        v143 = v112 - v9 * v79, \
+        v145 = v144 + v93 * (v45 + (v54 + dhgen_sqrt_##number(v116 + v138 * v138))), \
+        v150 = v147 + (w1 * v141 + v10 * v101), v152 = v151 + (v10 * v102 - w1 * v139), \
+        v154 = v153 + (w1 * v142 - v10 * v103), v156 = v155 + (w1 * v140 - v10 * v104), \
+        v157 = v148 + (w1 * v143 + v10 * v105), \
+        v158 = v149 + (v122 * v145 + v108 * dhgen_abs_##number(v10) + v123 * (v145 + \
+            (dhgen_sqrt_##number(v141 * v141 + v139 * v139 + v142 * v142) + \
+            dhgen_sqrt_##number(v140 * v140 + v143 * v143)))), \
+        v160 = v42 * dhgen_abs_##number(s1), \
+        v162 = v158 + (dhgen_sqrt_##number(v150 * v150 + v152 * v152 + v154 * v154) + \
+            dhgen_sqrt_##number(v156 * v156 + v157 * v157)), \
+        v165 = T21 * v124 - v6 * v131 + T11 * v150, v166 = T21 * v125 + (s1 * v131 + T11 * v152), \
+        v167 = v6 * v130 + T21 * v126 + (T11 * v154 - s1 * v159), v168 = T21 * v127 + T11 * v156, \
+        v169 = T21 * v128 + T11 * v157, \
+        v170 = v132 + v129 * v133 + v134 * v137 + (v160 + v158 * v161 + v162 * v164), \
+        v171 = v11 * v165, v172 = v11 * v166, v173 = v11 * v167, v174 = v11 * v168, \
+        v175 = v11 * v169, v176 = dhgen_abs_##number(v11), v177 = v170 * v176, \
+        v178 = v170 + (dhgen_sqrt_##number(v165 * v165 + v166 * v166 + v167 * v167) + \
+            dhgen_sqrt_##number(v168 * v168 + v169 * v169)), v179 = v178 * v178, \
+        v190 = T22 * v124 - v6 * v181 + T12 * v150, v191 = T22 * v125 + (s1 * v181 + T12 * v152), \
+        v192 = v6 * v180 + T22 * v126 + (T12 * v154 - s1 * v186), v193 = T22 * v127 + T12 * v156, \
+        v194 = T22 * v128 + T12 * v157, \
+        v195 = v132 + v129 * v182 + v134 * v185 + (v160 + v158 * v187 + v162 * v189), \
+        v196 = v12 * v190, v197 = v12 * v191, v198 = v12 * v192, v199 = v12 * v193, \
+        v200 = v12 * v194, v201 = dhgen_abs_##number(v12), v202 = v195 * v201, \
+        v203 = v195 + (dhgen_sqrt_##number(v190 * v190 + v191 * v191 + v192 * v192) + \
+            dhgen_sqrt_##number(v193 * v193 + v194 * v194)), v204 = v203 * v203, \
+        v205 = v171 + v171 + (v196 + v196), v206 = v172 + v172 + (v197 + v197), \
+        v207 = v173 + v173 + (v198 + v198), v208 = v174 + v174 + (v199 + v199), \
+        v209 = v175 + v175 + (v200 + v200), v210 = v179 + (v177 + v177) + (v204 + (v202 + v202)), \
+        v211 = near1 / w6, v212 = v205 * v211, v213 = v206 * v211, v214 = v207 * v211, \
+        v215 = v208 * v211, v216 = v209 * v211, v217 = v210 * dhgen_abs_##number(v211), \
+        v218 = dhgen_abs_##number(v14), v219 = v14 * (v14 * v205), v220 = v14 * (v14 * v206), \
+        v221 = v14 * (v14 * v207), v222 = v14 * (v14 * v208), v223 = v14 * (v14 * v209), \
+        v224 = v218 * (v210 * v218), v225 = v179 + v204, v226 = w6 - dhgen_sqrt_##number(v225), \
+        v227 = v224 + (v224 + (dhgen_abs_##number(v223) + (dhgen_abs_##number(v222) + \
+            (dhgen_abs_##number(v221) + (dhgen_abs_##number(v219) + dhgen_abs_##number(v220)))))) \
+            * ((v210 + (dhgen_sqrt_##number(v205 * v205 + v206 * v206 + v207 * v207) + \
+            dhgen_sqrt_##number(v208 * v208 + v209 * v209))) / (v226 * v226)), \
+        v230 = T13 * v150 + (T23 * v124 - v6 * v40), v231 = T13 * v152 + s1 * v40 + T23 * v125, \
+        v232 = T13 * v154 - s1 * v41 + (T23 * v126 + v6 * v59), v233 = T13 * v156 + T23 * v127, \
+        v234 = T13 * v157 + T23 * v128, \
+        v235 = v160 + v158 * v228 + v47 * v162 + (v132 + v129 * v229 + v61 * v134), \
+        v236 = v42 * v176, v239 = v42 * v201, \
+        v242 = v11 * v159 + T31 * v165 + (v12 * v186 + T32 * v190), \
+        v243 = T31 * v166 - v11 * v130 + (T32 * v191 - v12 * v180), \
+        v244 = T31 * v167 + T32 * v192, v245 = T31 * v168 + T32 * v193, \
+        v246 = T31 * v169 + T32 * v194, \
+        v247 = v236 + v170 * v237 + v178 * v238 + (v239 + v195 * v240 + v203 * v241), \
+        v248 = c5 * v242 + v19 * v230, v249 = c5 * v243 + v19 * v231, \
+        v250 = c5 * v244 + v19 * v232, v251 = c5 * v245 + v19 * v233, \
+        v252 = c5 * v246 + v19 * v234, \
+        v253 = v247 * dhgen_abs_##number(c5) + v235 * dhgen_abs_##number(v19) + (v235 + \
+            (dhgen_sqrt_##number(v230 * v230 + v231 * v231 + v232 * v232) + \
+            dhgen_sqrt_##number(v233 * v233 + v234 * v234))) * (v247 + (dhgen_sqrt_##number(v242 * \
+            v242 + v243 * v243 + v244 * v244) + dhgen_sqrt_##number(v245 * v245 + v246 * v246))), \
+        v254 = v227 + (dhgen_sqrt_##number(v219 * v219 + v220 * v220 + v221 * v221) + \
+            dhgen_sqrt_##number(v222 * v222 + v223 * v223)), v255 = v14 * v250 - v20 * v221, \
+        v256 = v14 * v251 - v20 * v222, v257 = v14 * v252 - v20 * v223, \
+        v258 = v14 * v248 - v20 * v219 - v41, v259 = v59 + (v14 * v249 - v20 * v220), \
+        v260 = v42 + (v218 * v253 + v227 * dhgen_abs_##number(v20) + v254 * (v253 + \
+            (dhgen_sqrt_##number(v248 * v248 + v249 * v249 + v250 * v250) + \
+            dhgen_sqrt_##number(v251 * v251 + v252 * v252)))), v261 = dhgen_abs_##number(w6), \
+        v262 = v217 + (dhgen_sqrt_##number(v212 * v212 + v213 * v213 + v214 * v214) + \
+            dhgen_sqrt_##number(v215 * v215 + v216 * v216)), v263 = w6 * v258 + v21 * v212, \
+        v264 = w6 * v259 + v21 * v213, v265 = w6 * v255 + v21 * v214, \
+        v266 = w6 * v256 + v21 * v215, v267 = w6 * v257 + v21 * v216, \
+        v268 = v260 * v261 + v217 * dhgen_abs_##number(v21) + v262 * (v260 + \
+            (dhgen_sqrt_##number(v258 * v258 + v259 * v259 + v255 * v255) + \
+            dhgen_sqrt_##number(v256 * v256 + v257 * v257))), v269 = near_d6 * v212, \
+        v270 = near_d6 * v213, v271 = near_d6 * v214, v272 = near_d6 * v215, \
+        v273 = near_d6 * v216, v274 = near_d6 * v217, v275 = dhgen_abs_##number(v23), \
+        v276 = v274 + (dhgen_sqrt_##number(v269 * v269 + v270 * v270 + v271 * v271) + \
+            dhgen_sqrt_##number(v272 * v272 + v273 * v273)), v277 = s234 * v269 + v23 * v263, \
+        v278 = s234 * v270 + v23 * v264, v279 = s234 * v271 + v23 * v265, \
+        v280 = s234 * v272 + v23 * v266, v281 = s234 * v273 + v23 * v267, \
+        v282 = v11 * v186 + T32 * v165 - (v12 * v159 + T31 * v190), \
+        v283 = T32 * v166 - v11 * v180 + (v12 * v130 - T31 * v191), \
+        v284 = T32 * v167 - T31 * v192, v285 = T32 * v168 - T31 * v193, \
+        v286 = T32 * v169 - T31 * v194, \
+        v287 = v236 + v170 * v240 + v178 * v241 + (v239 + v195 * v237 + v203 * v238), \
+        v288 = v14 * v282 - v17 * v219, v289 = v14 * v283 - v17 * v220, \
+        v290 = v14 * v284 - v17 * v221, v291 = v14 * v285 - v17 * v222, \
+        v292 = v14 * v286 - v17 * v223, \
+        v293 = v218 * v287 + v227 * dhgen_abs_##number(v17) + v254 * (v287 + \
+            (dhgen_sqrt_##number(v282 * v282 + v283 * v283 + v284 * v284) + \
+            dhgen_sqrt_##number(v285 * v285 + v286 * v286))), v294 = w6 * v288 + v18 * v212, \
+        v295 = w6 * v289 + v18 * v213, v296 = w6 * v290 + v18 * v214, \
+        v297 = w6 * v291 + v18 * v215, v298 = w6 * v292 + v18 * v216, \
+        v299 = v261 * v293 + v217 * dhgen_abs_##number(v18) + v262 * (v293 + \
+            (dhgen_sqrt_##number(v288 * v288 + v289 * v289 + v290 * v290) + \
+            dhgen_sqrt_##number(v291 * v291 + v292 * v292))), v300 = near_d5 * v294, \
+        v301 = near_d5 * v295, v302 = near_d5 * v296, v303 = near_d5 * v297, \
+        v304 = near_d5 * v298, \
+        v310 = v274 * dhgen_abs_##number(s234) + v268 * v275 + v276 * (v268 + \
+            (dhgen_sqrt_##number(v263 * v263 + v264 * v264 + v265 * v265) + \
+            dhgen_sqrt_##number(v266 * v266 + v267 * v267))) + near_d5 * v299, \
+        v323 = T24 * v150 - T14 * v124, v324 = T24 * v152 - T14 * v125, \
+        v325 = T24 * v154 - T14 * v126, v326 = T24 * v156 - (T14 * v127 + v6 * free_joints[1]), \
+        v327 = T24 * v157 + s1 * free_joints[1] - T14 * v128, v328 = c234 * v269 + v23 * v294, \
+        v329 = c234 * v270 + v23 * v295, v330 = c234 * v271 + v23 * v296, \
+        v331 = c234 * v272 + v23 * v297, v332 = c234 * v273 + v23 * v298, v333 = near_d5 * v263, \
+        v334 = near_d5 * v264, v335 = near_d5 * v265, v336 = near_d5 * v266, \
+        v337 = near_d5 * v267, \
+        v343 = v158 * v321 + v54 * v162 + (v129 * v322 + v54 * v134) + (v274 * \
+            dhgen_abs_##number(c234) + v275 * v299 + v276 * (v299 + (dhgen_sqrt_##number(v294 * \
+            v294 + v295 * v295 + v296 * v296) + dhgen_sqrt_##number(v297 * v297 + v298 * v298))) + \
+            near_d5 * v268)
+#define SIGNED_TWICE(number, signs) \
+    /* theta6 */ \
+    const dhgen_##signs v16 = near_m3 * (e6 - 1.0); \
+    /* theta3 */ \
+    const dhgen_##number Z1_3 = v24 + (v26 + e6 * v25), Z2_3 = v27 + (v28 - e6 * v29), \
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, v30 = near_longest3 - N3, v31 = N3 - near_shortest3, \
+        D3 = v30 * v31, w3 = dhgen_sqrt_##number(D3), v32 = w3 - w3; \
+    /* theta2 */ \
+    const dhgen_##number v33 = near_m6 + near_m5 * N3, v34 = Z1_3 * v33, v35 = Z2_3 * v33, \
+        v36 = w3 * (near_m5 * Z2_3), v37 = w3 * (near_m5 * Z1_3); \
+    /* joint values */ \
+    const dhgen_##number v305 = v277 + e6 * v300, v306 = v278 + e6 * v301, \
+        v307 = v279 + e6 * v302, v308 = v280 + e6 * v303, v309 = v281 + e6 * v304, \
+        v311 = Z1_3 * v305, v312 = Z1_3 * v306, v313 = Z1_3 * v307, v314 = Z1_3 * v308, \
+        v315 = Z1_3 * v309, v316 = Z1_3 * free_joints[1], v317 = v310 * dhgen_abs_##number(Z1_3), \
+        v319 = v310 + (dhgen_sqrt_##number(v305 * v305 + v306 * v306 + v307 * v307) + \
+            dhgen_sqrt_##number(v318 + (v308 * v308 + v309 * v309))), v320 = v316 + v316, \
+        v338 = v323 + (v328 - e6 * v333), v339 = v324 + (v329 - e6 * v334), \
+        v340 = v325 + (v330 - e6 * v335), v341 = v326 + (v331 - e6 * v336), \
+        v342 = v327 + (v332 - e6 * v337), v344 = Z2_3 * v338, v345 = Z2_3 * v339, \
+        v346 = Z2_3 * v340, v347 = Z2_3 * v341, v348 = Z2_3 * v342, \
+        v349 = v343 * dhgen_abs_##number(Z2_3), \
+        v350 = v343 + (dhgen_sqrt_##number(v338 * v338 + v339 * v339 + v340 * v340) + \
+            dhgen_sqrt_##number(v341 * v341 + v342 * v342)), v351 = v311 + v311 + (v344 + v344), \
+        v352 = v312 + v312 + (v345 + v345), v353 = v313 + v313 + (v346 + v346), \
+        v354 = v314 + v314 + (v347 + v347), v355 = v315 + v315 + (v348 + v348), \
+        v356 = v317 + v317 + v319 * v319 + (v349 + v349 + v350 * v350), \
+        v357 = v356 + (dhgen_sqrt_##number(v351 * v351 + v352 * v352 + v353 * v353) + \
+            dhgen_sqrt_##number(v354 * v354 + v355 * v355 + v320 * v320)), \
+        v358 = v30 * v351 - v31 * v351, v359 = v30 * v352 - v31 * v352, \
+        v360 = v30 * v353 - v31 * v353, v361 = v30 * v354 - v31 * v354, \
+        v362 = v30 * v355 - v31 * v355, v363 = v30 * v320 - v31 * v320, \
+        v364 = v356 * dhgen_abs_##number(v30) + v356 * dhgen_abs_##number(v31) + v357 * v357 + \
+            (dhgen_sqrt_##number(v358 * v358 + v359 * v359 + v360 * v360) + \
+            dhgen_sqrt_##number(v361 * v361 + v362 * v362 + v363 * v363))
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -165,185 +403,62 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     ENTRIES(dhgen_wide);
+    dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
+        DHGEN_ORTHONORMAL) == 0;
+    KNOWN(wide);
+    left |= (dhgen_abs_wide(v73 + (D1 + D1)) <= v73) | (dhgen_abs_wide(N1) <= v81) |
+        (dhgen_abs_wide(D1) <= near_m1);
 
-    /* theta1 */
-    const dhgen_wide X1 = near_d6 * T13 - T14, wy = T24 - near_d6 * T23, N1 = X1 * X1 + wy * wy,
-        D1 = N1 - near_k1, w1 = dhgen_sqrt_wide(D1), v1 = near_k4 * w1, v2 = dhgen_abs_wide(D1),
-        inverse1 = 1.0 / N1, v3 = near_d4 * wy, v4 = inverse1 * v3, v5 = X1 * inverse1,
-        v6 = inverse1 * -X1, v7 = v4 + w1 * v5, v8 = v4 + w1 * v6, v9 = near_d4 * X1,
-        v10 = inverse1 * v9, v11 = wy * inverse1, v12 = inverse1 * -wy, s1_p = w1 * v11 - v10,
-        s1_m = w1 * v12 - v10, angle1 = dhgen_atan2_wide(s1_p, -v7),
-        angle2 = dhgen_atan2_wide(s1_m, -v8);
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
+        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        SIGNED(wide, double);
 
-    /* theta6 */
-    const dhgen_wide v13 = v7 * T21 + s1_p * T11, v14 = v8 * T21 + s1_m * T11,
-        v15 = v7 * T22 + s1_p * T12, v16 = v8 * T22 + s1_m * T12, v17 = v13 * v13 + v15 * v15,
-        v18 = v14 * v14 + v16 * v16, w6_p = dhgen_sqrt_wide(v17), w6_m = dhgen_sqrt_wide(v18),
-        v19 = 1.0 / v17, v20 = 1.0 / v18, angle3 = dhgen_atan2_wide(-v15, v13),
-        angle4 = dhgen_atan2_wide(-v16, v14);
+        /* theta1 */
+        const dhgen_wide angle1 = dhgen_atan2_wide(s1, -v6);
 
-    /* theta5 */
-    const dhgen_wide c5_p = T13 * s1_p + T23 * v7, c5_m = T13 * s1_m + T23 * v8,
-        angle5 = dhgen_atan2_wide(w6_p, c5_p), angle6 = dhgen_atan2_wide(w6_m, c5_m);
+        /* theta6 */
+        const dhgen_wide angle2 = dhgen_atan2_wide(-v12, v11);
 
-    /* theta234 */
-    const dhgen_wide v21 = v13 * T32 - v15 * T31, v22 = v14 * T32 - v16 * T31, v23 = v19 * v21,
-        v24 = v20 * v22, c234_p = w6_p * v23, c234_m = w6_m * v24, v25 = v13 * T31 + v15 * T32,
-        v26 = v14 * T31 + v16 * T32, v27 = c5_p * v25, v28 = c5_m * v26, v29 = v19 * v27 - T33,
-        v30 = v20 * v28 - T33, s234_p = w6_p * v29, s234_m = w6_m * v30,
-        angle7 = dhgen_atan2_wide(v29, v23), angle8 = dhgen_atan2_wide(v30, v24),
-        theta234_pm = angle7 - dhgen_signed_wide(DHGEN_HALF_TURN, v29),
-        theta234_mm = angle8 - dhgen_signed_wide(DHGEN_HALF_TURN, v30);
+        /* theta5 */
+        const dhgen_wide angle3 = dhgen_atan2_wide(w6, c5);
 
-    /* theta3 */
-    const dhgen_wide v31 = near_d6 * w6_p, v32 = near_d6 * w6_m, v33 = T34 - near_d1,
-        v34 = near_d5 * c234_p, v35 = near_d5 * c234_m, v36 = s234_p * v31, v37 = s234_m * v32,
-        Z1_3_pp = v33 + (v34 + v36), Z1_3_pm = v33 + (v36 - v34), Z1_3_mp = v33 + (v35 + v37),
-        Z1_3_mm = v33 + (v37 - v35), v38 = T24 * s1_p - T14 * v7, v39 = T24 * s1_m - T14 * v8,
-        v40 = c234_p * v31, v41 = c234_m * v32, v42 = near_d5 * s234_p, v43 = near_d5 * s234_m,
-        Z2_3_pp = v38 + (v40 - v42), Z2_3_pm = v38 + (v40 + v42), Z2_3_mp = v39 + (v41 - v43),
-        Z2_3_mm = v39 + (v41 + v43), N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp,
-        N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
-        N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
-        N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm, v44 = near_longest3 - N3_pp,
-        v45 = near_longest3 - N3_pm, v46 = near_longest3 - N3_mp, v47 = near_longest3 - N3_mm,
-        v48 = N3_pp - near_shortest3, v49 = N3_pm - near_shortest3, v50 = N3_mp - near_shortest3,
-        v51 = N3_mm - near_shortest3, D3_pp = v44 * v48, D3_pm = v45 * v49, D3_mp = v46 * v50,
-        D3_mm = v47 * v51, w3_pp = dhgen_sqrt_wide(D3_pp), w3_pm = dhgen_sqrt_wide(D3_pm),
-        w3_mp = dhgen_sqrt_wide(D3_mp), w3_mm = dhgen_sqrt_wide(D3_mm), v52 = w3_pp - w3_pp,
-        v53 = w3_pm - w3_pm, v54 = w3_mp - w3_mp, v55 = w3_mm - w3_mm,
-        angle9 = dhgen_atan2_wide(w3_pp, N3_pp - near_k5),
-        angle10 = dhgen_atan2_wide(w3_pm, N3_pm - near_k5),
-        angle11 = dhgen_atan2_wide(w3_mp, N3_mp - near_k5),
-        angle12 = dhgen_atan2_wide(w3_mm, N3_mm - near_k5);
+        /* theta234 */
+        const dhgen_wide angle4 = dhgen_atan2_wide(v21, v18);
+        left |= (v13 <= near_m2) | (dhgen_abs_wide(v13) <= v225);
 
-    /* theta2 */
-    const dhgen_wide v56 = near_m6 + near_m5 * N3_pp, v57 = near_m6 + near_m5 * N3_pm,
-        v58 = near_m6 + near_m5 * N3_mp, v59 = near_m6 + near_m5 * N3_mm, v60 = Z1_3_pp * v56,
-        v61 = Z1_3_pm * v57, v62 = Z1_3_mp * v58, v63 = Z1_3_mm * v59, v64 = Z2_3_pp * v56,
-        v65 = Z2_3_pm * v57, v66 = Z2_3_mp * v58, v67 = Z2_3_mm * v59,
-        v68 = w3_pp * (near_m5 * Z2_3_pp), v69 = w3_pp * (near_m5 * Z1_3_pp),
-        angle13 = dhgen_atan2_wide(v68 - v60, -(v64 + v69)),
-        angle14 = dhgen_atan2_wide(-(v60 + v68), v69 - v64), v70 = w3_pm * (near_m5 * Z2_3_pm),
-        v71 = w3_pm * (near_m5 * Z1_3_pm), angle15 = dhgen_atan2_wide(v70 - v61, -(v65 + v71)),
-        angle16 = dhgen_atan2_wide(-(v61 + v70), v71 - v65), v72 = w3_mp * (near_m5 * Z2_3_mp),
-        v73 = w3_mp * (near_m5 * Z1_3_mp), angle17 = dhgen_atan2_wide(v72 - v62, -(v66 + v73)),
-        angle18 = dhgen_atan2_wide(-(v62 + v72), v73 - v66), v74 = w3_mm * (near_m5 * Z2_3_mm),
-        v75 = w3_mm * (near_m5 * Z1_3_mm), angle19 = dhgen_atan2_wide(v74 - v63, -(v67 + v75)),
-        angle20 = dhgen_atan2_wide(-(v63 + v74), v75 - v67);
+        for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
+            const double e6 = i2 == 0 ? 1.0 : -1.0;
+            SIGNED_TWICE(wide, double);
 
-    /* joint values */
-    const dhgen_wide v76 = angle7 - (angle9 + angle13), v77 = angle7 - (angle14 - angle9),
-        v78 = theta234_pm - (angle10 + angle15), v79 = theta234_pm - (angle16 - angle10),
-        v80 = angle8 - (angle11 + angle17), v81 = angle8 - (angle18 - angle11),
-        v82 = theta234_mm - (angle12 + angle19), v83 = theta234_mm - (angle20 - angle12),
-        q1_ppp = angle1 + v52, q1_pmp = angle1 + v53, q1_mpp = angle2 + v54, q1_mmp = angle2 + v55,
-        q5_ppp = angle5 + v52, q5_pmp = v53 - angle5, q5_mpp = angle6 + v54, q5_mmp = v55 - angle6,
-        q6_ppp = angle3 + v52, q6_pmp = v53 + (angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, -v15)),
-        q6_mpp = angle4 + v54, q6_mmp = v55 + (angle4 - dhgen_signed_wide(DHGEN_HALF_TURN, -v16)),
-        v84 = dhgen_abs_wide(T13), v85 = free_joints[1] + near_d6 * free_joints[0],
-        v86 = dhgen_abs_wide(X1), v87 = dhgen_abs_wide(T23), v88 = dhgen_abs_wide(wy),
-        v89 = v85 * (v85 + 2.0 * v86) + v85 * (v85 + 2.0 * v88), v90 = dhgen_abs_wide(N1),
-        v91 = dhgen_abs_wide(inverse1), v92 = v89 * v91 / (v90 - v89), v93 = near_d4 * v85,
-        v94 = v91 * v93, v95 = v94 + v92 * (v93 + dhgen_abs_wide(v3)), v96 = v89 / D1,
-        v97 = v96 * (1.0 + v96) * (near1 * w1), v98 = v85 * v91, v99 = v98 + v92 * (v85 + v86),
-        v100 = dhgen_abs_wide(w1), v101 = v99 * v100,
-        v102 = v95 + (v101 + v97 * (v99 + dhgen_abs_wide(v5))),
-        v103 = v95 + (v101 + v97 * (v99 + dhgen_abs_wide(v6))), v104 = dhgen_abs_wide(v7),
-        v105 = dhgen_abs_wide(v8), v106 = free_joints[0] * v104, v107 = free_joints[0] * v105,
-        v108 = free_joints[0] + dhgen_abs_wide(T21), v109 = v98 + v92 * (v85 + v88),
-        v110 = v94 + v92 * (v93 + dhgen_abs_wide(v9)), v111 = v100 * v109,
-        v112 = v110 + (v111 + v97 * (v109 + dhgen_abs_wide(v11))),
-        v113 = v110 + (v111 + v97 * (v109 + dhgen_abs_wide(v12))), v114 = dhgen_abs_wide(s1_p),
-        v115 = dhgen_abs_wide(s1_m), v116 = free_joints[0] * v114, v117 = free_joints[0] * v115,
-        v118 = free_joints[0] + dhgen_abs_wide(T11),
-        v119 = v106 + v102 * v108 + (v116 + v112 * v118),
-        v120 = v107 + v103 * v108 + (v117 + v113 * v118), v121 = dhgen_abs_wide(v13),
-        v122 = dhgen_abs_wide(v14), v123 = free_joints[0] + dhgen_abs_wide(T22),
-        v124 = free_joints[0] + dhgen_abs_wide(T12),
-        v125 = v106 + v102 * v123 + (v116 + v112 * v124),
-        v126 = v107 + v103 * v123 + (v117 + v113 * v124), v127 = dhgen_abs_wide(v15),
-        v128 = dhgen_abs_wide(v16), v129 = v119 * (v119 + 2.0 * v121) + v125 * (v125 + 2.0 * v127),
-        v130 = v120 * (v120 + 2.0 * v122) + v126 * (v126 + 2.0 * v128), v131 = dhgen_abs_wide(v17),
-        v132 = dhgen_abs_wide(v18), v133 = v119 + v125, v134 = v120 + v126,
-        v135 = dhgen_abs_wide(v19), v136 = dhgen_abs_wide(v20), v137 = v129 * v135 / (v131 - v129),
-        v138 = v130 * v136 / (v132 - v130), v139 = v112 + v114, v140 = v113 + v115,
-        v141 = v102 + v104, v142 = v103 + v105, v143 = free_joints[0] * v121,
-        v144 = free_joints[0] * v122, v145 = free_joints[0] + dhgen_abs_wide(T31),
-        v146 = free_joints[0] * v127, v147 = free_joints[0] * v128,
-        v148 = free_joints[0] + dhgen_abs_wide(T32),
-        v149 = v143 + v119 * v145 + (v146 + v125 * v148),
-        v150 = v144 + v120 * v145 + (v147 + v126 * v148),
-        v151 = v149 * dhgen_abs_wide(c5_p) + (v84 * v112 + free_joints[0] * v139 + (v87 * v102 +
-            free_joints[0] * v141)) * (v149 + dhgen_abs_wide(v25)),
-        v152 = v150 * dhgen_abs_wide(c5_m) + (v84 * v113 + free_joints[0] * v140 + (v87 * v103 +
-            free_joints[0] * v142)) * (v150 + dhgen_abs_wide(v26)),
-        v153 = free_joints[0] + (v135 * v151 + v137 * (v151 + dhgen_abs_wide(v27))),
-        v154 = free_joints[0] + (v136 * v152 + v138 * (v152 + dhgen_abs_wide(v28))),
-        v155 = dhgen_abs_wide(w6_p), v156 = dhgen_abs_wide(w6_m),
-        v157 = v153 * v155 + v133 * (v153 + dhgen_abs_wide(v29)),
-        v158 = v154 * v156 + v134 * (v154 + dhgen_abs_wide(v30)), v159 = near_d6 * v133,
-        v160 = near_d6 * v134, v161 = v159 + dhgen_abs_wide(v31), v162 = v160 + dhgen_abs_wide(v32),
-        v163 = v143 + v119 * v148 + (v146 + v125 * v145),
-        v164 = v144 + v120 * v148 + (v147 + v126 * v145),
-        v165 = v135 * v163 + v137 * (v163 + dhgen_abs_wide(v21)),
-        v166 = v136 * v164 + v138 * (v164 + dhgen_abs_wide(v22)),
-        v167 = v155 * v165 + v133 * (v165 + dhgen_abs_wide(v23)),
-        v168 = v156 * v166 + v134 * (v166 + dhgen_abs_wide(v24)),
-        v169 = free_joints[1] + (v159 * dhgen_abs_wide(s234_p) + v157 * v161 + near_d5 * v167),
-        v170 = free_joints[1] + (v160 * dhgen_abs_wide(s234_m) + v158 * v162 + near_d5 * v168),
-        v171 = dhgen_abs_wide(T24), v172 = dhgen_abs_wide(T14),
-        v173 = v112 * v171 + free_joints[1] * v139 + (v102 * v172 + free_joints[1] * v141) + (v159 *
-            dhgen_abs_wide(c234_p) + v161 * v167 + near_d5 * v157),
-        v174 = v113 * v171 + free_joints[1] * v140 + (v103 * v172 + free_joints[1] * v142) + (v160 *
-            dhgen_abs_wide(c234_m) + v162 * v168 + near_d5 * v158),
-        v175 = v169 * (v169 + 2.0 * dhgen_abs_wide(Z1_3_pp)) + v173 * (v173 + 2.0 *
-            dhgen_abs_wide(Z2_3_pp)),
-        v176 = v169 * (v169 + 2.0 * dhgen_abs_wide(Z1_3_pm)) + v173 * (v173 + 2.0 *
-            dhgen_abs_wide(Z2_3_pm)),
-        v177 = v170 * (v170 + 2.0 * dhgen_abs_wide(Z1_3_mp)) + v174 * (v174 + 2.0 *
-            dhgen_abs_wide(Z2_3_mp)),
-        v178 = v170 * (v170 + 2.0 * dhgen_abs_wide(Z1_3_mm)) + v174 * (v174 + 2.0 *
-            dhgen_abs_wide(Z2_3_mm));
+            /* theta234 */
+            const dhgen_wide theta234 = angle4 + v16 * v22;
 
-    q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = dhgen_centred_wide(v76); q[4] = q5_ppp;
-    q[5] = q6_ppp;
-    kind[0] = dhgen_kind_wide(q[0]);
-    q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9; q[9] = dhgen_centred_wide(v77); q[10] = q5_ppp;
-    q[11] = q6_ppp;
-    kind[1] = dhgen_kind_wide(q[6]);
-    q[12] = q1_pmp; q[13] = angle15; q[14] = angle10; q[15] = dhgen_centred_wide(v78);
-    q[16] = q5_pmp; q[17] = q6_pmp;
-    kind[2] = dhgen_kind_wide(q[12]);
-    q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10; q[21] = dhgen_centred_wide(v79);
-    q[22] = q5_pmp; q[23] = q6_pmp;
-    kind[3] = dhgen_kind_wide(q[18]);
-    q[24] = q1_mpp; q[25] = angle17; q[26] = angle11; q[27] = dhgen_centred_wide(v80);
-    q[28] = q5_mpp; q[29] = q6_mpp;
-    kind[4] = dhgen_kind_wide(q[24]);
-    q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11; q[33] = dhgen_centred_wide(v81);
-    q[34] = q5_mpp; q[35] = q6_mpp;
-    kind[5] = dhgen_kind_wide(q[30]);
-    q[36] = q1_mmp; q[37] = angle19; q[38] = angle12; q[39] = dhgen_centred_wide(v82);
-    q[40] = q5_mmp; q[41] = q6_mmp;
-    kind[6] = dhgen_kind_wide(q[36]);
-    q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12; q[45] = dhgen_centred_wide(v83);
-    q[46] = q5_mmp; q[47] = q6_mmp;
-    kind[7] = dhgen_kind_wide(q[42]);
-    const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
-        DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v2 <= v89) | (v2 <= near_m1) | (dhgen_abs_wide(v47) <= v178) |
-        (dhgen_abs_wide(v1 * D3_mm) <= near_m4) | (dhgen_abs_wide(v46) <= v177) | (dhgen_abs_wide(v1
-        * D3_mp) <= near_m4) | (dhgen_abs_wide(v45) <= v176) | (dhgen_abs_wide(v1 * D3_pm) <=
-        near_m4) | (dhgen_abs_wide(v44) <= v175) | (dhgen_abs_wide(v1 * D3_pp) <= near_m4) | (v90 <=
-        v89) | (dhgen_abs_wide(v51) <= v178) | (dhgen_abs_wide(v50) <= v177) | (dhgen_abs_wide(v49)
-        <= v176) | (dhgen_abs_wide(v48) <= v175) | (v132 <= v130) | (v18 <= near_m2) | (v131 <=
-        v129) | (v100 <= v97) | (v17 <= near_m2));
+            /* theta3 */
+            const dhgen_wide angle5 = dhgen_atan2_wide(w3, N3 - near_k5);
+
+            /* theta2 */
+            const dhgen_wide angle6 = dhgen_atan2_wide(v36 - v34, -(v35 + v37)),
+                angle7 = dhgen_atan2_wide(-(v34 + v36), v37 - v35);
+
+            /* joint values */
+            const dhgen_wide v38 = theta234 - (angle5 + angle6), v39 = theta234 - (angle7 - angle5),
+                q1_p = angle1 + v32, q5_p = v32 + e6 * angle3, q6_p = v32 + (angle2 + v15 * v16);
+            const int row = 4 * i1 + 2 * i2;
+            q[6 * row] = q1_p; q[6 * row + 1] = angle6; q[6 * row + 2] = angle5;
+            q[6 * row + 3] = dhgen_centred_wide(v38); q[6 * row + 4] = q5_p; q[6 * row + 5] = q6_p;
+            kind[row] = dhgen_kind_wide(q[6 * row]);
+            q[6 * row + 6] = q1_p; q[6 * row + 7] = angle7; q[6 * row + 8] = -angle5;
+            q[6 * row + 9] = dhgen_centred_wide(v39); q[6 * row + 10] = q5_p;
+            q[6 * row + 11] = q6_p;
+            kind[row + 1] = dhgen_kind_wide(q[6 * row + 6]);
+            left |= (dhgen_abs_wide(v1 * D3) <= near_m4) | (dhgen_abs_wide(v364 + (D3 + D3)) <=
+                v364);
+        }
+    }
+    return left;
 }
 
 #if DHGEN_LANES > 1
-static const double
-    near_m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 DHGEN_ALWAYS
@@ -353,104 +468,32 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e6 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
+    KNOWN(double);
+    SIGNED(four, four);
+    SIGNED_TWICE(four, four);
 
-    /* theta1 */
-    const double X1 = near_d6 * T13 - T14, wy = T24 - near_d6 * T23, N1 = X1 * X1 + wy * wy,
-        D1 = N1 - near_k1, w1 = sqrt(D1), v1 = near_k4 * w1, v2 = fabs(D1), inverse1 = 1.0 / N1,
-        v3 = near_d4 * wy, v4 = inverse1 * v3;
-    const dhgen_four v5 = inverse1 * (e1 * X1), v6 = v4 + w1 * v5;
-    const double v7 = near_d4 * X1, v8 = inverse1 * v7;
-    const dhgen_four v9 = inverse1 * (e1 * wy), s1 = w1 * v9 - v8;
-
-    /* theta6 */
-    const dhgen_four v10 = v6 * T21 + s1 * T11, v11 = v6 * T22 + s1 * T12,
-        v12 = v10 * v10 + v11 * v11, w6 = dhgen_sqrt_four(v12), v13 = 1.0 / v12,
-        v14 = dhgen_signed_four(DHGEN_HALF_TURN, -v11), v15 = near_m3 * (e6 - 1.0);
-
-    /* theta5 */
-    const dhgen_four c5 = T13 * s1 + T23 * v6;
-
-    /* theta234 */
-    const dhgen_four v16 = v10 * T32 - v11 * T31, v17 = v13 * v16, c234 = w6 * v17,
-        v18 = v10 * T31 + v11 * T32, v19 = c5 * v18, v20 = v13 * v19 - T33, s234 = w6 * v20,
-        v21 = dhgen_signed_four(DHGEN_HALF_TURN, v20);
-
-    /* theta3 */
-    const dhgen_four v22 = near_d6 * w6;
-    const double v23 = T34 - near_d1;
-    const dhgen_four v24 = near_d5 * c234, v25 = s234 * v22, Z1_3 = v23 + (v25 + e6 * v24),
-        v26 = T24 * s1 - T14 * v6, v27 = c234 * v22, v28 = near_d5 * s234,
-        Z2_3 = v26 + (v27 - e6 * v28), N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, v29 = near_longest3 - N3,
-        v30 = N3 - near_shortest3, D3 = v29 * v30, w3 = dhgen_sqrt_four(D3), v31 = w3 - w3;
-
-    /* theta2 */
-    const dhgen_four v32 = near_m6 + near_m5 * N3, v33 = Z1_3 * v32, v34 = Z2_3 * v32,
-        v35 = w3 * (near_m5 * Z2_3), v36 = w3 * (near_m5 * Z1_3);
-
-    /* joint values */
-    const double v39 = fabs(T13), v40 = free_joints[1] + near_d6 * free_joints[0], v41 = fabs(X1),
-        v42 = fabs(T23), v43 = fabs(wy), v44 = v40 * (v40 + v41 * 2.0) + v40 * (v40 + v43 * 2.0),
-        v45 = fabs(N1), v46 = fabs(inverse1), v47 = v44 * v46 / (v45 - v44), v48 = near_d4 * v40,
-        v49 = v46 * v48, v50 = v49 + v47 * (v48 + fabs(v3)), v51 = v44 / D1,
-        v52 = v51 * (1.0 + v51) * (near1 * w1);
-    const dhgen_four v53 = v40 * dhgen_abs_four(e1), v54 = v46 * v53, v55 = v54 + v47 * (v41 + v53);
-    const double v56 = fabs(w1);
-    const dhgen_four v57 = v50 + (v55 * v56 + v52 * (v55 + dhgen_abs_four(v5))),
-        v58 = dhgen_abs_four(v6), v59 = free_joints[0] * v58;
-    const double v60 = free_joints[0] + fabs(T21);
-    const dhgen_four v61 = v54 + v47 * (v43 + v53);
-    const double v62 = v49 + v47 * (v48 + fabs(v7));
-    const dhgen_four v63 = v62 + (v56 * v61 + v52 * (v61 + dhgen_abs_four(v9))),
-        v64 = dhgen_abs_four(s1), v65 = free_joints[0] * v64;
-    const double v66 = free_joints[0] + fabs(T11);
-    const dhgen_four v67 = v59 + v57 * v60 + (v65 + v63 * v66), v68 = dhgen_abs_four(v10);
-    const double v69 = free_joints[0] + fabs(T22), v70 = free_joints[0] + fabs(T12);
-    const dhgen_four v71 = v59 + v57 * v69 + (v65 + v63 * v70), v72 = dhgen_abs_four(v11),
-        v73 = v67 * (v67 + 2.0 * v68) + v71 * (v71 + 2.0 * v72), v74 = dhgen_abs_four(v12),
-        v75 = v67 + v71, v76 = dhgen_abs_four(v13), v77 = v73 * v76 / (v74 - v73), v78 = v63 + v64,
-        v79 = v57 + v58, v80 = free_joints[0] * v68;
-    const double v81 = free_joints[0] + fabs(T31);
-    const dhgen_four v82 = free_joints[0] * v72;
-    const double v83 = free_joints[0] + fabs(T32);
-    const dhgen_four v84 = v80 + v67 * v81 + (v82 + v71 * v83),
-        v85 = v84 * dhgen_abs_four(c5) + (v39 * v63 + free_joints[0] * v78 + (v42 * v57 +
-            free_joints[0] * v79)) * (v84 + dhgen_abs_four(v18)),
-        v86 = free_joints[0] + (v76 * v85 + v77 * (v85 + dhgen_abs_four(v19))),
-        v87 = dhgen_abs_four(w6), v88 = v86 * v87 + v75 * (v86 + dhgen_abs_four(v20)),
-        v89 = near_d6 * v75, v90 = v89 + dhgen_abs_four(v22),
-        v91 = v89 * dhgen_abs_four(s234) + v88 * v90, v92 = v80 + v67 * v83 + (v82 + v71 * v81),
-        v93 = v76 * v92 + v77 * (v92 + dhgen_abs_four(v16)),
-        v94 = v87 * v93 + v75 * (v93 + dhgen_abs_four(v17)), v95 = near_d5 * v94,
-        v96 = dhgen_abs_four(e6), v97 = free_joints[1] + (v91 + v95 * v96);
-    const double v98 = fabs(T24), v99 = fabs(T14);
-    const dhgen_four v100 = v63 * v98 + free_joints[1] * v78 + (v57 * v99 + free_joints[1] * v79),
-        v101 = v89 * dhgen_abs_four(c234) + v90 * v94, v102 = near_d5 * v88,
-        v103 = v100 + (v101 + v96 * v102),
-        v104 = v97 * (v97 + 2.0 * dhgen_abs_four(Z1_3)) + v103 * (v103 + 2.0 *
-            dhgen_abs_four(Z2_3));
-
-    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v12 <= near_m2)
-        | (v74 <= v73)) | ((dhgen_abs_four(v29) <= v104) | (dhgen_abs_four(v30) <= v104) |
-        (dhgen_abs_four(v1 * D3) <= near_m4))) | (unsigned)((v2 <= v44) | (v2 <= near_m1) | (v56 <=
-        v52) | (v45 <= v44)))
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v13 <= near_m2)
+        | (dhgen_abs_four(v13) <= v225)) | ((dhgen_abs_four(v1 * D3) <= near_m4) |
+        (dhgen_abs_four(v364 + (D3 + D3)) <= v364))) | (unsigned)((fabs(v73 + (D1 + D1)) <= v73) |
+        (fabs(N1) <= v81) | (fabs(D1) <= near_m1)))
         return -1;
 
-    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, -v11, 0, 5, 2, 7),
-        dhgen_shuffle(-v6, v10, 0, 5, 2, 7)),
-        ratio2 = dhgen_ratio_four(dhgen_shuffle(w6, v20, 0, 5, 2, 7), dhgen_shuffle(c5, v17, 0, 5,
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, -v12, 0, 5, 2, 7),
+        dhgen_shuffle(-v6, v11, 0, 5, 2, 7)),
+        ratio2 = dhgen_ratio_four(dhgen_shuffle(w6, v21, 0, 5, 2, 7), dhgen_shuffle(c5, v18, 0, 5,
             2, 7)), ratio3 = dhgen_ratio_four(w3, N3 - near_k5),
-        ratio4 = dhgen_ratio_four(v35 - v33, -(v34 + v36)),
-        ratio5 = dhgen_ratio_four(-(v33 + v35), v36 - v34);
+        ratio4 = dhgen_ratio_four(v36 - v34, -(v35 + v37)),
+        ratio5 = dhgen_ratio_four(-(v34 + v36), v37 - v35);
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2),
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 3, 3), packed2 = dhgen_angle_four(ratio2),
         angle3 = dhgen_shuffle(packed2, packed2, 0, 0, 2, 2),
         angle4 = dhgen_shuffle(packed2, packed2, 1, 1, 3, 3), angle5 = dhgen_angle_four(ratio3),
         angle6 = dhgen_angle_four(ratio4), angle7 = dhgen_angle_four(ratio5);
-    const dhgen_four theta234 = angle4 + v15 * v21, v37 = theta234 - (angle5 + angle6),
-        v38 = theta234 - (angle7 - angle5), q4_p = dhgen_centred_four(v37),
-        q4_m = dhgen_centred_four(v38), q1_p = angle1 + v31, q5_p = v31 + e6 * angle3,
-        q6_p = v31 + (angle2 + v14 * v15);
+    const dhgen_four theta234 = angle4 + v16 * v22, v38 = theta234 - (angle5 + angle6),
+        v39 = theta234 - (angle7 - angle5), q4_p = dhgen_centred_four(v38),
+        q4_m = dhgen_centred_four(v39), q1_p = angle1 + v32, q5_p = v32 + e6 * angle3,
+        q6_p = v32 + (angle2 + v15 * v16);
 
     dhgen_store_4(q, q + 12, q + 24, q + 36, q1_p, angle6, angle5, q4_p);
     dhgen_store_2(q + 4, q + 16, q + 28, q + 40, q5_p, q6_p);
@@ -474,6 +517,9 @@ static int solve_regular(
 static void solve(const double *T, const double *free_joints, const double *seed, double moved,
     double *q, unsigned char *status);
 
+static int solve_certain(
+    const double *T, const double *free_joints, double *q, unsigned char *status);
+
 static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 static const struct dhgen_arm arm_of_kind = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
@@ -485,7 +531,7 @@ static const struct dhgen_arm arm_of_kind = {
     NULL, NULL,
     NULL, NULL,
     NULL, NULL, solve,
-    NULL,
+    solve_certain,
 };
 
 static const dhgen_kind kind = {
@@ -504,7 +550,15 @@ static const dhgen_kind kind = {
 #endif
 };
 
-/* Fills the rows that have a solution, and no others: what the caller gives is the arm. */
+/* Regular poses: what the caller gives is the arm. Returns how many rows are OK, or -1 if the pose
+ * has to be left to `solve`. */
+static int solve_certain(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    return dhgen_certain_rows(&kind, dhgen_handed_arm(free_joints), T, q, status);
+}
+
+/* Fills the rows that have a solution, and no others. */
 static void solve(const double *T, const double *free_joints, const double *seed, double moved,
     double *q, unsigned char *status)
 {
@@ -538,7 +592,7 @@ int ur5e_fleet_ik(const ur5e_fleet_calibration *arm, const double T[16], const d
     double q[16][6], unsigned char status[16])
 {
     const struct dhgen_calibrated_arm own = dhgen_calibrated_arm_of(&kind, arm);
-    return dhgen_careful_ik(&own.arm, T, dhgen_handed_on(arm), q_seed, &q[0][0], status);
+    return dhgen_ik(&own.arm, T, dhgen_handed_on(arm), q_seed, &q[0][0], status);
 }
 
 int ur5e_fleet_ik_nearest(const ur5e_fleet_calibration *arm, const double T[16], const double
