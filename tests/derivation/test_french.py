@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import math
 import re
 from collections import Counter
 from pathlib import Path
@@ -19,21 +18,17 @@ from dhgen.derivation.french import sentences as french_sentences
 from dhgen.derivation.french.catalogue import HOLE, Pair, catalogue
 from dhgen.derivation.french.language import French
 from dhgen.derivation.french.sentences import french, sentences
-from dhgen.derivation.steps import step_blocks
 from dhgen.derivation.text.blocks import Drawing, say
 from dhgen.derivation.text.formula import Symbol
-from dhgen.derivation.text.walk import symbols_of
 from dhgen.printing.templates import template_folder
 from tests.derivation.markdown_text import MARK, texts
 from tests.derivation.stories import GENERATED, NAMES, WHOLE, document, story
-from tests.derivation.test_example import ENTRIES, WITHOUT, numbers_follow
 from tests.derivation.test_handouts import ENGINES, compiled
 from tests.structures import first_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from dhgen.derivation.story import Story
 
 DOCS = GENERATED.parent / "docs/fr"
 WRITTEN = sorted({path.stem for path in DOCS.glob("*.md")} - {"README"})
@@ -134,34 +129,6 @@ def test_its_formulas_are_those_of_the_english(name: str) -> None:
     told = formulas_of(in_french(name), undo=True)
     assert told == formulas_of(document(name), undo=False)
     assert len(told[0]) > 5
-
-
-def told_in(of: Story) -> dict[int, list[tuple[str, float]]]:
-    """What the French example says of each step, by the letters as a terminal spells them."""
-    blocks = [block for k in range(1, len(of.steps) + 1) for block in step_blocks(of, k)[0]]
-    spelled = {symbol.latex: symbol.text for symbol in symbols_of(blocks)}
-    text = derivation_as("markdown", of, "x.yaml", French())[0]
-    found: dict[int, list[tuple[str, float]]] = {}
-    for number, lines in re.findall(
-        r"(?:Étape (\d+), [^\n]*|La matrice [^\n]* maintenant entièrement connue)\u00a0:\n\n"
-        r"```math\n(.*?)\n```",
-        text,
-        re.DOTALL,
-    ):
-        bare = re.sub(r"\\(?:begin|end)\{aligned\}|&", "", lines)
-        for each in re.split(r" ;\\quad|\\\\", bare):
-            name, _, value = each.strip().partition(" = ")
-            number_ = float(value.removesuffix(r"^\circ").replace("{,}", "."))
-            in_radians = math.radians(number_) if value.endswith(r"^\circ") else number_
-            found.setdefault(int(number or ENTRIES), []).append((spelled[name], in_radians))
-    return found
-
-
-@pytest.mark.parametrize("name", first_of(sorted({*NAMES} - WITHOUT), count=3))
-def test_the_numbers_of_its_example_are_what_its_formulas_are_worth(name: str) -> None:
-    told = told_in(story(name))
-    assert told
-    numbers_follow(story(name), told)
 
 
 @pytest.mark.slow

@@ -1,4 +1,4 @@
-"""What the three handouts print is true: their text is read, and nothing that it is made from.
+"""What the three handouts print is true, and the French one: their text is read, and nothing behind it.
 
 Every equation holds at random joint values; the steps, done with a pose alone and all signs, give
 all its solutions; and the example's numbers are what its formulas are worth.
@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 from dhgen.derivation.formats import derivation_as
+from dhgen.derivation.french.language import French
 from dhgen.program.interpret import interpret
 from dhgen.robot.robot import JointKind
 from dhgen.survey.oracle.arm_angle import given_values
@@ -41,11 +42,27 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.derivation.story import Story
 
-FORMATS = ("markdown", "latex", "html")
+FORMATS = ("markdown", "latex", "html", "french")
 # A slide, wrists of two kinds, parallel axes, five joints, seven with one given, a task of entries.
 ARMS = ["scara", "kuka_kr6_r900", "ur5", "rrprrr", "stanford", "franka_panda", "xarm5", "planar_pr"]
 KEPT = "DFGHMθε"  # how letters begin that later steps use
-DEFINES = ("This is", "These are", "The determinant")
+DEFINES = (
+    *("This is", "These are", "The determinant"),
+    *("Cette équation s’écrit", "Ces équations s’écrivent", "Le déterminant"),
+)
+IN_FRENCH = {
+    "Forward": "Modèle géométrique direct",
+    "Inverse": "Modèle géométrique inverse",
+    "An example": "Exemple",
+    "Step": "Étape",
+    "The joint values.": "Les valeurs articulaires.",
+}
+# Names and separators as the reader knows them; decimal commas it reads itself.
+NOTATION = (
+    (r"\{\}\^(\d)([TR]_(?:\{[^{}]*\}|\w))", r"\2^\1"),
+    ("base,outil", "base,tool"),
+    (r" ;(?=\\quad )", ","),
+)
 HALF = 0.51e-4  # of the fifth digit
 SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉₋⁰", "0123456789-0")
 
@@ -56,6 +73,11 @@ def pieces(name: str, wished: str) -> list[Piece]:
     """A handout's headings, beginnings of steps, texts and formulas, in order."""
     if wished == "markdown":
         return list(_of_markdown(document(name)))
+    if wished == "french":
+        text, _ = derivation_as("markdown", story(name), name, French())
+        for french, english in NOTATION:
+            text = re.sub(french, english, text)
+        return list(_of_markdown(text))
     text, _ = derivation_as(wished, story(name), name)
     return list(_of_latex(text) if wished == "latex" else _of_html(text))
 
@@ -155,12 +177,17 @@ def read(name: str, wished: str) -> list[Piece]:
     return found
 
 
+def words_for(english: str, wished: str) -> str:
+    """What a handout says for some English words."""
+    return IN_FRENCH[english] if wished == "french" else english
+
+
 def section(name: str, wished: str, title: str) -> list[Piece]:
     """What stands under a heading."""
     found, inside = [], False
     for kind, value in read(name, wished):
         if kind == "heading":
-            inside = value == title
+            inside = value == words_for(title, wished)
         elif inside:
             found.append((kind, value))
     assert found, title
@@ -280,7 +307,7 @@ def steps_of(name: str, wished: str) -> list[list[Nodes]]:
     for kind, value in section(name, wished, "Inverse"):
         if kind == "step":
             steps.append([])
-        elif kind == "text" and "The joint values." in value[:30]:
+        elif kind == "text" and words_for("The joint values.", wished) in value[:40]:
             steps.append(last)
         elif kind == "formula" and steps:
             steps[-1].append(value)
@@ -382,7 +409,7 @@ def test_numbers_of_the_example_follow_from_the_formulas(name: str, wished: str)
     number, compared = 0, 0
     for kind, value in section(name, wished, "An example"):
         if kind == "text":
-            step = re.match(r"Step (\d+), ", value)
+            step = re.match(rf"{words_for('Step', wished)} (\d+), ", value)
             number = int(step[1]) if step else 0
         elif kind == "formula" and number:
             for (left, right), _ in relations_in(value):
