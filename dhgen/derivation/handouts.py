@@ -37,7 +37,7 @@ def derivation_latex(story: Story, source: str, language: Language = ENGLISH) ->
         "derivation/handout.tex.jinja",
         name=story.robot.name,
         source=plain_path(source),
-        language=language.code,
+        is_english=language.code == ENGLISH.code,
         blocks=(first + "\n\\maketitle", *others),
     )
 

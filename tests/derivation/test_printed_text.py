@@ -1,4 +1,4 @@
-"""What the three handouts print is true, and the French one: their text is read, and nothing behind it.
+"""What the three handouts print is true, and the French one: their text alone is read.
 
 Every equation holds at random joint values; the steps, done with a pose alone and all signs, give
 all its solutions; and the example's numbers are what its formulas are worth.
