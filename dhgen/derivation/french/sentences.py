@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 _NUMBERED = re.compile(r"(\d+(?:\.\d+)*\. )(.+)", re.DOTALL)
 # Not behind the initial of a name.
-_SENTENCES = re.compile(rf"(?<=[.!?])(?<![ (-][A-Z]\.) (?=[A-Z0-9\"{MARK[1:-1]}])")
+_SENTENCES = re.compile(rf"(?<=[.!?])(?<![ (-][A-Z]\.) (?=[A-Z0-9\"`{MARK[1:-1]}])")
 _CLAUSES = re.compile("; ")
 _WORDS = re.compile(r"[A-Za-z]{2}")
 _POINT = re.compile(r"(?<=\d)\.(?=\d)")
