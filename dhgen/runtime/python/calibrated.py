@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Arms of one kind, each with a table of its own, as calibrated.h has them, function by function.
+"""Arms of one kind, each with a table of its own: what calibrate.h and calibrated.h do.
 
 What a table says is worked out once, and every call reads it. The closed form of the nominal arm is
 tried first (`near_nominal` in calls_calibrated.py, made anew for each kind); where its rows may not
-be near all solutions the general algorithm answers.
+lead to all solutions the general algorithm answers.
 """
 
 from __future__ import annotations

@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Arms of one kind, each with a table of its own: what a table says, which is worked out once. */
+#ifndef DHGEN_CALIBRATE_H
+#define DHGEN_CALIBRATE_H
+
+#include "serial.h"
+#include "general.h"
+#include "general/near.h"
+
+/* Parallel axes leave a common slide of their frames open: this much weight on the slides closes
+ * it. */
+#define DHGEN_RIDGE 1e-09
+
+/* Deviations above this are of another arm [rad, arm sizes]. */
+#define DHGEN_MOST_DEVIATION 0.05
+/* Three axes that miss being parallel, or meeting, by less have a closed form of their own: the
+ * general algorithm has no certificate there [rad, arm sizes]. */
+#define DHGEN_LEAST_MISS 1e-09
+/* Numbers of tables above this leave less than twelve digits of what the base, the tool or a zero
+ * is to take up: no calibration has them [rad, arm sizes]. */
+#define DHGEN_MOST_NUMBER 1e4
+/* What bounds of deviations are enlarged by for rounding [rad, arm sizes]. */
+#define DHGEN_ROUNDED_DEVIATION 1e-10
+
+/* What is said of a table. */
+enum { DHGEN_TAKEN, DHGEN_NOT_FINITE, DHGEN_ANOTHER_ARM, DHGEN_NO_MISS };
+
+/* What calibrated arms of a kind have in common. */
+typedef struct {
+    int modified;                               /* the convention of tables */
+    double base[12], tool[12];                  /* Z and E */
+    double facing[6];                           /* how joints count */
+    const double *nominal;                      /* the table of the data sheet */
+    double length;                              /* the size of the arm */
+    unsigned parallel, meeting;                 /* bit i: axes i, i + 1, i + 2 are so nominally */
+    const struct dhgen_arm *arm;                /* without its functions */
+    const struct dhgen_numerical_arm *descents; /* likewise */
+    const dhgen_general_arm *general;           /* without links */
+    dhgen_nearest_rows *nearest;                /* regular poses of the nominal arm, given by how
+                                                   much the calibrated arm may be away */
+    int nearest_rows;
+} dhgen_kind;
+
+/* Moves a frame along its z axis, turns it about that; the same for x. */
+DHGEN_FN void dhgen_append_screw_z(double theta, double d, double *T)
+{
+    dhgen_append_slide(T, d);
+    dhgen_append_turn(T, cos(theta), sin(theta));
+}
+
+DHGEN_FN void dhgen_append_screw_x(double alpha, double a, double *T)
+{
+    const double c = cos(alpha), s = sin(alpha);
+    for (int i = 0; i < 12; i += 4) {
+        const double y = T[i + 1];
+        T[i + 3] += T[i] * a;
+        T[i + 1] = y * c + T[i + 2] * s;
+        T[i + 2] = T[i + 2] * c - y * s;
+    }
+}
+
+/* C0 ... C6 of a table. */
+DHGEN_FN void dhgen_constants_of(
+    const dhgen_kind *kind, const double *table, double (*constant)[12])
+{
+    for (int k = 0; k < 7; k++) {
+        double *const C = constant[k];
+        const int row = kind->modified ? k : k - 1;
+        dhgen_copy_link(k ? dhgen_identity : kind->base, C);
+        if (k)
+            dhgen_append_screw_z(0.0, table[4 * (k - 1) + 1], C);
+        if (row >= 0 && row < 6)
+            dhgen_append_screw_x(table[4 * row + 3], table[4 * row + 2], C);
+        if (k < 6)
+            dhgen_append_screw_z(table[4 * k], 0.0, C);
+        else
+            dhgen_append(C, kind->tool);
+    }
+}
+
+/* Solves a positive definite system of six equations; the solution takes the place of b. */
+DHGEN_FN void dhgen_solve_normal(double A[6][6], double b[6])
+{
+    for (int i = 0; i < 6; i++)
+        for (int j = i + 1; j < 6; j++) {
+            const double factor = A[j][i] / A[i][i];
+            for (int k = i; k < 6; k++)
+                A[j][k] -= factor * A[i][k];
+            b[j] -= factor * b[i];
+        }
+    for (int i = 5; i >= 0; i--) {
+        for (int k = i + 1; k < 6; k++)
+            b[i] -= A[i][k] * b[k];
+        b[i] /= A[i][i];
+    }
+}
+
+/* How far each frame moves along its axis so that the squares of the links add up least. */
+DHGEN_FN void dhgen_shifts(const dhgen_calibration *of, double shift[6])
+{
+    double normal[6][6] = { { 0.0 } };
+    for (int i = 0; i < 6; i++) {
+        normal[i][i] = DHGEN_RIDGE;
+        shift[i] = 0.0;
+    }
+    for (int i = 0; i < 5; i++) {
+        const double *const K = of->constant[i + 1];
+        /* the link's vector becomes t - s z + s' z' */
+        for (int k = 0; k < 3; k++) {
+            const double along[2] = { k == 2 ? -1.0 : 0.0, K[4 * k + 2] };
+            for (int a = 0; a < 2; a++) {
+                shift[i + a] -= along[a] * K[4 * k + 3];
+                for (int b = 0; b < 2; b++)
+                    normal[i + a][i + b] += along[a] * along[b];
+            }
+        }
+    }
+    dhgen_solve_normal(normal, shift);
+}
+
+/* The arm as a loop of six joints with the shortest links, in arm sizes. */
+DHGEN_FN void dhgen_make_loop(const dhgen_kind *kind, dhgen_calibration *of)
+{
+    const double(*const advance)[6] = kind->general->advance;
+    double shift[6], total = 0.0, last[12];
+    dhgen_shifts(of, shift);
+    for (int i = 0; i < 5; i++) {
+        double *const K = of->loop[i];
+        dhgen_copy_link(dhgen_identity, K);
+        dhgen_append_slide(K, -shift[i]);
+        dhgen_append(K, of->constant[i + 1]);
+        dhgen_append_slide(K, shift[i + 1]);
+        dhgen_append_turn(K, advance[0][i + 1], advance[1][i + 1]);
+        total += dhgen_length_of(K);
+    }
+    of->size = 0.5 * total;
+    for (int i = 0; i < 5; i++)
+        for (int k = 3; k < 12; k += 4)
+            of->loop[i][k] /= of->size;
+    dhgen_copy_link(of->constant[0], last);
+    dhgen_append_slide(last, shift[0]);
+    dhgen_append_turn(last, advance[0][0], advance[1][0]);
+    dhgen_invert(last, of->loop[5]);
+    dhgen_copy_link(dhgen_identity, last);
+    dhgen_append_slide(last, -shift[5]);
+    dhgen_append(last, of->constant[6]);
+    dhgen_invert(last, of->loop[6]);
+}
+
+/* The angle of the rotation between two, by its chord, which has all digits of a small one. */
+DHGEN_FN double dhgen_turned_between(const double A[12], const double B[12])
+{
+    double square = 0.0;
+    for (int i = 0; i < 12; i++)
+        square += i % 4 == 3 ? 0.0 : (A[i] - B[i]) * (A[i] - B[i]);
+    return 2.0 * asin(fmin(sqrt(0.125 * square), 1.0));
+}
+
+DHGEN_FN double dhgen_moved_between(const double A[12], const double B[12])
+{
+    double square = 0.0;
+    for (int i = 3; i < 12; i += 4)
+        square += (A[i] - B[i]) * (A[i] - B[i]);
+    return sqrt(square);
+}
+
+/* A nominal constant with frames elsewhere on its axes, and another zero of the joint behind it:
+ * Tz(-before) N Tz(behind) Rz(more), as near to C as the last two can take it. */
+DHGEN_FN void dhgen_fit_constant(
+    const double N[12], const double C[12], double before, double *behind, double *more, double *D)
+{
+    dhgen_copy_link(dhgen_identity, D);
+    dhgen_append_slide(D, -before);
+    dhgen_append(D, N);
+    double along = 0.0, cosine = 0.0, sine = 0.0;
+    for (int i = 0; i < 12; i += 4) {
+        along += D[i + 2] * (C[i + 3] - D[i + 3]);
+        cosine += D[i] * C[i] + D[i + 1] * C[i + 1];
+        sine += D[i + 1] * C[i] - D[i] * C[i + 1];
+    }
+    *behind = along;
+    *more = atan2(sine, cosine);
+    dhgen_append_screw_z(*more, along, D);
+}
+
+/* The nominal arm as near to the calibrated one as other frames on its axes, other zeros of its
+ * joints, another base and another tool can take it. What is left between constants adds up to how
+ * far the tools may be apart: a rotation counts at the length of what is behind it. */
+DHGEN_FN void dhgen_find_nearest(const dhgen_kind *kind, dhgen_calibration *of)
+{
+    double nominal[7][12], fit[7][12], back[12], shift, length;
+    dhgen_constants_of(kind, kind->nominal, nominal);
+    shift =
+        nominal[1][11] - of->constant[1][11]; /* along axis 1 the base takes up what is missed */
+    dhgen_copy_link(nominal[0], of->left);
+    dhgen_append_slide(of->left, shift);
+    dhgen_invert(of->constant[0], back);
+    dhgen_append(of->left, back);
+    of->more[0] = 0.0;
+    for (int k = 1; k < 6; k++) {
+        double next;
+        dhgen_fit_constant(nominal[k], of->constant[k], shift, &next, &of->more[k], fit[k]);
+        shift = next;
+    }
+    dhgen_copy_link(dhgen_identity, fit[6]);
+    dhgen_append_slide(fit[6], -shift);
+    dhgen_append(fit[6], nominal[6]);
+    dhgen_invert(of->constant[6], of->right);
+    dhgen_append(of->right, fit[6]);
+    of->turned = DHGEN_ROUNDED_DEVIATION;
+    of->moved = DHGEN_ROUNDED_DEVIATION * kind->length;
+    length = dhgen_length_of(fit[6]);
+    for (int k = 5; k > 0; k--) {
+        const double turned = dhgen_turned_between(fit[k], of->constant[k]);
+        of->turned += turned;
+        of->moved += dhgen_moved_between(fit[k], of->constant[k]) + turned * length;
+        length += dhgen_length_of(fit[k]);
+    }
+}
+
+/* How far from the foot of the common normal on the z axis a line's own point is, and how far the
+ * lines are apart; a point of the line and its direction. */
+DHGEN_FN double dhgen_foot_on_axis(const double p[3], const double u[3], double *apart)
+{
+    const double square = u[0] * u[0] + u[1] * u[1]; /* of the normal (-u[1], u[0], 0) */
+    *apart = fabs(p[1] * u[0] - p[0] * u[1]) / sqrt(square);
+    return p[2] - u[2] * (p[0] * u[0] + p[1] * u[1]) / square;
+}
+
+/* By how much an axis misses being parallel to the next one [rad]. */
+DHGEN_FN double dhgen_tilt(const double C[12])
+{
+    return atan2(sqrt(C[2] * C[2] + C[6] * C[6]), fabs(C[10]));
+}
+
+/* By how much the axes before and behind the one between two links miss a point of it. */
+DHGEN_FN double dhgen_missed_point(const double before[12], const double behind[12])
+{
+    double back[12], apart[2];
+    dhgen_invert(before, back);
+    const double p[3] = { back[3], back[7], back[11] }, u[3] = { back[2], back[6], back[10] };
+    const double r[3] = { behind[3], behind[7], behind[11] },
+                 v[3] = { behind[2], behind[6], behind[10] };
+    const double feet = dhgen_foot_on_axis(p, u, &apart[0]) - dhgen_foot_on_axis(r, v, &apart[1]);
+    return fmax(fabs(feet), fmax(apart[0], apart[1]));
+}
+
+/* The least of what three axes miss being parallel [rad], or meeting [arm sizes], as those of the
+ * nominal arm. */
+DHGEN_FN double dhgen_least_miss(const dhgen_kind *kind, const dhgen_calibration *of)
+{
+    double least = HUGE_VAL;
+    for (int i = 0; i < 4; i++) {
+        const double *const before = of->constant[i + 1], *const behind = of->constant[i + 2];
+        if (kind->parallel >> i & 1u)
+            least = fmin(least, fmax(dhgen_tilt(before), dhgen_tilt(behind)));
+        if (kind->meeting >> i & 1u)
+            least = fmin(least, dhgen_missed_point(before, behind) / kind->length);
+    }
+    return least;
+}
+
+/* An arm of which nothing is known: its poses are NaN, and no pose has a solution. */
+DHGEN_FN void dhgen_no_arm(dhgen_calibration *of)
+{
+    for (int i = 0; i < 12; i++) {
+        for (int k = 0; k < 7; k++)
+            of->constant[k][i] = of->loop[k][i] = DHGEN_NAN;
+        of->left[i] = of->right[i] = DHGEN_NAN;
+    }
+    for (int i = 0; i < 6; i++)
+        of->facing[i] = of->more[i] = DHGEN_NAN;
+    of->turned = of->moved = of->size = DHGEN_NAN;
+}
+
+/* Works out what a table makes of an arm. Returns DHGEN_TAKEN, or what is wrong with it. */
+DHGEN_FN int dhgen_calibrate(const dhgen_kind *kind, const double *table, dhgen_calibration *of)
+{
+    for (int i = 0; i < 24; i++)
+        if (!isfinite(table[i])) {
+            dhgen_no_arm(of);
+            return DHGEN_NOT_FINITE;
+        }
+    for (int i = 0; i < 6; i++)
+        of->facing[i] = kind->facing[i];
+    dhgen_constants_of(kind, table, of->constant);
+    dhgen_find_nearest(kind, of);
+    dhgen_make_loop(kind, of);
+    for (int i = 0; i < 24; i++) {
+        const double unit = i % 4 == 1 || i % 4 == 2 ? kind->length : 1.0; /* d and a are lengths */
+        if (fabs(table[i]) > DHGEN_MOST_NUMBER * unit)
+            return DHGEN_ANOTHER_ARM;
+    }
+    if (!(of->turned <= DHGEN_MOST_DEVIATION && of->moved <= DHGEN_MOST_DEVIATION * kind->length))
+        return DHGEN_ANOTHER_ARM;
+    return dhgen_least_miss(kind, of) < DHGEN_LEAST_MISS ? DHGEN_NO_MISS : DHGEN_TAKEN;
+}
+
+#endif
