@@ -19,25 +19,24 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from dhgen.fleet import kind_of
-from dhgen.targets.c.kind import kind_files
-from dhgen.verify.kind import poses_of
 
 from benchmarks.arms import robot_path
 from benchmarks.native import NATIVE, Interface, compiled
 from benchmarks.options import parser, show
 from benchmarks.report import table, time_text
 from dhgen.atomic_write import write_files
+from dhgen.calibrated import kind_of
 from dhgen.compiler import worked_out
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import c_runtime_files
+from dhgen.targets.c.calibrated import kind_files
 from dhgen.targets.reserved import RESERVED
+from dhgen.verify.calibrated import poses_of
 
 if TYPE_CHECKING:
-    from dhgen.targets.kind import Kind
-
     from benchmarks.native import Native
     from dhgen.arrays import FloatArray
+    from dhgen.targets.calibrated import Kind
 
 ARMS = ("ur5e", "puma560", "kuka_kr6_r900", "abb_irb120")
 ERRORS = (1e-6, 1e-4, 1e-3)  # [rad, arm sizes]
@@ -103,7 +102,7 @@ def measure(kind: Kind, solvers: list[Native], error: float, count: int) -> tupl
     seconds, alone = own.each(T, PASSES), plain.each(T, PASSES)
     pairs = list(zip(own.solve(T), plain.solve(T), strict=True))
     left = np.mean([np.array_equal(*both) for both in pairs])
-    differ = sum(_unlike(*both) + _unlike(*both[::-1]) for both in pairs)
+    differ = sum(unlike(*both) + unlike(*both[::-1]) for both in pairs)
     times = [seconds.mean(), *np.quantile(seconds, [0.5, 0.99, 1.0])]
     told = [time_text(1e9 * each) for each in (*times, alone.mean())]
     return (*told[:4], f"{100.0 * left:.1f} %", told[4], str(differ))
@@ -119,7 +118,7 @@ def _solver(kind: Kind, flags: tuple[str, ...], folder: Path) -> Native:
     return compiled(folder / f"{name}.c", interface, (*NATIVE, *flags), folder)
 
 
-def _unlike(rows: FloatArray, others: FloatArray) -> int:
+def unlike(rows: FloatArray, others: FloatArray) -> int:
     """How many solutions are not among others."""
     off = np.abs(np.mod(rows[:, None] - others[None] + np.pi, 2.0 * np.pi) - np.pi)
     return int((off.max(axis=2).min(axis=1, initial=np.inf) > SAME).sum())
