@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.errors import CompilerError, VerificationError
-from dhgen.runtime import PYTHON, runtime_files
+from dhgen.runtime import PYTHON, python_runtime_files
 from dhgen.runtime import python as runtime
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ def import_module(path: Path, *, lend: bool = True) -> ModuleType:
 def _is_own_runtime(folder: Path) -> bool:
     """Whether a folder holds the compiler's own runtime, and nothing else of that name."""
     found = sorted((folder / PYTHON).rglob("*.py"))
-    expected = {folder / name: text for name, text in runtime_files().items()}
+    expected = {folder / name: text for name, text in python_runtime_files().items()}
     return found == sorted(expected) and all(
         path.read_text("utf-8") == text for path, text in expected.items()
     )
