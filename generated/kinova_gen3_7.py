@@ -1988,7 +1988,7 @@ _ANGLES = np.ascontiguousarray(_PLACES[:, (0, 1, 3, 4, 5, 6)])
 
 @_HOW.merged
 def _nearby(pose, q_free):
-    """Joint values near which all solutions are; none where one of these rows may end."""
+    """Joint values that lead to all solutions; none where one of these rows may end."""
     kept, turns, rows = np.zeros(69), np.zeros(50), np.zeros(44)
     _nearest.near_pose(pose, _LEFT, _RIGHT, kept)
     kept[16:17] = q_free[:1]

@@ -1122,7 +1122,7 @@ _ANGLES = np.ascontiguousarray(_PLACES[:, (0, 1, 2, 3, 4, 5)])
 
 @_HOW.merged
 def _nearby(pose, q_free):
-    """Joint values near which all solutions are; none where one of these rows may end."""
+    """Joint values that lead to all solutions; none where one of these rows may end."""
     kept, turns, rows = np.zeros(25), np.zeros(48), np.zeros(40)
     _nearest.near_pose(pose, _LEFT, _RIGHT, kept)
     _formulas(kept, turns, rows, len(kept) // 25)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.notation.matrices import element_of, form_of, known_matrix, sides
+from dhgen.derivation.notation.matrices import element_of, form_of, sides
 from dhgen.derivation.text.blocks import joined, say
 from dhgen.derivation.text.words import many
 
 if TYPE_CHECKING:
+    from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Prose
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.derivation import Derivation
@@ -63,10 +64,10 @@ def _quote(derivation: Derivation, form: Form, origin: Origin) -> Quote:
 SQUARED = ", the squared length of column 4"  # behind its symbol, which comes last
 
 
-def where_from(step: Step) -> Prose:
+def where_from(story: Story, step: Step) -> Prose:
     """From which elements, and what was moved."""
     origins = step.origins
-    names = [say("{}", element_of(origin)) for origin in origins]
+    names = [say("{}", element_of(each, story.left_name(each.matrix))) for each in origins]
     head = say("From {}", joined(names))
     first = origins[0]
     if not all(o.matrix == first.matrix for o in origins):
@@ -74,8 +75,9 @@ def where_from(step: Step) -> Prose:
     if first.inverse:
         return say("{}{}, seen from the tool", head, _line_of(origins))
     if first.is_mixed:
-        joints = many("joint", [str(joint) for joint in range(first.k + 1, first.dof + 1)])
-        moved = say(f", {joints} moved to the side of {{}}", known_matrix(first.matrix))
+        joints, known = story.moved_right(first.matrix)
+        told = many("joint", [str(joint) for joint in joints])
+        moved = say(f", {told} moved to the side of {{}}", known)
         return say("{}{}{}", head, _line_of(origins), moved)
     return say("{}{}", head, _line_of(origins))
 

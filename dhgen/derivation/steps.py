@@ -38,7 +38,7 @@ def step_blocks(story: Story, number: int) -> tuple[tuple[Block, ...], tuple[Sin
     context = StepContext(story, number, step)
     blocks: list[Block]
     text = PRINTERS[step.kind](context)
-    where, rewriting = where_from(step), _rewriting(context)
+    where, rewriting = where_from(story, step), _rewriting(context)
     direct = step.kind is Kind.ANGLE_PAIR and is_direct(context)
     if direct and not rewriting and all(origin.row for origin in step.origins):
         # the elements have the equations, of which these are the solved form

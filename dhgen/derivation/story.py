@@ -9,20 +9,21 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.example import find_example
 from dhgen.derivation.geometry import wrist_joints
 from dhgen.derivation.known_side import find_known_side
-from dhgen.derivation.notation.matrices import form_of
-from dhgen.derivation.notation.names import branch_sign, joint_index, letter, symbols
+from dhgen.derivation.notation.matrices import form_of, known_matrix, left_name
+from dhgen.derivation.notation.names import branch_sign, inverse, joint_index, letter, link, symbols
 from dhgen.derivation.notation.polynomial import Alphabet, Writer, alphabet
 from dhgen.derivation.quotes import quotes_of
-from dhgen.derivation.text.formula import ONE
+from dhgen.derivation.text.formula import ONE, times
 from dhgen.derivation.text.walk import leads_negative
 from dhgen.kinematics.ring import content, primitive
+from dhgen.paul.arm_plane import SHOULDER
 from dhgen.paul.kind import Kind
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.mixed_forms import right_inverse
 from dhgen.paul.step import learn
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from dhgen.derivation.example import Example
     from dhgen.derivation.known_side import KnownSide
@@ -141,6 +142,20 @@ class Story:
     def _entries_before(self, step: int) -> Mapping[Polynomial, Formula]:
         side = self.known_side
         return side.letters if side is not None and step > side.after else {}
+
+    def left_name(self, place: Matrix) -> Formula:
+        """The side with U_0 of a form; M A_3^-1 where it is a known matrix and one joint."""
+        side = self.known_side
+        if side is None or not side.is_one_joint_before(place):
+            return left_name(place, self.dof)
+        return times(side.symbol, inverse(link(place[1] + 1)))
+
+    def moved_right(self, place: Matrix) -> tuple[Sequence[int], Formula]:
+        """The joints moved from the right in a form, and to the side of which matrix."""
+        side, k = self.known_side, place[1]
+        if side is not None and side.is_one_joint_before(place):
+            return (k + 1,), side.symbol
+        return range(k + 1, (SHOULDER if place[3] else self.dof) + 1), known_matrix(place)
 
     @cached_property
     def known_side(self) -> KnownSide | None:

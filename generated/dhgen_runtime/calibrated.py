@@ -455,7 +455,7 @@ def calibrated_rows(
         arm: Its numbers.
         pose: The pose.
         seed: Values for joints that are indeterminate.
-        nearby: Angles of the loop near which all solutions are; none where that is not certain.
+        nearby: Angles of the loop that lead to all solutions; none where that is not certain.
         q: Is filled where a row has a solution.
         status: Likewise.
     """

@@ -67,9 +67,9 @@ ALL_NUMBERS: int  # how many an arm has
 
 
 def near_nominal(arm: Floats, pose: Pose) -> Floats:
-    """Returns angles of the loop near which all solutions are, (k, 6); none where one may end.
+    """Returns angles of the loop that lead to all solutions, (k, 6); none where one may end.
 
-    That each has one near it is certain, that none has a second one is not proven.
+    That no other branch has one is certain, that none has a second one is not proven.
     """
     of = calibration_of(arm)
     kept, turns, rows = np.zeros(KEPT), np.zeros(TURNS), np.zeros(FILLED)

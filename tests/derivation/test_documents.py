@@ -37,6 +37,7 @@ from tests.derivation.stories import (
 from tests.kinematics.values import table
 from tests.robots.cases import ROBOTS
 
+CALIBRATED = "Arms with tables of their own"
 SECTIONS = [
     "The robot",
     "Coupled drives",
@@ -46,6 +47,7 @@ SECTIONS = [
     "An example",
     "Choosing a row",
     "Singular configurations",
+    CALIBRATED,
     "Velocity",
 ]
 
@@ -60,6 +62,8 @@ def sections_of(name: str) -> list[str]:
         missing.add("Choosing a row")
     if "## Velocity\n" not in document(name):  # which arms have it, test_velocity knows
         missing.add("Velocity")
+    if not robot.calibration:
+        missing.add(CALIBRATED)
     return [section for section in SECTIONS if section not in missing]
 
 

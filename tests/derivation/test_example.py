@@ -59,7 +59,7 @@ def equations(of: Story) -> dict[int, list[tuple[str, float]]]:
         if isinstance(block, Paragraph):
             step = re.match(r"Step (\d+), ", block.prose.text)
             number = int(step[1]) if step else None
-            number = ENTRIES if block.prose.text.startswith("All of ") else number
+            number = ENTRIES if block.prose.text.startswith("Now all of ") else number
         elif isinstance(block, Display) and number is not None:
             for formula in block.formulas:
                 for each in formula.items if isinstance(formula, Listing) else (formula,):

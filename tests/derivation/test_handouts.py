@@ -168,7 +168,7 @@ def compiled(engine: str, text: str, folder: Path) -> str:
 @pytest.mark.parametrize(
     ("name", "engine"),
     [
-        *first_of(((name, "pdflatex") for name in ["hostile", *KINDS]), count=2),
+        *first_of(((name, "pdflatex") for name in ["hostile", *KINDS]), count=7),
         *first_of((name, "xelatex") for name in ["hostile", "kuka_kr6_r900"]),  # for its fonts
     ],
 )
@@ -200,7 +200,7 @@ window.onload = () => {
 </script>"""
 
 
-@pytest.mark.breadth
+@pytest.mark.slow
 @pytest.mark.skipif(BROWSER is None, reason="no chromium")
 def test_html_fits_the_window(tmp_path: Path) -> None:
     """Neither the page nor a formula, table or tree in it is wider than its room."""

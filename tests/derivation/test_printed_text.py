@@ -1,7 +1,8 @@
 """What the three handouts print is true, and the French one: their text alone is read.
 
-Every equation holds at random joint values; the steps, done with a pose alone and all signs, give
-all its solutions; and the example's numbers are what its formulas are worth.
+Equations before the steps hold at random joint values, those of the steps at the example's; the
+steps, done with a pose alone and all signs, give all its solutions; and the example's numbers are
+what its formulas are worth. What has letters of which the text alone says the value is left out.
 """
 
 from __future__ import annotations
@@ -406,6 +407,14 @@ def test_numbers_of_the_example_follow_from_the_formulas(name: str, wished: str)
         row, chosen = divmod(row, axis.count)
         signs[signs_of(of)[place]] = 1.0 - 2.0 * chosen
     _, told = done(of, name, wished, {**known, **signs}, checked=True)
+    every = {key: value for key, value in values.items() if key not in {"Z", "E"}}
+    every |= {f"R_{of.dof}^{m}": values[f"U_{m}"][:3, :3] for m in range(of.dof)}
+    equalities = 0
+    for formulas, found in zip(steps_of(name, wished), told, strict=False):
+        for nodes in formulas:  # with all angles known, what a step begins with can be checked, too
+            letters = Letters({**every, **found}, of.dof)
+            equalities += define(nodes, letters, of.algebra.chain.size, checked=True)
+    assert equalities >= 2 * len(of.steps)
     number, compared = 0, 0
     for kind, value in section(name, wished, "An example"):
         if kind == "text":

@@ -125,9 +125,9 @@ def sides(form: Form, row: int, column: int) -> tuple[Polynomial, Polynomial]:
     return form.left.entry(row - 1, column - 1), form.right.entry(row - 1, column - 1)
 
 
-def element_of(origin: Origin) -> Formula:
+def element_of(origin: Origin, matrix: Formula | None = None) -> Formula:
     """U_1[2,4], the squared length of a column 4, or an element of column 3 x column 4."""
-    name = left_name(origin.matrix, origin.dof)
+    name = left_name(origin.matrix, origin.dof) if matrix is None else matrix
     latex, plain = show(name, LATEX), show(name, PLAIN)
     if origin.row == 0:
         return Symbol(rf"\lVert {latex}[\cdot,4] \rVert^2", f"‖{plain}[·,4]‖²")

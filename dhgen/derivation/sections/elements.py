@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.matrices import (
-    known_matrix,
     left_name,
     middle_name,
     sides,
@@ -47,7 +46,8 @@ def element_blocks(story: Story) -> list[Block]:
             used.setdefault(key, []).append(origin)
             first.setdefault(origin.matrix, number)
     blocks: list[Block] = []
-    side, is_told = story.known_side, False
+    letters: list[Block] = []
+    side = story.known_side
     for _, origins in sorted(used.items()):
         form = story.form(origins[0].matrix)
         number = first[form.place]
@@ -57,23 +57,25 @@ def element_blocks(story: Story) -> list[Block]:
         ]
         if not equations:
             continue
-        if side is not None and not is_told and number > side.after:
-            blocks += _known_side_blocks(story, side)
-            is_told = True
+        if side is not None and number > side.after:
+            letters = _known_side_blocks(story, side)
         blocks += [paragraph("{}", _form_sentence(story, form)), display(*equations)]
     if not blocks:
         return []
     text = "The elements that are used below, and their neighbours in column 4:"
-    return [paragraph(text), *blocks]
+    return [*letters, paragraph(text), *blocks]
 
 
 def _known_side_blocks(story: Story, side: KnownSide) -> list[Block]:
     """The letters of a matrix that is known before the steps that are left."""
     name, middle = left_name(side.place, story.dof), middle_name(side.place)
     sides = (name, middle) if side.symbol == name else (side.symbol, name, middle)
-    text = "After step {} all of {} is known. In the steps that follow its entries have letters:"
+    text = (
+        "After step {} all of {} is known. Its entries are written {} from there on; those that "
+        "are used are"
+    )
     return [
-        paragraph(text, Given(str(side.after)), equal(*sides)),
+        paragraph(text, Given(str(side.after)), equal(*sides), side.entry),
         display(*(equal(symbol, story.write(entry)) for entry, symbol in side.entries)),
     ]
 
@@ -99,13 +101,10 @@ def _form_sentence(story: Story, form: Form) -> Prose:
             earlier = left_name((m - 1, k, inverted, shoulder), story.dof)
             before = (Product((inverse_name(link(m)), earlier)),)
         return say("{}:", equal(name, *before, middle))
-    moved = many("joint", [str(j) for j in range(k + 1, last + 1)])
+    joints, known = story.moved_right(form.place)
+    moved = many("joint", [str(j) for j in joints])
     text = f"{{}} ({moved} moved to the side of {{}}):"
-    side = story.known_side
-    if side is not None and side.place == (m, k + 1, inverted, shoulder):
-        shorter = Product((side.symbol, inverse_name(link(k + 1))))
-        return say(text, equal(name, shorter, middle), known_matrix(form.place))
-    return say(text, equal(name, middle), known_matrix(form.place))
+    return say(text, equal(name, story.left_name(form.place), middle), known)
 
 
 def _wanted(story: Story, form: Form, origins: list[Origin]) -> list[tuple[int, int]]:
@@ -131,7 +130,7 @@ def _wanted(story: Story, form: Form, origins: list[Origin]) -> list[tuple[int, 
 def _element_equation(story: Story, form: Form, row: int, column: int, step: int) -> Formula:
     """Both sides, with the letters that there are before the first step that uses the form."""
     left, right = sides(form, row, column)
-    name = Element(left_name(form.place, story.dof), row, column)
+    name = Element(story.left_name(form.place), row, column)
     return equal(name, story.write_quoted(left, step), story.write_forward(right))
 
 

@@ -169,7 +169,10 @@ def _known_side_blocks(story: Story, side: KnownSide, letters: dict[str, float])
     for entry, symbol in side.entries:
         letters[symbol.text] = value_of(story.write(entry), letters)
         lines.append(equal(symbol, figures(letters[symbol.text], size)))
-    return [paragraph("All of {} is known now:", side.symbol), Display(tuple(laid_out(lines)))]
+    return [
+        paragraph("Now all of {} is known, of which are used", side.symbol),
+        Display(tuple(laid_out(lines))),
+    ]
 
 
 def _values(story: Story, number: int, letters: dict[str, float]) -> Iterable[Relation]:

@@ -104,11 +104,14 @@ def _in_the_course(story: Story) -> list[Block]:
     if any(step.kind is Kind.ANGLE_AND_SUM for step in story.steps):
         told.append(
             paragraph(
-                "Khalil and Dombre solve both angles of type 8 together: {}, then {} with {}. Here "
-                "the second angle has a step of its own, of type 3, from the same two equations.",
+                "Khalil and Dombre solve both angles of type 8 together: {}, then {} with {}. In "
+                "it {} stands in the equation of cosines, whichever of the step's two that is. "
+                "Here the second angle has a step of its own, of type 3, from the same two "
+                "equations.",
                 TYPE_8[0],
                 Listing(TYPE_8[1:3]),
                 Listing(TYPE_8[3:]),
+                Symbol("Z_1", "Z₁"),
             )
         )
     return told

@@ -64,7 +64,7 @@ def _wrist(story: Story, blocks: WristBlocks) -> dict[str, object]:
     """The blocks, the inverse of the wrist's, and what joints 1 to 3 follow from."""
     algebra = story.algebra
     rows = arm_rows(story, blocks)
-    inverse = times(DET_22, Power(J_22, -1))
+    inverse = times(Symbol(r"(\det J_{22})", "(det J₂₂)"), Power(J_22, -1))
     return {
         "blocks": [
             display(equal(J_11, _matrix(story, blocks.arm))),

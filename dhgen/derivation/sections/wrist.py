@@ -14,6 +14,7 @@ from dhgen.robot.task import TaskKind
 if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.formula import Formula
     from dhgen.paul.knowledge import Knowledge
 
 
@@ -56,9 +57,17 @@ def wrist_blocks(story: Story, number: int) -> list[Block]:
             known,
             equal(target(m), product_of(wrist)),
         ),
-        display(equal(rotation, Matrix(tuple(entries)))),
+        display(equal(rotation, *_letters(story, m), Matrix(tuple(entries)))),
         *_turned(story, number, wrist[0]),
     ]
+
+
+def _letters(story: Story, m: int) -> list[Formula]:
+    """(u_ij), where these are the letters of the rotation of U_m."""
+    side = story.known_side
+    if side is None or side.place != (m, story.dof, False, False):
+        return []
+    return [Symbol(f"({side.entry.latex})", f"({side.entry.text})")]
 
 
 def _turned(story: Story, number: int, first: int) -> list[Block]:

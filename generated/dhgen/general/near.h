@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The nearest arm with a structure: joint values near which all solutions are. */
+ * The nearest arm with a structure: joint values that lead to all solutions. */
 #ifndef DHGEN_GENERAL_NEAR_H
 #define DHGEN_GENERAL_NEAR_H
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The nearest arm with a structure: joint values near which all solutions are."""
+"""The nearest arm with a structure: joint values that lead to all solutions."""
 
 from __future__ import annotations
 
