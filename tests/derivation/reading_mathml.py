@@ -9,6 +9,7 @@ from tests.derivation.reading import Node, Nodes, grouped, primed, spelt
 
 VOID = {"meta", "img", "br"}  # have no end
 SILENT = {"", "\u2061", "\u2062"}  # signs between a function or a factor and what follows
+NOTHING: Node = ("id", "")  # what stands before a matrix: {}^0T_3
 LETTERS = str.maketrans({"∘": "°", "−": "-"})
 
 
@@ -77,7 +78,7 @@ def _of_parts(tag: str, parts: list[Nodes]) -> Node:
         case "msup" if spelt(parts[1]) in {"′", "'"}:
             return primed(parts[0][0])
         case "msup":
-            return ("sup", parts[0][0], parts[1])
+            return ("sup", parts[0][0] if parts[0] else NOTHING, parts[1])
         case "msubsup":
             return ("sup", ("sub", parts[0][0], parts[1]), parts[2])
         case "mfrac":

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.derivation.story import Story
 
-FORMATS = ("markdown", "latex", "html", "french")
+FORMATS = ("markdown", "latex", "html", "french markdown", "french latex", "french html")
 # A slide, wrists of two kinds, parallel axes, five joints, seven with one given, a task of entries.
 ARMS = ["scara", "kuka_kr6_r900", "ur5", "rrprrr", "stanford", "franka_panda", "xarm5", "planar_pr"]
 KEPT = "DFGHMθε"  # how letters begin that later steps use
@@ -74,13 +74,38 @@ def pieces(name: str, wished: str) -> list[Piece]:
     """A handout's headings, beginnings of steps, texts and formulas, in order."""
     if wished == "markdown":
         return list(_of_markdown(document(name)))
-    if wished == "french":
-        text, _ = derivation_as("markdown", story(name), name, French())
-        for french, english in NOTATION:
-            text = re.sub(french, english, text)
-        return list(_of_markdown(text))
-    text, _ = derivation_as(wished, story(name), name)
-    return list(_of_latex(text) if wished == "latex" else _of_html(text))
+    *language, form = wished.split()
+    if not language:
+        text, _ = derivation_as(form, story(name), name)
+        return list(_of_latex(text) if form == "latex" else _of_html(text))
+    text, _ = derivation_as(form, story(name), name, French())
+    if form == "html":
+        return [_english(piece) for piece in _of_html(text)]
+    for french, english in NOTATION:
+        text = re.sub(french, english, text)
+    return list(_of_markdown(text) if form == "markdown" else _of_latex(text))
+
+
+def _english(piece: Piece) -> Piece:
+    """A French formula of MathML as English ones are read."""
+    kind, value = piece
+    return (kind, _in_place(value)) if kind == "formula" else piece
+
+
+def _in_place(node: Any) -> Any:
+    match node:
+        case ("op" | "id", ";"):
+            return ("op", ",")
+        case ("id", "base,outil"):
+            return ("id", "base,tool")
+        case [("sup", ("id", ""), index), matrix, *others]:  # {}^0T_3
+            return [("sup", matrix, index), *_in_place(others)]
+        case [first, *others] if isinstance(node, list):
+            return [_in_place(first), *_in_place(others)]
+        case tuple():
+            return tuple(_in_place(each) for each in node)
+        case _:
+            return node
 
 
 def _of_markdown(text: str) -> Iterator[Piece]:
@@ -180,7 +205,7 @@ def read(name: str, wished: str) -> list[Piece]:
 
 def words_for(english: str, wished: str) -> str:
     """What a handout says for some English words."""
-    return IN_FRENCH[english] if wished == "french" else english
+    return IN_FRENCH[english] if wished.startswith("french") else english
 
 
 def section(name: str, wished: str, title: str) -> list[Piece]:

@@ -196,7 +196,7 @@ def test_the_blocks_are_those_of_the_jacobian_up_to_the_frame(name: str) -> None
         np.testing.assert_allclose(R @ pairs[0], pairs[1], atol=1e-9 * of.algebra.chain.size)
         det = re.search(r"\\det J_\{22\} & = (.*?) \\\\$", text, re.MULTILINE)
         assert det is not None
-        adjugate = matrix(of, text, r"\det J_{22} J_{22}^{-1}", q)
+        adjugate = matrix(of, text, r"(\det J_{22}) J_{22}^{-1}", q)
         np.testing.assert_allclose(adjugate / of.worth(det[1], q) @ J22, np.eye(3), atol=1e-9)
         if "follow from $v$ alone" in text:
             rates = np.array([0.3, -0.7, 0.4])

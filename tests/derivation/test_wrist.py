@@ -34,7 +34,7 @@ def test_the_matrix_of_the_wrist_is_the_product_of_its_joints(name: str) -> None
         letters = with_pose(of, configuration(of, seed))
         joints = [letters[indexed("A", of.dof - k)] for k in (2, 1, 0)]
         expected = reduce(np.matmul, map(np.asarray, joints))[:3, :3]
-        found = evaluate(relation.sides[1], letters)
+        found = evaluate(relation.sides[-1], letters)
         np.testing.assert_allclose(found, expected, atol=1e-12)
 
 
