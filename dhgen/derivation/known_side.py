@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.matrices import left_name
-from dhgen.derivation.notation.names import letter, pose_letter, single
+from dhgen.derivation.notation.names import letter, pose_letter
 from dhgen.derivation.text.formula import Symbol, minus
 from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import PLAIN
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.equation import Matrix
-    from dhgen.paul.knowledge import Knowledge
     from dhgen.paul.step import Step
 
 LONG = 3  # terms of an entry that is worth a letter; then all that are sums have one
@@ -109,25 +108,18 @@ def _candidates(story: Story) -> Iterator[tuple[Matrix, int]]:
     """Matrices from which a step moves one joint, all others known; the step before that one."""
     seen: set[Matrix] = set()
     for number, step in enumerate(story.steps, start=1):
-        state = story.knowledge[number - 1]
         for origin in step.origins:
             m, k, inverted, shoulder = origin.matrix
             if inverted or shoulder:
                 continue
             moved = [*range(1, m + 1), *range(k + 1, story.dof + 1)]
-            left = [joint for joint in moved if not _is_known(story, state, joint)]
+            left = [joint for joint in moved if not story.is_known(joint, number - 1)]
             places = {(m,): (m - 1, k), (k + 1,): (m, k + 1)}
             place = places.get(tuple(left)) if left else None
             if place is None or (*place, False, False) in seen:
                 continue
             seen.add((*place, False, False))
             yield (*place, False, False), number - 1
-
-
-def _is_known(story: Story, state: Knowledge, joint: int) -> bool:
-    if joint in story.algebra.slides:
-        return joint in state.slides
-    return state.knows(single(joint))
 
 
 def _is_sum(entry: Polynomial) -> bool:

@@ -10,7 +10,15 @@ from dhgen.derivation.example import find_example
 from dhgen.derivation.geometry import wrist_joints
 from dhgen.derivation.known_side import find_known_side
 from dhgen.derivation.notation.matrices import form_of, known_matrix, left_name
-from dhgen.derivation.notation.names import branch_sign, inverse, joint_index, letter, link, symbols
+from dhgen.derivation.notation.names import (
+    branch_sign,
+    inverse,
+    joint_index,
+    letter,
+    link,
+    single,
+    symbols,
+)
 from dhgen.derivation.notation.polynomial import Alphabet, Writer, alphabet
 from dhgen.derivation.quotes import quotes_of
 from dhgen.derivation.text.formula import ONE, times
@@ -107,6 +115,13 @@ class Story:
         for step in self.steps:
             states.append(learn(states[-1], step))
         return tuple(states)
+
+    def is_known(self, joint: int, after: int) -> bool:
+        """Whether a joint's angle or length is known after a step; 0 is before the first."""
+        state = self.knowledge[after]
+        if joint in self.algebra.slides:
+            return joint in state.slides
+        return state.knows(single(joint))
 
     @cached_property
     def solved_after(self) -> dict[str, int]:

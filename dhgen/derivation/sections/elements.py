@@ -57,7 +57,7 @@ def element_blocks(story: Story) -> list[Block]:
         ]
         if not equations:
             continue
-        if side is not None and number > side.after:
+        if side is not None and number > side.after and not letters:
             letters = _known_side_blocks(story, side)
         blocks += [paragraph("{}", _form_sentence(story, form)), display(*equations)]
     if not blocks:

@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block
     from dhgen.derivation.text.formula import Formula
-    from dhgen.paul.knowledge import Knowledge
 
 
 def wrist_blocks(story: Story, number: int) -> list[Block]:
@@ -32,13 +31,12 @@ def wrist_blocks(story: Story, number: int) -> list[Block]:
     wrist, n = story.wrist, story.dof
     if wrist is None or n == len(wrist) or story.algebra.chain.task.kind is not TaskKind.POSE:
         return []
-    before, after = (story.knowledge[each] for each in (number - 1, number))
     arm = range(1, wrist[0])
-    if not all(_knows(story, before, joint) for joint in arm):
+    if not all(story.is_known(joint, number - 1) for joint in arm):
         return []
-    if any(_knows(story, before, joint) for joint in wrist):
+    if any(story.is_known(joint, number - 1) for joint in wrist):
         return []
-    if not any(_knows(story, after, joint) for joint in wrist):
+    if not any(story.is_known(joint, number) for joint in wrist):
         return []
     hand = link_matrix(story.algebra, wrist[0])
     for joint in wrist[1:]:
@@ -79,12 +77,6 @@ def _turned(story: Story, number: int, first: int) -> list[Block]:
     form = equal(target(first), before, product_of(range(first + 1, story.dof + 1)))
     text = "Step {} reads {}: the same, with {} taken to the known side."
     return [paragraph(text, Given(str(number)), form, _symbol(story, first))]
-
-
-def _knows(story: Story, state: Knowledge, joint: int) -> bool:
-    if joint in story.algebra.slides:
-        return joint in state.slides
-    return state.knows(single(joint))
 
 
 def _symbol(story: Story, joint: int) -> Symbol:
