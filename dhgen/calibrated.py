@@ -19,6 +19,7 @@ from dhgen.kinematics.neighbours import EXACT, axis_triples
 from dhgen.method import Method
 from dhgen.nominal.certificate import certified
 from dhgen.paul.derive import derive
+from dhgen.program.lowering.lower import lower
 from dhgen.program.lowering.programs import robot_programs
 from dhgen.program.policy import policy_of
 from dhgen.program.regular.regular import regular
@@ -65,7 +66,8 @@ def kind_of(robot: Robot, nominal: SolverModule, reserved: Reserved) -> Kind:
     if derivation.method is not Method.GENERAL_6R:
         raise _refusal(robot, "what is near it is not solved by the general algorithm")
     precision = nominal.precision
-    programs = robot_programs(derivation, name, precision.tolerances, reserved)
+    solver = lower(derivation, precision.tolerances, reserved)
+    programs = robot_programs(derivation, solver, name, precision.tolerances, reserved)
     module = SolverModule(
         name=name,
         title=f"{robot.title}, calibrated",

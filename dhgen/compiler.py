@@ -25,17 +25,14 @@ from typing import TYPE_CHECKING
 from dhgen.atomic_write import write_files
 from dhgen.calibrated import kind_of
 from dhgen.derivation import derivation_files
-from dhgen.derivation.story import Story
-from dhgen.errors import PrecisionError, UnsolvedError, VerificationError
-from dhgen.kinematics.build import build_chain
+from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.link_table import link_table
 from dhgen.method import Method
-from dhgen.nominal.nominal import nominal_arm
-from dhgen.paul.derive import derive
-from dhgen.paul.refusal.other_convention import other_convention
+from dhgen.program.lowering.lower import lower
 from dhgen.program.lowering.programs import robot_programs
 from dhgen.program.policy import policy_of
-from dhgen.robot_files import RobotFile, led_to
+from dhgen.robot_files import led_to
+from dhgen.solved import solved
 from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule
 from dhgen.targets.reserved import RESERVED
@@ -46,8 +43,11 @@ from dhgen.verify.verify import verify
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
+    from dhgen.derivation.story import Story
     from dhgen.paul.derivation import Derivation
+    from dhgen.program.ir import Program
     from dhgen.robot.robot import Robot
+    from dhgen.robot_files import RobotFile
     from dhgen.targets.calibrated import Kind
     from dhgen.tolerances import Precision
     from dhgen.verify.verify import Report
@@ -58,20 +58,28 @@ class Compilation:
     """A robot file and what the compiler makes of it.
 
     Attributes:
-        robot: The file, validated.
-        derivation: Why the solver is what it is.
+        story: The file, validated, and how its arm is solved.
         module: The programs.
         single: The programs for single precision, where the file asks for them.
         kind: Arms with tables that come at run time, where it asks for these.
         files: Text of every file by its name.
     """
 
-    robot: Robot
-    derivation: Derivation
+    story: Story
     module: SolverModule
     single: SolverModule | None
     kind: Kind | None
     files: Mapping[str, str]
+
+    @property
+    def robot(self) -> Robot:
+        """The file, validated."""
+        return self.story.robot
+
+    @property
+    def derivation(self) -> Derivation:
+        """Why the solver is what it is."""
+        return self.story.derivation
 
 
 def compile_loaded(
@@ -93,19 +101,18 @@ def compile_loaded(
         UnsolvedError: No derivation solves the arm, or not with tables that come at run time.
         PrecisionError: The arm can't be solved in single precision, which the file asks for.
     """
-    derivation, module = worked_out(file, tell, out=out)
+    story, module = worked_out(file, tell, out=out)
     source = source_name(file.path, out)
-    single = in_single_precision(file, derivation, source) if file.robot.float32 else None
-    story = Story(file.robot, derivation, module.solver, module.nominal)
+    single = in_single_precision(story, file, source) if file.robot.float32 else None
     document = derivation_files(story, source)
     kind = kind_of(file.robot, module, RESERVED) if file.robot.calibration else None
     files = {**emit(module, single, kind, single_file=single_file), **document}
-    return Compilation(file.robot, derivation, module, single, kind, MappingProxyType(files))
+    return Compilation(story, module, single, kind, MappingProxyType(files))
 
 
 def worked_out(
     file: RobotFile, tell: Callable[[str], None] = lambda _: None, *, out: Path | None = None
-) -> tuple[Derivation, SolverModule]:
+) -> tuple[Story, SolverModule]:
     """The derivation and the programs.
 
     Args:
@@ -116,41 +123,34 @@ def worked_out(
     Raises:
         UnsolvedError: No derivation solves the arm.
     """
-    robot = file.robot
-    tell("deriving")
-    chain = build_chain(robot)
-    try:
-        derivation = derive(chain, numerical=robot.numerical, steps=robot.steps)
-    except UnsolvedError as error:
-        raise UnsolvedError("\n".join((str(error), *other_convention(robot)))) from error
-    tell("writing programs")
-    return derivation, _module(file, derivation, source_name(file.path, out), DOUBLE)
+    story = solved(file, tell)
+    return story, _module(file, story, story.program, source_name(file.path, out), DOUBLE)
 
 
-def in_single_precision(file: RobotFile, derivation: Derivation, source: str) -> SolverModule:
+def in_single_precision(story: Story, file: RobotFile, source: str) -> SolverModule:
     """The programs for single precision.
 
     Args:
+        story: How the arm is solved.
         file: The robot file, read.
-        derivation: That of the arm.
-        source: How emitted files call the robot file.
+        source: How emitted files call it.
 
     Raises:
         PrecisionError: The arm can't be solved in single precision.
     """
-    _demand_closed_form(derivation)
-    return _module(file, derivation, source, SINGLE)
+    _demand_closed_form(story.derivation)
+    solver = lower(story.derivation, SINGLE.tolerances, RESERVED)
+    return _module(file, story, solver, source, SINGLE)
 
 
 def _module(
-    file: RobotFile, derivation: Derivation, source: str, precision: Precision
+    file: RobotFile, story: Story, solver: Program, source: str, precision: Precision
 ) -> SolverModule:
     """The programs of a robot for some arithmetic, under the name that they bear there."""
-    robot = file.robot
+    robot, derivation = file.robot, story.derivation
     name = robot.name + precision.suffix
-    programs = robot_programs(derivation, name, precision.tolerances, RESERVED)
+    programs = robot_programs(derivation, solver, name, precision.tolerances, RESERVED)
     chain = derivation.problem.algebra.chain
-    is_whole = derivation.whole is not None and not robot.plain
     return SolverModule(
         name=name,
         title=robot.title,
@@ -168,7 +168,7 @@ def _module(
         digest=file.digest,
         precision=precision,
         plain=robot.plain,
-        nominal=nominal_arm(chain, RESERVED) if is_whole else None,
+        nominal=story.nominal,
     )
 
 

@@ -8,9 +8,9 @@ from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from dhgen.descriptions.convert import Wishes
 from dhgen.descriptions.expand import Outside
 from dhgen.descriptions.files import is_description, read_as_robot_file
+from dhgen.descriptions.wishes import Wishes
 from dhgen.errors import Diagnostic, RobotFileError
 from dhgen.robot.load import load_text, read_text
 from dhgen.robot.robot import FLEET

@@ -12,6 +12,7 @@ from unittest.mock import patch
 import numba
 
 import dhgen.compiler
+import dhgen.solved
 from dhgen.atomic_write import write_files
 from dhgen.compiler import Compilation, compile_loaded, source_name, worked_out
 from dhgen.robot_files import RobotFile
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 
     import pytest
 
-    from dhgen.paul.derivation import Derivation
+    from dhgen.derivation.story import Story
     from dhgen.targets.module import SolverModule
 
 # What a test demands of a command or of the library it demands of any poses: that verification sees
@@ -63,14 +64,14 @@ def module_of(path: Path) -> SolverModule:
 
 def worked_out_once(
     file: RobotFile, _: object = None, *, out: Path | None = None
-) -> tuple[Derivation, SolverModule]:
+) -> tuple[Story, SolverModule]:
     """What is worked out of a text under the name that its files say, once in this process."""
     return _worked_out(replace(file, path=Path(source_name(file.path, out))))
 
 
 @cache
-def _worked_out(file: RobotFile) -> tuple[Derivation, SolverModule]:
-    with patch.object(dhgen.compiler, "derive", derived):
+def _worked_out(file: RobotFile) -> tuple[Story, SolverModule]:
+    with patch.object(dhgen.solved, "derive", derived):
         return worked_out(file)
 
 

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.derivation.figures.figure import Figure
     from dhgen.derivation.text.blocks import Block
 
@@ -26,6 +28,11 @@ class Language(Protocol):
         """An English figure in this language."""
         ...
 
+    @property
+    def untranslated(self) -> Sequence[str]:
+        """The sentences that stayed English, each once, with an ellipsis for every formula."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class English:
@@ -44,5 +51,23 @@ class English:
         """The figure itself."""
         return figure
 
+    @property
+    def untranslated(self) -> Sequence[str]:
+        """None: all are English."""
+        return ()
+
 
 ENGLISH = English()
+
+
+def language_of(code: str) -> Language:
+    """The language of a derivation.
+
+    Args:
+        code: `en` or `fr`.
+    """
+    if code == ENGLISH.code:
+        return ENGLISH
+    from dhgen.derivation.french.language import French  # noqa: PLC0415  a catalogue, long to read
+
+    return French()

@@ -15,7 +15,6 @@ from dhgen.program.all_joints import whole_numbers
 from dhgen.program.interpret import wrap
 from dhgen.program.ir import AllJoints
 from dhgen.runtime.plain import plain
-from dhgen.runtime.python.general.candidates import PLACES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -92,7 +91,8 @@ def _solved(
     flat = np.array(entries)
     if kernel.pointing:
         plain("general.rows").any_turn(T[:3].copy(), flat)
-    loops, missing = np.empty((PLACES, 6)), np.empty(PLACES)
+    places = plain("general.candidates").PLACES
+    loops, missing = np.empty((places, 6)), np.empty(places)
     count = plain("general.search").solve_loop(
         numbers, flat, given.copy(), np.empty((0, 6)), loops, missing
     )
@@ -104,8 +104,8 @@ def _solved(
     rows = turned_rows(chain, every[solved])
     followed = int(np.abs(turned_rows(chain, rows - q)).max(axis=1).argmin())
     own = kernel.asked
-    places = [number - 1 for number in kernel.numbers[:own]]
-    values = chain.drives.values(rows[followed])[places]
+    asked = [number - 1 for number in kernel.numbers[:own]]
+    values = chain.drives.values(rows[followed])[asked]
     off = np.exp(1j * loops[:count, :own]) - np.exp(1j * values)
     loop = loops[int(np.abs(off).max(axis=1).argmin())]
     gaps = np.abs(_values(kernel, roots) - _value(kernel, loop, sign))

@@ -35,33 +35,13 @@ if TYPE_CHECKING:
     from dhgen.descriptions.lines import Arm
     from dhgen.descriptions.model import Description, Joint
     from dhgen.descriptions.snap import Snapped
+    from dhgen.descriptions.wishes import Wishes
     from dhgen.robot.robot import Robot
 
 FAR = 10.0  # arm sizes: where axes are nearly parallel their common normal is no place for a frame
 BUG = 100.0  # tolerances that a model may be off, with all that is snapped
 SHOWN = 6
 SHORTEST, LONGEST = 0.02, 50.0  # m: arms beyond are in another unit
-
-
-@dataclass(frozen=True, slots=True)
-class Wishes:
-    """What the caller says of an import.
-
-    Attributes:
-        base: The base link, or None for the usual one.
-        tip: The tip link, or None for the usual one.
-        snap: What is nearer to an exact value is taken as that [rad, and arm sizes]; None for
-            `DEFAULT` and `LITTLE`.
-        as_axes: Whether the file is to hold axes in place of a table.
-        free: Joints, from 1, whose values are to be given, in ascending order, or `ARM_ANGLE`; None
-            for the usual ones.
-    """
-
-    base: str | None = None
-    tip: str | None = None
-    snap: float | None = None
-    as_axes: bool = False
-    free: tuple[int, ...] | str | None = None
 
 
 @dataclass(frozen=True, slots=True)

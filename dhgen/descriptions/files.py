@@ -16,9 +16,10 @@ from dhgen.robot.load import kind_of_xml
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from dhgen.descriptions.convert import Import, Wishes
+    from dhgen.descriptions.convert import Import
     from dhgen.descriptions.expand import Outside
     from dhgen.descriptions.model import Description
+    from dhgen.descriptions.wishes import Wishes
     from dhgen.robot.robot import Robot
 
 ENDINGS = (".urdf", ".xacro", ".mjcf")  # of names; any other file is looked into

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from math import gcd, lcm
-from operator import itemgetter, sub
+from operator import itemgetter, mul, sub
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -71,15 +71,13 @@ def by_powers(polynomial: Polynomial, places: Sequence[int]) -> dict[tuple[int, 
     ring = polynomial.ring
     parts: dict[tuple[int, ...], Polynomial] = {}
     exponents_of = itemgetter(*places, *places)  # at least two places make tuples
+    left = [place not in places for place in range(ring.ngens)]
     for monomial, coefficient in polynomial.items():
         exponents = exponents_of(monomial)[: len(places)]
         part = parts.get(exponents)
         if part is None:
             part = parts[exponents] = ring.zero
-        rest = list(monomial)
-        for place in places:
-            rest[place] = 0
-        part[tuple(rest)] = coefficient
+        part[tuple(map(mul, monomial, left))] = coefficient
     return parts
 
 

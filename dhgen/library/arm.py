@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -135,12 +136,13 @@ class Arm:
     def _in_french(self) -> Document:
         from dhgen.compiler import source_name  # noqa: PLC0415
         from dhgen.derivation import derivation_files  # noqa: PLC0415
-        from dhgen.derivation.french.language import French  # noqa: PLC0415
-        from dhgen.derivation.story import Story  # noqa: PLC0415
+        from dhgen.derivation.languages import language_of  # noqa: PLC0415
 
         made, path = self._compilation, self.file.path
-        story = Story(made.robot, made.derivation, made.module.solver, made.module.nominal)
-        figures = derivation_files(story, source_name(path, path.parent), French())
+        language = language_of("fr")
+        figures = derivation_files(made.story, source_name(path, path.parent), language)
+        for sentence in language.untranslated:
+            warnings.warn(f"no French for this sentence: {sentence}", stacklevel=3)
         return Document(figures.pop(f"{self.name}.md"), figures)
 
     def build(

@@ -8,10 +8,10 @@ from operator import index
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from dhgen.descriptions.convert import Wishes
 from dhgen.descriptions.expand import Outside
 from dhgen.descriptions.files import is_description
 from dhgen.descriptions.snap import MOST
+from dhgen.descriptions.wishes import Wishes
 from dhgen.errors import CommandError, RobotFileError
 from dhgen.library.arm import Arm
 from dhgen.library.wording import note_for_python

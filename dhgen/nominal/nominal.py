@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,11 +15,10 @@ from dhgen.nominal.certificate import certified
 from dhgen.nominal.nearest import nearest_arm
 from dhgen.paul.derive import derive
 from dhgen.program.interpret import outputs
-from dhgen.program.lowering.programs import robot_programs
+from dhgen.program.lowering.lower import lower
 from dhgen.program.regular.regular import regular
 from dhgen.robot.load import load_text
 from dhgen.robot.task import TaskKind
-from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
@@ -73,7 +72,7 @@ def nominal_arm(chain: Chain, reserved: Reserved) -> Nominal | None:
     if derivation.method is not Method.CLOSED_FORM:
         return None
     names = frozenset(constant.name for constant in chain.constants)
-    solver = robot_programs(derivation, NAME, TOLERANCES, reserved).solver
+    solver = replace(lower(derivation, reserved=reserved), name=NAME)
     whole = regular(solver)
     own = None if whole is None else certified(whole, nearest.deviation, names)
     if own is None:

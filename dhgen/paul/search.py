@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from dhgen.paul.step import EquationType, Step
 
 
+PAIR = 2  # equations
 SHORTEST = 8  # of equations from anywhere, only the shortest are paired
 DOUBLING = 10_000  # a step with two roots costs more than any number of clumsy steps with one
 DEGENERATE = 5_000  # more than any length: of a step that may lose an angle that is not free
@@ -55,8 +56,11 @@ class Search:
     """The states of knowledge of one arm and the steps between them."""
 
     def __init__(self, pool: Pool, types: tuple[EquationType, ...]) -> None:
-        self._types = types
-        self._anywhere = any(equation_type.anywhere for equation_type in types)
+        pairs = tuple(each for each in types if each.arity == PAIR)
+        self._single = tuple(each for each in types if each.arity == 1)
+        self._beside = pairs
+        self._turned = tuple(each for each in pairs if each.ordered)
+        self._anywhere = tuple(each for each in pairs if each.anywhere)
         self._reader = FormReader(pool)
         self._start = initial_knowledge(pool.problem.algebra)
         self._witnesses = build_witnesses(pool)
@@ -133,33 +137,25 @@ class Search:
         if knowledge.state not in self._offers:
             view = self.view(knowledge)
             groups = self.groups(self._reader.forms(knowledge))
-            self._witnesses.learn(chain.from_iterable(groups))
-            offered = [step for group in groups for step in self._steps(group, view)]
+            self._witnesses.learn(chain.from_iterable(group for group, _ in groups))
+            offered = [step for group, types in groups for step in self._steps(group, types, view)]
             found = without_needless_degeneracy(offered, view)
             found.sort(key=lambda step: (step.roots, step.penalty))
             self._offers[knowledge.state] = tuple(found)
         return self._offers[knowledge.state]
 
-    def _steps(self, group: tuple[Form, ...], view: View) -> tuple[Step, ...]:
+    def _steps(
+        self, group: tuple[Form, ...], types: tuple[EquationType, ...], view: View
+    ) -> tuple[Step, ...]:
         """What equations give; the same forms at another state give the same."""
-        beside = len(group) == 1 or self._beside(*group)
         key = tuple(map(id, group))
-        if key not in self._steps_of:
-            self._steps_of[key] = steps_of(
-                equation_type.steps(group, view)
-                for equation_type in self._types
-                if equation_type.arity == len(group)
-                and (beside or equation_type.anywhere)
-                and (equation_type.ordered or not self._is_turned(group))
-            )
-            if self._steps_of[key] and not beside:
+        found = self._steps_of.get(key)
+        if found is None:
+            found = steps_of(equation_type.steps(group, view) for equation_type in types)
+            self._steps_of[key] = found
+            if found and types is self._anywhere:
                 self._partners.add(frozenset(id(form.equation) for form in group))
-        return self._steps_of[key]
-
-    def _is_turned(self, group: tuple[Form, ...]) -> bool:
-        """Whether a pair is in the order opposite to the pool's."""
-        places = [self._places[id(form.equation)] for form in group]
-        return places != sorted(places)
+        return found
 
     def forms(self, knowledge: Knowledge, most: int) -> list[Form]:
         """The equations of a state with at most so many unknowns, for explanations."""
@@ -169,19 +165,30 @@ class Search:
         """What types look at in a state."""
         return View(knowledge, self._witnesses)
 
-    def groups(self, forms: list[Form]) -> list[tuple[Form, ...]]:
-        """What types are tried on: forms with one unknown, and pairs with the same unknowns."""
+    def groups(self, forms: list[Form]) -> list[tuple[tuple[Form, ...], tuple[EquationType, ...]]]:
+        """Forms with one unknown, and pairs with the same unknowns, and the types tried on each.
+
+        Args:
+            forms: In the pool's order.
+        """
         by_unknowns: dict[tuple[Unknown, ...], list[Form]] = {}
         for form in forms:
             by_unknowns.setdefault(form.unknowns, []).append(form)
-        groups: list[tuple[Form, ...]] = [(form,) for form in forms if len(form.unknowns) == 1]
+        groups: list[tuple[tuple[Form, ...], tuple[EquationType, ...]]] = [
+            ((form,), self._single) for form in forms if len(form.unknowns) == 1
+        ]
         for alike in by_unknowns.values():
             for first, second in self._pairs(alike):
-                groups += [(first, second), (second, first)]
+                groups.append(((first, second), self._beside))
+                groups.append(((second, first), self._turned))
             if self._anywhere:
                 short = sorted(alike, key=lambda form: len(form.equation.difference))[:SHORTEST]
                 short.sort(key=lambda form: self._places[id(form.equation)])
-                groups += [pair for pair in combinations(short, 2) if not self._beside(*pair)]
+                groups += [
+                    (pair, self._anywhere)
+                    for pair in combinations(short, 2)
+                    if not any(self._pairs(pair))
+                ]
         return groups
 
     def _pairs(self, forms: Sequence[Form]) -> Iterator[tuple[Form, Form]]:
@@ -191,10 +198,6 @@ class Search:
         for (one, lines, first), (other, its, second) in combinations(placed, 2):
             if lines & its or (partners and frozenset((one, other)) in partners):
                 yield first, second
-
-    def _beside(self, first: Form, second: Form) -> bool:
-        """Whether two are such a pair."""
-        return any(self._pairs((first, second)))
 
     def _route(self, steps: tuple[Step, ...]) -> Route:
         knowledge = self._start

@@ -7,8 +7,9 @@ import re
 
 import pytest
 
-from dhgen.descriptions.convert import Import, Wishes, convert
+from dhgen.descriptions.convert import Import, convert
 from dhgen.descriptions.urdf import read_urdf
+from dhgen.descriptions.wishes import Wishes
 from dhgen.descriptions.write import decimal
 from dhgen.robot.robot import DhTable, ReferenceAxes
 from tests.descriptions.reference import FILES, worst_difference

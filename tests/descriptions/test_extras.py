@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
 
 from dhgen.cli import main
-from dhgen.descriptions.convert import Import, Wishes
 from dhgen.descriptions.expand import Outside
 from dhgen.descriptions.files import import_file
 from dhgen.descriptions.forward import robot_pose
+from dhgen.descriptions.wishes import Wishes
 from dhgen.errors import RobotFileError
 from tests.descriptions.reference import FILES
+
+if TYPE_CHECKING:
+    from dhgen.descriptions.convert import Import
 
 XACRO = """\
 <?xml version="1.0"?>

@@ -11,9 +11,9 @@ import pytest
 
 import dhgen.descriptions
 from dhgen.derivation import derivation_terminal
-from dhgen.derivation.story import Story
-from dhgen.descriptions.convert import Import, Wishes, convert
+from dhgen.descriptions.convert import Import, convert
 from dhgen.descriptions.urdf import read_urdf
+from dhgen.descriptions.wishes import Wishes
 from dhgen.robot.expression import evaluate
 from dhgen.robot.load import load
 from dhgen.robot.robot import Convention, DhTable, ReferenceAxes, Robot
@@ -149,8 +149,7 @@ def _fixed(name: str, parent: str, child: str, origin: str) -> str:
 
 def derivation_of(path: Path) -> str:
     file = RobotFile.read(path)
-    derivation, module = worked_out_once(file)
-    return derivation_terminal(Story(file.robot, derivation, module.solver))
+    return derivation_terminal(worked_out_once(file)[0])
 
 
 @pytest.mark.parametrize(

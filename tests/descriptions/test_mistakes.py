@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from dhgen.descriptions.convert import Wishes, convert
+from dhgen.descriptions.convert import convert
 from dhgen.descriptions.urdf import read_urdf
+from dhgen.descriptions.wishes import Wishes
 from dhgen.errors import RobotFileError
 
 if TYPE_CHECKING:

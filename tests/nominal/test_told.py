@@ -6,7 +6,6 @@ import re
 from typing import TYPE_CHECKING
 
 from dhgen.derivation import derivation_summary
-from dhgen.derivation.story import Story
 from tests.compiling import compile_file
 from tests.nominal.twins import twin
 
@@ -32,7 +31,7 @@ def test_derivation_and_summary(tmp_path: Path) -> None:
     )[0]
     assert abs(float(length) / nominal.nearest.deviation.length - 1.0) < 0.05
     assert abs(float(angle) / nominal.nearest.deviation.angle - 1.0) < 0.05
-    summary = derivation_summary(Story(made.robot, made.derivation, made.module.solver, nominal))
+    summary = derivation_summary(made.story)
     assert f"closed form of an arm within {length} m and {angle} rad" in summary
 
 

@@ -7,7 +7,6 @@ import pytest
 
 from dhgen.compiler import compile_loaded
 from dhgen.derivation.figures.all import figures_of
-from dhgen.derivation.story import Story
 from dhgen.errors import UnsolvedError
 from dhgen.method import Method
 from dhgen.robot_files import RobotFile
@@ -122,6 +121,5 @@ def test_figures_of_an_arm_with_a_passive_row_that_is_no_sum() -> None:
     """Its links' lengths are written in the order of what is known, of which its angle never is."""
     rows, rest = ARMS["halves"]
     made = made_up("halves", rows, f"{rest}numerical: true\n")
-    story = Story(made.robot, made.derivation, made.module.solver, made.module.nominal)
-    drawn = figures_of(story).arm.file("halves", "halves.yaml")
+    drawn = figures_of(made.story).arm.file("halves", "halves.yaml")
     assert all(f'>a<tspan dy="4" font-size="10">{number}</' in drawn for number in (1, 2, 3, "3p"))

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from html import escape
 from typing import TYPE_CHECKING
-from xml.sax.saxutils import escape
 
 from dhgen.derivation.figures.svg import svg
 from dhgen.derivation.text.blocks import Picture
@@ -47,8 +47,8 @@ class Figure:
             "derivation/figure.svg.jinja",
             name=name,
             source=plain_path(source).replace("--", "__"),  # it would end the comment
-            title=escape(self.title),
-            description=escape(words(self.caption)),
+            title=escape(self.title, quote=False),
+            description=escape(words(self.caption), quote=False),
             left=left,
             top=top,
             width=width,

@@ -130,42 +130,52 @@ def _count(
     )
     heights = (corners[..., 2] - origin[1]) / cell
     order = np.argsort(heights, axis=1, kind="stable")
-    corners = np.take_along_axis(corners, order[..., None], axis=1)
+    corners = np.take_along_axis(corners[..., :2], order[..., None], axis=1)
     heights = np.round(np.take_along_axis(heights, order, axis=1), SURE)
-    first, last = np.ceil(heights[:, 0]).astype(int), np.floor(heights[:, 2]).astype(int)
-    number = np.maximum(last - first + 1, 0)
-    which = np.repeat(np.arange(len(number)), number)
-    row = np.arange(len(which)) - np.repeat(np.cumsum(number) - number, number) + first[which]
-    one, other = _cut(corners[which, :, :2], heights[which], row)
+    row, one, other = _cut(corners.transpose(1, 2, 0), heights.T)
     low, high = _extremes(one, other, flat=flat)
     begin = np.ceil(np.round((low - origin[0]) / cell, SURE)).astype(int)
     end = np.floor(np.round((high - origin[0]) / cell, SURE)).astype(int) + 1
     some = end > begin
-    np.add.at(counts, (row[some], begin[some]), 1)
-    np.add.at(counts, (row[some], end[some]), -1)
+    start = row[some] * counts.shape[1]  # of the row among all cells
+    for place, sign in ((start + begin[some], 1), (start + end[some], -1)):
+        counts += sign * np.bincount(place, minlength=counts.size).reshape(counts.shape)
 
 
 def _cut(
-    corners: FloatArray, heights: FloatArray, row: NDArray[np.int64]
-) -> tuple[FloatArray, FloatArray]:
-    """Where a row meets triangles (N, 3, 2) whose corners are ordered by height: two points."""
+    corners: FloatArray, heights: FloatArray
+) -> tuple[NDArray[np.int64], FloatArray, FloatArray]:
+    """Where rows meet triangles, (3, 2, N), of whose corners these are the heights, ascending.
 
-    def between(i: int, j: int) -> FloatArray:
-        span = heights[:, j] - heights[:, i]
-        t = (row - heights[:, i]) / np.where(span == 0.0, 1.0, span)
-        return np.asarray(corners[:, i] + t[:, None] * (corners[:, j] - corners[:, i]))
-
-    below = (row <= heights[:, 1]) & (heights[:, 1] > heights[:, 0])
-    return between(0, 2), np.where(below[:, None], between(0, 1), between(1, 2))
+    Returns:
+        The row of each piece (M,), and the two points where it enters and leaves, (2, M) each.
+    """
+    first, last = np.ceil(heights[0]).astype(int), np.floor(heights[2]).astype(int)
+    number = np.maximum(last - first + 1, 0)
+    triangle = np.repeat(np.arange(len(number)), number)
+    row = np.arange(len(triangle)) - np.repeat(np.cumsum(number) - number, number) + first[triangle]
+    # the long side of every triangle, then the lower of the others, then the upper
+    pairs = (0, 2), (0, 1), (1, 2)
+    span = np.concatenate([heights[j] - heights[i] for i, j in pairs])
+    along = np.concatenate([corners[j] - corners[i] for i, j in pairs], axis=1)
+    slope = along / np.where(span == 0.0, 1.0, span)
+    begin = np.concatenate([corners[i] for i, _ in pairs], axis=1)
+    height = np.concatenate([heights[i] for i, _ in pairs])
+    middle = heights[1, triangle]
+    below = (row <= middle) & (middle > heights[0, triangle])
+    sides = triangle, triangle + np.where(below, 1, 2) * len(number)
+    one, other = (
+        begin.take(side, axis=1) + (row - height[side]) * slope.take(side, axis=1) for side in sides
+    )
+    return row, one, other
 
 
 def _extremes(one: FloatArray, other: FloatArray, *, flat: bool) -> tuple[FloatArray, FloatArray]:
     """The least and the greatest x, or distance from the axis, on the way between two points."""
     if flat:
-        return np.minimum(one[:, 0], other[:, 0]), np.maximum(one[:, 0], other[:, 0])
-    step = other - one
-    square = (step * step).sum(axis=1)
-    t = np.clip(-(one * step).sum(axis=1) / np.where(square == 0.0, 1.0, square), 0.0, 1.0)
-    nearest = one + t[:, None] * step
-    far = np.maximum(np.hypot(*one.T), np.hypot(*other.T))
-    return np.hypot(*nearest.T), far
+        return np.minimum(one[0], other[0]), np.maximum(one[0], other[0])
+    (x, y), (u, v) = one, other - one
+    square = u * u + v * v
+    t = np.clip(-(x * u + y * v) / np.where(square == 0.0, 1.0, square), 0.0, 1.0)
+    near = np.sqrt((x + t * u) ** 2 + (y + t * v) ** 2)
+    return near, np.sqrt(np.maximum(x * x + y * y, other[0] ** 2 + other[1] ** 2))

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import TYPE_CHECKING
-from xml.sax.saxutils import escape
 
 from dhgen.derivation.figures.sheet import BELOW, Disc, Path, Words, number
 
@@ -35,7 +35,7 @@ def _with_indices(runs: tuple[tuple[str, bool], ...]) -> str:
     for run, below in runs:
         shift = "" if below == was_below else f' dy="{BELOW if below else -BELOW}"'
         size = ' font-size="10"' if below else ""
-        shown = escape(run)
+        shown = escape(run, quote=False)
         parts.append(f"<tspan{shift}{size}>{shown}</tspan>" if shift or size else shown)
         was_below = below
     return "".join(parts)

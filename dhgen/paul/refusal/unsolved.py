@@ -89,7 +89,7 @@ def _places(forms: Sequence[Form]) -> str:
 def _reasons(search: Search, forms: list[Form], view: View) -> tuple[str, ...]:
     """One line for each reason, with the types that give it; the usual one of each type."""
     singles = [(form,) for form in forms]
-    pairs = [group for group in search.groups(forms) if len(group) == 2]
+    pairs = [group for group, _ in search.groups(forms) if len(group) == 2]
     types_of: dict[str, list[str]] = {}
     for equation_type in CLOSED:
         groups: Sequence[tuple[Form, ...]] = singles if equation_type.arity == 1 else pairs

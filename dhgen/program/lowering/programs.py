@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 from dhgen.program.ir import Apply, Let, Variable
 from dhgen.program.lowering.arm_angle import arm_angle_program, plane_miss_program
 from dhgen.program.lowering.forward import forward_program, jacobian_program
-from dhgen.program.lowering.lower import lower
 from dhgen.program.role import Source
 
 if TYPE_CHECKING:
@@ -41,18 +40,18 @@ class Programs:
 
 
 def robot_programs(
-    derivation: Derivation, name: str, tolerances: Tolerances, reserved: Reserved
+    derivation: Derivation, solver: Program, name: str, tolerances: Tolerances, reserved: Reserved
 ) -> Programs:
     """The programs of a robot for some arithmetic.
 
     Args:
         derivation: How it is solved.
+        solver: What it is lowered to.
         name: What every program is called.
         tolerances: Of the arithmetic.
         reserved: Names that are kept for others.
     """
     chain = derivation.problem.algebra.chain
-    solver = lower(derivation, tolerances, reserved)
     forward = reusing(forward_program(chain, reserved), solver)
     jacobian = reusing(jacobian_program(chain, reserved), solver, forward)
     angle = arm_angle_program(derivation, tolerances, reserved)
