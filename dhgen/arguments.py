@@ -14,6 +14,7 @@ from dhgen.robot.task import ARM_ANGLE
 
 OUT = Path("generated")
 FORMATS = ("text", "markdown", "latex", "html")  # of derivations
+ENDINGS = {".md": "markdown", ".tex": "latex", ".html": "html", ".htm": "html"}
 LANGUAGES = ("en", "fr")  # of derivations
 MOST_POSES = 100_000  # of one arm: the search takes up to an hour, and all are in memory at once
 MOST_RECALLED = 10_000_000  # of one arm: minutes where a pose takes microseconds
@@ -95,10 +96,10 @@ def explain_parser() -> argparse.ArgumentParser:
     made.add_argument(
         "--format",
         choices=FORMATS,
-        default=FORMATS[0],
-        help="how: as text for a terminal (default), as Markdown for GitHub, as a LaTeX document "
-        "with drawings of its own, or as one HTML file that needs no network (the last wants "
-        "pip install 'dhgen[html]')",
+        help="how: as text for a terminal, as Markdown for GitHub, as a LaTeX document with "
+        "drawings of its own, or as one HTML file that needs no network (the last wants "
+        "pip install 'dhgen[html]'); by default what the ending of --out says (.md, .tex, .html), "
+        "else text",
     )
     made.add_argument(
         "--language",

@@ -12,7 +12,7 @@ from pathlib import Path
 from shlex import quote
 from typing import TYPE_CHECKING
 
-from dhgen.arguments import FORMATS, LANGUAGES, OUT
+from dhgen.arguments import ENDINGS, FORMATS, LANGUAGES, OUT
 from dhgen.errors import CommandError, DhgenError, VerificationError, about
 from dhgen.generated_header import SUFFIXES, robot_of
 from dhgen.method import Method
@@ -91,7 +91,6 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     from dhgen.atomic_write import replace_files  # noqa: PLC0415
     from dhgen.compiler import verified  # noqa: PLC0415
     from dhgen.derivation import derivation_summary, tool_at_zero  # noqa: PLC0415
-    from dhgen.derivation.story import Story  # noqa: PLC0415
     from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
     _refuse_taken(file, options.out)
@@ -100,8 +99,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     if options.numerical and module.method is not Method.NUMERICAL:
         print("note: --numerical was not needed", file=sys.stderr)
     print(f"{compilation.robot.name}: {compilation.robot.title}")
-    told = compilation.robot, compilation.derivation, module.solver, module.nominal
-    print(derivation_summary(Story(*told)))
+    print(derivation_summary(compilation.story))
     _refuse_occupied([options.out / name for name in compilation.files])
     if not sys.stderr.isatty():  # where each stage is told
         print("verifying what is to be written: this may take a minute ...", flush=True)
@@ -167,24 +165,35 @@ def _repeated(options: argparse.Namespace) -> list[str]:
     return place + [word for word, said in words.items() if said]
 
 
+def _format(options: argparse.Namespace) -> str:
+    """The format of what is explained: as is said, else as the file's ending says.
+
+    Raises:
+        CommandError: It is something else than the derivation, which has no other format.
+    """
+    others = (f"--{each}" for each in ("alternatives", "program") if getattr(options, each))
+    what = next(others, None)
+    if what is None:
+        ending = "" if options.out is None else options.out.suffix.lower()
+        return str(options.format or ENDINGS.get(ending, FORMATS[0]))
+    if options.format not in {None, FORMATS[0]}:
+        raise CommandError(f"dhgen: {what} is printed as text alone, not with --format")
+    if options.language != LANGUAGES[0]:
+        raise CommandError(f"dhgen: {what} is printed in English alone, not with --language")
+    return FORMATS[0]
+
+
 def explain(options: argparse.Namespace) -> int:
     """Prints a derivation, or writes it; the exit code."""
     from dhgen.atomic_write import write_files  # noqa: PLC0415
-    from dhgen.compiler import worked_out  # noqa: PLC0415
     from dhgen.derivation import alternatives_text, task_remarks  # noqa: PLC0415
     from dhgen.derivation.formats import derivation_as  # noqa: PLC0415
-    from dhgen.derivation.french.language import French  # noqa: PLC0415
-    from dhgen.derivation.languages import ENGLISH  # noqa: PLC0415
-    from dhgen.derivation.story import Story  # noqa: PLC0415
+    from dhgen.derivation.languages import language_of  # noqa: PLC0415
     from dhgen.program.text import program_text  # noqa: PLC0415
     from dhgen.robot_files import RobotFile  # noqa: PLC0415
+    from dhgen.solved import solved  # noqa: PLC0415
 
-    if options.format != FORMATS[0] and (options.alternatives or options.program):
-        what = "--alternatives" if options.alternatives else "--program"
-        raise CommandError(f"dhgen: {what} is printed as text alone, not with --format")
-    if options.language != LANGUAGES[0] and (options.alternatives or options.program):
-        what = "--alternatives" if options.alternatives else "--program"
-        raise CommandError(f"dhgen: {what} is printed in English alone, not with --language")
+    wished = _format(options)
     file = RobotFile.read(options.file)
     if options.out is None:
         _refuse_mute()
@@ -194,20 +203,18 @@ def explain(options: argparse.Namespace) -> int:
     file = file.with_numerical() if options.numerical else file
     _tell_notes(file.robot.notices)
     with about(file.path):
-        derivation, module = worked_out(file, _tell)
-    for remark in task_remarks(module.chain):
+        story = solved(file, _tell)
+    for remark in task_remarks(story.derivation.problem.algebra.chain):
         print(f"note: {remark}", file=sys.stderr)
     beside: Mapping[str, str] = {}
     if options.alternatives:
-        text = alternatives_text(derivation) + "\n"
+        text = alternatives_text(story.derivation) + "\n"
     elif options.program:
-        text = program_text(module.solver)
+        text = program_text(story.program)
     else:
-        story = Story(file.robot, derivation, module.solver, module.nominal)
-        french = French()
-        language = ENGLISH if options.language == LANGUAGES[0] else french
-        text, beside = derivation_as(options.format, story, str(options.file), language)
-        _tell_untranslated(french.untranslated)
+        language = language_of(options.language)
+        text, beside = derivation_as(wished, story, str(options.file), language)
+        _tell_untranslated(language.untranslated)
     if options.out is None:
         print(text, end="")
     else:
@@ -236,9 +243,9 @@ def survey(options: argparse.Namespace) -> int:
 def import_description(options: argparse.Namespace) -> int:
     """Writes the robot file of a description; the exit code."""
     from dhgen.descriptions.compare import SAMPLES  # noqa: PLC0415
-    from dhgen.descriptions.convert import Wishes  # noqa: PLC0415
     from dhgen.descriptions.expand import Outside  # noqa: PLC0415
     from dhgen.descriptions.files import import_file  # noqa: PLC0415
+    from dhgen.descriptions.wishes import Wishes  # noqa: PLC0415
     from dhgen.descriptions.write import plain  # noqa: PLC0415
 
     chosen = options.base, options.tip, options.snap

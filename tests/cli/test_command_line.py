@@ -177,17 +177,25 @@ def test_explain_says_first_that_a_task_asks_for_too_much(run: Run, tmp_path: Pa
 
 
 @pytest.mark.parametrize(
-    ("wished", "begins"),
-    [("latex", "% planar"), ("html", "<!DOCTYPE html>"), ("markdown", "<!-- planar"), ("text", "")],
+    ("wished", "begins", "file"),
+    [
+        ("latex", "% planar", "my.tex"),
+        ("html", "<!DOCTYPE html>", "my.HTML"),
+        ("markdown", "<!-- planar", "my.md"),
+        ("text", "", "my.file"),
+    ],
 )
-def test_explain_writes_a_handout(wished: str, begins: str, run: Run, tmp_path: Path) -> None:
+def test_explain_writes_a_handout(
+    wished: str, begins: str, file: str, run: Run, tmp_path: Path
+) -> None:
+    """In the format that is said, or that the ending of its file says."""
     printed = run("explain", PLANAR, "--format", wished, folder=tmp_path)
     assert (printed.returncode, printed.stderr) == (0, "")
     assert printed.stdout.startswith(begins)
     assert names(tmp_path) == []
-    done = run("explain", PLANAR, "--format", wished, "--out", "new/my.file", folder=tmp_path)
-    assert (done.returncode, done.stdout) == (0, "wrote new/my.file\n")
-    assert (tmp_path / "new/my.file").read_text(encoding="utf-8") == printed.stdout
+    done = run("explain", PLANAR, "--out", f"new/{file}", folder=tmp_path)
+    assert (done.returncode, done.stdout) == (0, f"wrote new/{file}\n")
+    assert (tmp_path / "new" / file).read_text(encoding="utf-8") == printed.stdout
     linked = set(re.findall(r"\]\((figures/\w+\.svg)\)", printed.stdout))
     beside = {str(path.relative_to(tmp_path / "new")) for path in tmp_path.rglob("*.svg")}
     assert beside == linked

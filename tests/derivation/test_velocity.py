@@ -265,6 +265,8 @@ def lost_part(name: str, lost: str, q: FloatArray) -> float:
             sum(across), sum(P @ o for P, o in zip(across, origins, strict=True))
         )
     moved = J[:3] + np.cross(z.T, point - frames[-1][:3, 3]).T
+    if lost.startswith("one velocity"):
+        return float(np.linalg.svd(moved, compute_uv=False)[-1])
     if line := LINE.search(lost):
         direction = frames[int(line[1])][:3, 3] - point
     else:
@@ -272,6 +274,8 @@ def lost_part(name: str, lost: str, q: FloatArray) -> float:
         assert axis is not None, lost
         direction = frames[int(axis[2] or axis[3])][:3, "xyz".index(axis[1])]
     direction = direction / np.linalg.norm(direction)
+    if lost.startswith("every velocity"):
+        return float(np.abs(moved - np.outer(direction, direction @ moved)).max())
     if lost.startswith("the velocity"):
         return float(np.abs(direction @ moved).max())
     if lost.startswith("turning"):
@@ -282,7 +286,11 @@ def lost_part(name: str, lost: str, q: FloatArray) -> float:
     return float(np.abs(direction @ z @ _null(moved)).max())
 
 
-@pytest.mark.parametrize("name", first_of(NAMES, count=12))
+# In the first ones more than one motion is lost, and one that is along no axis.
+LOST = sorted(NAMES, key=lambda name: name not in {"spherical", "staubli_tx2_90"})
+
+
+@pytest.mark.parametrize("name", first_of(LOST, count=12))
 def test_what_is_lost_is_lost(name: str) -> None:
     of = arm(name)
     listed = ROW.findall(section(name))
@@ -297,7 +305,8 @@ def test_what_is_lost_is_lost(name: str) -> None:
             s[: len(J)] = np.linalg.svd(J, compute_uv=False)
             assert s[-1] < 1e-9 * s[0]
             # where two factors vanish at once (links of one length, folded), others are lost
-            alone = all(abs(of.worth(each, q)) > 1e-6 for each in others) and s[-2] > 1e-4 * s[0]
+            of_one = lost.startswith("every velocity") or s[-2] > 1e-4 * s[0]
+            alone = of_one and all(abs(of.worth(each, q)) > 1e-6 for each in others)
             if not alone or lost == "no short name" or hasattr(module(name), "AXES"):
                 continue
             assert lost_part(name, lost, q) < 1e-6 * max(1.0, of.algebra.chain.size), (lost, q)

@@ -78,7 +78,9 @@ def _shortest(story: Story, which: str) -> list[Block]:
     chain, example = story.algebra.chain, story.example
     if story.program.rows == 1:
         return []
-    units = "" if all(chain.turning) else ", lengths divided by the size of the arm, {}"
+    angles = ["angles in radians"] if any(chain.turning) else []
+    lengths = [] if all(chain.turning) else ["lengths divided by the size of the arm, {}"]
+    units = f", {' and '.join(angles + lengths)}"
     size = [] if all(chain.turning) else [figures(chain.size)]
     unit = f" {story.robot.length_unit}" if size else ""
     blocks: list[Block] = [

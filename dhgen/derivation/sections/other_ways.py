@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from dhgen.paul.step import Step
 
 
-def other_way(story: Story, number: int) -> list[Block]:
-    """The best step that could stand in place of one; nothing where only steps that follow could.
+def other_step(story: Story, number: int) -> Step | None:
+    """The best step that could stand in place of one; None where only steps that follow could.
 
     Another equation for the same unknown comes before those for others.
 
@@ -26,16 +26,22 @@ def other_way(story: Story, number: int) -> list[Block]:
         story: The arm and its derivation.
         number: The step, from 1.
     """
-    step = story.steps[number - 1]
     others = list(_others(story, number))
-    same = [other for other in others if other.unknowns == step.unknowns]
-    if not others:
+    unknowns = story.steps[number - 1].unknowns
+    same = [other for other in others if other.unknowns == unknowns]
+    return (same or others)[0] if others else None
+
+
+def other_way(story: Story, number: int) -> list[Block]:
+    """That step, and why it is not taken; nothing where there is none."""
+    step, other = story.steps[number - 1], other_step(story, number)
+    if other is None:
         return []
-    other = (same or others)[0]
     unknowns = joined([say("{}", unknown_symbol(unknown)) for unknown in other.unknowns])
     elements = joined([say("{}", element_of(origin)) for origin in other.origins])
     chosen = number <= len(story.robot.steps)
     why = "but the robot file chooses this step" if chosen else _difference(step, other)
+    same = other.unknowns == step.unknowns
     place = "Also possible" if same else "Also possible instead of this step"
     text = f"{place}: {{}} from {{}}, type {other.kind.number}, {why}."
     return [paragraph(text, unknowns, elements)]

@@ -15,7 +15,7 @@ from dhgen.derivation.text.words import counted, many, numeral
 from dhgen.method import Method
 from dhgen.paul.kind import Part
 from dhgen.robot.robot import DhTable, JointKind
-from dhgen.robot.task import TaskKind
+from dhgen.robot.task import Directions, TaskKind
 
 if TYPE_CHECKING:
     from dhgen.derivation.story import Story
@@ -136,16 +136,16 @@ def _solutions(story: Story) -> str:
 
 
 _SEEN = {
-    (Part.END, "left"): "seen from above towards the wrist, the plane of the arm passes axis 1 on "
+    (Part.END, "left"): "seen from above towards {end}, the plane of the arm passes axis 1 on "
     "the left or on the right",
-    (Part.END, "front"): "the arm faces the wrist (front) or reaches over itself (back)",
+    (Part.END, "front"): "the arm faces {end} (front) or reaches over itself (back)",
     (Part.ELBOW, "up"): "the elbow is above or below the line from the shoulder to the end of the "
-    "forearm, unless the wrist is nearer to axis 1 than the shoulder",
+    "forearm, unless {end} is nearer to axis 1 than the shoulder",
     (Part.ELBOW, "left"): "seen from above, the elbow is on the left or on the right of the line "
     "from the shoulder to the end of the forearm",
     (Part.SLIDE, "forward"): "the slide is farther out (forward) or less far",
 }
-"""By what is placed and one of its two words."""
+"""By what is placed and one of its two words; {end} is what the arm reaches for with."""
 
 
 def branch_legend(story: Story) -> list[Block]:
@@ -164,7 +164,9 @@ def _seen(story: Story, axis: Axis) -> str:
     """What a person sees of the arm in rows of these names."""
     part = story.steps[axis.step - 1].kind.value.part
     words = [word.rstrip("0123456789") for word in axis.meaning]  # the joint's where two are alike
-    return next((_SEEN[part, word] for word in words if (part, word) in _SEEN), "")
+    seen = next((_SEEN[part, word] for word in words if (part, word) in _SEEN), "")
+    turns = story.algebra.chain.task.directions is not Directions.NONE
+    return seen.format(end="the wrist" if turns else "the tool")
 
 
 def _choice(story: Story, place: int, axis: Axis) -> Prose:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.derivation.sections.other_ways import other_step
 from dhgen.derivation.steps import has_number_in_002, step_blocks
 from dhgen.derivation.text.blocks import Table, joined, paragraph, say
 from dhgen.derivation.text.formula import Listing, Symbol
 from dhgen.derivation.text.walk import symbols_of
+from dhgen.derivation.text.words import many
 from dhgen.kinematics.transform import identity
 from dhgen.paul.kind import Kind
 
@@ -56,21 +58,24 @@ TYPE_8 = (
 
 
 def types_table(story: Story) -> list[Block]:
-    """A line for every type that a step is of."""
-    kinds = sorted({step.kind for step in story.steps}, key=lambda kind: kind.number)
+    """A line for every type that a step is of, or one that could stand in its place."""
+    taken = {step.kind for step in story.steps}
+    instead = _instead(story)
+    kinds = sorted(taken | instead.keys(), key=lambda kind: kind.number)
     header = tuple(say(word) for word in ("type", "equations", "steps"))
-    rows = tuple(_row(story, kind) for kind in kinds)
-    new = [f"type {kind.number}" for kind in kinds if not kind.value.in_003]
-    beyond = f"; {' and '.join(new)} {'is' if len(new) == 1 else 'are'} not in it" if new else ""
+    rows = tuple(_row(story, kind, instead.get(kind, [])) for kind in kinds)
     has_length = any("r" in each for kind in kinds for each in kind.value.equations)
     slides = [Symbol("r", "r")] if has_length else []
     length = "{} is an unknown length, " if slides else ""
     text = (
         "The types that occur here, numbered as in document 003, which has the table of W. Khalil "
-        f"and E. Dombre (2002{beyond}): {length}{{}} and {{}} are the cosine "
+        f"and E. Dombre (2002): {length}{{}} and {{}} are the cosine "
         "and sine of an unknown angle, and capitals are known."
     )
-    turned = [str(k.number) for k in kinds if k in {Kind.TWO_ANGLES, Kind.TWO_ANGLES_TURNED}]
+    new = [str(kind.number) for kind in kinds if not kind.value.in_003]
+    if new:
+        text += f" {many('Type', new)} {'is' if len(new) == 1 else 'are'} not in that table."
+    turned = [str(k.number) for k in (Kind.TWO_ANGLES, Kind.TWO_ANGLES_TURNED) if k in taken]
     if turned:
         text += f" An angle of type {' or '.join(turned)} may be one that is counted backwards."
     own = sorted({each.text[0] for each in symbols_of(_steps(story))} & CAPITALS)
@@ -122,12 +127,22 @@ def _steps(story: Story) -> list[Block]:
     return [block for number in numbers for block in step_blocks(story, number)[0]]
 
 
-def _row(story: Story, kind: Kind) -> tuple[Prose, ...]:
+def _instead(story: Story) -> dict[Kind, list[str]]:
+    """The types of what could stand in place of steps, and the numbers of these."""
+    found: dict[Kind, list[str]] = {}
+    for number in range(1, len(story.steps) + 1):
+        other = other_step(story, number)
+        if other is not None:
+            found.setdefault(other.kind, []).append(str(number))
+    return found
+
+
+def _row(story: Story, kind: Kind, instead: list[str]) -> tuple[Prose, ...]:
     steps = [str(n) for n, step in enumerate(story.steps, start=1) if step.kind is kind]
     return (
         say(str(kind.number)),
         say("{}", Listing(tuple(map(_spelled, kind.value.equations)))),
-        say(", ".join(steps)),
+        say(", ".join(steps) or f"in place of {many('step', instead)}"),
     )
 
 

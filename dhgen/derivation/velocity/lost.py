@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 import random
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -35,7 +35,7 @@ TRIES = 12
 STEPS = 12  # of a turn, where a sign change is looked for
 HALVINGS = 30
 CLEAR = 1e-3  # of the least singular value but one: nothing else is lost there
-NEAR = 1e-6  # what is zero, of unit vectors and of lengths in arm sizes
+NEAR = 1e-6  # what is zero, of singular values, unit vectors and of lengths in arm sizes
 
 # Joint values, angles as the formulas have them.
 Values = dict[int, float]
@@ -74,9 +74,9 @@ def lost_motion(story: Story, factor: Formula, others: Sequence[Formula]) -> Pro
         factor: A factor of the determinant.
         others: The other factors, which do not vanish there.
     """
-    wrenches = list(_wrenches(story, factor, others))
+    wrenches = [wrench for (wrench,) in _wrenches(story, factor, others, 1)]
     if len(wrenches) < POSTURES:
-        return None
+        return _lost_velocities(story, list(_wrenches(story, factor, others, 2)))
     if all(np.linalg.norm(each.force) < NEAR for each in wrenches):
         axis = _axis(story, wrenches, lambda each: each.moment)
         return None if axis is None else say("turning about {}", axis)
@@ -87,7 +87,7 @@ def lost_motion(story: Story, factor: Formula, others: Sequence[Formula]) -> Pro
     turning = _lost_turning(story, wrenches, _wrist_points(story, wrenches))
     if turning is not None:
         return turning
-    axis = _axis(story, wrenches, lambda each: each.force)
+    axis = _axis(story, wrenches, _force)
     if axis is not None:
         return say("with the orientation kept, the velocity along {}", axis)
     return _lost_turning(story, wrenches, points)
@@ -106,15 +106,34 @@ def _lost_turning(story: Story, wrenches: list[_Wrench], points: list[int]) -> P
 def _lost_velocity(story: Story, wrenches: list[_Wrench], point: int) -> Prose | None:
     """The velocity that a force through a frame's origin resists."""
     named = _point_name(story, wrenches, point)
-    axis = _axis(story, wrenches, lambda each: each.force)
+    axis = _axis(story, wrenches, _force)
     if axis is not None:
         return say("the velocity of {} along {}", named, axis)
     starts = (k for k in range(story.dof + 1) if all(_leads(w, k, point) for w in wrenches))
     start = next(starts, None)
     if start is None:
-        return None
+        return say("one velocity of {}, along no axis of a frame", named)
     text = "the velocity of {} along the line to the origin of frame {}"
     return say(text, named, Given(str(start)))
+
+
+def _lost_velocities(story: Story, pairs: list[tuple[_Wrench, ...]]) -> Prose | None:
+    """The velocities that all forces through a frame's origin across an axis resist."""
+    if len(pairs) < POSTURES:
+        return None
+    first = [pair[0] for pair in pairs]
+    every = [wrench for pair in pairs for wrench in pair]
+    points = _points(story, first)
+    point = next((k for k in points if all(_is_force_at(w, k) for w in every)), None)
+    across = [replace(a, force=np.cross(a.force, b.force)) for a, b in pairs]
+    left = _axis(story, across, _force, "z") or _axis(story, across, _force)
+    if point is None or left is None:
+        return None
+    return say("every velocity of {} but along {}", _point_name(story, first, point), left)
+
+
+def _force(wrench: _Wrench) -> FloatArray:
+    return wrench.force
 
 
 def _points(story: Story, wrenches: list[_Wrench]) -> list[int]:
@@ -128,8 +147,10 @@ def _is_force_at(wrench: _Wrench, frame: int) -> bool:
     return bool(np.linalg.norm(wrench.moment_about(frame)) < NEAR)
 
 
-def _wrenches(story: Story, factor: Formula, others: Sequence[Formula]) -> Iterator[_Wrench]:
-    """At some postures where the formula vanishes and nothing else is lost."""
+def _wrenches(
+    story: Story, factor: Formula, others: Sequence[Formula], count: int
+) -> Iterator[tuple[_Wrench, ...]]:
+    """Those of some postures where the formula vanishes, and so many motions are lost by it."""
     source = random.Random(3)  # noqa: S311 - postures, no secrets
     found = 0
     for _ in range(TRIES):
@@ -139,9 +160,9 @@ def _wrenches(story: Story, factor: Formula, others: Sequence[Formula]) -> Itera
         letters = _posture(story, values).letters()
         if any(abs(float(exact_value(other, letters))) < NEAR for other in others):
             continue  # as those of a folded arm with links of one length do
-        wrench = _wrench(story, values)
-        if wrench is not None:
-            yield wrench
+        lost = _lost(story, values)
+        if len(lost) == count:
+            yield lost
             found += 1
         if found == POSTURES:
             return
@@ -188,8 +209,8 @@ def _bisected(function: Callable[[float], float], low: float, high: float) -> fl
     return 0.5 * (low + high)
 
 
-def _wrench(story: Story, values: Values) -> _Wrench | None:
-    """What does no work; None where that is not one thing."""
+def _lost(story: Story, values: Values) -> tuple[_Wrench, ...]:
+    """What does no work, each at right angles to the others; none where that is in doubt."""
     chain = story.algebra.chain
     posture = _posture(story, values)
     J = np.array(posture.jacobian(), float)
@@ -200,25 +221,32 @@ def _wrench(story: Story, values: Values) -> _Wrench | None:
     J[:rows] /= chain.size
     named = np.flatnonzero(np.abs(J).max(axis=1) > NEAR)
     U, s, _ = np.linalg.svd(J[named])
-    if s[-1] > NEAR or s[-2] < CLEAR:
-        return None
-    whole = np.zeros(len(J))
-    whole[named] = U[:, -1]
-    force, moment = np.zeros(3), np.zeros(3)
-    force[list(chain.task.position_rows)] = whole[:rows]
-    if chain.task.directions is Directions.ROTATION:
-        moment = whole[rows:]
-    elif chain.task.directions is Directions.POINTING:
-        moment = frames[-1][:, :2] @ whole[rows:]
-    return _Wrench(force, moment, frames)
+    if np.any((s > NEAR) & (s < CLEAR)):
+        return ()
+    found = []
+    for column in U[:, s <= NEAR].T:
+        whole = np.zeros(len(J))
+        whole[named] = column
+        force, moment = np.zeros(3), np.zeros(3)
+        force[list(chain.task.position_rows)] = whole[:rows]
+        if chain.task.directions is Directions.ROTATION:
+            moment = whole[rows:]
+        elif chain.task.directions is Directions.POINTING:
+            moment = frames[-1][:, :2] @ whole[rows:]
+        found.append(_Wrench(force, moment, frames))
+    return tuple(found)
 
 
 def _axis(
-    story: Story, wrenches: list[_Wrench], vector: Callable[[_Wrench], FloatArray]
+    story: Story,
+    wrenches: list[_Wrench],
+    vector: Callable[[_Wrench], FloatArray],
+    names: str = "xyz",
 ) -> Formula | None:
-    """The first axis of a frame that vectors are along at all postures."""
+    """The first axis of a frame, of those with given names, that vectors are along everywhere."""
     for frame in range(story.dof + 1):
-        for column, name in enumerate("xyz"):
+        for name in names:
+            column = "xyz".index(name)
             if all(_are_parallel(vector(w), w.frames[frame][:, column]) for w in wrenches):
                 return letter(name, name, str(frame))
     return None
