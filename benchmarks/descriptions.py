@@ -23,10 +23,11 @@ import numpy as np
 
 from benchmarks.arms import CHECKOUT
 from benchmarks.report import place, table
-from dhgen.descriptions.convert import Wishes, convert
+from dhgen.descriptions.convert import convert
 from dhgen.descriptions.expand import Outside, expanded, has_macros
 from dhgen.descriptions.files import import_file, read_description
 from dhgen.descriptions.forward import robot_pose
+from dhgen.descriptions.wishes import Wishes
 from dhgen.errors import RobotFileError, UnsolvedError
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derive import derive
