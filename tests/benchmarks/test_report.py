@@ -40,7 +40,8 @@ def test_a_document_without_the_place_is_refused(tmp_path: Path) -> None:
 def test_the_documents_have_the_places() -> None:
     assert README.read_text(encoding="utf-8").count("<!-- benchmarks -->") == 1
     text = DOCUMENT.read_text(encoding="utf-8")
-    for mark in ("arms", "scaling", "sizes", "derive", "general6r", "calibrated", "singular"):
+    marks = ("arms", "scaling", "sizes", "derive", "explain", "general6r", "calibrated", "singular")
+    for mark in marks:
         assert text.count(f"<!-- {mark} -->") == text.count(f"<!-- /{mark} -->") == 1
         _, told = text.split(f"<!-- {mark} -->")
         assert "\n| " in told.split(f"<!-- /{mark} -->")[0]
