@@ -34,12 +34,14 @@ static const double
     offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
     offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
 
+#ifndef __CUDACC_RTC__
 const char *const abb_gofa_5_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
     "root11", "root12", "root13", "root14", "root15", "root16",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -104,42 +106,42 @@ DHGEN_TABLE dhgen_general_arm general = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[6] = {
+DHGEN_TABLE int solved[6] = { 0, 1, 2, 3, 4, 5 };
+DHGEN_TABLE int turning[6] = { 1, 1, 1, 1, 1, 1 };
+DHGEN_TABLE double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[6] = {
     0.6802721088435373, 0.6802721088435373, 0.6802721088435373, 0.6802721088435373,
     0.6802721088435373, 0.6802721088435373,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[6] = {
+DHGEN_TABLE double span_low[6] = {
     -3.141592653589793, -3.141592653589793, -3.9269908169872414, -3.141592653589793,
     -3.141592653589793, -3.141592653589793,
 };
-static const double span_width[6] = {
+DHGEN_TABLE double span_width[6] = {
     6.283185307179586, 6.283185307179586, 5.410520681182422, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
 };
-static const double stride[6] = {
+DHGEN_TABLE double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
-static const double least_u[6] = {
+DHGEN_TABLE double least_u[6] = {
     -3.141592653589793, -3.141592653589793, -3.9269908169872414, -3.141592653589793,
     -3.141592653589793, -3.141592653589793,
 };
-static const double most_u[6] = {
+DHGEN_TABLE double most_u[6] = {
     3.141592653589793, 3.141592653589793, 1.4835298641951802, 3.141592653589793, 3.141592653589793,
     3.141592653589793,
 };
 /* How the loop counts the joints: which way, and from where. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = { 3.141592653589793, 1.5707963267948966, 0.0, 0.0, 0.0, 0.0 };
+DHGEN_TABLE double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double zero[6] = { 3.141592653589793, 1.5707963267948966, 0.0, 0.0, 0.0, 0.0 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -152,7 +154,7 @@ static const struct dhgen_numerical_arm descents = {
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 3.141592653589793, 0.265, 0.0, 1.5707963267948966 },
     { 1.5707963267948966, 0.0, 0.444, 0.0 },
     { 0.0, 0.0, 0.11, -1.5707963267948966 },
@@ -161,7 +163,7 @@ static const double table[6][4] = {
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void abb_gofa_5_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void abb_gofa_5_frames(const double q[6], double frames[8][16])
 {
     static const double tool[12] = { 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.101
         };
@@ -170,7 +172,7 @@ void abb_gofa_5_frames(const double q[6], double frames[8][16])
     dhgen_frames(&links, q, frames);
 }
 
-void abb_gofa_5_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void abb_gofa_5_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -196,7 +198,7 @@ void abb_gofa_5_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void abb_gofa_5_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void abb_gofa_5_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -228,7 +230,7 @@ void abb_gofa_5_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -262,8 +264,8 @@ static void solve(
     }
 }
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.6803, 0.6803, 0.6803, 1.0, 1.0, 1.0 }, 0.6802721088435373, { 1e-14, 1e-10 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -276,23 +278,24 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void abb_gofa_5_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void abb_gofa_5_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int abb_gofa_5_ik(
+DHGEN_PUBLIC int abb_gofa_5_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
 {
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int abb_gofa_5_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int abb_gofa_5_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void abb_gofa_5_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void abb_gofa_5_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

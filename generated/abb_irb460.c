@@ -58,11 +58,13 @@ static const double
     const number T21 = T[4], T24 = T[7]; \
     const number T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const abb_irb460_branches[4] = {
     "back-down", "back-up", "front-up", "front-down",
 };
+#endif
 
-static const struct dhgen_joint joints[4] = {
+DHGEN_TABLE struct dhgen_joint joints[4] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.8797932657906435, 2.8797932657906435, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -0.6981317007977318, 1.4835298641951802, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -71,7 +73,7 @@ static const struct dhgen_joint joints[4] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[5][4] = {
+DHGEN_TABLE double table[5][4] = {
     { 0.0, 0.7425, 0.26, -1.5707963267948966 },
     { -1.5707963267948966, 0.0, 0.945, 0.0 },
     { 1.5707963267948966, 0.0, 1.025, 0.0 },
@@ -79,7 +81,7 @@ static const double table[5][4] = {
     { 3.141592653589793, 0.2515, 0.0, 0.0 },
 };
 
-void abb_irb460_frames(const double q[4], double frames[7][16])
+DHGEN_PUBLIC void abb_irb460_frames(const double q[4], double frames[7][16])
 {
     static const struct dhgen_joint rows[5] = {
         { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 },
@@ -92,7 +94,7 @@ void abb_irb460_frames(const double q[4], double frames[7][16])
     dhgen_frames(&links, moved, frames);
 }
 
-void abb_irb460_fk(const double q[4], double T[16])
+DHGEN_PUBLIC void abb_irb460_fk(const double q[4], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2,
@@ -116,7 +118,7 @@ void abb_irb460_fk(const double q[4], double T[16])
     T[15] = 1.0;
 }
 
-void abb_irb460_jacobian(const double q[4], double J[24])
+DHGEN_PUBLIC void abb_irb460_jacobian(const double q[4], double J[24])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1,
         v1 = q[1] + offset2;
@@ -144,7 +146,7 @@ void abb_irb460_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -233,6 +235,7 @@ static void solve(
 
 #ifndef ABB_IRB460_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.00034439999999999997 [m]. */
 static const double
     m1 = 1e-12, /* steep_limit^2 */
@@ -377,7 +380,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -385,9 +388,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[5] = { 0, 3, 4, 7, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[5] = { 0, 3, 4, 7, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     4, 4, 0, DHGEN_YAW, joints, NULL, 0,
     { 0.2904, 0.2904, 0.2904, 0.0, 0.0, 1.0 }, 0.29036004645760743, { 1e-14, 1e-14 }, entries, 5,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -404,12 +407,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void abb_irb460_joint_velocities(const double q[4], const double twist[6], double velocities[4])
+DHGEN_PUBLIC void abb_irb460_joint_velocities(
+    const double q[4], const double twist[6], double velocities[4])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int abb_irb460_ik(
+DHGEN_PUBLIC int abb_irb460_ik(
     const double T[16], const double *q_seed, double q[4][4], unsigned char status[4])
 {
 #ifndef ABB_IRB460_PLAIN
@@ -420,12 +424,12 @@ int abb_irb460_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int abb_irb460_ik_nearest(const double T[16], const double q_seed[4], double q[4])
+DHGEN_PUBLIC int abb_irb460_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void abb_irb460_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void abb_irb460_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef ABB_IRB460_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

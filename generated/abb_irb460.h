@@ -14,8 +14,18 @@
 #ifndef ABB_IRB460_H
 #define ABB_IRB460_H
 
+#ifndef __CUDACC_RTC__ /* it has their functions without them */
 #include <math.h>
 #include <stddef.h>
+#endif
+
+#ifndef DHGEN_PUBLIC /* the mark of functions: in CUDA they are for both sides */
+#ifdef __CUDACC__
+#define DHGEN_PUBLIC __host__ __device__
+#else
+#define DHGEN_PUBLIC
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -50,30 +60,33 @@ enum {
     ABB_IRB460_INVALID_POSE = 4
 };
 
+#ifndef __CUDACC_RTC__
 /* The name of every row. */
 extern const char *const abb_irb460_branches[4];
+#endif
 
 /* The pose T of the joint values q. */
-void abb_irb460_fk(const double q[4], double T[16]);
+DHGEN_PUBLIC void abb_irb460_fk(const double q[4], double T[16]);
 
 /* The frames of the base, of the links as the robot file has them, and of the tool. */
-void abb_irb460_frames(const double q[4], double frames[7][16]);
+DHGEN_PUBLIC void abb_irb460_frames(const double q[4], double frames[7][16]);
 
 /* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
  * velocity. */
-void abb_irb460_jacobian(const double q[4], double J[24]);
+DHGEN_PUBLIC void abb_irb460_jacobian(const double q[4], double J[24]);
 
 /* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
  * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
  * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
  * the twist, lengths in arm sizes. */
-void abb_irb460_joint_velocities(const double q[4], const double twist[6], double velocities[4]);
+DHGEN_PUBLIC void abb_irb460_joint_velocities(
+    const double q[4], const double twist[6], double velocities[4]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -ABB_IRB460_INVALID_POSE, also for a seed that is
  * not finite where it may be needed. */
-int abb_irb460_ik(
+DHGEN_PUBLIC int abb_irb460_ik(
     const double T[16], const double *q_seed, double q[4][4], unsigned char status[4]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
@@ -81,11 +94,11 @@ int abb_irb460_ik(
  * Returns ABB_IRB460_OK or ABB_IRB460_FREE_JOINT, or, with NaN in q,
  * minus ABB_IRB460_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */
-int abb_irb460_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
+DHGEN_PUBLIC int abb_irb460_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
 
 /* abb_irb460_ik without a seed for n poses: T holds n x 16 numbers,
  * q n x 4 x 4, status n x 4. */
-void abb_irb460_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+DHGEN_PUBLIC void abb_irb460_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus
 }

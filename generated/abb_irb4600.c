@@ -55,12 +55,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const abb_irb4600_branches[8] = {
     "back-down-noflip", "back-down-flip", "back-up-noflip", "back-up-flip", "front-up-noflip",
     "front-up-flip", "front-down-noflip", "front-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -1.5707963267948966, 2.6179938779914944, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -71,7 +73,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The axes at q = 0: a unit vector along each, and a point of it [m]. */
-static const double table[6][6] = {
+DHGEN_TABLE double table[6][6] = {
     { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 },
     { 0.0, 1.0, 0.0, 0.175, 0.0, 0.495 },
     { 0.0, 1.0, 0.0, 0.175, 0.0, 1.5899999999999999 },
@@ -80,7 +82,7 @@ static const double table[6][6] = {
     { 1.0, 0.0, 0.0, 0.175, 0.0, 1.765 },
 };
 
-void abb_irb4600_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void abb_irb4600_frames(const double q[6], double frames[8][16])
 {
     static const double tool[12] = { 0.0, 0.0, 1.0, 1.58, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.765
         };
@@ -89,7 +91,7 @@ void abb_irb4600_frames(const double q[6], double frames[8][16])
     dhgen_frames(&links, q, frames);
 }
 
-void abb_irb4600_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void abb_irb4600_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * s2, x2_y = s1 * s2, y2_x = c1 * c2,
@@ -114,7 +116,7 @@ void abb_irb4600_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void abb_irb4600_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void abb_irb4600_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p2_x = c1 * a1, p2_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * s2, x2_y = s1 * s2, y2_x = c1 * c2,
@@ -144,7 +146,7 @@ void abb_irb4600_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -253,6 +255,7 @@ static void solve(
 
 #ifndef ABB_IRB4600_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.00032000238089839356 [m],
  * doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -282,7 +285,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide t14 = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = t14 * t14 + Y1 * Y1,
-        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, angle1 = dhgen_atan2_wide(Y1, -t14);
+        w1 = dhgen_sqrt_wide(v1), v2 = DHGEN_QUOTIENT(1.0, v1), angle1 = dhgen_atan2_wide(Y1, -t14);
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d6 * T33 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
@@ -295,7 +298,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta2 */
     const dhgen_wide X1_2_p = m4 * N3_p - m5, X1_2_m = m4 * N3_m - m5, v8 = v3 * X1_2_p,
         v9 = v4 * X1_2_m, v10 = m4 * Z1_3, v11 = m4 * -Z1_3, v12 = Z1_3 * X1_2_p,
-        v13 = Z1_3 * X1_2_m, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m, v14 = w3_p * (m4 * v3),
+        v13 = Z1_3 * X1_2_m, factor2_p = DHGEN_QUOTIENT(1.0, N3_p),
+        factor2_m = DHGEN_QUOTIENT(1.0, N3_m), v14 = w3_p * (m4 * v3),
         angle4 = dhgen_atan2_wide(-(v8 + w3_p * v10), v12 - v14),
         angle5 = dhgen_atan2_wide(-(v8 + w3_p * v11), v12 + v14),
         angle6 = dhgen_atan2_wide(-(v9 + w3_m * v10), v13 - w3_m * (m4 * v4)),
@@ -425,7 +429,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double t14 = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = t14 * t14 + Y1 * Y1, w1 = sqrt(v1),
-        v2 = 1.0 / v1, v3 = copysign(DHGEN_HALF_TURN, Y1);
+        v2 = DHGEN_QUOTIENT(1.0, v1), v3 = copysign(DHGEN_HALF_TURN, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
@@ -436,7 +440,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const dhgen_four X1_2 = m4 * N3 - m5, v6 = v4 * X1_2, v7 = m4 * (e3 * Z1_3), v8 = Z1_3 * X1_2,
-        factor2 = 1.0 / N3;
+        factor2 = DHGEN_QUOTIENT(1.0, N3);
 
     /* theta4 */
     const double v9 = m6 * Z1_3;
@@ -499,7 +503,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -507,9 +511,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.3125, 0.3125, 0.3125, 1.0, 1.0, 1.0 }, 0.31249767492121183, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -526,12 +530,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void abb_irb4600_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void abb_irb4600_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int abb_irb4600_ik(
+DHGEN_PUBLIC int abb_irb4600_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef ABB_IRB4600_PLAIN
@@ -542,12 +547,12 @@ int abb_irb4600_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int abb_irb4600_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int abb_irb4600_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void abb_irb4600_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void abb_irb4600_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef ABB_IRB4600_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

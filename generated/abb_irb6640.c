@@ -57,12 +57,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const abb_irb6640_branches[8] = {
     "back-down-noflip", "back-down-flip", "back-up-noflip", "back-up-flip", "front-up-noflip",
     "front-up-flip", "front-down-noflip", "front-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.967, 2.967, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -1.134, 1.4855, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -73,7 +75,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.78, 0.32, -1.5707963267948966 },
     { -1.5707963267948966, 0.0, 1.075, 0.0 },
     { 0.0, 0.0, 0.2, -1.5707963267948966 },
@@ -82,14 +84,14 @@ static const double table[6][4] = {
     { 0.0, 0.2, 0.0, 0.0 },
 };
 
-void abb_irb6640_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void abb_irb6640_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void abb_irb6640_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void abb_irb6640_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2,
@@ -114,7 +116,7 @@ void abb_irb6640_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void abb_irb6640_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void abb_irb6640_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1,
         v1 = q[1] + offset2;
@@ -145,7 +147,7 @@ void abb_irb6640_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -259,6 +261,7 @@ static void solve(
 
 #ifndef ABB_IRB6640_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.00039670000000000005 [m],
  * doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -288,7 +291,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1,
-        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, angle1 = dhgen_atan2_wide(Y1, -wx),
+        w1 = dhgen_sqrt_wide(v1), v2 = DHGEN_QUOTIENT(1.0, v1), angle1 = dhgen_atan2_wide(Y1, -wx),
         q1__m = angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, Y1);
 
     /* theta3 */
@@ -302,7 +305,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta2 */
     const dhgen_wide Y1_2_p = m4 * N3_p - m5, Y1_2_m = m4 * N3_m - m5, v8 = Z1_3 * -Y1_2_p,
         v9 = Z1_3 * -Y1_2_m, v10 = v3 * Y1_2_p, v11 = v4 * Y1_2_m, v12 = m4 * Z1_3,
-        v13 = m4 * -Z1_3, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
+        v13 = m4 * -Z1_3, factor2_p = DHGEN_QUOTIENT(1.0, N3_p),
+        factor2_m = DHGEN_QUOTIENT(1.0, N3_m);
 
     /* theta4 */
     const dhgen_wide v14 = m6 * Z1_3, v15 = v14 - m7 * v3, v16 = v14 - m7 * v4,
@@ -440,7 +444,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1),
-        v2 = 1.0 / v1, v3 = copysign(DHGEN_HALF_TURN, Y1);
+        v2 = DHGEN_QUOTIENT(1.0, v1), v3 = copysign(DHGEN_HALF_TURN, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
@@ -451,7 +455,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const dhgen_four Y1_2 = m4 * N3 - m5, v6 = Z1_3 * -Y1_2, v7 = v4 * Y1_2, v8 = m4 * (e3 * Z1_3),
-        factor2 = 1.0 / N3;
+        factor2 = DHGEN_QUOTIENT(1.0, N3);
 
     /* theta4 */
     const double v9 = m6 * Z1_3;
@@ -518,7 +522,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -526,9 +530,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.2521, 0.2521, 0.2521, 1.0, 1.0, 1.0 }, 0.25207965717166625, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -545,12 +549,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void abb_irb6640_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void abb_irb6640_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int abb_irb6640_ik(
+DHGEN_PUBLIC int abb_irb6640_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef ABB_IRB6640_PLAIN
@@ -561,12 +566,12 @@ int abb_irb6640_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int abb_irb6640_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int abb_irb6640_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void abb_irb6640_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void abb_irb6640_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef ABB_IRB6640_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

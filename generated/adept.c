@@ -44,11 +44,13 @@ static const double
     const number T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const adept_branches[1] = {
     "only",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -56,13 +58,13 @@ static const struct dhgen_joint joints[3] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [mm], a [mm], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 1075.0, 600.0, 0.0 },
     { 0.0, 0.0, 550.0, 3.141592653589793 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void adept_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void adept_frames(const double q[3], double frames[5][16])
 {
     static const double base[12] = { 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 500.0 };
     static const double tool[12] = { 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 175.0
@@ -72,7 +74,7 @@ void adept_frames(const double q[3], double frames[5][16])
     dhgen_frames(&links, q, frames);
 }
 
-void adept_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void adept_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_y = c1 * c2 - s1 * s2, x2_z = s1 * c2 + c1 * s2;
@@ -83,7 +85,7 @@ void adept_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void adept_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void adept_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_y = c1 * l1, p1_z = zz_ + s1 * l1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), p2_y = p1_y + (c1 * c2 - s1 * s2) * l2,
@@ -97,7 +99,7 @@ void adept_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -144,6 +146,7 @@ static void solve(
 
 #ifndef ADEPT_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit2 = 576.0 [mm^2]. */
 static const double
     m1 = 330000.0, /* l1 * l2 [mm^2] */
@@ -164,13 +167,13 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide t34 = T14 - ez * T13, q3 = d1 - t34;
 
     /* theta12 */
-    const dhgen_wide v1 = T32 * T32 + T22 * T22, w12 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1,
-        v3 = w12 * v2;
+    const dhgen_wide v1 = T32 * T32 + T22 * T22, w12 = dhgen_sqrt_wide(v1),
+        v2 = DHGEN_QUOTIENT(1.0, v1), v3 = w12 * v2;
 
     /* theta1 */
     const dhgen_wide t14 = T24 - ez * T23, t24 = T34 - ez * T33 - zz_,
         v4 = m2 * t24 - w12 * (m1 * (T32 * v2)), v5 = m2 * t14 - w12 * (m1 * (T22 * v2)),
-        v6 = v4 * v4 + v5 * v5, v7 = dhgen_sqrt_wide(v6) * (1.0 / v6),
+        v6 = v4 * v4 + v5 * v5, v7 = dhgen_sqrt_wide(v6) * DHGEN_QUOTIENT(1.0, v6),
         angle1 = dhgen_atan2_wide(v4, v5);
 
     /* is the pose one that the arm can take? */
@@ -203,12 +206,13 @@ DHGEN_INLINE int solve_regular(
     const double t34 = T14 - ez * T13, q3 = d1 - t34;
 
     /* theta12 */
-    const double v1 = T32 * T32 + T22 * T22, w12 = sqrt(v1), v2 = 1.0 / v1, v3 = w12 * v2;
+    const double v1 = T32 * T32 + T22 * T22, w12 = sqrt(v1), v2 = DHGEN_QUOTIENT(1.0, v1),
+        v3 = w12 * v2;
 
     /* theta1 */
     const double t14 = T24 - ez * T23, t24 = T34 - ez * T33 - zz_,
         v4 = m2 * t24 - w12 * (m1 * (T32 * v2)), v5 = m2 * t14 - w12 * (m1 * (T22 * v2)),
-        v6 = v4 * v4 + v5 * v5, v7 = sqrt(v6) * (1.0 / v6);
+        v6 = v4 * v4 + v5 * v5, v7 = sqrt(v6) * DHGEN_QUOTIENT(1.0, v6);
 
     /* is the pose one that the arm can take? */
     const double v8 = t34 - (d1 - q3), v9 = T13 + 1.0,
@@ -235,7 +239,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -243,8 +247,8 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 1, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.0004167, 0.0004167, 0.0004167, 1.0, 1.0, 1.0 }, 0.0004166666666666667, { 1e-14, 1e-14 },
         entries, 9,
@@ -262,12 +266,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void adept_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+DHGEN_PUBLIC void adept_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int adept_ik(const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
+DHGEN_PUBLIC int adept_ik(
+    const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
 {
 #ifndef ADEPT_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -277,12 +283,12 @@ int adept_ik(const double T[16], const double *q_seed, double q[1][3], unsigned 
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int adept_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int adept_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void adept_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void adept_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef ADEPT_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -51,11 +51,13 @@ static const double
     const number T21 = T[4], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const adept_cobra600_branches[2] = {
     "right", "left",
 };
+#endif
 
-static const struct dhgen_joint joints[4] = {
+DHGEN_TABLE struct dhgen_joint joints[4] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -64,21 +66,21 @@ static const struct dhgen_joint joints[4] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[4][4] = {
+DHGEN_TABLE double table[4][4] = {
     { 0.0, 0.387, 0.325, 0.0 },
     { 0.0, 0.0, 0.275, 3.141592653589793 },
     { 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void adept_cobra600_frames(const double q[4], double frames[6][16])
+DHGEN_PUBLIC void adept_cobra600_frames(const double q[4], double frames[6][16])
 {
     static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void adept_cobra600_fk(const double q[4], double T[16])
+DHGEN_PUBLIC void adept_cobra600_fk(const double q[4], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
@@ -90,7 +92,7 @@ void adept_cobra600_fk(const double q[4], double T[16])
     T[15] = 1.0;
 }
 
-void adept_cobra600_jacobian(const double q[4], double J[24])
+DHGEN_PUBLIC void adept_cobra600_jacobian(const double q[4], double J[24])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), p2_x = p1_x + (c1 * c2 - s1 * s2) * a2,
@@ -104,7 +106,7 @@ void adept_cobra600_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -177,6 +179,7 @@ static void solve(
 
 #ifndef ADEPT_COBRA600_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 static const double
     /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
     m1 = 4.2270353883820664e-12,
@@ -272,7 +275,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -280,9 +283,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.013, 1.013, 1.013, 1.0, 1.0, 1.0 }, 1.0131712259371835, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -299,12 +302,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void adept_cobra600_joint_velocities(const double q[4], const double twist[6], double velocities[4])
+DHGEN_PUBLIC void adept_cobra600_joint_velocities(
+    const double q[4], const double twist[6], double velocities[4])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int adept_cobra600_ik(
+DHGEN_PUBLIC int adept_cobra600_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
 #ifndef ADEPT_COBRA600_PLAIN
@@ -315,12 +319,13 @@ int adept_cobra600_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int adept_cobra600_ik_nearest(const double T[16], const double q_seed[4], double q[4])
+DHGEN_PUBLIC int adept_cobra600_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void adept_cobra600_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void adept_cobra600_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef ADEPT_COBRA600_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

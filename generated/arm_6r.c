@@ -51,12 +51,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const arm_6r_branches[8] = {
     "back-down-noflip", "back-down-flip", "back-up-noflip", "back-up-flip", "front-up-noflip",
     "front-up-flip", "front-down-noflip", "front-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -67,7 +69,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.4, 0.0, -1.5707963267948966 },
     { 0.0, 0.0, 0.4, 0.0 },
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
@@ -76,14 +78,14 @@ static const double table[6][4] = {
     { 0.0, 0.1, 0.0, 0.0 },
 };
 
-void arm_6r_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void arm_6r_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void arm_6r_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void arm_6r_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -108,7 +110,7 @@ void arm_6r_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void arm_6r_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void arm_6r_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -136,7 +138,7 @@ void arm_6r_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -242,6 +244,7 @@ static void solve(
 
 #ifndef ARM_6R_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.000125 [m], doubt_limit_squared2 = 1.5625e-08 [m^2],
  * doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -263,7 +266,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1,
-        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, angle1 = dhgen_atan2_wide(Y1, -wx);
+        w1 = dhgen_sqrt_wide(v1), v2 = DHGEN_QUOTIENT(1.0, v1), angle1 = dhgen_atan2_wide(Y1, -wx);
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
@@ -280,8 +283,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v23 = v20 + v22, v24 = v21 + v22, v25 = v20 - v22, v26 = v21 - v22, v27 = S2_pp * S2_pp,
         v28 = v27 + v23 * v23, v29 = v15 * v15, v30 = v29 + v24 * v24, v31 = v29 + v25 * v25,
         v32 = v27 + v26 * v26, w2_pp = dhgen_sqrt_wide(v28), w2_pm = dhgen_sqrt_wide(v30),
-        w2_mp = dhgen_sqrt_wide(v31), w2_mm = dhgen_sqrt_wide(v32), v33 = 1.0 / v28,
-        v34 = 1.0 / v30, v35 = 1.0 / v31, v36 = 1.0 / v32, angle3 = dhgen_atan2_wide(S2_pp, -v23),
+        w2_mp = dhgen_sqrt_wide(v31), w2_mm = dhgen_sqrt_wide(v32), v33 = DHGEN_QUOTIENT(1.0, v28),
+        v34 = DHGEN_QUOTIENT(1.0, v30), v35 = DHGEN_QUOTIENT(1.0, v31),
+        v36 = DHGEN_QUOTIENT(1.0, v32), angle3 = dhgen_atan2_wide(S2_pp, -v23),
         angle4 = dhgen_atan2_wide(-v15, -v24), angle5 = dhgen_atan2_wide(-v15, -v25),
         angle6 = dhgen_atan2_wide(S2_pp, -v26);
 
@@ -368,7 +372,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1),
-        v2 = 1.0 / v1, v3 = copysign(DHGEN_HALF_TURN, Y1);
+        v2 = DHGEN_QUOTIENT(1.0, v1), v3 = copysign(DHGEN_HALF_TURN, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
@@ -383,7 +387,7 @@ DHGEN_INLINE int solve_regular(
     const double v16 = w1 * Y1_2, v17 = Z1_3 * v9;
     const dhgen_four v18 = e3 * v17, v19 = e1 * v16, v20 = v18 + v19, v21 = w3 * (m4 * (e3 * Z1_3)),
         v22 = w1 * (e1 * v14), v23 = v21 + v22, v24 = S2 * S2 + v23 * v23,
-        w2 = dhgen_sqrt_four(v24), v25 = 1.0 / v24;
+        w2 = dhgen_sqrt_four(v24), v25 = DHGEN_QUOTIENT(1.0, v24);
 
     /* theta4 */
     const dhgen_four v26 = e3 * c3, c23 = w2 * (v25 * (v6 * v13 - v20 * v26)),
@@ -428,7 +432,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -436,9 +440,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8, 0.8, 0.8, 1.0, 1.0, 1.0 }, 0.8, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -455,12 +459,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void arm_6r_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void arm_6r_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int arm_6r_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+DHGEN_PUBLIC int arm_6r_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef ARM_6R_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -470,12 +476,12 @@ int arm_6r_ik(const double T[16], const double *q_seed, double q[8][6], unsigned
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int arm_6r_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int arm_6r_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void arm_6r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void arm_6r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef ARM_6R_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

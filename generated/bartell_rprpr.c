@@ -41,11 +41,13 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const bartell_rprpr_branches[2] = {
     "shoulder+", "shoulder-",
 };
+#endif
 
-static const struct dhgen_joint joints[5] = {
+DHGEN_TABLE struct dhgen_joint joints[5] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 2e-09, 0.25, 2.0, 0.19634954084936207, 0 },
@@ -55,7 +57,7 @@ static const struct dhgen_joint joints[5] = {
 };
 
 /* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[5][4] = {
+DHGEN_TABLE double table[5][4] = {
     { 0.0, 2.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
@@ -63,14 +65,14 @@ static const double table[5][4] = {
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void bartell_rprpr_frames(const double q[5], double frames[7][16])
+DHGEN_PUBLIC void bartell_rprpr_frames(const double q[5], double frames[7][16])
 {
     static const struct dhgen_links links = { 5, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void bartell_rprpr_fk(const double q[5], double T[16])
+DHGEN_PUBLIC void bartell_rprpr_fk(const double q[5], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = c1 * c3, x3_y = s1 * c3, z4_x = c1 * s3,
@@ -85,7 +87,7 @@ void bartell_rprpr_fk(const double q[5], double T[16])
     T[15] = 1.0;
 }
 
-void bartell_rprpr_jacobian(const double q[5], double J[30])
+DHGEN_PUBLIC void bartell_rprpr_jacobian(const double q[5], double J[30])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p2_x = s1 * q[1], v1 = c1 * q[1];
     const double c3 = cos(q[2]), s3 = sin(q[2]), z4_x = c1 * s3, z4_y = s1 * s3,
@@ -100,7 +102,7 @@ void bartell_rprpr_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -172,6 +174,7 @@ static void solve(
 
 #ifndef BARTELL_RPRPR_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 9.999999999999999e-09, /* doubt_limit^2 */
@@ -190,7 +193,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide v1 = T34 - d1, X2_1 = v1 * T23 - T24 * T33, Y2_1 = v1 * T13 - T33 * T14,
         sigma1 = dhgen_signed_wide(second_weight, X2_1 * T13 - T23 * Y2_1),
         Xhat1 = T13 + X2_1 * sigma1, Yhat1 = Y2_1 * sigma1 - T23,
-        v2 = Xhat1 * Xhat1 + Yhat1 * Yhat1, w1 = dhgen_sqrt_wide(v2), v3 = 1.0 / v2,
+        v2 = Xhat1 * Xhat1 + Yhat1 * Yhat1, w1 = dhgen_sqrt_wide(v2), v3 = DHGEN_QUOTIENT(1.0, v2),
         factor1 = w1 * v3, v4 = Xhat1 * factor1, s1 = Yhat1 * factor1,
         angle1 = dhgen_atan2_wide(Yhat1, -Xhat1);
 
@@ -199,8 +202,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide Z2_3 = w1 * (v3 * (T23 * Yhat1 - T13 * Xhat1)), v5 = T33 * T33 + Z2_3 * Z2_3,
-        w3 = dhgen_sqrt_wide(v5), v6 = 1.0 / v5, factor3 = w3 * v6, v7 = T33 * factor3,
-        s3 = Z2_3 * factor3, angle2 = dhgen_atan2_wide(Z2_3, -T33);
+        w3 = dhgen_sqrt_wide(v5), v6 = DHGEN_QUOTIENT(1.0, v5), factor3 = w3 * v6,
+        v7 = T33 * factor3, s3 = Z2_3 * factor3, angle2 = dhgen_atan2_wide(Z2_3, -T33);
 
     /* r4 */
     const dhgen_wide q4_p = w3 * (v6 * ((T23 * s1 - T13 * v4) * (T24 * s1 - T14 * v4) - T33 * -v1));
@@ -208,7 +211,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta5 */
     const dhgen_wide v8 = w1 * (v3 * (Xhat1 * T22 + Yhat1 * T12)),
         v9 = w1 * (v3 * (Xhat1 * T21 + Yhat1 * T11)), v10 = v9 * v9 + v8 * v8,
-        v11 = dhgen_sqrt_wide(v10) * (1.0 / v10), v12 = v8 * v11, v13 = v9 * v11,
+        v11 = dhgen_sqrt_wide(v10) * DHGEN_QUOTIENT(1.0, v10), v12 = v8 * v11, v13 = v9 * v11,
         angle3 = dhgen_atan2_wide(v9, v8);
 
     /* is the pose one that the arm can take? */
@@ -245,7 +248,7 @@ DHGEN_INLINE int solve_regular(
     const double v1 = T34 - d1, X2_1 = v1 * T23 - T24 * T33, Y2_1 = v1 * T13 - T33 * T14,
         sigma1 = copysign(second_weight, X2_1 * T13 - T23 * Y2_1), Xhat1 = T13 + X2_1 * sigma1,
         Yhat1 = Y2_1 * sigma1 - T23, v2 = Xhat1 * Xhat1 + Yhat1 * Yhat1, w1 = sqrt(v2),
-        v3 = 1.0 / v2, factor1 = w1 * v3, v4 = Xhat1 * factor1, s1 = Yhat1 * factor1,
+        v3 = DHGEN_QUOTIENT(1.0, v2), factor1 = w1 * v3, v4 = Xhat1 * factor1, s1 = Yhat1 * factor1,
         v5 = copysign(DHGEN_HALF_TURN, Yhat1);
     const dhgen_four v6 = m2 * (e1 - 1.0);
 
@@ -254,7 +257,8 @@ DHGEN_INLINE int solve_regular(
 
     /* theta3 */
     const double Z2_3 = w1 * (v3 * (T23 * Yhat1 - T13 * Xhat1)), v7 = T33 * T33 + Z2_3 * Z2_3,
-        w3 = sqrt(v7), v8 = 1.0 / v7, factor3 = w3 * v8, v9 = T33 * factor3, s3 = Z2_3 * factor3;
+        w3 = sqrt(v7), v8 = DHGEN_QUOTIENT(1.0, v7), factor3 = w3 * v8, v9 = T33 * factor3,
+        s3 = Z2_3 * factor3;
 
     /* r4 */
     const double q4 = w3 * (v8 * ((T23 * s1 - T13 * v4) * (T24 * s1 - T14 * v4) - T33 * -v1));
@@ -262,7 +266,7 @@ DHGEN_INLINE int solve_regular(
     /* theta5 */
     const double v10 = w1 * (v3 * (Xhat1 * T22 + Yhat1 * T12)),
         v11 = w1 * (v3 * (Xhat1 * T21 + Yhat1 * T11)), v12 = v11 * v11 + v10 * v10,
-        v13 = sqrt(v12) * (1.0 / v12), v14 = v10 * v13, v15 = v11 * v13,
+        v13 = sqrt(v12) * DHGEN_QUOTIENT(1.0, v12), v14 = v10 * v13, v15 = v11 * v13,
         v16 = copysign(DHGEN_HALF_TURN, v11);
 
     /* is the pose one that the arm can take? */
@@ -295,7 +299,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -303,9 +307,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     5, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5, 0.5, 0.5, 1.0, 1.0, 1.0 }, 0.5, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -322,12 +326,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void bartell_rprpr_joint_velocities(const double q[5], const double twist[6], double velocities[5])
+DHGEN_PUBLIC void bartell_rprpr_joint_velocities(
+    const double q[5], const double twist[6], double velocities[5])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int bartell_rprpr_ik(
+DHGEN_PUBLIC int bartell_rprpr_ik(
     const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
 {
 #ifndef BARTELL_RPRPR_PLAIN
@@ -338,12 +343,13 @@ int bartell_rprpr_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double q[5])
+DHGEN_PUBLIC int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void bartell_rprpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void bartell_rprpr_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef BARTELL_RPRPR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

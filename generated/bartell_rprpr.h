@@ -13,8 +13,18 @@
 #ifndef BARTELL_RPRPR_H
 #define BARTELL_RPRPR_H
 
+#ifndef __CUDACC_RTC__ /* it has their functions without them */
 #include <math.h>
 #include <stddef.h>
+#endif
+
+#ifndef DHGEN_PUBLIC /* the mark of functions: in CUDA they are for both sides */
+#ifdef __CUDACC__
+#define DHGEN_PUBLIC __host__ __device__
+#else
+#define DHGEN_PUBLIC
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -49,29 +59,32 @@ enum {
     BARTELL_RPRPR_INVALID_POSE = 4
 };
 
+#ifndef __CUDACC_RTC__
 /* The name of every row. */
 extern const char *const bartell_rprpr_branches[2];
+#endif
 
 /* The pose T of the joint values q. */
-void bartell_rprpr_fk(const double q[5], double T[16]);
+DHGEN_PUBLIC void bartell_rprpr_fk(const double q[5], double T[16]);
 
 /* The frames of the base, of the links as the robot file has them, and of the tool. */
-void bartell_rprpr_frames(const double q[5], double frames[7][16]);
+DHGEN_PUBLIC void bartell_rprpr_frames(const double q[5], double frames[7][16]);
 
 /* The geometric Jacobian, 6 x 5 row by row: velocity of the tool's origin, then angular
  * velocity. */
-void bartell_rprpr_jacobian(const double q[5], double J[30]);
+DHGEN_PUBLIC void bartell_rprpr_jacobian(const double q[5], double J[30]);
 
 /* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
  * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
  * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
  * the twist, lengths in arm sizes. */
-void bartell_rprpr_joint_velocities(const double q[5], const double twist[6], double velocities[5]);
+DHGEN_PUBLIC void bartell_rprpr_joint_velocities(
+    const double q[5], const double twist[6], double velocities[5]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
  * -BARTELL_RPRPR_INVALID_POSE, also for a seed that is not finite where it may be needed. */
-int bartell_rprpr_ik(
+DHGEN_PUBLIC int bartell_rprpr_ik(
     const double T[16], const double *q_seed, double q[2][5], unsigned char status[2]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
@@ -79,11 +92,12 @@ int bartell_rprpr_ik(
  * Returns BARTELL_RPRPR_OK or BARTELL_RPRPR_FREE_JOINT, or, with NaN in q,
  * minus BARTELL_RPRPR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */
-int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
+DHGEN_PUBLIC int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
 
 /* bartell_rprpr_ik without a seed for n poses: T holds n x 16 numbers,
  * q n x 2 x 5, status n x 2. */
-void bartell_rprpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+DHGEN_PUBLIC void bartell_rprpr_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus
 }

@@ -34,11 +34,13 @@
     const number T24 = T[7]; \
     const number T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const cartesian_branches[1] = {
     "only",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { 0.0, 0.8, 1.2e-09, 0.6944444444444444, 1.2, 0.025, 0 },
     { 0.0, 0.6, 1.2e-09, 0.6944444444444444, 1.2, 0.01875, 0 },
@@ -46,20 +48,20 @@ static const struct dhgen_joint joints[3] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
     { -1.5707963267948966, 0.0, 0.0, -1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void cartesian_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void cartesian_frames(const double q[3], double frames[5][16])
 {
     static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void cartesian_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void cartesian_fk(const double q[3], double T[16])
 {
     T[0] = 0.0; T[1] = 0.0; T[2] = 1.0; T[3] = q[2];
     T[4] = 0.0; T[5] = -1.0; T[6] = 0.0; T[7] = q[1];
@@ -68,7 +70,7 @@ void cartesian_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void cartesian_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void cartesian_jacobian(const double q[3], double J[18])
 {
     (void)q;
     J[0] = 0.0; J[1] = 0.0; J[2] = 1.0;
@@ -80,7 +82,7 @@ void cartesian_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -97,6 +99,7 @@ static void solve(
 
 #ifndef CARTESIAN_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 static const double per_size = 0.8333333333333334;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -149,7 +152,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -157,8 +160,8 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[3] = { 3, 7, 11 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[3] = { 3, 7, 11 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 1, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.8333, 0.8333, 0.8333, 0.0, 0.0, 0.0 }, 0.8333333333333334, { 1e-14, 1e-14 }, entries, 3,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -175,12 +178,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void cartesian_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+DHGEN_PUBLIC void cartesian_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int cartesian_ik(const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
+DHGEN_PUBLIC int cartesian_ik(
+    const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
 {
 #ifndef CARTESIAN_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -190,12 +195,12 @@ int cartesian_ik(const double T[16], const double *q_seed, double q[1][3], unsig
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int cartesian_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int cartesian_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void cartesian_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void cartesian_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef CARTESIAN_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -67,12 +67,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const comau_ns16_branches[8] = {
     "front-down-noflip", "front-down-flip", "front-up-noflip", "front-up-flip", "back-up-noflip",
     "back-up-flip", "back-down-noflip", "back-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -3.14159, 3.14159, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -0.87266, 1.658, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -83,7 +85,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, -0.6, 0.3, 1.5707963267948966 },
     { -1.5707963267948966, -0.101, 0.7, 3.141592653589793 },
     { 1.5707963267948966, -0.101, 0.185, -1.5707963267948966 },
@@ -92,7 +94,7 @@ static const double table[6][4] = {
     { 3.141592653589793, -0.135, 0.0, 3.141592653589793 },
 };
 
-void comau_ns16_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void comau_ns16_frames(const double q[6], double frames[8][16])
 {
     static const double base[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0 };
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, base,
@@ -100,7 +102,7 @@ void comau_ns16_frames(const double q[6], double frames[8][16])
     dhgen_frames(&links, q, frames);
 }
 
-void comau_ns16_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void comau_ns16_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, v2 = s1 * c2, y2_x = c1 * s2,
@@ -125,7 +127,7 @@ void comau_ns16_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void comau_ns16_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void comau_ns16_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, v1 = s1 * a1, v2 = q[1] + offset2;
     const double c2 = cos(v2), s2 = sin(v2), x2_x = c1 * c2, v3 = s1 * c2, y2_x = c1 * s2,
@@ -156,7 +158,7 @@ void comau_ns16_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -277,6 +279,7 @@ static void solve(
 
 #ifndef COMAU_NS16_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     doubt_limit_squared2 = 7.540515999999996e-08, /* square of a length that fixes no angle [m^2] */
@@ -306,7 +309,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = dhgen_sqrt_wide(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (k1 * wy),
+        w1 = dhgen_sqrt_wide(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = inverse1 * (k1 * wy),
         c1_p = v1 - w1 * (X1 * inverse1), c1_m = v1 - w1 * (inverse1 * -X1),
         v2 = inverse1 * (k1 * X1), s1_p = v2 + w1 * (wy * inverse1),
         s1_m = v2 + w1 * (inverse1 * -wy), angle1 = dhgen_atan2_wide(s1_p, c1_p),
@@ -322,7 +325,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta2 */
     const dhgen_wide X1_2_p = m4 + m3 * N3_p, X1_2_m = m4 + m3 * N3_m, v6 = Z1_3 * X1_2_p,
         v7 = Z1_3 * X1_2_m, v8 = Z2_3_p * X1_2_p, v9 = v3 * X1_2_m, v10 = m3 * Z1_3,
-        factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
+        factor2_p = DHGEN_QUOTIENT(1.0, N3_p), factor2_m = DHGEN_QUOTIENT(1.0, N3_m);
 
     /* theta4 */
     const dhgen_wide v11 = m5 * Z1_3, v12 = v11 - m6 * Z2_3_p, v13 = m6 - m7 * factor2_p,
@@ -466,7 +469,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (k1 * wy);
+        w1 = sqrt(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = inverse1 * (k1 * wy);
     const dhgen_four c1 = v1 - w1 * (inverse1 * (e1 * X1));
     const double v2 = inverse1 * (k1 * X1);
     const dhgen_four s1 = v2 + w1 * (inverse1 * (e1 * wy));
@@ -481,7 +484,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const dhgen_four X1_2 = m4 + m3 * N3, v5 = Z1_3 * X1_2, v6 = Z2_3 * X1_2, v7 = m3 * (e3 * Z1_3),
-        factor2 = 1.0 / N3;
+        factor2 = DHGEN_QUOTIENT(1.0, N3);
 
     /* theta4 */
     const double v8 = m5 * Z1_3;
@@ -546,7 +549,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -554,9 +557,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.3642, 0.3642, 0.3642, 1.0, 1.0, 1.0 }, 0.36416605972323385, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -573,12 +576,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void comau_ns16_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void comau_ns16_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int comau_ns16_ik(
+DHGEN_PUBLIC int comau_ns16_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef COMAU_NS16_PLAIN
@@ -589,12 +593,12 @@ int comau_ns16_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int comau_ns16_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int comau_ns16_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void comau_ns16_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void comau_ns16_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef COMAU_NS16_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

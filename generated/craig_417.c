@@ -52,11 +52,13 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const craig_417_branches[2] = {
     "right", "left",
 };
+#endif
 
-static const struct dhgen_joint joints[4] = {
+DHGEN_TABLE struct dhgen_joint joints[4] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -65,21 +67,21 @@ static const struct dhgen_joint joints[4] = {
 };
 
 /* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[4][4] = {
+DHGEN_TABLE double table[4][4] = {
     { 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
     { 0.0, 1.0, 0.0, 0.7853981633974483 },
     { 0.0, 1.0, 1.0, 0.0 },
 };
 
-void craig_417_frames(const double q[4], double frames[6][16])
+DHGEN_PUBLIC void craig_417_frames(const double q[4], double frames[6][16])
 {
     static const struct dhgen_links links = { 4, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void craig_417_fk(const double q[4], double T[16])
+DHGEN_PUBLIC void craig_417_fk(const double q[4], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2 * k2,
@@ -99,7 +101,7 @@ void craig_417_fk(const double q[4], double T[16])
     T[15] = 1.0;
 }
 
-void craig_417_jacobian(const double q[4], double J[24])
+DHGEN_PUBLIC void craig_417_jacobian(const double q[4], double J[24])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), v1 = c1 * s2 * k2, v2 = s1 * s2 * k2,
@@ -118,7 +120,7 @@ void craig_417_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -199,6 +201,7 @@ static void solve(
 
 #ifndef CRAIG_417_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05, doubt_limit2 = 0.0009 [m^2]. */
 static const double
     m1 = 1.414213562373105e-11, /* 1000 * k5 */
@@ -222,14 +225,14 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide N1 = T13 * T13 + T23 * T23, D1 = N1 - k3, w1 = dhgen_sqrt_wide(D1),
-        inverse1 = 1.0 / N1, v1 = k2 * T13, v2 = k2 * T23, v3 = inverse1 * v2,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = k2 * T13, v2 = k2 * T23, v3 = inverse1 * v2,
         v4 = w1 * (T13 * inverse1), c1_p = v3 - v4, c1_m = v3 + v4, v5 = inverse1 * v1,
         v6 = w1 * (T23 * inverse1), v7 = v5 + v6, v8 = v5 - v6;
 
     /* theta2 */
     const dhgen_wide S2 = k2 * w1, v9 = k2 * T33, v10 = v9 * v9 + S2 * S2,
-        w2 = dhgen_sqrt_wide(v10), v11 = 1.0 / v10, v12 = w2 * v11, c2 = v9 * v12, v13 = S2 * v12,
-        angle1 = dhgen_atan2_wide(-S2, v9);
+        w2 = dhgen_sqrt_wide(v10), v11 = DHGEN_QUOTIENT(1.0, v10), v12 = w2 * v11, c2 = v9 * v12,
+        v13 = S2 * v12, angle1 = dhgen_atan2_wide(-S2, v9);
 
     /* theta34 */
     const dhgen_wide v14 = T23 * T11 - T13 * T21, v15 = m3 * (inverse1 * (v1 * T11 + v2 * T21)),
@@ -237,7 +240,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v18 = T23 * T12 - T13 * T22, v19 = m3 * (inverse1 * (v1 * T12 + v2 * T22)),
         v20 = v19 + w1 * (m3 * (inverse1 * v18)), v21 = v19 + w1 * (m3 * (inverse1 * -v18)),
         v22 = v16 * v16 + v20 * v20, v23 = v17 * v17 + v21 * v21,
-        v24 = dhgen_sqrt_wide(v22) * (1.0 / v22), v25 = dhgen_sqrt_wide(v23) * (1.0 / v23);
+        v24 = dhgen_sqrt_wide(v22) * DHGEN_QUOTIENT(1.0, v22),
+        v25 = dhgen_sqrt_wide(v23) * DHGEN_QUOTIENT(1.0, v23);
 
     /* theta3 */
     const dhgen_wide v26 = 2.0 * T24, v27 = 2.0 * T14, v28 = v13 * T34, v29 = T13 * v26 - T23 * v27,
@@ -246,9 +250,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v33 = S2 * T34, C3_p = w2 * (m3 * (v11 * (v33 + v9 * (c1_p * T14 - v7 * T24)))),
         C3_m = w2 * (m3 * (v11 * (v9 * (c1_m * T14 - v8 * T24) - v33))),
         v34 = v31 * v31 + C3_p * C3_p, v35 = v32 * v32 + C3_m * C3_m,
-        factor3_p = dhgen_sqrt_wide(v34) * (1.0 / v34),
-        factor3_m = dhgen_sqrt_wide(v35) * (1.0 / v35), angle2 = dhgen_atan2_wide(-v31, C3_p),
-        angle3 = dhgen_atan2_wide(-v32, C3_m);
+        factor3_p = dhgen_sqrt_wide(v34) * DHGEN_QUOTIENT(1.0, v34),
+        factor3_m = dhgen_sqrt_wide(v35) * DHGEN_QUOTIENT(1.0, v35),
+        angle2 = dhgen_atan2_wide(-v31, C3_p), angle3 = dhgen_atan2_wide(-v32, C3_m);
 
     /* is the pose one that the arm can take? */
     const dhgen_wide v36 = c1_p * c2, v37 = c1_m * c2, v38 = c1_p * v13, v39 = c1_m * v13,
@@ -306,29 +310,29 @@ DHGEN_INLINE int solve_regular(
     ENTRIES(double);
 
     /* theta1 */
-    const double N1 = T13 * T13 + T23 * T23, D1 = N1 - k3, w1 = sqrt(D1), inverse1 = 1.0 / N1,
-        v1 = k2 * T13, v2 = k2 * T23, v3 = inverse1 * v2;
+    const double N1 = T13 * T13 + T23 * T23, D1 = N1 - k3, w1 = sqrt(D1),
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = k2 * T13, v2 = k2 * T23, v3 = inverse1 * v2;
     const dhgen_four c1 = v3 - w1 * (inverse1 * (e1 * T13));
     const double v4 = inverse1 * v1;
     const dhgen_four v5 = v4 + w1 * (inverse1 * (e1 * T23));
 
     /* theta2 */
-    const double S2 = k2 * w1, v6 = k2 * T33, v7 = v6 * v6 + S2 * S2, w2 = sqrt(v7), v8 = 1.0 / v7,
-        v9 = w2 * v8, c2 = v6 * v9, v10 = S2 * v9;
+    const double S2 = k2 * w1, v6 = k2 * T33, v7 = v6 * v6 + S2 * S2, w2 = sqrt(v7),
+        v8 = DHGEN_QUOTIENT(1.0, v7), v9 = w2 * v8, c2 = v6 * v9, v10 = S2 * v9;
 
     /* theta34 */
     const double v11 = T23 * T11 - T13 * T21, v12 = m3 * (inverse1 * (v1 * T11 + v2 * T21));
     const dhgen_four v13 = v12 + w1 * (m3 * (inverse1 * (e1 * v11)));
     const double v14 = T23 * T12 - T13 * T22, v15 = m3 * (inverse1 * (v1 * T12 + v2 * T22));
     const dhgen_four v16 = v15 + w1 * (m3 * (inverse1 * (e1 * v14))), v17 = v13 * v13 + v16 * v16,
-        v18 = dhgen_sqrt_four(v17) * (1.0 / v17);
+        v18 = dhgen_sqrt_four(v17) * DHGEN_QUOTIENT(1.0, v17);
 
     /* theta3 */
     const double v19 = 2.0 * T24, v20 = 2.0 * T14, v21 = v10 * T34, v22 = T13 * v19 - T23 * v20,
         v23 = m5 - m4 * (inverse1 * (v1 * v20 + v2 * v19));
     const dhgen_four v24 = v23 + w1 * (m4 * (inverse1 * (e1 * v22))),
         C3 = w2 * (m3 * (v8 * (S2 * (e1 * T34) + v6 * (c1 * T14 - v5 * T24)))),
-        v25 = v24 * v24 + C3 * C3, factor3 = dhgen_sqrt_four(v25) * (1.0 / v25);
+        v25 = v24 * v24 + C3 * C3, factor3 = dhgen_sqrt_four(v25) * DHGEN_QUOTIENT(1.0, v25);
 
     /* is the pose one that the arm can take? */
     const dhgen_four v26 = c1 * c2, v27 = c1 * v10, v28 = v5 * c2, v29 = v5 * v10,
@@ -377,7 +381,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -385,9 +389,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.3333, 0.3333, 0.3333, 1.0, 1.0, 1.0 }, 0.3333333333333333, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -404,12 +408,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void craig_417_joint_velocities(const double q[4], const double twist[6], double velocities[4])
+DHGEN_PUBLIC void craig_417_joint_velocities(
+    const double q[4], const double twist[6], double velocities[4])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int craig_417_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+DHGEN_PUBLIC int craig_417_ik(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
 #ifndef CRAIG_417_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -419,12 +425,12 @@ int craig_417_ik(const double T[16], const double *q_seed, double q[2][4], unsig
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4])
+DHGEN_PUBLIC int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void craig_417_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void craig_417_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef CRAIG_417_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

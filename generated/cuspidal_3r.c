@@ -40,11 +40,13 @@ static const double
     k7 = 81.0, /* (a3 * 2 * a3 * a2)^2 [m^6] */
     k8 = 0.1111111111111111; /* 1 / (a3 * 2 * a3 * a2) [m^-3] */
 
+#ifndef __CUDACC_RTC__
 const char *const cuspidal_3r_branches[4] = {
     "root1", "root2", "root3", "root4",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -53,19 +55,19 @@ static const struct dhgen_joint joints[3] = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[3] = { 0, 1, 2 };
-static const int turning[3] = { 1, 1, 1 };
-static const double unit[3] = { 1.0, 1.0, 1.0 };
-static const double measure[3] = { 0.18181818181818182, 0.18181818181818182, 0.18181818181818182 };
+DHGEN_TABLE int solved[3] = { 0, 1, 2 };
+DHGEN_TABLE int turning[3] = { 1, 1, 1 };
+DHGEN_TABLE double unit[3] = { 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[3] = { 0.18181818181818182, 0.18181818181818182, 0.18181818181818182 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[3] = { -3.141592653589793, -3.141592653589793, -3.141592653589793 };
-static const double span_width[3] = { 6.283185307179586, 6.283185307179586, 6.283185307179586 };
-static const double stride[3] = { 0.8191725133961644, 0.6710436067037892, 0.5497004779019702 };
+DHGEN_TABLE double span_low[3] = { -3.141592653589793, -3.141592653589793, -3.141592653589793 };
+DHGEN_TABLE double span_width[3] = { 6.283185307179586, 6.283185307179586, 6.283185307179586 };
+DHGEN_TABLE double stride[3] = { 0.8191725133961644, 0.6710436067037892, 0.5497004779019702 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     3, 4, /* joints; solutions that are kept */
     3, 3, /* joints that are solved for; equations */
     3, DHGEN_COORDINATES, 0, /* coordinates, directions, arm angle */
@@ -77,27 +79,27 @@ static const struct dhgen_numerical_arm descents = {
 };
 
 /* The joints whose values add up to the root of a polynomial, with their signs. */
-static const struct dhgen_root_turn turns[1] = { { 0, 1.0 } };
+DHGEN_TABLE struct dhgen_root_turn turns[1] = { { 0, 1.0 } };
 
-static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 1, /*
+DHGEN_TABLE struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 1, /*
     ascends */ 0, /* equations end all */ 0 };
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.0, 1.0, -1.5707963267948966 },
     { 0.0, 1.0, 2.0, 1.5707963267948966 },
     { 0.0, 0.0, 1.5, 0.0 },
 };
 
-void cuspidal_3r_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void cuspidal_3r_frames(const double q[3], double frames[5][16])
 {
     static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void cuspidal_3r_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void cuspidal_3r_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2;
@@ -112,7 +114,7 @@ void cuspidal_3r_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void cuspidal_3r_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void cuspidal_3r_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2,
@@ -130,7 +132,7 @@ void cuspidal_3r_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -185,9 +187,9 @@ static void solve(
     }
 }
 
-static const int entries[3] = { 3, 7, 11 };
-static const int choosable[2] = { 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[3] = { 3, 7, 11 };
+DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.1818, 0.1818, 0.1818, 0.0, 0.0, 0.0 }, 0.18181818181818182, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -200,23 +202,24 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void cuspidal_3r_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+DHGEN_PUBLIC void cuspidal_3r_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int cuspidal_3r_ik(
+DHGEN_PUBLIC int cuspidal_3r_ik(
     const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void cuspidal_3r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void cuspidal_3r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

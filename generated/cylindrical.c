@@ -40,11 +40,13 @@ static const double
     const number T21 = T[4], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const cylindrical_branches[1] = {
     "only",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 3e-10, 11.11111111111111, 0.3, 0.02945243112740431, 0 },
@@ -52,20 +54,20 @@ static const struct dhgen_joint joints[3] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.3, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void cylindrical_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void cylindrical_frames(const double q[3], double frames[5][16])
 {
     static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void cylindrical_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void cylindrical_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     T[0] = c1; T[1] = 0.0; T[2] = -s1; T[3] = -(s1 * q[2]);
@@ -75,7 +77,7 @@ void cylindrical_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void cylindrical_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void cylindrical_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     J[0] = -(c1 * q[2]); J[1] = 0.0; J[2] = -s1;
@@ -87,7 +89,7 @@ void cylindrical_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -123,6 +125,7 @@ static void solve(
 
 #ifndef CYLINDRICAL_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 static const double
     m1 = 9.000000000000001e-12, /* pose_slack1^2 [m^2] */
     m2 = 1.0000000000000002e-10; /* pose_slack^2 */
@@ -139,8 +142,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide q2 = T34 - d1;
 
     /* theta1 */
-    const dhgen_wide v1 = T21 * T21 + T11 * T11, w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1,
-        v3 = w1 * v2, c1 = T11 * v3, s1 = T21 * v3;
+    const dhgen_wide v1 = T21 * T21 + T11 * T11, w1 = dhgen_sqrt_wide(v1),
+        v2 = DHGEN_QUOTIENT(1.0, v1), v3 = w1 * v2, c1 = T11 * v3, s1 = T21 * v3;
 
     /* r3 */
     const dhgen_wide q3 = w1 * (v2 * (T11 * T24 - T21 * T14));
@@ -171,8 +174,8 @@ DHGEN_INLINE int solve_regular(
     const double q2 = T34 - d1;
 
     /* theta1 */
-    const double v1 = T21 * T21 + T11 * T11, w1 = sqrt(v1), v2 = 1.0 / v1, v3 = w1 * v2,
-        c1 = T11 * v3, s1 = T21 * v3;
+    const double v1 = T21 * T21 + T11 * T11, w1 = sqrt(v1), v2 = DHGEN_QUOTIENT(1.0, v1),
+        v3 = w1 * v2, c1 = T11 * v3, s1 = T21 * v3;
 
     /* r3 */
     const double q3 = w1 * (v2 * (T11 * T24 - T21 * T14));
@@ -198,7 +201,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -206,8 +209,8 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 1, 0, DHGEN_POSE, joints, NULL, 0,
     { 3.333, 3.333, 3.333, 1.0, 1.0, 1.0 }, 3.3333333333333335, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -224,12 +227,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void cylindrical_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+DHGEN_PUBLIC void cylindrical_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int cylindrical_ik(
+DHGEN_PUBLIC int cylindrical_ik(
     const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
 {
 #ifndef CYLINDRICAL_PLAIN
@@ -240,12 +244,12 @@ int cylindrical_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int cylindrical_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int cylindrical_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void cylindrical_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void cylindrical_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef CYLINDRICAL_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

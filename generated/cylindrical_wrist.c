@@ -40,11 +40,13 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const cylindrical_wrist_branches[4] = {
     "forward-noflip", "forward-flip", "backward-noflip", "backward-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 4e-10, 6.249999999999999, 0.4, 0.039269908169872414, 0 },
@@ -55,7 +57,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.3, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
@@ -64,14 +66,14 @@ static const double table[6][4] = {
     { 0.0, 0.1, 0.0, 0.0 },
 };
 
-void cylindrical_wrist_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void cylindrical_wrist_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void cylindrical_wrist_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void cylindrical_wrist_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = c1 * c4, x4_y = s1 * c4, v1 = c1 * s4,
@@ -89,7 +91,7 @@ void cylindrical_wrist_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void cylindrical_wrist_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void cylindrical_wrist_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p2_z = d1 + q[1], v1 = s1 * q[2], p3_y = c1 * q[2];
     const double c4 = cos(q[3]), s4 = sin(q[3]), v2 = c1 * s4, v3 = s1 * s4;
@@ -108,7 +110,7 @@ void cylindrical_wrist_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -177,6 +179,7 @@ static void solve(
 
 #ifndef CYLINDRICAL_WRIST_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 4e-05 [m], doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 1.6000000000000003e-09, /* doubt_limit1^2 [m^2] */
@@ -195,7 +198,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1, r3 */
     const dhgen_wide wy = T24 - d6 * T23, s1 = d6 * T13 - T14, v1 = s1 * s1 + wy * wy,
-        q3_pp = dhgen_sqrt_wide(v1), factor1 = q3_pp * (1.0 / v1),
+        q3_pp = dhgen_sqrt_wide(v1), factor1 = q3_pp * DHGEN_QUOTIENT(1.0, v1),
         angle1 = dhgen_atan2_wide(s1, wy), q1_mp = angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, s1);
 
     /* theta4 */
@@ -244,7 +247,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1, r3 */
     const double wy = T24 - d6 * T23, s1 = d6 * T13 - T14, v1 = s1 * s1 + wy * wy, w3 = sqrt(v1),
-        factor1 = w3 * (1.0 / v1), v2 = copysign(DHGEN_HALF_TURN, s1);
+        factor1 = w3 * DHGEN_QUOTIENT(1.0, v1), v2 = copysign(DHGEN_HALF_TURN, s1);
     const dhgen_four v3 = e1 - 1.0;
 
     /* theta4 */
@@ -284,7 +287,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -292,9 +295,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[2] = { 3, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[2] = { 3, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 2.5, 2.5, 2.5, 1.0, 1.0, 1.0 }, 2.5, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -311,13 +314,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void cylindrical_wrist_joint_velocities(const double q[6], const double twist[6], double
-    velocities[6])
+DHGEN_PUBLIC void cylindrical_wrist_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int cylindrical_wrist_ik(
+DHGEN_PUBLIC int cylindrical_wrist_ik(
     const double T[16], const double *q_seed, double q[4][6], unsigned char status[4])
 {
 #ifndef CYLINDRICAL_WRIST_PLAIN
@@ -328,12 +331,14 @@ int cylindrical_wrist_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int cylindrical_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int cylindrical_wrist_ik_nearest(
+    const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void cylindrical_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void cylindrical_wrist_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef CYLINDRICAL_WRIST_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -58,12 +58,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const denso_vs060_branches[8] = {
     "front-down-noflip", "front-down-flip", "front-up-noflip", "front-up-flip", "back-up-noflip",
     "back-up-flip", "back-down-noflip", "back-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.96706, 2.96706, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.094395, 2.094395, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -74,7 +76,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 3.141592653589793, 0.345, 0.0, 1.5707963267948966 },
     { 1.5707963267948966, 0.0, 0.305, 0.0 },
     { -1.5707963267948966, 0.0, 0.01, -1.5707963267948966 },
@@ -83,14 +85,14 @@ static const double table[6][4] = {
     { 0.0, 0.07, 0.0, 0.0 },
 };
 
-void denso_vs060_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void denso_vs060_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void denso_vs060_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void denso_vs060_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -116,7 +118,7 @@ void denso_vs060_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void denso_vs060_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void denso_vs060_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -146,7 +148,7 @@ void denso_vs060_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -261,6 +263,7 @@ static void solve(
 
 #ifndef DENSO_VS060_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.00010300000000000001 [m],
  * doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -286,7 +289,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, v1 = X1 * X1 + wy * wy,
-        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1;
+        w1 = dhgen_sqrt_wide(v1), v2 = DHGEN_QUOTIENT(1.0, v1);
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
@@ -298,7 +301,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide X1_2 = m8 + m7 * N3, v8 = Z1_3 * X1_2, v9 = w3 * (m7 * w1), S2_pp = v8 - v9,
         S2_pm = v8 + v9, v10 = w3 * (m7 * Z1_3), v11 = w3 * (m7 * -Z1_3), v12 = w1 * X1_2,
         C2_pp = v10 + v12, C2_pm = v11 + v12, C2_mp = v10 - v12, C2_mm = v11 - v12,
-        factor2 = 1.0 / N3;
+        factor2 = DHGEN_QUOTIENT(1.0, N3);
 
     /* theta4 */
     const dhgen_wide c23_pp = c3_p * C2_pp - s3_p * S2_pp, c23_pm = c3_m * C2_pm - s3_m * S2_pm,
@@ -421,7 +424,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, v1 = X1 * X1 + wy * wy, w1 = sqrt(v1),
-        v2 = 1.0 / v1;
+        v2 = DHGEN_QUOTIENT(1.0, v1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
@@ -434,7 +437,7 @@ DHGEN_INLINE int solve_regular(
     const double X1_2 = m8 + m7 * N3, v6 = Z1_3 * X1_2;
     const dhgen_four S2 = v6 - w3 * (m7 * (w1 * (e1 * e3))), v7 = w3 * (m7 * (e3 * Z1_3)),
         v8 = w1 * (e1 * X1_2), C2 = v7 + v8;
-    const double factor2 = 1.0 / N3;
+    const double factor2 = DHGEN_QUOTIENT(1.0, N3);
 
     /* theta4 */
     const dhgen_four c23 = c3 * C2 - s3 * S2, s23 = c3 * S2 + s3 * C2;
@@ -496,7 +499,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -504,9 +507,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.9709, 0.9709, 0.9709, 1.0, 1.0, 1.0 }, 0.970873786407767, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -523,12 +526,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void denso_vs060_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void denso_vs060_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int denso_vs060_ik(
+DHGEN_PUBLIC int denso_vs060_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef DENSO_VS060_PLAIN
@@ -539,12 +543,12 @@ int denso_vs060_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int denso_vs060_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int denso_vs060_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void denso_vs060_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void denso_vs060_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef DENSO_VS060_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

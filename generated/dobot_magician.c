@@ -51,11 +51,13 @@ static const double
     const number T24 = T[7]; \
     const number T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const dobot_magician_branches[4] = {
     "back-down", "back-up", "front-up", "front-down",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -1.5707963267948966, 1.5707963267948966, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { 0.0, 1.4835298641951802, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -63,13 +65,13 @@ static const struct dhgen_joint joints[3] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.139, 0.0, -1.5707963267948966 },
     { -1.5707963267948966, 0.0, 0.135, 0.0 },
     { 1.5707963267948966, 0.0, 0.147, 0.0 },
 };
 
-void dobot_magician_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void dobot_magician_frames(const double q[3], double frames[5][16])
 {
     static const double drives[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 1.0 };
     static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], drives, NULL,
@@ -77,7 +79,7 @@ void dobot_magician_frames(const double q[3], double frames[5][16])
     dhgen_frames(&links, q, frames);
 }
 
-void dobot_magician_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void dobot_magician_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2,
@@ -91,7 +93,7 @@ void dobot_magician_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void dobot_magician_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void dobot_magician_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, p2_x = x2_x * a2,
@@ -109,7 +111,7 @@ void dobot_magician_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -181,6 +183,7 @@ static void solve(
 
 #ifndef DOBOT_MAGICIAN_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 4.21e-05 [m],
  * doubt_limit_squared2 = 1.7724100000000003e-09 [m^2]. */
 static const double
@@ -304,7 +307,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -312,9 +315,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[3] = { 3, 7, 11 };
-static const int choosable[2] = { 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[3] = { 3, 7, 11 };
+DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 2.375, 2.375, 2.375, 0.0, 0.0, 0.0 }, 2.375296912114014, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -331,12 +334,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void dobot_magician_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+DHGEN_PUBLIC void dobot_magician_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int dobot_magician_ik(
+DHGEN_PUBLIC int dobot_magician_ik(
     const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
 #ifndef DOBOT_MAGICIAN_PLAIN
@@ -347,12 +351,13 @@ int dobot_magician_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int dobot_magician_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int dobot_magician_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void dobot_magician_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void dobot_magician_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef DOBOT_MAGICIAN_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

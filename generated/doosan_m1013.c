@@ -62,12 +62,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const doosan_m1013_branches[8] = {
     "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
     "left-up-flip", "left-down-noflip", "left-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -78,7 +80,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.1525, 0.0, 1.5707963267948966 },
     { 1.5707963267948966, 0.0345, 0.62, 0.0 },
     { 1.5707963267948966, 0.0, 0.0, 1.5707963267948966 },
@@ -87,14 +89,14 @@ static const double table[6][4] = {
     { 0.0, 0.121, 0.0, 0.0 },
 };
 
-void doosan_m1013_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void doosan_m1013_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void doosan_m1013_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void doosan_m1013_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2,
@@ -119,7 +121,7 @@ void doosan_m1013_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void doosan_m1013_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void doosan_m1013_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2,
@@ -148,7 +150,7 @@ void doosan_m1013_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -268,6 +270,7 @@ static void solve(
 
 #ifndef DOOSAN_M1013_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit_squared2 = 2.211169e-08 [m^2],
  * doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -289,9 +292,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = dhgen_sqrt_wide(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d2 * wy),
-        v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d2 * X1),
-        s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5;
+        w1 = dhgen_sqrt_wide(D1), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v2 = inverse1 * (d2 * wy), v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1),
+        v5 = inverse1 * (d2 * X1), s1_p = w1 * (wy * inverse1) - v5,
+        s1_m = w1 * (inverse1 * -wy) - v5;
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
@@ -307,8 +311,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         C2_mp = v21 - v23, C2_mm = v22 - v23, v24 = S2_pp * S2_pp, v25 = v24 + C2_pp * C2_pp,
         v26 = S2_pm * S2_pm, v27 = v26 + C2_pm * C2_pm, v28 = v26 + C2_mp * C2_mp,
         v29 = v24 + C2_mm * C2_mm, w2_pp = dhgen_sqrt_wide(v25), w2_pm = dhgen_sqrt_wide(v27),
-        w2_mp = dhgen_sqrt_wide(v28), w2_mm = dhgen_sqrt_wide(v29), v30 = 1.0 / v25,
-        v31 = 1.0 / v27, v32 = 1.0 / v28, v33 = 1.0 / v29;
+        w2_mp = dhgen_sqrt_wide(v28), w2_mm = dhgen_sqrt_wide(v29), v30 = DHGEN_QUOTIENT(1.0, v25),
+        v31 = DHGEN_QUOTIENT(1.0, v27), v32 = DHGEN_QUOTIENT(1.0, v28),
+        v33 = DHGEN_QUOTIENT(1.0, v29);
 
     /* theta4 */
     const dhgen_wide v34 = v9 * v19 + s3 * v12, v35 = w2_pp * (v30 * v34), v36 = s3 * v13,
@@ -413,7 +418,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d2 * wy);
+        w1 = sqrt(D1), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d2 * wy);
     const dhgen_four v3 = v2 + w1 * (inverse1 * (e1 * X1));
     const double v4 = inverse1 * (d2 * X1);
     const dhgen_four s1 = w1 * (inverse1 * (e1 * wy)) - v4;
@@ -431,7 +436,7 @@ DHGEN_INLINE int solve_regular(
     const double v15 = w1 * X1_2, v16 = Z1_3 * Y1_2;
     const dhgen_four v17 = e1 * v15, v18 = e3 * v16, v19 = v17 + v18, v20 = w3 * (m3 * (e3 * Z1_3)),
         v21 = w1 * (e1 * v13), C2 = v20 + v21, v22 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v22),
-        v23 = 1.0 / v22;
+        v23 = DHGEN_QUOTIENT(1.0, v22);
 
     /* theta4 */
     const dhgen_four v24 = e3 * v8, v25 = w2 * (v23 * (v19 * v24 + s3 * v12)),
@@ -480,7 +485,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -488,9 +493,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.6725, 0.6725, 0.6725, 1.0, 1.0, 1.0 }, 0.6724949562878278, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -507,12 +512,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void doosan_m1013_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void doosan_m1013_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int doosan_m1013_ik(
+DHGEN_PUBLIC int doosan_m1013_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef DOOSAN_M1013_PLAIN
@@ -523,12 +529,13 @@ int doosan_m1013_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int doosan_m1013_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int doosan_m1013_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void doosan_m1013_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void doosan_m1013_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef DOOSAN_M1013_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

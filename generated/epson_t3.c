@@ -49,11 +49,13 @@ static const double
     const number T21 = T[4], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const epson_t3_branches[2] = {
     "right", "left",
 };
+#endif
 
-static const struct dhgen_joint joints[4] = {
+DHGEN_TABLE struct dhgen_joint joints[4] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.303834612632515, 2.303834612632515, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.4609142453120048, 2.4609142453120048, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -62,21 +64,21 @@ static const struct dhgen_joint joints[4] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[4][4] = {
+DHGEN_TABLE double table[4][4] = {
     { 0.0, 0.0, 0.225, 0.0 },
     { 0.0, 0.0, 0.175, 0.0 },
     { 0.0, 0.0, 0.0, 3.141592653589793 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void epson_t3_frames(const double q[4], double frames[6][16])
+DHGEN_PUBLIC void epson_t3_frames(const double q[4], double frames[6][16])
 {
     static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void epson_t3_fk(const double q[4], double T[16])
+DHGEN_PUBLIC void epson_t3_fk(const double q[4], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
@@ -88,7 +90,7 @@ void epson_t3_fk(const double q[4], double T[16])
     T[15] = 1.0;
 }
 
-void epson_t3_jacobian(const double q[4], double J[24])
+DHGEN_PUBLIC void epson_t3_jacobian(const double q[4], double J[24])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), p2_x = p1_x + (c1 * c2 - s1 * s2) * a2,
@@ -102,7 +104,7 @@ void epson_t3_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -172,6 +174,7 @@ static void solve(
 
 #ifndef EPSON_T3_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 static const double
     /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
     m1 = 5.0709436649753e-13,
@@ -273,7 +276,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -281,9 +284,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 2.5, 2.5, 2.5, 1.0, 1.0, 1.0 }, 2.5, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -300,12 +303,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void epson_t3_joint_velocities(const double q[4], const double twist[6], double velocities[4])
+DHGEN_PUBLIC void epson_t3_joint_velocities(
+    const double q[4], const double twist[6], double velocities[4])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int epson_t3_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+DHGEN_PUBLIC int epson_t3_ik(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
 #ifndef EPSON_T3_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -315,12 +320,12 @@ int epson_t3_ik(const double T[16], const double *q_seed, double q[2][4], unsign
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int epson_t3_ik_nearest(const double T[16], const double q_seed[4], double q[4])
+DHGEN_PUBLIC int epson_t3_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void epson_t3_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void epson_t3_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef EPSON_T3_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -57,12 +57,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const fanuc_lrmate200id_branches[8] = {
     "back-up-noflip", "back-up-flip", "back-down-noflip", "back-down-flip", "front-down-noflip",
     "front-down-flip", "front-up-noflip", "front-up-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.9670597283903604, 2.9670597283903604, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -1.7453292519943295, 2.530727415391778, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -73,7 +75,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.33, 0.05, -1.5707963267948966 },
     { -1.5707963267948966, 0.0, 0.33, 3.141592653589793 },
     { 0.0, 0.0, 0.035, -1.5707963267948966 },
@@ -82,7 +84,7 @@ static const double table[6][4] = {
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void fanuc_lrmate200id_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void fanuc_lrmate200id_frames(const double q[6], double frames[8][16])
 {
     static const double tool[12] = { 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -0.08
         };
@@ -91,7 +93,7 @@ void fanuc_lrmate200id_frames(const double q[6], double frames[8][16])
     dhgen_frames(&links, q, frames);
 }
 
-void fanuc_lrmate200id_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void fanuc_lrmate200id_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2,
@@ -116,7 +118,7 @@ void fanuc_lrmate200id_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void fanuc_lrmate200id_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void fanuc_lrmate200id_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1,
         v1 = q[1] + offset2;
@@ -147,7 +149,7 @@ void fanuc_lrmate200id_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -262,6 +264,7 @@ static void solve(
 
 #ifndef FANUC_LRMATE200ID_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.00011600000000000001 [m],
  * doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -291,7 +294,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, v1 = t14 * t14 + Y1 * Y1,
-        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, angle1 = dhgen_atan2_wide(Y1, -t14),
+        w1 = dhgen_sqrt_wide(v1), v2 = DHGEN_QUOTIENT(1.0, v1), angle1 = dhgen_atan2_wide(Y1, -t14),
         q1__m = angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, Y1);
 
     /* theta3 */
@@ -305,7 +308,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta2 */
     const dhgen_wide Y1_2_p = m4 * N3_p - m5, Y1_2_m = m4 * N3_m - m5, v8 = Z1_3 * Y1_2_p,
         v9 = Z1_3 * Y1_2_m, v10 = m4 * Z1_3, v11 = m4 * -Z1_3, v12 = v3 * -Y1_2_p,
-        v13 = v4 * -Y1_2_m, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
+        v13 = v4 * -Y1_2_m, factor2_p = DHGEN_QUOTIENT(1.0, N3_p),
+        factor2_m = DHGEN_QUOTIENT(1.0, N3_m);
 
     /* theta4 */
     const dhgen_wide v14 = m6 * Z1_3, v15 = m7 * v3 - v14, v16 = m7 * v4 - v14,
@@ -443,7 +447,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, v1 = t14 * t14 + Y1 * Y1, w1 = sqrt(v1),
-        v2 = 1.0 / v1, v3 = copysign(DHGEN_HALF_TURN, Y1);
+        v2 = DHGEN_QUOTIENT(1.0, v1), v3 = copysign(DHGEN_HALF_TURN, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T31 - d1;
@@ -454,7 +458,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const dhgen_four Y1_2 = m4 * N3 - m5, v6 = Z1_3 * Y1_2, v7 = m4 * (e3 * Z1_3), v8 = v4 * -Y1_2,
-        factor2 = 1.0 / N3;
+        factor2 = DHGEN_QUOTIENT(1.0, N3);
 
     /* theta4 */
     const double v9 = m6 * Z1_3;
@@ -521,7 +525,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -529,9 +533,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0 }, 0.8620689655172413, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -548,13 +552,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void fanuc_lrmate200id_joint_velocities(const double q[6], const double twist[6], double
-    velocities[6])
+DHGEN_PUBLIC void fanuc_lrmate200id_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int fanuc_lrmate200id_ik(
+DHGEN_PUBLIC int fanuc_lrmate200id_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef FANUC_LRMATE200ID_PLAIN
@@ -565,12 +569,14 @@ int fanuc_lrmate200id_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int fanuc_lrmate200id_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int fanuc_lrmate200id_ik_nearest(
+    const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void fanuc_lrmate200id_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void fanuc_lrmate200id_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef FANUC_LRMATE200ID_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

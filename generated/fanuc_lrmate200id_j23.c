@@ -44,12 +44,14 @@ static const double
     k3 = 0.22235000000000002, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 20.235205939761407; /* 1 / (k1^2 + k2^2) [m^-4] */
 
+#ifndef __CUDACC_RTC__
 const char *const fanuc_lrmate200id_j23_branches[8] = {
     "back-up-noflip", "back-up-flip", "back-down-noflip", "back-down-flip", "front-down-noflip",
     "front-down-flip", "front-up-noflip", "front-up-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.9670597283903604, 2.9670597283903604, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -1.7453292519943295, 2.530727415391778, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -60,7 +62,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.33, 0.05, -1.5707963267948966 },
     { -1.5707963267948966, 0.0, 0.33, 3.141592653589793 },
     { 0.0, 0.0, 0.035, -1.5707963267948966 },
@@ -69,7 +71,7 @@ static const double table[6][4] = {
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void fanuc_lrmate200id_j23_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void fanuc_lrmate200id_j23_frames(const double q[6], double frames[8][16])
 {
     static const double drives[36] = {
         1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0,
@@ -83,7 +85,7 @@ void fanuc_lrmate200id_j23_frames(const double q[6], double frames[8][16])
     dhgen_frames(&links, q, frames);
 }
 
-void fanuc_lrmate200id_j23_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void fanuc_lrmate200id_j23_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2,
@@ -108,7 +110,7 @@ void fanuc_lrmate200id_j23_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void fanuc_lrmate200id_j23_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void fanuc_lrmate200id_j23_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1,
         v1 = q[1] + offset2;
@@ -141,7 +143,7 @@ void fanuc_lrmate200id_j23_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -257,29 +259,29 @@ static void solve(
 }
 
 /* The drives whose whole turns hang together, and sums of drives that have limits. */
-static const int coupled[2] = { 1, 2 };
-static const double coupled_moves[12] = {
+DHGEN_TABLE int coupled[2] = { 1, 2 };
+DHGEN_TABLE double coupled_moves[12] = {
     0.0, 6.283185307179586, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 6.283185307179586, 0.0, 0.0, 0.0,
 };
-static const double coupled_lowest[6] = {
+DHGEN_TABLE double coupled_lowest[6] = {
     -2.9670597293903604, -1.7453292529943296, -HUGE_VAL, -3.3161255797892264, -2.181661565992912,
     -6.283185308179586,
 };
-static const double coupled_highest[6] = {
+DHGEN_TABLE double coupled_highest[6] = {
     2.9670597293903604, 2.530727416391778, HUGE_VAL, 3.3161255797892264, 2.181661565992912,
     6.283185308179586,
 };
-static const double sum_factors[6] = { 0.0, 1.0, 1.0, 0.0, 0.0, 0.0 };
-static const double sum_lowest[1] = { -1.2217304773960307 };
-static const double sum_highest[1] = { 3.5779249675883755 };
-static const double sum_slacks[1] = { 1e-09 };
-static const struct dhgen_coupling coupling = {
+DHGEN_TABLE double sum_factors[6] = { 0.0, 1.0, 1.0, 0.0, 0.0, 0.0 };
+DHGEN_TABLE double sum_lowest[1] = { -1.2217304773960307 };
+DHGEN_TABLE double sum_highest[1] = { 3.5779249675883755 };
+DHGEN_TABLE double sum_slacks[1] = { 1e-09 };
+DHGEN_TABLE struct dhgen_coupling coupling = {
     2, coupled, coupled_moves, coupled_lowest, coupled_highest, 1, sum_factors, sum_lowest,
         sum_highest, sum_slacks,
 };
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0 }, 0.8620689655172413, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -292,24 +294,26 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void fanuc_lrmate200id_j23_joint_velocities(const double q[6], const double twist[6], double
-    velocities[6])
+DHGEN_PUBLIC void fanuc_lrmate200id_j23_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int fanuc_lrmate200id_j23_ik(
+DHGEN_PUBLIC int fanuc_lrmate200id_j23_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     return dhgen_coupled_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int fanuc_lrmate200id_j23_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int fanuc_lrmate200id_j23_ik_nearest(
+    const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_coupled_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void fanuc_lrmate200id_j23_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void fanuc_lrmate200id_j23_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_coupled_each(&arm, n, T, NULL, q, status);
 }

@@ -57,13 +57,15 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const franka_panda_branches[8] = {
     "elbow4+-noflip-elbow3+", "elbow4+-noflip-elbow3-", "elbow4+-flip-elbow3+",
     "elbow4+-flip-elbow3-", "elbow4--noflip-elbow3+", "elbow4--noflip-elbow3-",
     "elbow4--flip-elbow3+", "elbow4--flip-elbow3-",
 };
+#endif
 
-static const struct dhgen_joint joints[7] = {
+DHGEN_TABLE struct dhgen_joint joints[7] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.8973, 2.8973, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -1.7628, 1.7628, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -89,7 +91,7 @@ static const struct dhgen_joint joints[7] = {
         z7_z = x5_z * s6 - y4_z * c6
 
 /* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[7][4] = {
+DHGEN_TABLE double table[7][4] = {
     { 0.0, 0.333, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
     { 0.0, 0.316, 0.0, 1.5707963267948966 },
@@ -99,7 +101,7 @@ static const double table[7][4] = {
     { 0.0, 0.0, 0.088, 1.5707963267948966 },
 };
 
-void franka_panda_frames(const double q[7], double frames[9][16])
+DHGEN_PUBLIC void franka_panda_frames(const double q[7], double frames[9][16])
 {
     static const double tool[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.107 };
     static const struct dhgen_links links = { 7, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
@@ -107,7 +109,7 @@ void franka_panda_frames(const double q[7], double frames[9][16])
     dhgen_frames(&links, q, frames);
 }
 
-void franka_panda_fk(const double q[7], double T[16])
+DHGEN_PUBLIC void franka_panda_fk(const double q[7], double T[16])
 {
     MOTION;
     const double x6_x = x5_x * c6 + y4_x * s6, x6_y = x5_y * c6 + y4_y * s6,
@@ -123,7 +125,7 @@ void franka_panda_fk(const double q[7], double T[16])
     T[15] = 1.0;
 }
 
-void franka_panda_jacobian(const double q[7], double J[42])
+DHGEN_PUBLIC void franka_panda_jacobian(const double q[7], double J[42])
 {
     MOTION;
     const double p3_x = z3_x * d3, p3_y = z3_y * d3, p3_z = d1 + c2 * d3, p4_x = p3_x + x3_x * a3,
@@ -148,7 +150,7 @@ void franka_panda_jacobian(const double q[7], double J[42])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -282,6 +284,7 @@ static void solve(
 
 #ifndef FRANKA_PANDA_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     doubt_limit_squared2 = 1.940449e-08, /* square of a length that fixes no angle [m^2] */
@@ -327,9 +330,9 @@ static const double
     const dhgen_##number c4 = v5 + w4 * (m2 * e4), s4 = w4 * (m3 * e4) - v6; \
     /* theta5 */ \
     const dhgen_##number v7 = a3 * c4 + d3 * s4 - a4, v9 = v8 - w4 * (m4 * e4), N5 = v9 * v9, \
-        D5 = N5 - v10, w5 = dhgen_sqrt_##number(D5), v11 = w5 - w5, inverse5 = 1.0 / N5, \
-        v13 = v9 * w5, v14 = inverse5 * v13, v15 = v9 * Z5, s5 = inverse5 * v15, \
-        v16 = dhgen_signed_##number(DHGEN_HALF_TURN, v15); \
+        D5 = N5 - v10, w5 = dhgen_sqrt_##number(D5), v11 = w5 - w5, \
+        inverse5 = DHGEN_QUOTIENT(1.0, N5), v13 = v9 * w5, v14 = inverse5 * v13, v15 = v9 * Z5, \
+        s5 = inverse5 * v15, v16 = dhgen_signed_##number(DHGEN_HALF_TURN, v15); \
     /* theta6 */ \
     const dhgen_##number Y1_6 = v18 + w4 * (m6 * e4), v19 = Y1_6 * Z2_6, v22 = w2z * Y1_6; \
     /* theta3 */ \
@@ -351,7 +354,7 @@ static const double
     /* theta6 */ \
     const dhgen_##number v20 = e5 * w2z, v21 = v19 - w5 * (inverse5 * (v7 * (v9 * v20))), \
         v23 = e5 * Z2_6, C6 = v22 + w5 * (inverse5 * (v7 * (v9 * v23))), \
-        v24 = v21 * v21 + C6 * C6, factor6 = dhgen_sqrt_##number(v24) * (1.0 / v24); \
+        v24 = v21 * v21 + C6 * C6, factor6 = dhgen_sqrt_##number(v24) * DHGEN_QUOTIENT(1.0, v24); \
     /* theta3 */ \
     const dhgen_##number c3 = v31 + factor6 * (C6 * (v27 - e5 * v32) + v21 * (v29 + e5 * v33)), \
         v37 = e5 * v36 + factor6 * (C6 * v34 - v21 * v35), v38 = c3 * c3 + v37 * v37; \
@@ -505,7 +508,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -513,10 +516,10 @@ static int solve_regular(
 #endif
 #endif
 
-static const int given_joints[1] = { 6 };
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 5, 4, 2 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int given_joints[1] = { 6 };
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 5, 4, 2 };
+DHGEN_TABLE struct dhgen_arm arm = {
     7, 8, 1, DHGEN_POSE, joints, given_joints, 1,
     { 0.7179, 0.7179, 0.7179, 1.0, 1.0, 1.0 }, 0.7178750897343862, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -533,12 +536,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void franka_panda_joint_velocities(const double q[7], const double twist[6], double velocities[7])
+DHGEN_PUBLIC void franka_panda_joint_velocities(
+    const double q[7], const double twist[6], double velocities[7])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int franka_panda_ik(
+DHGEN_PUBLIC int franka_panda_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8])
 {
@@ -550,13 +554,13 @@ int franka_panda_ik(
     return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
 }
 
-int franka_panda_ik_nearest(
+DHGEN_PUBLIC int franka_panda_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
 {
     return dhgen_ik_nearest(&arm, T, free_joints, q_seed, q);
 }
 
-void franka_panda_ik_batch(
+DHGEN_PUBLIC void franka_panda_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
 {
 #ifndef FRANKA_PANDA_PLAIN

@@ -39,11 +39,13 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const gantry_wrist_branches[2] = {
     "noflip", "flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 2.2e-10, 20.66115702479339, 0.22, 0.021598449493429827, 0 },
     { -HUGE_VAL, HUGE_VAL, 2.2e-10, 20.66115702479339, 0.22, 0.021598449493429827, 0 },
@@ -54,7 +56,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
     { -1.5707963267948966, 0.0, 0.0, -1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
@@ -63,14 +65,14 @@ static const double table[6][4] = {
     { 0.0, 0.12, 0.0, 0.0 },
 };
 
-void gantry_wrist_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void gantry_wrist_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void gantry_wrist_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void gantry_wrist_fk(const double q[6], double T[16])
 {
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double c5 = cos(q[4]), s5 = sin(q[4]), v1 = s4 * c5, x5_z = c4 * c5, v2 = s4 * s5,
@@ -84,7 +86,7 @@ void gantry_wrist_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void gantry_wrist_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void gantry_wrist_jacobian(const double q[6], double J[36])
 {
     const double c4 = cos(q[3]), s4 = sin(q[3]), p4_x = q[2] + d4;
     const double c5 = cos(q[4]), s5 = sin(q[4]), v1 = s4 * s5, z5_z = c4 * s5,
@@ -99,7 +101,7 @@ void gantry_wrist_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -146,6 +148,7 @@ static void solve(
 
 #ifndef GANTRY_WRIST_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 9.999999999999999e-09; /* doubt_limit^2 */
@@ -238,7 +241,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -246,9 +249,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 3 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 3 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 4.545, 4.545, 4.545, 1.0, 1.0, 1.0 }, 4.545454545454546, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -265,12 +268,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void gantry_wrist_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void gantry_wrist_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int gantry_wrist_ik(
+DHGEN_PUBLIC int gantry_wrist_ik(
     const double T[16], const double *q_seed, double q[2][6], unsigned char status[2])
 {
 #ifndef GANTRY_WRIST_PLAIN
@@ -281,12 +285,13 @@ int gantry_wrist_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int gantry_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int gantry_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void gantry_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void gantry_wrist_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef GANTRY_WRIST_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -55,11 +55,13 @@ static const double
     f2 = 0.2599395422585156, /* sa2 * ca1 */
     f3 = 0.2524570787278714; /* ca2 * ca1 */
 
+#ifndef __CUDACC_RTC__
 const char *const general_4r2p_branches[8] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -121,39 +123,39 @@ DHGEN_TABLE dhgen_general_arm general = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 1, 1, 0, 1, 0, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.7299999999999998, 1.0, 1.7299999999999998, 1.0 };
-static const double measure[6] = {
+DHGEN_TABLE int solved[6] = { 0, 1, 2, 3, 4, 5 };
+DHGEN_TABLE int turning[6] = { 1, 1, 0, 1, 0, 1 };
+DHGEN_TABLE double unit[6] = { 1.0, 1.0, 1.7299999999999998, 1.0, 1.7299999999999998, 1.0 };
+DHGEN_TABLE double measure[6] = {
     0.5780346820809249, 0.5780346820809249, 1.0, 0.5780346820809249, 1.0, 0.5780346820809249,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[6] = {
+DHGEN_TABLE double span_low[6] = {
     -3.141592653589793, -3.141592653589793, -0.34682080924855496, -3.141592653589793,
     -0.28901734104046245, -3.141592653589793,
 };
-static const double span_width[6] = {
+DHGEN_TABLE double span_width[6] = {
     6.283185307179586, 6.283185307179586, 0.6936416184971099, 6.283185307179586, 0.5780346820809249,
     6.283185307179586,
 };
-static const double stride[6] = {
+DHGEN_TABLE double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
-static const double least_u[6] = {
+DHGEN_TABLE double least_u[6] = {
     -HUGE_VAL, -HUGE_VAL, -0.34682080924855496, -HUGE_VAL, -0.28901734104046245, -HUGE_VAL,
 };
-static const double most_u[6] = {
+DHGEN_TABLE double most_u[6] = {
     HUGE_VAL, HUGE_VAL, 0.34682080924855496, HUGE_VAL, 0.28901734104046245, HUGE_VAL,
 };
 /* How the loop counts the joints: which way, and from where. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+DHGEN_TABLE double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     6, 8, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -166,7 +168,7 @@ static const struct dhgen_numerical_arm descents = {
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.31, 0.12, 1.2 },
     { 0.0, -0.14, 0.27, -0.8 },
     { 0.4, 0.0, 0.09, 1.9 },
@@ -175,14 +177,14 @@ static const double table[6][4] = {
     { 0.0, 0.17, 0.08, 0.6 },
 };
 
-void general_4r2p_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void general_4r2p_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void general_4r2p_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void general_4r2p_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1,
         v2 = c1 * sa1;
@@ -222,7 +224,7 @@ void general_4r2p_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void general_4r2p_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void general_4r2p_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * ca1,
         y1_y = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1;
@@ -269,7 +271,7 @@ void general_4r2p_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -303,8 +305,8 @@ static void solve(
     }
 }
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.578, 0.578, 0.578, 1.0, 1.0, 1.0 }, 0.5780346820809249, { 1e-14, 1e-10 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -317,23 +319,25 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void general_4r2p_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void general_4r2p_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int general_4r2p_ik(
+DHGEN_PUBLIC int general_4r2p_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int general_4r2p_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int general_4r2p_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void general_4r2p_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void general_4r2p_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

@@ -53,12 +53,14 @@ static const double
     f2 = 0.14454395845259904, /* sa2 * ca1 */
     f3 = 0.3099755192194448; /* ca2 * ca1 */
 
+#ifndef __CUDACC_RTC__
 const char *const general_5r_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
     "root11", "root12", "root13", "root14", "root15", "root16",
 };
+#endif
 
-static const struct dhgen_joint joints[5] = {
+DHGEN_TABLE struct dhgen_joint joints[5] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.9670597283903604, 2.9670597283903604, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -121,40 +123,40 @@ DHGEN_TABLE dhgen_general_arm general = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[5] = { 0, 1, 2, 3, 4 };
-static const int turning[5] = { 1, 1, 1, 1, 1 };
-static const double unit[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[5] = {
+DHGEN_TABLE int solved[5] = { 0, 1, 2, 3, 4 };
+DHGEN_TABLE int turning[5] = { 1, 1, 1, 1, 1 };
+DHGEN_TABLE double unit[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[5] = {
     0.5681818181818181, 0.5681818181818181, 0.5681818181818181, 0.5681818181818181,
     0.5681818181818181,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[5] = {
+DHGEN_TABLE double span_low[5] = {
     -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
     -3.141592653589793,
 };
-static const double span_width[5] = {
+DHGEN_TABLE double span_width[5] = {
     5.934119456780721, 4.1887902047863905, 4.886921905584122, 6.283185307179586, 6.283185307179586,
 };
-static const double stride[5] = {
+DHGEN_TABLE double stride[5] = {
     0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
     0.5315553977157914,
 };
-static const double least_u[5] = {
+DHGEN_TABLE double least_u[5] = {
     -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
     -3.141592653589793,
 };
-static const double most_u[5] = {
+DHGEN_TABLE double most_u[5] = {
     2.9670597283903604, 2.0943951023931953, 2.443460952792061, 3.141592653589793, 3.141592653589793,
 };
 /* How the loop counts the joints: which way, and from where. */
-static const double facing[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
+DHGEN_TABLE double facing[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double zero[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     5, 16, /* joints; solutions that are kept */
     5, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -167,7 +169,7 @@ static const struct dhgen_numerical_arm descents = {
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[5][4] = {
+DHGEN_TABLE double table[5][4] = {
     { 0.0, 0.32, 0.09, 1.2217304763960306 },
     { 0.0, 0.11, 0.38, 0.4363323129985824 },
     { 0.0, -0.07, 0.29, -0.9599310885968813 },
@@ -175,7 +177,7 @@ static const double table[5][4] = {
     { 0.0, 0.1, 0.04, -0.6981317007977318 },
 };
 
-void general_5r_frames(const double q[5], double frames[7][16])
+DHGEN_PUBLIC void general_5r_frames(const double q[5], double frames[7][16])
 {
     static const double tool[12] = {
         0.955336489125606, 0.0, 0.29552020666133955, 0.03, 0.0, 1.0, 0.0, 0.0, -0.29552020666133955,
@@ -186,7 +188,7 @@ void general_5r_frames(const double q[5], double frames[7][16])
     dhgen_frames(&links, q, frames);
 }
 
-void general_5r_fk(const double q[5], double T[16])
+DHGEN_PUBLIC void general_5r_fk(const double q[5], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1,
         v2 = c1 * sa1;
@@ -225,7 +227,7 @@ void general_5r_fk(const double q[5], double T[16])
     T[15] = 1.0;
 }
 
-void general_5r_jacobian(const double q[5], double J[30])
+DHGEN_PUBLIC void general_5r_jacobian(const double q[5], double J[30])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * ca1,
         y1_y = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1;
@@ -270,7 +272,7 @@ void general_5r_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -302,8 +304,8 @@ static void solve(
     }
 }
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE struct dhgen_arm arm = {
     5, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0 }, 0.5681818181818181, { 1e-14, 1e-10 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -316,23 +318,24 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void general_5r_joint_velocities(const double q[5], const double twist[6], double velocities[5])
+DHGEN_PUBLIC void general_5r_joint_velocities(
+    const double q[5], const double twist[6], double velocities[5])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int general_5r_ik(
+DHGEN_PUBLIC int general_5r_ik(
     const double T[16], const double *q_seed, double q[16][5], unsigned char status[16])
 {
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int general_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5])
+DHGEN_PUBLIC int general_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void general_5r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void general_5r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

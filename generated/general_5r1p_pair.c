@@ -39,12 +39,14 @@ static const double
     f4 = 0.45466333698683026, /* d4 * 1 / 2 * sqrt3 [m] */
     f5 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
 
+#ifndef __CUDACC_RTC__
 const char *const general_5r1p_pair_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
     "root11", "root12", "root13", "root14", "root15", "root16",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -0.6, 0.9, 1.803e-09, 0.3076157350370323, 1.803, 0.046875, 0 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -285,40 +287,40 @@ DHGEN_TABLE dhgen_general_arm general = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 0, 1, 1, 1, 1, 1 };
-static const double unit[6] = { 1.803, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[6] = {
+DHGEN_TABLE int solved[6] = { 0, 1, 2, 3, 4, 5 };
+DHGEN_TABLE int turning[6] = { 0, 1, 1, 1, 1, 1 };
+DHGEN_TABLE double unit[6] = { 1.803, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[6] = {
     1.0, 0.5546311702717693, 0.5546311702717693, 0.5546311702717693, 0.5546311702717693,
     0.5546311702717693,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[6] = {
+DHGEN_TABLE double span_low[6] = {
     -0.33277870216306155, -3.141592653589793, -3.141592653589793, -3.141592653589793,
     -3.141592653589793, -3.141592653589793,
 };
-static const double span_width[6] = {
+DHGEN_TABLE double span_width[6] = {
     0.831946755407654, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
 };
-static const double stride[6] = {
+DHGEN_TABLE double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
-static const double least_u[6] = {
+DHGEN_TABLE double least_u[6] = {
     -0.33277870216306155, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
 };
-static const double most_u[6] = {
+DHGEN_TABLE double most_u[6] = {
     0.4991680532445924, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
 };
 /* How the loop counts the joints: which way, and from where. */
-static const double facing[6] = { 1.0, -1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+DHGEN_TABLE double facing[6] = { 1.0, -1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -331,7 +333,7 @@ static const struct dhgen_numerical_arm descents = {
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.0, 0.472, 1.5707963267948966 },
     { 0.0, -0.069, 0.0, 0.5235987755982988 },
     { 0.0, -0.261, 0.234, 3.141592653589793 },
@@ -340,7 +342,7 @@ static const double table[6][4] = {
     { 0.0, 0.0, 0.123, 0.7853981633974483 },
 };
 
-void general_5r1p_pair_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void general_5r1p_pair_frames(const double q[6], double frames[8][16])
 {
     static const double drives[36] = {
         1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
@@ -352,7 +354,7 @@ void general_5r1p_pair_frames(const double q[6], double frames[8][16])
     dhgen_frames(&links, q, frames);
 }
 
-void general_5r1p_pair_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void general_5r1p_pair_fk(const double q[6], double T[16])
 {
     const double c2 = cos(-q[1]), s2 = sin(-q[1]), v1 = s2 * f2, y2_z = c2 * f2, z2_x = s2 * f1,
         z3_z = c2 * f1;
@@ -379,7 +381,7 @@ void general_5r1p_pair_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void general_5r1p_pair_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void general_5r1p_pair_jacobian(const double q[6], double J[36])
 {
     const double c2 = cos(-q[1]), s2 = sin(-q[1]), v1 = s2 * f2, y2_z = c2 * f2, z2_x = s2 * f1,
         z3_z = c2 * f1;
@@ -413,7 +415,7 @@ void general_5r1p_pair_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -447,8 +449,8 @@ static void solve(
     }
 }
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5546, 0.5546, 0.5546, 1.0, 1.0, 1.0 }, 0.5546311702717693, { 1e-14, 1e-10 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -461,24 +463,26 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void general_5r1p_pair_joint_velocities(const double q[6], const double twist[6], double
-    velocities[6])
+DHGEN_PUBLIC void general_5r1p_pair_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int general_5r1p_pair_ik(
+DHGEN_PUBLIC int general_5r1p_pair_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
 {
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int general_5r1p_pair_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int general_5r1p_pair_ik_nearest(
+    const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void general_5r1p_pair_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void general_5r1p_pair_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

@@ -14,8 +14,18 @@
 #ifndef GENERAL_5R_POINTING_H
 #define GENERAL_5R_POINTING_H
 
+#ifndef __CUDACC_RTC__ /* it has their functions without them */
 #include <math.h>
 #include <stddef.h>
+#endif
+
+#ifndef DHGEN_PUBLIC /* the mark of functions: in CUDA they are for both sides */
+#ifdef __CUDACC__
+#define DHGEN_PUBLIC __host__ __device__
+#else
+#define DHGEN_PUBLIC
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -51,41 +61,45 @@ enum {
     GENERAL_5R_POINTING_INVALID_POSE = 4
 };
 
+#ifndef __CUDACC_RTC__
 /* The name of every row. */
 extern const char *const general_5r_pointing_branches[16];
+#endif
 
 /* The pose T of the joint values q. */
-void general_5r_pointing_fk(const double q[5], double T[16]);
+DHGEN_PUBLIC void general_5r_pointing_fk(const double q[5], double T[16]);
 
 /* The frames of the base, of the links as the robot file has them, and of the tool. */
-void general_5r_pointing_frames(const double q[5], double frames[7][16]);
+DHGEN_PUBLIC void general_5r_pointing_frames(const double q[5], double frames[7][16]);
 
 /* The geometric Jacobian, 6 x 5 row by row: velocity of the tool's origin, then angular
  * velocity. */
-void general_5r_pointing_jacobian(const double q[5], double J[30]);
+DHGEN_PUBLIC void general_5r_pointing_jacobian(const double q[5], double J[30]);
 
 /* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
  * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
  * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
  * the twist, lengths in arm sizes. */
-void general_5r_pointing_joint_velocities(const double q[5], const double twist[6], double
-    velocities[5]);
+DHGEN_PUBLIC void general_5r_pointing_joint_velocities(
+    const double q[5], const double twist[6], double velocities[5]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
  * -GENERAL_5R_POINTING_INVALID_POSE, also for a seed that is not finite where it may be needed. */
-int general_5r_pointing_ik(
+DHGEN_PUBLIC int general_5r_pointing_ik(
     const double T[16], const double *q_seed, double q[16][5], unsigned char status[16]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed. Returns GENERAL_5R_POINTING_OK or GENERAL_5R_POINTING_FREE_JOINT, or, with NaN in q,
  * minus GENERAL_5R_POINTING_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
  * seed that is not finite. */
-int general_5r_pointing_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
+DHGEN_PUBLIC int general_5r_pointing_ik_nearest(
+    const double T[16], const double q_seed[5], double q[5]);
 
 /* general_5r_pointing_ik without a seed for n poses: T holds n x 16 numbers,
  * q n x 16 x 5, status n x 16. */
-void general_5r_pointing_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+DHGEN_PUBLIC void general_5r_pointing_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus
 }

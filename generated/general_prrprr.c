@@ -79,11 +79,13 @@ static const double
     g14 = 0.8569186234130046, /* sa2 * cat1 * ca1 + sa1 * ca2 */
     g15 = 0.4605467924491282; /* ca2 * ca1 - sa2 * cat1 * sa1 */
 
+#ifndef __CUDACC_RTC__
 const char *const general_prrprr_branches[8] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { 0.0, 1.2, 1.75e-09, 0.32653061224489793, 1.75, 0.0375, 0 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -147,39 +149,39 @@ DHGEN_TABLE dhgen_general_arm general = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 0, 1, 1, 0, 1, 1 };
-static const double unit[6] = { 1.75, 1.0, 1.0, 1.75, 1.0, 1.0 };
-static const double measure[6] = {
+DHGEN_TABLE int solved[6] = { 0, 1, 2, 3, 4, 5 };
+DHGEN_TABLE int turning[6] = { 0, 1, 1, 0, 1, 1 };
+DHGEN_TABLE double unit[6] = { 1.75, 1.0, 1.0, 1.75, 1.0, 1.0 };
+DHGEN_TABLE double measure[6] = {
     1.0, 0.5714285714285714, 0.5714285714285714, 1.0, 0.5714285714285714, 0.5714285714285714,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[6] = {
+DHGEN_TABLE double span_low[6] = {
     0.0, -3.141592653589793, -3.141592653589793, -0.2285714285714286, -3.141592653589793,
     -3.141592653589793,
 };
-static const double span_width[6] = {
+DHGEN_TABLE double span_width[6] = {
     0.6857142857142857, 6.283185307179586, 6.283185307179586, 0.4571428571428572, 6.283185307179586,
     6.283185307179586,
 };
-static const double stride[6] = {
+DHGEN_TABLE double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
-static const double least_u[6] = {
+DHGEN_TABLE double least_u[6] = {
     0.0, -HUGE_VAL, -HUGE_VAL, -0.2285714285714286, -HUGE_VAL, -HUGE_VAL,
 };
-static const double most_u[6] = {
+DHGEN_TABLE double most_u[6] = {
     0.6857142857142857, HUGE_VAL, HUGE_VAL, 0.2285714285714286, HUGE_VAL, HUGE_VAL,
 };
 /* How the loop counts the joints: which way, and from where. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+DHGEN_TABLE double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     6, 8, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -192,7 +194,7 @@ static const struct dhgen_numerical_arm descents = {
 
 
 /* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.3, 0.0, 0.1, 0.2 },
     { 0.0, 0.25, 0.18, 0.9 },
     { 0.0, 0.11, 0.32, -1.3 },
@@ -201,14 +203,14 @@ static const double table[6][4] = {
     { 0.0, 0.19, 0.1, -0.7 },
 };
 
-void general_prrprr_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void general_prrprr_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void general_prrprr_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void general_prrprr_fk(const double q[6], double T[16])
 {
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = cat1 * c2 - f10 * s2,
         x2_y = f1 * c2 + f11 * s2, x2_z = f2 * c2 + f12 * s2, v1 = f10 * c2 + cat1 * s2,
@@ -243,7 +245,7 @@ void general_prrprr_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void general_prrprr_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void general_prrprr_jacobian(const double q[6], double J[36])
 {
     const double p2_y = f3 - sa1 * q[0] - f6 - f8, p2_z = ca1 * q[0] + f4 - f7 + f9;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = cat1 * c2 - f10 * s2,
@@ -287,7 +289,7 @@ void general_prrprr_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -321,8 +323,8 @@ static void solve(
     }
 }
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5714, 0.5714, 0.5714, 1.0, 1.0, 1.0 }, 0.5714285714285714, { 1e-14, 1e-10 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -335,23 +337,25 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void general_prrprr_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void general_prrprr_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int general_prrprr_ik(
+DHGEN_PUBLIC int general_prrprr_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int general_prrprr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int general_prrprr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void general_prrprr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void general_prrprr_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

@@ -55,11 +55,13 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const katana_400_branches[4] = {
     "front-down", "front-up", "back-up", "back-down",
 };
+#endif
 
-static const struct dhgen_joint joints[5] = {
+DHGEN_TABLE struct dhgen_joint joints[5] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -69,7 +71,7 @@ static const struct dhgen_joint joints[5] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[5][4] = {
+DHGEN_TABLE double table[5][4] = {
     { 0.0, 0.2015, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.19, 0.0 },
     { 0.0, 0.0, 0.139, 0.0 },
@@ -77,14 +79,14 @@ static const double table[5][4] = {
     { 0.0, 0.1473, 0.0, 0.0 },
 };
 
-void katana_400_frames(const double q[5], double frames[7][16])
+DHGEN_PUBLIC void katana_400_frames(const double q[5], double frames[7][16])
 {
     static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void katana_400_fk(const double q[5], double T[16])
+DHGEN_PUBLIC void katana_400_fk(const double q[5], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -106,7 +108,7 @@ void katana_400_fk(const double q[5], double T[16])
     T[15] = 1.0;
 }
 
-void katana_400_jacobian(const double q[5], double J[30])
+DHGEN_PUBLIC void katana_400_jacobian(const double q[5], double J[30])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -130,7 +132,7 @@ void katana_400_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -242,6 +244,7 @@ static void solve(
 
 #ifndef KATANA_400_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 6.777999999999999e-05 [m],
  * doubt_limit = 9.999999999999999e-05, doubt_limit_squared2 = 4.594128399999999e-09 [m^2]. */
 static const double
@@ -269,18 +272,18 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta1 */
     const dhgen_wide sigma1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
         Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
-        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, factor1 = w1 * v2, c1 = Xhat1 * factor1,
-        s1 = Yhat1 * factor1, angle1 = dhgen_atan2_wide(Yhat1, Xhat1);
+        w1 = dhgen_sqrt_wide(v1), v2 = DHGEN_QUOTIENT(1.0, v1), factor1 = w1 * v2,
+        c1 = Xhat1 * factor1, s1 = Yhat1 * factor1, angle1 = dhgen_atan2_wide(Yhat1, Xhat1);
 
     /* theta234 */
     const dhgen_wide Z2_234 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1)),
-        v3 = T33 * T33 + Z2_234 * Z2_234, factor234 = dhgen_sqrt_wide(v3) * (1.0 / v3),
+        v3 = T33 * T33 + Z2_234 * Z2_234, factor234 = dhgen_sqrt_wide(v3) * DHGEN_QUOTIENT(1.0, v3),
         angle2 = dhgen_atan2_wide(-Z2_234, T33);
 
     /* theta5 */
     const dhgen_wide Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22)),
         Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21)), v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5,
-        v5 = dhgen_sqrt_wide(v4) * (1.0 / v4), v6 = Z1_5 * v5, v7 = Z2_5 * v5,
+        v5 = dhgen_sqrt_wide(v4) * DHGEN_QUOTIENT(1.0, v4), v6 = Z1_5 * v5, v7 = Z2_5 * v5,
         angle3 = dhgen_atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
@@ -299,8 +302,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         C2_mp = v21 - v23, C2_mm = v22 - v23, v24 = S2_pp * S2_pp, v25 = v24 + C2_pp * C2_pp,
         v26 = S2_pm * S2_pm, v27 = v26 + C2_pm * C2_pm, v28 = v26 + C2_mp * C2_mp,
         v29 = v24 + C2_mm * C2_mm, w2_pp = dhgen_sqrt_wide(v25), w2_pm = dhgen_sqrt_wide(v27),
-        w2_mp = dhgen_sqrt_wide(v28), w2_mm = dhgen_sqrt_wide(v29), v30 = 1.0 / v25,
-        v31 = 1.0 / v27, v32 = 1.0 / v28, v33 = 1.0 / v29, angle5 = dhgen_atan2_wide(S2_pp, C2_pp),
+        w2_mp = dhgen_sqrt_wide(v28), w2_mm = dhgen_sqrt_wide(v29), v30 = DHGEN_QUOTIENT(1.0, v25),
+        v31 = DHGEN_QUOTIENT(1.0, v27), v32 = DHGEN_QUOTIENT(1.0, v28),
+        v33 = DHGEN_QUOTIENT(1.0, v29), angle5 = dhgen_atan2_wide(S2_pp, C2_pp),
         angle6 = dhgen_atan2_wide(S2_pm, C2_pm), angle7 = dhgen_atan2_wide(S2_pm, C2_mp),
         angle8 = dhgen_atan2_wide(S2_pp, C2_mm);
 
@@ -379,18 +383,18 @@ DHGEN_INLINE int solve_regular(
     /* theta1 */
     const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23),
         Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
-        w1 = sqrt(v1), v2 = 1.0 / v1, factor1 = w1 * v2, c1 = Xhat1 * factor1, s1 = Yhat1 * factor1,
-        v3 = copysign(DHGEN_HALF_TURN, Yhat1);
+        w1 = sqrt(v1), v2 = DHGEN_QUOTIENT(1.0, v1), factor1 = w1 * v2, c1 = Xhat1 * factor1,
+        s1 = Yhat1 * factor1, v3 = copysign(DHGEN_HALF_TURN, Yhat1);
     const dhgen_four v4 = m2 * (e1 - 1.0);
 
     /* theta234 */
     const double Z2_234 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1)), v5 = T33 * T33 + Z2_234 * Z2_234,
-        factor234 = sqrt(v5) * (1.0 / v5);
+        factor234 = sqrt(v5) * DHGEN_QUOTIENT(1.0, v5);
 
     /* theta5 */
     const double Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22)),
         Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21)), v6 = Z2_5 * Z2_5 + Z1_5 * Z1_5,
-        v7 = sqrt(v6) * (1.0 / v6), v8 = Z1_5 * v7, v9 = Z2_5 * v7,
+        v7 = sqrt(v6) * DHGEN_QUOTIENT(1.0, v6), v8 = Z1_5 * v7, v9 = Z2_5 * v7,
         v10 = copysign(DHGEN_HALF_TURN, -Z2_5);
 
     /* theta3 */
@@ -407,7 +411,7 @@ DHGEN_INLINE int solve_regular(
     const double v20 = Z2_3 * X1_2, v21 = Z1_3 * Y1_2;
     const dhgen_four v22 = e1 * v20, v23 = e3 * v21, v24 = v22 + v23, v25 = w3 * (m5 * (e3 * Z1_3)),
         v26 = Z2_3 * (e1 * v18), C2 = v25 + v26, v27 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v27),
-        v28 = 1.0 / v27;
+        v28 = DHGEN_QUOTIENT(1.0, v27);
 
     /* is the pose one that the arm can take? */
     const dhgen_four v29 = e3 * s3, v30 = e1 * v12;
@@ -451,7 +455,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -459,9 +463,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[2] = { 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     5, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.475, 1.475, 1.475, 1.0, 1.0, 1.0 }, 1.475361463558572, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -478,12 +482,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void katana_400_joint_velocities(const double q[5], const double twist[6], double velocities[5])
+DHGEN_PUBLIC void katana_400_joint_velocities(
+    const double q[5], const double twist[6], double velocities[5])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int katana_400_ik(
+DHGEN_PUBLIC int katana_400_ik(
     const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
 {
 #ifndef KATANA_400_PLAIN
@@ -494,12 +499,12 @@ int katana_400_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int katana_400_ik_nearest(const double T[16], const double q_seed[5], double q[5])
+DHGEN_PUBLIC int katana_400_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void katana_400_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void katana_400_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef KATANA_400_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -58,12 +58,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const kawasaki_rs007n_branches[8] = {
     "front-down-noflip", "front-down-flip", "front-up-noflip", "front-up-flip", "back-up-noflip",
     "back-up-flip", "back-down-noflip", "back-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.356194490192345, 2.356194490192345, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -74,7 +76,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { -1.5707963267948966, -0.36, 0.0, 1.5707963267948966 },
     { -1.5707963267948966, 0.0, 0.355, 3.141592653589793 },
     { 1.5707963267948966, 0.0, 0.0, 1.5707963267948966 },
@@ -83,7 +85,7 @@ static const double table[6][4] = {
     { 1.5707963267948966, 0.078, 0.0, 0.0 },
 };
 
-void kawasaki_rs007n_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void kawasaki_rs007n_frames(const double q[6], double frames[8][16])
 {
     static const double base[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0 };
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, base,
@@ -91,7 +93,7 @@ void kawasaki_rs007n_frames(const double q[6], double frames[8][16])
     dhgen_frames(&links, q, frames);
 }
 
-void kawasaki_rs007n_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void kawasaki_rs007n_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -117,7 +119,7 @@ void kawasaki_rs007n_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void kawasaki_rs007n_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void kawasaki_rs007n_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -147,7 +149,7 @@ void kawasaki_rs007n_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -265,6 +267,7 @@ static void solve(
 
 #ifndef KAWASAKI_RS007N_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.00011679999999999999 [m],
  * doubt_limit_squared2 = 1.3642239999999998e-08 [m^2], doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -286,8 +289,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide X1 = d6 * T13 - T14, wy = d6 * T23 - T24, v1 = X1 * X1 + wy * wy,
-        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, factor1 = w1 * v2, v3 = X1 * factor1,
-        s1 = wy * factor1;
+        w1 = dhgen_sqrt_wide(v1), v2 = DHGEN_QUOTIENT(1.0, v1), factor1 = w1 * v2,
+        v3 = X1 * factor1, s1 = wy * factor1;
 
     /* theta3 */
     const dhgen_wide Z1_3 = d1 + (d6 * T33 - T34), N3 = v1 + Z1_3 * Z1_3,
@@ -303,7 +306,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v23 = v22 + C2_pp * C2_pp, v24 = S2_pm * S2_pm, v25 = v24 + C2_pm * C2_pm,
         v26 = v24 + C2_mp * C2_mp, v27 = v22 + C2_mm * C2_mm, w2_pp = dhgen_sqrt_wide(v23),
         w2_pm = dhgen_sqrt_wide(v25), w2_mp = dhgen_sqrt_wide(v26), w2_mm = dhgen_sqrt_wide(v27),
-        v28 = 1.0 / v23, v29 = 1.0 / v25, v30 = 1.0 / v26, v31 = 1.0 / v27;
+        v28 = DHGEN_QUOTIENT(1.0, v23), v29 = DHGEN_QUOTIENT(1.0, v25),
+        v30 = DHGEN_QUOTIENT(1.0, v26), v31 = DHGEN_QUOTIENT(1.0, v27);
 
     /* theta4 */
     const dhgen_wide v32 = s3 * v10, c2m3_pp = w2_pp * (v28 * (v32 - v7 * v17)),
@@ -315,8 +319,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v41 = T33 * v35 - c2m3_pp * v40, v42 = T33 * v37 - c2m3_pm * v40,
         v43 = T33 * v38 + c2m3_mp * v40, v44 = T33 * v39 + c2m3_mm * v40, v45 = T13 * s1 - T23 * v3,
         v46 = w1 * (v2 * (T13 * wy - X1 * T23)), v47 = v46 * v46, v48 = v47 + v41 * v41,
-        v49 = v47 + v42 * v42, v50 = v47 + v43 * v43, v51 = v47 + v44 * v44, v52 = 1.0 / v48,
-        v53 = 1.0 / v49, v54 = 1.0 / v50, v55 = 1.0 / v51;
+        v49 = v47 + v42 * v42, v50 = v47 + v43 * v43, v51 = v47 + v44 * v44,
+        v52 = DHGEN_QUOTIENT(1.0, v48), v53 = DHGEN_QUOTIENT(1.0, v49),
+        v54 = DHGEN_QUOTIENT(1.0, v50), v55 = DHGEN_QUOTIENT(1.0, v51);
 
     /* theta6 */
     const dhgen_wide v56 = s1 * T12 - v3 * T22, v57 = w1 * (v2 * (X1 * T12 + wy * T22)),
@@ -434,7 +439,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = d6 * T23 - T24, v1 = X1 * X1 + wy * wy, w1 = sqrt(v1),
-        v2 = 1.0 / v1, factor1 = w1 * v2, v3 = X1 * factor1, s1 = wy * factor1;
+        v2 = DHGEN_QUOTIENT(1.0, v1), factor1 = w1 * v2, v3 = X1 * factor1, s1 = wy * factor1;
 
     /* theta3 */
     const double Z1_3 = d1 + (d6 * T33 - T34), N3 = v1 + Z1_3 * Z1_3,
@@ -449,7 +454,7 @@ DHGEN_INLINE int solve_regular(
     const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
     const dhgen_four v16 = e1 * v14, v17 = e3 * v15, v18 = v16 - v17, v19 = w3 * (m3 * (e3 * Z1_3)),
         v20 = w1 * (e1 * v12), C2 = v20 - v19, v21 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v21),
-        v22 = 1.0 / v21;
+        v22 = DHGEN_QUOTIENT(1.0, v21);
 
     /* theta4 */
     const dhgen_four v23 = e3 * v7, c2m3 = w2 * (v22 * (s3 * v11 - v18 * v23)),
@@ -458,7 +463,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v26 = T33 * v24 - e1 * (c2m3 * v25);
     const double v27 = T13 * s1 - T23 * v3, v28 = w1 * (v2 * (T13 * wy - X1 * T23)),
         v29 = v28 * v28;
-    const dhgen_four v30 = v29 + v26 * v26, v31 = 1.0 / v30;
+    const dhgen_four v30 = v29 + v26 * v26, v31 = DHGEN_QUOTIENT(1.0, v30);
 
     /* theta6 */
     const double v32 = s1 * T12 - v3 * T22, v33 = w1 * (v2 * (X1 * T12 + wy * T22)),
@@ -515,7 +520,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -523,9 +528,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8562, 0.8562, 0.8562, 1.0, 1.0, 1.0 }, 0.8561643835616439, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -542,13 +547,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void kawasaki_rs007n_joint_velocities(const double q[6], const double twist[6], double
-    velocities[6])
+DHGEN_PUBLIC void kawasaki_rs007n_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int kawasaki_rs007n_ik(
+DHGEN_PUBLIC int kawasaki_rs007n_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef KAWASAKI_RS007N_PLAIN
@@ -559,12 +564,14 @@ int kawasaki_rs007n_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int kawasaki_rs007n_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int kawasaki_rs007n_ik_nearest(
+    const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void kawasaki_rs007n_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void kawasaki_rs007n_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef KAWASAKI_RS007N_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -55,12 +55,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const kinova_gen3_7_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
     "root11", "root12", "root13", "root14", "root15", "root16",
 };
+#endif
 
-static const struct dhgen_joint joints[7] = {
+DHGEN_TABLE struct dhgen_joint joints[7] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.24, 2.24, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -136,38 +138,38 @@ DHGEN_TABLE dhgen_general_arm general = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[6] = { 0, 1, 3, 4, 5, 6 };
-static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[6] = {
+DHGEN_TABLE int solved[6] = { 0, 1, 3, 4, 5, 6 };
+DHGEN_TABLE int turning[6] = { 1, 1, 1, 1, 1, 1 };
+DHGEN_TABLE double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[6] = {
     0.8690286866369458, 0.8690286866369458, 0.8690286866369458, 0.8690286866369458,
     0.8690286866369458, 0.8690286866369458,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[6] = {
+DHGEN_TABLE double span_low[6] = {
     -3.141592653589793, -2.24, -2.57, -3.141592653589793, -2.09, -3.141592653589793,
 };
-static const double span_width[6] = {
+DHGEN_TABLE double span_width[6] = {
     6.283185307179586, 4.48, 5.14, 6.283185307179586, 4.18, 6.283185307179586,
 };
-static const double stride[6] = {
+DHGEN_TABLE double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
-static const double least_u[6] = { -HUGE_VAL, -2.24, -2.57, -HUGE_VAL, -2.09, -HUGE_VAL };
-static const double most_u[6] = { HUGE_VAL, 2.24, 2.57, HUGE_VAL, 2.09, HUGE_VAL };
+DHGEN_TABLE double least_u[6] = { -HUGE_VAL, -2.24, -2.57, -HUGE_VAL, -2.09, -HUGE_VAL };
+DHGEN_TABLE double most_u[6] = { HUGE_VAL, 2.24, 2.57, HUGE_VAL, 2.09, HUGE_VAL };
 /* How the loop counts the joints: which way, and from where. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = {
+DHGEN_TABLE double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double zero[6] = {
     0.0, 3.141592653589793, 3.141592653589793, 3.141592653589793, 3.141592653589793,
     3.141592653589793,
 };
-static const int given_places[1] = { 2 };
+DHGEN_TABLE int given_places[1] = { 2 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     7, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -180,7 +182,7 @@ static const struct dhgen_numerical_arm descents = {
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[7][4] = {
+DHGEN_TABLE double table[7][4] = {
     { 0.0, -0.28481, 0.0, 1.5707963267948966 },
     { 3.141592653589793, -0.01175, 0.0, 1.5707963267948966 },
     { 3.141592653589793, -0.42076, 0.0, 1.5707963267948966 },
@@ -190,7 +192,7 @@ static const double table[7][4] = {
     { 3.141592653589793, -0.10593, 0.0, 0.0 },
 };
 
-void kinova_gen3_7_frames(const double q[7], double frames[9][16])
+DHGEN_PUBLIC void kinova_gen3_7_frames(const double q[7], double frames[9][16])
 {
     static const double base[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0 };
     static const struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, base,
@@ -198,7 +200,7 @@ void kinova_gen3_7_frames(const double q[7], double frames[9][16])
     dhgen_frames(&links, q, frames);
 }
 
-void kinova_gen3_7_fk(const double q[7], double T[16])
+DHGEN_PUBLIC void kinova_gen3_7_fk(const double q[7], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, v2 = s1 * c2, z2_x = c1 * s2,
@@ -226,7 +228,7 @@ void kinova_gen3_7_fk(const double q[7], double T[16])
     T[15] = 1.0;
 }
 
-void kinova_gen3_7_jacobian(const double q[7], double J[42])
+DHGEN_PUBLIC void kinova_gen3_7_jacobian(const double q[7], double J[42])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, v2 = s1 * c2, z2_x = c1 * s2,
@@ -307,11 +309,11 @@ static const double
     /* theta4 */ \
     const dhgen_##number X4 = near_d5 * (near_d2 * s3) * 2.0, N4 = near_k2 + X4 * X4, \
         v2 = T14 * T14, v3 = T24 * T24, Z4 = near_k3 * c3 + (v2 + (v3 + (T34 * T34 - near_k4))), \
-        D4 = N4 - Z4 * Z4, w4 = dhgen_sqrt_##number(D4), inverse4 = 1.0 / N4, v4 = X4 * Z4, \
-        v5 = inverse4 * v4, v7 = inverse4 * (near_k1 * Z4); \
+        D4 = N4 - Z4 * Z4, w4 = dhgen_sqrt_##number(D4), inverse4 = DHGEN_QUOTIENT(1.0, N4), \
+        v4 = X4 * Z4, v5 = inverse4 * v4, v7 = inverse4 * (near_k1 * Z4); \
     /* theta1 */ \
     const dhgen_##number N1 = v2 + v3, v10 = near_d5 * s3, v11 = near_d4 * c3 - near_d2, \
-        v12 = near_k5 * w4, inverse1 = 1.0 / N1; \
+        v12 = near_k5 * w4, inverse1 = DHGEN_QUOTIENT(1.0, N1); \
     /* theta2 */ \
     const dhgen_##number v24 = near_d5 * c3, v25 = near_d4 * s3, \
         v27 = v25 + inverse4 * (v4 * v24), v28 = T34 * v27; \
@@ -333,9 +335,10 @@ static const double
         v110 = v109 + dhgen_sqrt_##number(v106 * v106 + v107 * v107 + v108 * v108), \
         v111 = X4 * v93, v112 = X4 * v96, v113 = X4 * v99, v114 = near2 * dhgen_abs_##number(X4), \
         v115 = inverse4 * v111, v116 = inverse4 * v112, v117 = inverse4 * v113, \
-        v118 = dhgen_abs_##number(inverse4), v119 = v114 * v118, v120 = near3 / w4, \
+        v118 = dhgen_abs_##number(inverse4), v119 = v114 * v118, v120 = DHGEN_QUOTIENT(near3, w4), \
         v121 = v106 * v120, v122 = v107 * v120, v123 = v108 * v120, v124 = v110 * v120, \
-        v125 = v124 * v124 / w4, v126 = v125 + (v125 + v109 * dhgen_abs_##number(v120)), \
+        v125 = DHGEN_QUOTIENT(v124 * v124, w4), \
+        v126 = v125 + (v125 + v109 * dhgen_abs_##number(v120)), \
         v127 = v126 + dhgen_sqrt_##number(v121 * v121 + v122 * v122 + v123 * v123), \
         v135 = dhgen_abs_##number(v10), v148 = dhgen_abs_##number(v24), \
         v149 = inverse4 * (v24 * v111), v150 = inverse4 * (v24 * v112), \
@@ -395,10 +398,11 @@ static const double
         v146 = near1 + (v141 + v141 + v142 * v142), \
         v147 = v146 + dhgen_sqrt_##number(v144 * v144 + v145 * v145 + v143 * v143), \
         v157 = near_m2 * (inverse4 * (v24 * (near_length * e4))), v158 = v153 + v29 * v121, \
-        v159 = v154 + v29 * v122, v160 = v155 + (v29 * v123 - w4 * v157), v161 = near3 / w1, \
-        v162 = v144 * v161, v163 = v145 * v161, v164 = v143 * v161, v165 = v147 * v161, \
-        v166 = v165 * v165 / w1, v167 = v166 + (v166 + v146 * dhgen_abs_##number(v161)), \
-        v172 = v168 - v8 * v121, v173 = v169 - v8 * v122, v174 = v170 - v8 * v123, \
+        v159 = v154 + v29 * v122, v160 = v155 + (v29 * v123 - w4 * v157), \
+        v161 = DHGEN_QUOTIENT(near3, w1), v162 = v144 * v161, v163 = v145 * v161, \
+        v164 = v143 * v161, v165 = v147 * v161, v166 = DHGEN_QUOTIENT(v165 * v165, w1), \
+        v167 = v166 + (v166 + v146 * dhgen_abs_##number(v161)), v172 = v168 - v8 * v121, \
+        v173 = v169 - v8 * v122, v174 = v170 - v8 * v123, \
         v175 = v171 + v126 * dhgen_abs_##number(v8), v176 = near_d5 * v172, v177 = near_d5 * v173, \
         v178 = near_d5 * v174, v179 = near_d5 * v175, \
         v180 = v175 + dhgen_sqrt_##number(v172 * v172 + v173 * v173 + v174 * v174), \
@@ -456,7 +460,7 @@ static const double
         v21 = e1 * T24, v22 = inverse1 * v21, s1 = w1 * v22 - v23; \
     /* theta2 */ \
     const dhgen_##number S2 = v30 + e1 * v31, C2 = e1 * v34 - v32, v35 = S2 * S2 + C2 * C2, \
-        v36 = dhgen_sqrt_##number(v35), v37 = 1.0 / v35, factor2 = v36 * v37; \
+        v36 = dhgen_sqrt_##number(v35), v37 = DHGEN_QUOTIENT(1.0, v35), factor2 = v36 * v37; \
     /* theta5 */ \
     const dhgen_##number v48 = s3 * (e1 * v47), v49 = inverse1 * v48, v52 = w1 * v49 - v51, \
         v53 = c1 * v43 + s1 * v44 - v46, v54 = v42 + (c1 * v39 + s1 * v41), \
@@ -479,14 +483,14 @@ static const double
         v215 = C2 * v202, v216 = C2 * v203, v217 = C2 * v204, v218 = dhgen_abs_##number(C2), \
         v219 = v205 * v218, v220 = v210 + v210 + (v215 + v215), \
         v221 = v211 + v211 + (v216 + v216), v222 = v212 + v212 + (v217 + v217), \
-        v223 = v207 + (v214 + v214) + (v208 + (v219 + v219)), v224 = near3 / v36, \
+        v223 = v207 + (v214 + v214) + (v208 + (v219 + v219)), v224 = DHGEN_QUOTIENT(near3, v36), \
         v225 = v220 * v224, v226 = v221 * v224, v227 = v222 * v224, \
         v228 = v223 * dhgen_abs_##number(v224), v229 = dhgen_abs_##number(v37), \
         v230 = v37 * (v37 * v220), v231 = v37 * (v37 * v221), v232 = v37 * (v37 * v222), \
         v233 = v229 * (v223 * v229), v234 = v36 - dhgen_sqrt_##number(v209), \
         v235 = v233 + (v233 + (dhgen_abs_##number(v232) + (dhgen_abs_##number(v230) + \
-            dhgen_abs_##number(v231)))) * ((v223 + dhgen_sqrt_##number(v220 * v220 + v221 * v221 + \
-            v222 * v222)) / (v234 * v234)), v236 = v37 * v225 - v36 * v230, \
+            dhgen_abs_##number(v231)))) * DHGEN_QUOTIENT(v223 + dhgen_sqrt_##number(v220 * v220 + \
+            v221 * v221 + v222 * v222), v234 * v234), v236 = v37 * v225 - v36 * v230, \
         v237 = v37 * v226 - v36 * v231, v238 = v37 * v227 - v36 * v232, \
         v239 = v235 * dhgen_abs_##number(v36) + v228 * v229 + (v228 + dhgen_sqrt_##number(v225 * \
             v225 + v226 * v226 + v227 * v227)) * (v235 + dhgen_sqrt_##number(v230 * v230 + v231 * \
@@ -546,8 +550,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* joint values */
     const dhgen_wide v244 = dhgen_sqrt_wide(N1) - sqrt(near1),
-        v245 = v243 + (v243 + (dhgen_abs_wide(v241) + dhgen_abs_wide(v242))) * ((near1 +
-            dhgen_sqrt_wide(v104)) / (v244 * v244)),
+        v245 = v243 + (v243 + (dhgen_abs_wide(v241) + dhgen_abs_wide(v242))) * DHGEN_QUOTIENT(near1
+            + dhgen_sqrt_wide(v104), v244 * v244),
         v254 = v245 + dhgen_sqrt_wide(v241 * v241 + v242 * v242), v262 = near_length * v254,
         v263 = v262 + v92 * v245, v291 = v262 + v95 * v245;
     left |= (dhgen_abs_wide(N4) <= 0.0) | (dhgen_abs_wide(v110 + (D4 + D4)) <= v110) |
@@ -664,8 +668,8 @@ DHGEN_INLINE int solve_regular(
 
     /* joint values */
     const double v244 = sqrt(N1) - sqrt(near1),
-        v245 = v243 + (v243 + (fabs(v241) + fabs(v242))) * ((near1 + sqrt(v104)) / (v244 * v244)),
-        v254 = v245 + sqrt(v241 * v241 + v242 * v242);
+        v245 = v243 + (v243 + (fabs(v241) + fabs(v242))) * DHGEN_QUOTIENT(near1 + sqrt(v104), v244 *
+            v244), v254 = v245 + sqrt(v241 * v241 + v242 * v242);
     const dhgen_four v258 = v240 * v251 + v245 * v253 + v254 * v255;
     const double v262 = near_length * v254, v263 = v262 + v92 * v245;
     const dhgen_four v264 = v181 * v263, v266 = v263 + dhgen_sqrt_four(v261 * v261 + v260 * v260),
@@ -743,7 +747,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_branches(solve_wide, 8, T, free_joints, q, status);
@@ -760,7 +764,7 @@ DHGEN_TABLE dhgen_nearest_arm nearest_arm = {
 #endif
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -799,9 +803,9 @@ static void solve(
     }
 }
 
-static const int given_joints[1] = { 2 };
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int given_joints[1] = { 2 };
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE struct dhgen_arm arm = {
     7, 16, 1, DHGEN_POSE, joints, given_joints, 1,
     { 0.869, 0.869, 0.869, 1.0, 1.0, 1.0 }, 0.8690286866369458, { 1e-14, 1e-10 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -814,25 +818,26 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void kinova_gen3_7_joint_velocities(const double q[7], const double twist[6], double velocities[7])
+DHGEN_PUBLIC void kinova_gen3_7_joint_velocities(
+    const double q[7], const double twist[6], double velocities[7])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int kinova_gen3_7_ik(
+DHGEN_PUBLIC int kinova_gen3_7_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
     unsigned char status[16])
 {
     return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
 }
 
-int kinova_gen3_7_ik_nearest(
+DHGEN_PUBLIC int kinova_gen3_7_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
 {
     return dhgen_ik_nearest(&arm, T, free_joints, q_seed, q);
 }
 
-void kinova_gen3_7_ik_batch(
+DHGEN_PUBLIC void kinova_gen3_7_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, free_joints, q, status);

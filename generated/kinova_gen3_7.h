@@ -13,8 +13,18 @@
 #ifndef KINOVA_GEN3_7_H
 #define KINOVA_GEN3_7_H
 
+#ifndef __CUDACC_RTC__ /* it has their functions without them */
 #include <math.h>
 #include <stddef.h>
+#endif
+
+#ifndef DHGEN_PUBLIC /* the mark of functions: in CUDA they are for both sides */
+#ifdef __CUDACC__
+#define DHGEN_PUBLIC __host__ __device__
+#else
+#define DHGEN_PUBLIC
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -51,29 +61,32 @@ enum {
     KINOVA_GEN3_7_INVALID_POSE = 4
 };
 
+#ifndef __CUDACC_RTC__
 /* The name of every row. */
 extern const char *const kinova_gen3_7_branches[16];
+#endif
 
 /* The pose T of the joint values q. */
-void kinova_gen3_7_fk(const double q[7], double T[16]);
+DHGEN_PUBLIC void kinova_gen3_7_fk(const double q[7], double T[16]);
 
 /* The frames of the base, of the links as the robot file has them, and of the tool. */
-void kinova_gen3_7_frames(const double q[7], double frames[9][16]);
+DHGEN_PUBLIC void kinova_gen3_7_frames(const double q[7], double frames[9][16]);
 
 /* The geometric Jacobian, 6 x 7 row by row: velocity of the tool's origin, then angular
  * velocity. */
-void kinova_gen3_7_jacobian(const double q[7], double J[42]);
+DHGEN_PUBLIC void kinova_gen3_7_jacobian(const double q[7], double J[42]);
 
 /* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
  * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
  * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
  * the twist, lengths in arm sizes. */
-void kinova_gen3_7_joint_velocities(const double q[7], const double twist[6], double velocities[7]);
+DHGEN_PUBLIC void kinova_gen3_7_joint_velocities(
+    const double q[7], const double twist[6], double velocities[7]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
  * -KINOVA_GEN3_7_INVALID_POSE, also for a seed that is not finite where it may be needed. */
-int kinova_gen3_7_ik(
+DHGEN_PUBLIC int kinova_gen3_7_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
     unsigned char status[16]);
 
@@ -82,12 +95,12 @@ int kinova_gen3_7_ik(
  * Returns KINOVA_GEN3_7_OK or KINOVA_GEN3_7_FREE_JOINT, or, with NaN in q,
  * minus KINOVA_GEN3_7_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */
-int kinova_gen3_7_ik_nearest(
+DHGEN_PUBLIC int kinova_gen3_7_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[7], double q[7]);
 
 /* kinova_gen3_7_ik without a seed for n poses: T holds n x 16 numbers, free_joints n x 1,
  * q n x 16 x 7, status n x 16. */
-void kinova_gen3_7_ik_batch(
+DHGEN_PUBLIC void kinova_gen3_7_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status);
 
 #ifdef __cplusplus

@@ -64,12 +64,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const kinova_j2s6s300_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-up-noflip",
     "right-up-flip", "right-down-noflip", "right-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -6.283185307179586, 6.283185307179586, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { 0.8203047484373349, 5.462880558742252, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -80,7 +82,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 3.141592653589793, -0.2755, 0.0, 1.5707963267948966 },
     { 1.5707963267948966, -0.0016, 0.41, 3.141592653589793 },
     { 1.5707963267948966, -0.0114, 0.0, 1.5707963267948966 },
@@ -89,7 +91,7 @@ static const double table[6][4] = {
     { -1.5707963267948966, -0.26375, 0.0, 3.141592653589793 },
 };
 
-void kinova_j2s6s300_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void kinova_j2s6s300_frames(const double q[6], double frames[8][16])
 {
     static const double base[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0 };
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, base,
@@ -97,7 +99,7 @@ void kinova_j2s6s300_frames(const double q[6], double frames[8][16])
     dhgen_frames(&links, q, frames);
 }
 
-void kinova_j2s6s300_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void kinova_j2s6s300_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -122,7 +124,7 @@ void kinova_j2s6s300_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void kinova_j2s6s300_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void kinova_j2s6s300_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -153,7 +155,7 @@ void kinova_j2s6s300_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -271,6 +273,7 @@ static void solve(
 
 #ifndef KINOVA_J2S6S300_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit_squared2 = 1.6212928899999997e-08 [m^2],
  * doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -292,10 +295,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k2,
-        w1 = dhgen_sqrt_wide(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = inverse1 * (k1 * wy),
-        c1_p = v2 - w1 * (X1 * inverse1), c1_m = v2 - w1 * (inverse1 * -X1),
-        v3 = inverse1 * (k1 * X1), s1_p = v3 + w1 * (wy * inverse1),
-        s1_m = v3 + w1 * (inverse1 * -wy);
+        w1 = dhgen_sqrt_wide(D1), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v2 = inverse1 * (k1 * wy), c1_p = v2 - w1 * (X1 * inverse1),
+        c1_m = v2 - w1 * (inverse1 * -X1), v3 = inverse1 * (k1 * X1),
+        s1_p = v3 + w1 * (wy * inverse1), s1_m = v3 + w1 * (inverse1 * -wy);
 
     /* theta3 */
     const dhgen_wide Z1_3 = d1 + (d6 * T33 - T34), N3 = D1 + Z1_3 * Z1_3,
@@ -310,7 +313,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         C2_pm = v19 + v20, v21 = S2_pp * S2_pp, v22 = v21 + C2_pp * C2_pp,
         v23 = S2_pm * S2_pm + C2_pm * C2_pm, v24 = v21 - C2_pp * -C2_pp,
         w2_pp = dhgen_sqrt_wide(v22), w2_pm = dhgen_sqrt_wide(v23), w2_mm = dhgen_sqrt_wide(v24),
-        v25 = 1.0 / v22, v26 = 1.0 / v23, v27 = 1.0 / v24;
+        v25 = DHGEN_QUOTIENT(1.0, v22), v26 = DHGEN_QUOTIENT(1.0, v23),
+        v27 = DHGEN_QUOTIENT(1.0, v24);
 
     /* theta4 */
     const dhgen_wide v28 = v6 * v10, c2m3_pp = w2_pp * (v25 * (c3 * v17 - v28)),
@@ -470,7 +474,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k2,
-        w1 = sqrt(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = inverse1 * (k1 * wy);
+        w1 = sqrt(D1), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (k1 * wy);
     const dhgen_four c1 = v2 - w1 * (inverse1 * (e1 * X1));
     const double v3 = inverse1 * (k1 * X1);
     const dhgen_four s1 = v3 + w1 * (inverse1 * (e1 * wy));
@@ -488,7 +492,7 @@ DHGEN_INLINE int solve_regular(
     const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
     const dhgen_four v16 = e1 * v14, v17 = e3 * v15, v18 = v16 - v17, v19 = w3 * (m3 * (e3 * Z1_3)),
         v20 = w1 * (e1 * v12), C2 = v20 - v19, v21 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v21),
-        v22 = 1.0 / v21;
+        v22 = DHGEN_QUOTIENT(1.0, v21);
 
     /* theta4 */
     const dhgen_four v23 = e3 * c3, c2m3 = w2 * (v22 * (v18 * v23 - v6 * v11)),
@@ -557,7 +561,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -565,9 +569,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.7854, 0.7854, 0.7854, 1.0, 1.0, 1.0 }, 0.7853608733212912, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -584,13 +588,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void kinova_j2s6s300_joint_velocities(const double q[6], const double twist[6], double
-    velocities[6])
+DHGEN_PUBLIC void kinova_j2s6s300_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int kinova_j2s6s300_ik(
+DHGEN_PUBLIC int kinova_j2s6s300_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef KINOVA_J2S6S300_PLAIN
@@ -601,12 +605,14 @@ int kinova_j2s6s300_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int kinova_j2s6s300_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int kinova_j2s6s300_ik_nearest(
+    const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void kinova_j2s6s300_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void kinova_j2s6s300_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef KINOVA_J2S6S300_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -60,13 +60,15 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const kuka_iiwa14_branches[8] = {
     "elbow+-shoulder+-noflip", "elbow+-shoulder+-flip", "elbow+-shoulder--noflip",
     "elbow+-shoulder--flip", "elbow--shoulder+-noflip", "elbow--shoulder+-flip",
     "elbow--shoulder--noflip", "elbow--shoulder--flip",
 };
+#endif
 
-static const struct dhgen_joint joints[7] = {
+DHGEN_TABLE struct dhgen_joint joints[7] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.9670597283903604, 2.9670597283903604, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -91,7 +93,7 @@ static const struct dhgen_joint joints[7] = {
         c6 = cos(v4), s6 = sin(v4)
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[7][4] = {
+DHGEN_TABLE double table[7][4] = {
     { 3.141592653589793, 0.36, 0.0, 1.5707963267948966 },
     { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.42, 0.0, 1.5707963267948966 },
@@ -101,14 +103,14 @@ static const double table[7][4] = {
     { 0.0, 0.126, 0.0, 0.0 },
 };
 
-void kuka_iiwa14_frames(const double q[7], double frames[9][16])
+DHGEN_PUBLIC void kuka_iiwa14_frames(const double q[7], double frames[9][16])
 {
     static const struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void kuka_iiwa14_fk(const double q[7], double T[16])
+DHGEN_PUBLIC void kuka_iiwa14_fk(const double q[7], double T[16])
 {
     MOTION;
     const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
@@ -126,7 +128,7 @@ void kuka_iiwa14_fk(const double q[7], double T[16])
     T[15] = 1.0;
 }
 
-void kuka_iiwa14_jacobian(const double q[7], double J[42])
+DHGEN_PUBLIC void kuka_iiwa14_jacobian(const double q[7], double J[42])
 {
     MOTION;
     const double p3_x = z2_x * d3, p3_y = z2_y * d3, p3_z = d1 - c2 * d3, p5_x = p3_x + z4_x * d5,
@@ -149,7 +151,7 @@ void kuka_iiwa14_jacobian(const double q[7], double J[42])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -296,6 +298,7 @@ static void solve(
 
 #ifndef KUKA_IIWA14_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     doubt_limit_squared2 = 1.705636e-08, /* square of a length that fixes no angle [m^2] */
@@ -317,8 +320,8 @@ static const double
         v2 = k1 * (V4 - k2), v3 = k4 * v2, v4 = k1 * w4, v5 = k4 * v4; \
     /* theta1 */ \
     const dhgen_##number N1 = v1 - wx * -wx, Z1 = d5 * (s3 * v5), D1 = N1 - Z1 * Z1, \
-        w1 = dhgen_sqrt_##number(D1), v6 = w1 - w1, inverse1 = 1.0 / N1, v7 = -wx * Z1, \
-        v8 = wy * Z1; \
+        w1 = dhgen_sqrt_##number(D1), v6 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), \
+        v7 = -wx * Z1, v8 = wy * Z1; \
     /* theta2 */ \
     const dhgen_##number v15 = d5 * (c3 * v5), X2_2 = d3 + d5 * v3, v16 = Z1_2 * v15, \
         v17 = w1 * X2_2, v20 = Z1_2 * X2_2, v21 = w1 * v15; \
@@ -353,7 +356,7 @@ static const double
         v13 = w1 * (inverse1 * (e1 * wy)), s1 = v13 + v14; \
     /* theta2 */ \
     const dhgen_##number v18 = e1 * v17, S2 = v18 - v19, v22 = v20 + v21 * (e4 * e1), \
-        v23 = S2 * S2 + v22 * v22, factor2 = dhgen_sqrt_##number(v23) * (1.0 / v23); \
+        v23 = S2 * S2 + v22 * v22, factor2 = dhgen_sqrt_##number(v23) * DHGEN_QUOTIENT(1.0, v23); \
     /* theta5 */ \
     const dhgen_##number v34 = w1 * (inverse1 * (s3 * (e1 * v33))), v36 = v34 + v35, \
         X5 = v3 * v36 + factor2 * (v22 * (v37 - (c1 * v25 + s1 * v27)) + S2 * (v32 + e4 * (c1 * \
@@ -508,7 +511,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -516,10 +519,10 @@ static int solve_regular(
 #endif
 #endif
 
-static const int given_joints[1] = { 2 };
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 4, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int given_joints[1] = { 2 };
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 4, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     7, 8, 1, DHGEN_POSE, joints, given_joints, 1,
     { 0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0 }, 0.7656967840735068, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -536,12 +539,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void kuka_iiwa14_joint_velocities(const double q[7], const double twist[6], double velocities[7])
+DHGEN_PUBLIC void kuka_iiwa14_joint_velocities(
+    const double q[7], const double twist[6], double velocities[7])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int kuka_iiwa14_ik(
+DHGEN_PUBLIC int kuka_iiwa14_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8])
 {
@@ -553,13 +557,13 @@ int kuka_iiwa14_ik(
     return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
 }
 
-int kuka_iiwa14_ik_nearest(
+DHGEN_PUBLIC int kuka_iiwa14_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
 {
     return dhgen_ik_nearest(&arm, T, free_joints, q_seed, q);
 }
 
-void kuka_iiwa14_ik_batch(
+DHGEN_PUBLIC void kuka_iiwa14_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
 {
 #ifndef KUKA_IIWA14_PLAIN

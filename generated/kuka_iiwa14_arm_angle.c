@@ -56,12 +56,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const kuka_iiwa14_arm_angle_branches[8] = {
     "elbow+-back-noflip", "elbow+-back-flip", "elbow+-front-noflip", "elbow+-front-flip",
     "elbow--back-noflip", "elbow--back-flip", "elbow--front-noflip", "elbow--front-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[7] = {
+DHGEN_TABLE struct dhgen_joint joints[7] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.9670597283903604, 2.9670597283903604, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -73,7 +75,7 @@ static const struct dhgen_joint joints[7] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[7][4] = {
+DHGEN_TABLE double table[7][4] = {
     { 3.141592653589793, 0.36, 0.0, 1.5707963267948966 },
     { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.42, 0.0, 1.5707963267948966 },
@@ -83,14 +85,14 @@ static const double table[7][4] = {
     { 0.0, 0.126, 0.0, 0.0 },
 };
 
-void kuka_iiwa14_arm_angle_frames(const double q[7], double frames[9][16])
+DHGEN_PUBLIC void kuka_iiwa14_arm_angle_frames(const double q[7], double frames[9][16])
 {
     static const struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void kuka_iiwa14_arm_angle_fk(const double q[7], double T[16])
+DHGEN_PUBLIC void kuka_iiwa14_arm_angle_fk(const double q[7], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -119,7 +121,7 @@ void kuka_iiwa14_arm_angle_fk(const double q[7], double T[16])
     T[15] = 1.0;
 }
 
-void kuka_iiwa14_arm_angle_jacobian(const double q[7], double J[42])
+DHGEN_PUBLIC void kuka_iiwa14_arm_angle_jacobian(const double q[7], double J[42])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -152,7 +154,7 @@ void kuka_iiwa14_arm_angle_jacobian(const double q[7], double J[42])
     J[35] = 1.0; J[36] = 0.0; J[37] = -c2; J[38] = z3_z; J[39] = z4_z; J[40] = z5_z; J[41] = z6_z;
 }
 
-double kuka_iiwa14_arm_angle_arm_angle(const double q[7])
+DHGEN_PUBLIC double kuka_iiwa14_arm_angle_arm_angle(const double q[7])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -178,7 +180,7 @@ double kuka_iiwa14_arm_angle_arm_angle(const double q[7])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -319,6 +321,7 @@ static void solve(
 
 #ifndef KUKA_IIWA14_ARM_ANGLE_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     /* 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4] */
@@ -339,18 +342,19 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * dhgen_sqrt_wide(D4), v5 = k3 * v4;
 
     /* shoulder */
-    const dhgen_wide v6 = dhgen_sqrt_wide(V4) * (1.0 / V4), gx = wx * v6, gy = wy * v6,
+    const dhgen_wide v6 = dhgen_sqrt_wide(V4) * DHGEN_QUOTIENT(1.0, V4), gx = wx * v6, gy = wy * v6,
         gz = v1 * v6, v7 = gy * gy + gx * gx;
     const dhgen_wide_mask upright = v7 <= m2;
-    const dhgen_wide v8 = 1.0 / dhgen_pick_wide(upright, dhgen_all_wide(1.0), dhgen_sqrt_wide(v7)),
-        v9 = dhgen_pick_wide(upright, dhgen_all_wide(0.0), gy * v8),
+    const dhgen_wide v8 = DHGEN_QUOTIENT(1.0, dhgen_pick_wide(upright, dhgen_all_wide(1.0),
+        dhgen_sqrt_wide(v7))), v9 = dhgen_pick_wide(upright, dhgen_all_wide(0.0), gy * v8),
         v10 = dhgen_pick_wide(upright, dhgen_all_wide(1.0), -(gx * v8)), v11 = gz * v10,
         v12 = gz * v9, cos_psi = dhgen_cos_wide(free_joints[0]),
         sin_psi = dhgen_sin_wide(free_joints[0]), uz = cos_psi * (gy * v9 - gx * v10),
         ux = v11 * cos_psi + v9 * sin_psi, uy = v10 * sin_psi - v12 * cos_psi,
         nx = v9 * cos_psi - v11 * sin_psi, ny = v10 * cos_psi + v12 * sin_psi, v13 = d5 * v5,
         v14 = d3 + d5 * v3, v15 = v14 * v14 + v13 * v13, arm_ = dhgen_sqrt_wide(v15),
-        v16 = 1.0 / v15, v17 = arm_ * v16, v18 = v13 * v17, v19 = v14 * v17, v20 = d5 * (d3 * v5),
+        v16 = DHGEN_QUOTIENT(1.0, v15), v17 = arm_ * v16, v18 = v13 * v17, v19 = v14 * v17,
+        v20 = d5 * (d3 * v5),
         side_p = dhgen_pick_wide(-v20 < -straight_limit, dhgen_all_wide(-1.0), dhgen_all_wide(1.0)),
         side_m = dhgen_pick_wide(v20 < -straight_limit, dhgen_all_wide(-1.0), dhgen_all_wide(1.0)),
         v21 = v19 * side_p, v22 = v19 * side_m, v23 = v18 * side_p, v24 = v18 * side_m,
@@ -360,7 +364,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta1 */
     const dhgen_wide v28 = gx * v19, X1_p = ux * v23 - v28, v29 = v28 + ux * v24,
         v30 = X1_p * X1_p + b22_p * b22_p, v31 = v29 * v29 + b22_m * b22_m,
-        w1_p = dhgen_sqrt_wide(v30), w1_m = dhgen_sqrt_wide(v31), v32 = 1.0 / v30, v33 = 1.0 / v31;
+        w1_p = dhgen_sqrt_wide(v30), w1_m = dhgen_sqrt_wide(v31), v32 = DHGEN_QUOTIENT(1.0, v30),
+        v33 = DHGEN_QUOTIENT(1.0, v31);
 
     /* theta2 */
     const dhgen_wide v34 = gz * v19, c2_p = uz * v23 - v34, v35 = v34 + uz * v24;
@@ -386,9 +391,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v54 = v5 * v53 + (v43 * (v3 * v47) + v39 * (v3 * v49)), Y5_p = v42 * v48 - v38 * v46,
         Y5_m = v43 * v49 - v39 * v47, v55 = X5_p * X5_p + Y5_p * Y5_p,
         v56 = v54 * v54 + Y5_m * Y5_m, w5_p = dhgen_sqrt_wide(v55), w5_m = dhgen_sqrt_wide(v56),
-        factor5_p = w5_p * (1.0 / v55), factor5_m = w5_m * (1.0 / v56), v57 = X5_p * factor5_p,
-        v58 = v54 * factor5_m, s5_p = Y5_p * factor5_p, s5_m = Y5_m * factor5_m,
-        angle3 = dhgen_atan2_wide(Y5_p, -X5_p), angle4 = dhgen_atan2_wide(Y5_m, v54),
+        factor5_p = w5_p * DHGEN_QUOTIENT(1.0, v55), factor5_m = w5_m * DHGEN_QUOTIENT(1.0, v56),
+        v57 = X5_p * factor5_p, v58 = v54 * factor5_m, s5_p = Y5_p * factor5_p,
+        s5_m = Y5_m * factor5_m, angle3 = dhgen_atan2_wide(Y5_p, -X5_p),
+        angle4 = dhgen_atan2_wide(Y5_m, v54),
         q5_ppm = angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, Y5_p),
         q5_mpm = angle4 - dhgen_signed_wide(DHGEN_HALF_TURN, Y5_m);
 
@@ -515,17 +521,17 @@ DHGEN_INLINE int solve_regular(
         v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * sqrt(D4), v5 = k3 * v4;
 
     /* shoulder */
-    const double v6 = sqrt(V4) * (1.0 / V4), gx = wx * v6, gy = wy * v6, gz = v1 * v6,
+    const double v6 = sqrt(V4) * DHGEN_QUOTIENT(1.0, V4), gx = wx * v6, gy = wy * v6, gz = v1 * v6,
         v7 = gy * gy + gx * gx;
     const int upright = v7 <= m2;
-    const double v8 = 1.0 / (upright ? 1.0 : sqrt(v7)), v9 = upright ? 0.0 : (gy * v8),
+    const double v8 = DHGEN_QUOTIENT(1.0, upright ? 1.0 : sqrt(v7)), v9 = upright ? 0.0 : (gy * v8),
         v10 = upright ? 1.0 : (-(gx * v8)), v11 = gz * v10, v12 = gz * v9,
         cos_psi = cos(free_joints[0]), sin_psi = sin(free_joints[0]),
         uz = cos_psi * (gy * v9 - gx * v10), ux = v11 * cos_psi + v9 * sin_psi,
         uy = v10 * sin_psi - v12 * cos_psi, nx = v9 * cos_psi - v11 * sin_psi,
         ny = v10 * cos_psi + v12 * sin_psi, v13 = d5 * v5, v14 = d3 + d5 * v3,
-        v15 = v14 * v14 + v13 * v13, arm_ = sqrt(v15), v16 = 1.0 / v15, v17 = arm_ * v16,
-        v18 = v13 * v17, v19 = v14 * v17, v20 = d5 * (d3 * v5);
+        v15 = v14 * v14 + v13 * v13, arm_ = sqrt(v15), v16 = DHGEN_QUOTIENT(1.0, v15),
+        v17 = arm_ * v16, v18 = v13 * v17, v19 = v14 * v17, v20 = d5 * (d3 * v5);
     const dhgen_four side = dhgen_pick_four(-(e4 * v20) < -straight_limit, dhgen_all_four(-1.0),
         dhgen_all_four(1.0)), v21 = v19 * side, v22 = v18 * side;
     const double v23 = gx * v18, v24 = gy * v18, v25 = gy * v19;
@@ -534,7 +540,7 @@ DHGEN_INLINE int solve_regular(
     /* theta1 */
     const double v26 = gx * v19;
     const dhgen_four X1 = e4 * (ux * v22) - v26, v27 = X1 * X1 + b22 * b22,
-        w1 = dhgen_sqrt_four(v27), v28 = 1.0 / v27;
+        w1 = dhgen_sqrt_four(v27), v28 = DHGEN_QUOTIENT(1.0, v27);
 
     /* theta2 */
     const double v29 = gz * v19;
@@ -551,7 +557,7 @@ DHGEN_INLINE int solve_regular(
     const double v39 = arm_ * (v16 * (gz * (T33 * v14)));
     const dhgen_four v40 = w1 * v36 - (uz * (arm_ * (v16 * (side * (v13 * (e4 * T33))))) - v39),
         X5 = e4 * (v5 * v40) - (v33 * (v3 * v37) + v31 * (v3 * v38)), Y5 = v33 * v38 - v31 * v37,
-        v41 = X5 * X5 + Y5 * Y5, w5 = dhgen_sqrt_four(v41), factor5 = w5 * (1.0 / v41),
+        v41 = X5 * X5 + Y5 * Y5, w5 = dhgen_sqrt_four(v41), factor5 = w5 * DHGEN_QUOTIENT(1.0, v41),
         v42 = X5 * factor5, s5 = Y5 * factor5;
 
     /* theta7 */
@@ -622,7 +628,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -630,9 +636,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[2] = { 4, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[2] = { 4, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     7, 8, 1, DHGEN_POSE, joints, NULL, 0,
     { 0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0 }, 0.7656967840735068, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -649,13 +655,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void kuka_iiwa14_arm_angle_joint_velocities(const double q[7], const double twist[6], double
-    velocities[7])
+DHGEN_PUBLIC void kuka_iiwa14_arm_angle_joint_velocities(
+    const double q[7], const double twist[6], double velocities[7])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int kuka_iiwa14_arm_angle_ik(
+DHGEN_PUBLIC int kuka_iiwa14_arm_angle_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8])
 {
@@ -667,13 +673,13 @@ int kuka_iiwa14_arm_angle_ik(
     return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
 }
 
-int kuka_iiwa14_arm_angle_ik_nearest(
+DHGEN_PUBLIC int kuka_iiwa14_arm_angle_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
 {
     return dhgen_ik_nearest(&arm, T, free_joints, q_seed, q);
 }
 
-void kuka_iiwa14_arm_angle_ik_batch(
+DHGEN_PUBLIC void kuka_iiwa14_arm_angle_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
 {
 #ifndef KUKA_IIWA14_ARM_ANGLE_PLAIN

@@ -56,12 +56,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const kuka_kr210_branches[8] = {
     "back-down-noflip", "back-down-flip", "back-up-noflip", "back-up-flip", "front-up-noflip",
     "front-up-flip", "front-down-noflip", "front-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -72,7 +74,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.75, 0.0, 0.0 },
     { -1.5707963267948966, 0.0, 0.35, -1.5707963267948966 },
     { 0.0, 0.0, 1.25, 0.0 },
@@ -81,7 +83,7 @@ static const double table[6][4] = {
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
 };
 
-void kuka_kr210_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void kuka_kr210_frames(const double q[6], double frames[8][16])
 {
     static const double tool[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.303 };
     static const struct dhgen_links links = { 6, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
@@ -89,7 +91,7 @@ void kuka_kr210_frames(const double q[6], double frames[8][16])
     dhgen_frames(&links, q, frames);
 }
 
-void kuka_kr210_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void kuka_kr210_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2,
@@ -114,7 +116,7 @@ void kuka_kr210_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void kuka_kr210_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void kuka_kr210_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p2_x = c1 * a1, p2_y = s1 * a1,
         v1 = q[1] + offset2;
@@ -143,7 +145,7 @@ void kuka_kr210_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -253,6 +255,7 @@ static void solve(
 
 #ifndef KUKA_KR210_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.00042070000000000003 [m],
  * doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -277,7 +280,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide t14 = T14 - d7 * T13, Y1 = d7 * T23 - T24, v1 = t14 * t14 + Y1 * Y1,
-        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, angle1 = dhgen_atan2_wide(Y1, -t14);
+        w1 = dhgen_sqrt_wide(v1), v2 = DHGEN_QUOTIENT(1.0, v1), angle1 = dhgen_atan2_wide(Y1, -t14);
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d7 * T33 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
@@ -296,7 +299,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         S2_mp = v19 + w3_m * (m8 * v4), S2_mm = v19 + w3_m * (m8 * -v4), v21 = v3 * X2_2_p,
         v22 = v4 * X2_2_m, v23 = m8 * Z1_3, v24 = m8 * -Z1_3, C2_pp = v21 - w3_p * v23,
         C2_pm = v21 - w3_p * v24, C2_mp = v22 - w3_m * v23, C2_mm = v22 - w3_m * v24,
-        factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
+        factor2_p = DHGEN_QUOTIENT(1.0, N3_p), factor2_m = DHGEN_QUOTIENT(1.0, N3_m);
 
     /* theta4 */
     const dhgen_wide c23_pp = c3_pp * C2_pp + v9 * S2_pp, c23_pm = c3_pm * C2_pm + v10 * S2_pm,
@@ -392,7 +395,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double t14 = T14 - d7 * T13, Y1 = d7 * T23 - T24, v1 = t14 * t14 + Y1 * Y1, w1 = sqrt(v1),
-        v2 = 1.0 / v1, v3 = copysign(DHGEN_HALF_TURN, Y1);
+        v2 = DHGEN_QUOTIENT(1.0, v1), v3 = copysign(DHGEN_HALF_TURN, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d7 * T33 - d1;
@@ -404,7 +407,8 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const dhgen_four X2_2 = m9 - m8 * N3, v11 = Z1_3 * X2_2, S2 = v11 + w3 * (m8 * (e3 * v4)),
-        v12 = v4 * X2_2, v13 = m8 * (e3 * Z1_3), C2 = v12 - w3 * v13, factor2 = 1.0 / N3;
+        v12 = v4 * X2_2, v13 = m8 * (e3 * Z1_3), C2 = v12 - w3 * v13,
+        factor2 = DHGEN_QUOTIENT(1.0, N3);
 
     /* theta4 */
     const dhgen_four c23 = c3 * C2 + v8 * S2, s23 = c3 * S2 - v8 * C2;
@@ -448,7 +452,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -456,9 +460,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.2377, 0.2377, 0.2377, 1.0, 1.0, 1.0 }, 0.23769907297361542, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -475,12 +479,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void kuka_kr210_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void kuka_kr210_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int kuka_kr210_ik(
+DHGEN_PUBLIC int kuka_kr210_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef KUKA_KR210_PLAIN
@@ -491,12 +496,12 @@ int kuka_kr210_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int kuka_kr210_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int kuka_kr210_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void kuka_kr210_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void kuka_kr210_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef KUKA_KR210_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -54,11 +54,13 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const kuka_kr40pa_branches[2] = {
     "elbow+", "elbow-",
 };
+#endif
 
-static const struct dhgen_joint joints[4] = {
+DHGEN_TABLE struct dhgen_joint joints[4] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -68,27 +70,27 @@ static const struct dhgen_joint joints[4] = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[4] = { 0, 1, 2, 3 };
-static const int turning[4] = { 1, 1, 1, 1 };
-static const double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
-static const double measure[4] = {
+DHGEN_TABLE int solved[4] = { 0, 1, 2, 3 };
+DHGEN_TABLE int turning[4] = { 1, 1, 1, 1 };
+DHGEN_TABLE double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[4] = {
     0.4545454545454546, 0.4545454545454546, 0.4545454545454546, 0.4545454545454546,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[4] = {
+DHGEN_TABLE double span_low[4] = {
     -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
 };
-static const double span_width[4] = {
+DHGEN_TABLE double span_width[4] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
 };
-static const double stride[4] = {
+DHGEN_TABLE double stride[4] = {
     0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     4, 2, /* joints; solutions that are kept */
     4, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -99,26 +101,26 @@ static const struct dhgen_numerical_arm descents = {
     kuka_kr40pa_fk, kuka_kr40pa_jacobian, 0, 0,
 };
 
-static const struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
+DHGEN_TABLE struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
     ascends */ 1, /* equations end all */ 0 };
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[4][4] = {
+DHGEN_TABLE double table[4][4] = {
     { 0.0, 0.3, 0.15, -1.5707963267948966 },
     { 0.0, 0.0, 0.8, 0.0 },
     { 0.0, 0.0, 0.8, 0.0 },
     { 0.0, 0.0, 0.15, 1.5707963267948966 },
 };
 
-void kuka_kr40pa_frames(const double q[4], double frames[6][16])
+DHGEN_PUBLIC void kuka_kr40pa_frames(const double q[4], double frames[6][16])
 {
     static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void kuka_kr40pa_fk(const double q[4], double T[16])
+DHGEN_PUBLIC void kuka_kr40pa_fk(const double q[4], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -138,7 +140,7 @@ void kuka_kr40pa_fk(const double q[4], double T[16])
     T[15] = 1.0;
 }
 
-void kuka_kr40pa_jacobian(const double q[4], double J[24])
+DHGEN_PUBLIC void kuka_kr40pa_jacobian(const double q[4], double J[24])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -162,7 +164,7 @@ void kuka_kr40pa_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -243,6 +245,7 @@ static void solve(
 
 #ifndef KUKA_KR40PA_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05, exact_slack = 1e-12,
  * exact_slack1 = 2.1999999999999995e-12 [m], pose_slack1 = 2.2e-05 [m]. */
 static const double
@@ -267,11 +270,12 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     ENTRIES(dhgen_wide);
 
     /* theta234 */
-    const dhgen_wide v1 = T31 * T31 + T33 * T33, factor234 = dhgen_sqrt_wide(v1) * (1.0 / v1),
+    const dhgen_wide v1 = T31 * T31 + T33 * T33,
+        factor234 = dhgen_sqrt_wide(v1) * DHGEN_QUOTIENT(1.0, v1),
         angle1 = dhgen_atan2_wide(-T31, T33);
 
     /* theta1 */
-    const dhgen_wide v2 = T12 * T12 + T22 * T22, v3 = dhgen_sqrt_wide(v2) * (1.0 / v2),
+    const dhgen_wide v2 = T12 * T12 + T22 * T22, v3 = dhgen_sqrt_wide(v2) * DHGEN_QUOTIENT(1.0, v2),
         c1 = T22 * v3, v4 = T12 * v3;
 
     /* theta3 */
@@ -282,7 +286,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta2 */
     const dhgen_wide v7 = w3 * (m4 * Z2_3), v8 = w3 * (m4 * -Z2_3), v9 = m4 * (Z1_3 * N3),
-        v10 = v7 + v9, v11 = v8 + v9, v12 = m4 * (Z2_3 * N3), factor2 = 1.0 / N3,
+        v10 = v7 + v9, v11 = v8 + v9, v12 = m4 * (Z2_3 * N3), factor2 = DHGEN_QUOTIENT(1.0, N3),
         v13 = m4 * (N3 * -Z1_3), angle3 = dhgen_atan2_wide(-v10, v12 - w3 * (m4 * Z1_3)),
         angle4 = dhgen_atan2_wide(-v11, v12 - w3 * (m4 * -Z1_3));
 
@@ -329,10 +333,10 @@ DHGEN_INLINE int solve_regular(
     ENTRIES(double);
 
     /* theta234 */
-    const double v1 = T31 * T31 + T33 * T33, factor234 = sqrt(v1) * (1.0 / v1);
+    const double v1 = T31 * T31 + T33 * T33, factor234 = sqrt(v1) * DHGEN_QUOTIENT(1.0, v1);
 
     /* theta1 */
-    const double v2 = T12 * T12 + T22 * T22, v3 = sqrt(v2) * (1.0 / v2), c1 = T22 * v3,
+    const double v2 = T12 * T12 + T22 * T22, v3 = sqrt(v2) * DHGEN_QUOTIENT(1.0, v2), c1 = T22 * v3,
         v4 = T12 * v3;
 
     /* theta3 */
@@ -344,7 +348,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v7 = w3 * (m4 * (e3 * Z2_3));
     const double v8 = m4 * (Z1_3 * N3);
     const dhgen_four v9 = v7 + v8;
-    const double v10 = m4 * (Z2_3 * N3), factor2 = 1.0 / N3, v11 = m4 * (N3 * -Z1_3);
+    const double v10 = m4 * (Z2_3 * N3), factor2 = DHGEN_QUOTIENT(1.0, N3), v11 = m4 * (N3 * -Z1_3);
 
     /* is the pose one that the arm can take? */
     const double v12 = v6 + Z2_3, v13 = d1 + v5, v14 = T23 - factor234 * (T31 * v4),
@@ -386,7 +390,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -394,9 +398,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 1 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 1 };
+DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0 }, 0.4545454545454546, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -413,12 +417,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void kuka_kr40pa_joint_velocities(const double q[4], const double twist[6], double velocities[4])
+DHGEN_PUBLIC void kuka_kr40pa_joint_velocities(
+    const double q[4], const double twist[6], double velocities[4])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int kuka_kr40pa_ik(
+DHGEN_PUBLIC int kuka_kr40pa_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
 #ifndef KUKA_KR40PA_PLAIN
@@ -429,12 +434,12 @@ int kuka_kr40pa_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int kuka_kr40pa_ik_nearest(const double T[16], const double q_seed[4], double q[4])
+DHGEN_PUBLIC int kuka_kr40pa_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void kuka_kr40pa_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void kuka_kr40pa_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef KUKA_KR40PA_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

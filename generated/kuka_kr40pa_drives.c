@@ -50,11 +50,13 @@ static const double
     const number T24 = T[7]; \
     const number T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const kuka_kr40pa_drives_branches[4] = {
     "back-down", "back-up", "front-up", "front-down",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.705260340591211, 2.705260340591211, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.2165681500327987, 0.3490658503988659, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -62,13 +64,13 @@ static const struct dhgen_joint joints[3] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.3, 0.15, -1.5707963267948966 },
     { 0.0, 0.0, 0.8, 0.0 },
     { 0.0, 0.0, 0.8, 0.0 },
 };
 
-void kuka_kr40pa_drives_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void kuka_kr40pa_drives_frames(const double q[3], double frames[5][16])
 {
     static const double drives[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 1.0 };
     static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], drives, NULL,
@@ -76,7 +78,7 @@ void kuka_kr40pa_drives_frames(const double q[3], double frames[5][16])
     dhgen_frames(&links, q, frames);
 }
 
-void kuka_kr40pa_drives_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void kuka_kr40pa_drives_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -90,7 +92,7 @@ void kuka_kr40pa_drives_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void kuka_kr40pa_drives_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void kuka_kr40pa_drives_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2,
@@ -108,7 +110,7 @@ void kuka_kr40pa_drives_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -177,6 +179,7 @@ static void solve(
 
 #ifndef KUKA_KR40PA_DRIVES_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.000205 [m]. */
 static const double
     /* square of a length that fixes no angle [m^2] */
@@ -300,7 +303,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -308,9 +311,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[3] = { 3, 7, 11 };
-static const int choosable[2] = { 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[3] = { 3, 7, 11 };
+DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.4878, 0.4878, 0.4878, 0.0, 0.0, 0.0 }, 0.48780487804878053, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -327,13 +330,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void kuka_kr40pa_drives_joint_velocities(const double q[3], const double twist[6], double
-    velocities[3])
+DHGEN_PUBLIC void kuka_kr40pa_drives_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int kuka_kr40pa_drives_ik(
+DHGEN_PUBLIC int kuka_kr40pa_drives_ik(
     const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
 #ifndef KUKA_KR40PA_DRIVES_PLAIN
@@ -344,12 +347,14 @@ int kuka_kr40pa_drives_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int kuka_kr40pa_drives_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int kuka_kr40pa_drives_ik_nearest(
+    const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void kuka_kr40pa_drives_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void kuka_kr40pa_drives_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef KUKA_KR40PA_DRIVES_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -56,11 +56,13 @@ static const double
     const number T21 = T[4], T24 = T[7]; \
     const number T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const kuka_kr40pa_level_branches[4] = {
     "back-down", "back-up", "front-up", "front-down",
 };
+#endif
 
-static const struct dhgen_joint joints[4] = {
+DHGEN_TABLE struct dhgen_joint joints[4] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.705260340591211, 2.705260340591211, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.0943951023931953, -0.2617993877991494, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -69,7 +71,7 @@ static const struct dhgen_joint joints[4] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[5][4] = {
+DHGEN_TABLE double table[5][4] = {
     { 0.0, 0.62, 0.22, -1.5707963267948966 },
     { 0.0, 0.0, 0.85, 0.0 },
     { 0.0, 0.0, 0.85, 0.0 },
@@ -77,7 +79,7 @@ static const double table[5][4] = {
     { 3.141592653589793, 0.19, 0.0, 0.0 },
 };
 
-void kuka_kr40pa_level_frames(const double q[4], double frames[7][16])
+DHGEN_PUBLIC void kuka_kr40pa_level_frames(const double q[4], double frames[7][16])
 {
     static const struct dhgen_joint rows[5] = {
         { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 },
@@ -90,7 +92,7 @@ void kuka_kr40pa_level_frames(const double q[4], double frames[7][16])
     dhgen_frames(&links, moved, frames);
 }
 
-void kuka_kr40pa_level_fk(const double q[4], double T[16])
+DHGEN_PUBLIC void kuka_kr40pa_level_fk(const double q[4], double T[16])
 {
     const double c1 = cos(-q[0]), s1 = sin(-q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -114,7 +116,7 @@ void kuka_kr40pa_level_fk(const double q[4], double T[16])
     T[15] = 1.0;
 }
 
-void kuka_kr40pa_level_jacobian(const double q[4], double J[24])
+DHGEN_PUBLIC void kuka_kr40pa_level_jacobian(const double q[4], double J[24])
 {
     const double c1 = cos(-q[0]), s1 = sin(-q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -140,7 +142,7 @@ void kuka_kr40pa_level_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -223,6 +225,7 @@ static void solve(
 
 #ifndef KUKA_KR40PA_LEVEL_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.000293 [m]. */
 static const double
     doubt_limit_squared2 = 8.584900000000002e-08, /* square of a length that fixes no angle [m^2] */
@@ -362,7 +365,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -370,9 +373,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[5] = { 0, 3, 4, 7, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[5] = { 0, 3, 4, 7, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     4, 4, 0, DHGEN_YAW, joints, NULL, 0,
     { 0.3413, 0.3413, 0.3413, 0.0, 0.0, 1.0 }, 0.341296928327645, { 1e-14, 1e-14 }, entries, 5,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -389,13 +392,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void kuka_kr40pa_level_joint_velocities(const double q[4], const double twist[6], double
-    velocities[4])
+DHGEN_PUBLIC void kuka_kr40pa_level_joint_velocities(
+    const double q[4], const double twist[6], double velocities[4])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int kuka_kr40pa_level_ik(
+DHGEN_PUBLIC int kuka_kr40pa_level_ik(
     const double T[16], const double *q_seed, double q[4][4], unsigned char status[4])
 {
 #ifndef KUKA_KR40PA_LEVEL_PLAIN
@@ -406,12 +409,14 @@ int kuka_kr40pa_level_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int kuka_kr40pa_level_ik_nearest(const double T[16], const double q_seed[4], double q[4])
+DHGEN_PUBLIC int kuka_kr40pa_level_ik_nearest(
+    const double T[16], const double q_seed[4], double q[4])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void kuka_kr40pa_level_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void kuka_kr40pa_level_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef KUKA_KR40PA_LEVEL_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

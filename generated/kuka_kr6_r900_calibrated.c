@@ -76,12 +76,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const kuka_kr6_r900_calibrated_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
     "root11", "root12", "root13", "root14", "root15", "root16",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -143,36 +145,36 @@ DHGEN_TABLE dhgen_general_arm general = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[6] = {
+DHGEN_TABLE int solved[6] = { 0, 1, 2, 3, 4, 5 };
+DHGEN_TABLE int turning[6] = { 1, 1, 1, 1, 1, 1 };
+DHGEN_TABLE double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[6] = {
     0.7063788125913435, 0.7063788125913435, 0.7063788125913435, 0.7063788125913435,
     0.7063788125913435, 0.7063788125913435,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[6] = {
+DHGEN_TABLE double span_low[6] = {
     -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
     -3.141592653589793, -3.141592653589793,
 };
-static const double span_width[6] = {
+DHGEN_TABLE double span_width[6] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
 };
-static const double stride[6] = {
+DHGEN_TABLE double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
 /* How the loop counts the joints: which way, and from where. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = {
+DHGEN_TABLE double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double zero[6] = {
     -2.6e-05, -1.5708893267948965, -1.5706923267948965, -0.000167, 3.141423653589793, 3.1e-05,
 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -185,7 +187,7 @@ static const struct dhgen_numerical_arm descents = {
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { -2.6e-05, 0.400051, 0.024977, -1.5708283267948966 },
     { -1.5708893267948965, -2.1e-05, 0.455111, 4.2e-05 },
     { -1.5706923267948965, 2.5e-05, 0.025039, -1.5707773267948966 },
@@ -194,14 +196,14 @@ static const double table[6][4] = {
     { 3.1e-05, 0.089995, 5.2e-05, -6.4e-05 },
 };
 
-void kuka_kr6_r900_calibrated_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void kuka_kr6_r900_calibrated_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void kuka_kr6_r900_calibrated_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void kuka_kr6_r900_calibrated_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), y1_x = s1 * ca1, v2 = c1 * ca1, v3 = s1 * sa1,
@@ -242,7 +244,7 @@ void kuka_kr6_r900_calibrated_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void kuka_kr6_r900_calibrated_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void kuka_kr6_r900_calibrated_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), p1_x = c1 * a1, p1_y = s1 * a1, y1_x = s1 * ca1,
@@ -339,7 +341,8 @@ static const double
  * all that are in lanes. */
 #define KNOWN(number) \
     /* theta1 */ \
-    const dhgen_##number v1 = T14 * T14 + T24 * T24, w1 = dhgen_sqrt_##number(v1), v2 = 1.0 / v1; \
+    const dhgen_##number v1 = T14 * T14 + T24 * T24, w1 = dhgen_sqrt_##number(v1), \
+        v2 = DHGEN_QUOTIENT(1.0, v1); \
     /* theta3 */ \
     const dhgen_##number v4 = T34 * T34; \
     /* theta4 */ \
@@ -353,7 +356,8 @@ static const double
     /* joint values */ \
     const dhgen_##number v35 = near_length * T34, v36 = dhgen_abs_##number(T34), v37 = v35 + v35, \
         v38 = near_length * T14, v39 = v38 + v38, v40 = near_length * T24, v41 = v40 + v40, \
-        v42 = near3 / w1, v43 = v39 * v42, v44 = v41 * v42, v45 = near2 * dhgen_abs_##number(v42), \
+        v42 = DHGEN_QUOTIENT(near3, w1), v43 = v39 * v42, v44 = v41 * v42, \
+        v45 = near2 * dhgen_abs_##number(v42), \
         v48 = v45 + dhgen_sqrt_##number(v43 * v43 + v44 * v44), v58 = v37 * v37, v66 = w1 * v2, \
         v67 = near_angle * T33, v68 = near_angle * T23, v69 = T24 * v67, \
         v70 = near4 * dhgen_abs_##number(T24), v71 = near_length * T13, v72 = v67 * v67, \
@@ -379,7 +383,7 @@ static const double
         v6 = N3 - near_shortest3, D3 = v5 * v6, w3 = dhgen_sqrt_##number(D3); \
     /* theta2 */ \
     const dhgen_##number X1_2 = near_m5 + near_m4 * N3, v7 = T34 * X1_2, v8 = Z2_3 * X1_2, \
-        factor2 = 1.0 / N3; \
+        factor2 = DHGEN_QUOTIENT(1.0, N3); \
     /* theta4 */ \
     const dhgen_##number v11 = v10 - near_m6 * Z2_3, v12 = near_m8 * factor2 - near_m7, \
         v13 = near_m9 * factor2 - near_m6, v14 = Z2_3 * v12 + T34 * v13, \
@@ -398,7 +402,7 @@ static const double
         v104 = factor2 * (factor2 * v55), v105 = factor2 * (factor2 * v37), \
         v106 = v102 * (v57 * v102), v107 = dhgen_sqrt_##number(N3) - dhgen_sqrt_##number(v65), \
         v108 = v106 + (v106 + (dhgen_abs_##number(v105) + (dhgen_abs_##number(v103) + \
-            dhgen_abs_##number(v104)))) * (v59 / (v107 * v107)), v109 = near_m9 * v103, \
+            dhgen_abs_##number(v104)))) * DHGEN_QUOTIENT(v59, v107 * v107), v109 = near_m9 * v103, \
         v110 = near_m9 * v104, v111 = near_m9 * v105, v112 = near_m9 * v108, \
         v113 = v108 + dhgen_sqrt_##number(v103 * v103 + v104 * v104 + v105 * v105), \
         v114 = v112 + dhgen_sqrt_##number(v109 * v109 + v110 * v110 + v111 * v111), \
@@ -408,8 +412,9 @@ static const double
         v120 = Z2_3 * v109 - v13 * v46 - T34 * v115, v121 = Z2_3 * v110 - v13 * v47 - T34 * v116, \
         v122 = Z2_3 * v111 + (near_length * v12 - T34 * v117), \
         v123 = v51 * v112 + v45 * dhgen_abs_##number(-v13) + v53 * v114 + (v36 * v118 + \
-            near_length * v119), v124 = near3 / w3, v125 = v60 * v124, v126 = v61 * v124, \
-        v127 = v62 * v124, v128 = v64 * v124, v129 = v128 * v128 / w3, \
+            near_length * v119), v124 = DHGEN_QUOTIENT(near3, w3), v125 = v60 * v124, \
+        v126 = v61 * v124, v127 = v62 * v124, v128 = v64 * v124, \
+        v129 = DHGEN_QUOTIENT(v128 * v128, w3), \
         v130 = v129 + (v129 + v63 * dhgen_abs_##number(v124)), v131 = near_m7 * v46, \
         v132 = near_m7 * v47, v141 = v102 * v133 + v108 * dhgen_abs_##number(v18), \
         v143 = dhgen_abs_##number(w3), \
@@ -468,8 +473,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* joint values */
     const dhgen_wide v87 = w1 - sqrt(near2),
-        v88 = v86 + (v86 + (dhgen_abs_wide(v84) + dhgen_abs_wide(v85))) * ((near2 +
-            dhgen_sqrt_wide(v39 * v39 + v41 * v41)) / (v87 * v87)),
+        v88 = v86 + (v86 + (dhgen_abs_wide(v84) + dhgen_abs_wide(v85))) * DHGEN_QUOTIENT(near2 +
+            dhgen_sqrt_wide(v39 * v39 + v41 * v41), v87 * v87),
         v90 = v88 + dhgen_sqrt_wide(v84 * v84 + v85 * v85), v93 = v88 * v89 + v45 * v83 + v48 * v90,
         v101 = v93 * dhgen_abs_wide(v25) + v82 * dhgen_abs_wide(v66) + (v82 + (v98 +
             dhgen_sqrt_wide(v97 + v81 * v81))) * (v93 + dhgen_sqrt_wide(v91 * v91 + v92 * v92)) +
@@ -558,8 +563,8 @@ DHGEN_INLINE int solve_regular(
 
     /* joint values */
     const double v87 = w1 - sqrt(near2),
-        v88 = v86 + (v86 + (fabs(v84) + fabs(v85))) * ((near2 + sqrt(v39 * v39 + v41 * v41)) / (v87
-            * v87)), v90 = v88 + sqrt(v84 * v84 + v85 * v85),
+        v88 = v86 + (v86 + (fabs(v84) + fabs(v85))) * DHGEN_QUOTIENT(near2 + sqrt(v39 * v39 + v41 *
+            v41), v87 * v87), v90 = v88 + sqrt(v84 * v84 + v85 * v85),
         v93 = v88 * v89 + v45 * v83 + v48 * v90,
         v101 = v93 * fabs(v25) + v82 * fabs(v66) + (v82 + (v98 + sqrt(v97 + v81 * v81))) * (v93 +
             sqrt(v91 * v91 + v92 * v92)) + (sqrt(v94 * v94 + v95 * v95 + v96 * v96) + sqrt(v99 * v99
@@ -608,7 +613,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_branches(solve_wide, 8, T, free_joints, q, status);
@@ -627,7 +632,7 @@ DHGEN_TABLE dhgen_nearest_arm nearest_arm = {
 #endif
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -665,8 +670,8 @@ static void solve(
     }
 }
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.7064, 0.7064, 0.7064, 1.0, 1.0, 1.0 }, 0.7063788125913435, { 1e-14, 1e-10 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -679,24 +684,26 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void kuka_kr6_r900_calibrated_joint_velocities(const double q[6], const double twist[6], double
-    velocities[6])
+DHGEN_PUBLIC void kuka_kr6_r900_calibrated_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int kuka_kr6_r900_calibrated_ik(
+DHGEN_PUBLIC int kuka_kr6_r900_calibrated_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
 {
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int kuka_kr6_r900_calibrated_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int kuka_kr6_r900_calibrated_ik_nearest(
+    const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void kuka_kr6_r900_calibrated_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void kuka_kr6_r900_calibrated_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

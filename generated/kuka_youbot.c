@@ -57,11 +57,13 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const kuka_youbot_branches[4] = {
     "front-down", "front-up", "back-up", "back-down",
 };
+#endif
 
-static const struct dhgen_joint joints[5] = {
+DHGEN_TABLE struct dhgen_joint joints[5] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -71,7 +73,7 @@ static const struct dhgen_joint joints[5] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[5][4] = {
+DHGEN_TABLE double table[5][4] = {
     { 0.0, 0.147, 0.033, 1.5707963267948966 },
     { 1.5707963267948966, 0.0, 0.155, 0.0 },
     { 0.0, 0.0, 0.135, 0.0 },
@@ -79,14 +81,14 @@ static const double table[5][4] = {
     { 0.0, 0.2175, 0.0, 0.0 },
 };
 
-void kuka_youbot_frames(const double q[5], double frames[7][16])
+DHGEN_PUBLIC void kuka_youbot_frames(const double q[5], double frames[7][16])
 {
     static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void kuka_youbot_fk(const double q[5], double T[16])
+DHGEN_PUBLIC void kuka_youbot_fk(const double q[5], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2,
@@ -108,7 +110,7 @@ void kuka_youbot_fk(const double q[5], double T[16])
     T[15] = 1.0;
 }
 
-void kuka_youbot_jacobian(const double q[5], double J[30])
+DHGEN_PUBLIC void kuka_youbot_jacobian(const double q[5], double J[30])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1,
         v1 = q[1] + offset2;
@@ -134,7 +136,7 @@ void kuka_youbot_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -250,6 +252,7 @@ static void solve(
 
 #ifndef KUKA_YOUBOT_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 6.874999999999999e-05 [m],
  * doubt_limit = 9.999999999999999e-05, doubt_limit_squared2 = 4.7265624999999994e-09 [m^2]. */
 static const double
@@ -278,18 +281,18 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta1 */
     const dhgen_wide sigma1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
         Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
-        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, factor1 = w1 * v2, c1 = Xhat1 * factor1,
-        s1 = Yhat1 * factor1, angle1 = dhgen_atan2_wide(Yhat1, Xhat1);
+        w1 = dhgen_sqrt_wide(v1), v2 = DHGEN_QUOTIENT(1.0, v1), factor1 = w1 * v2,
+        c1 = Xhat1 * factor1, s1 = Yhat1 * factor1, angle1 = dhgen_atan2_wide(Yhat1, Xhat1);
 
     /* theta234 */
     const dhgen_wide Z2_234 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1)),
-        v3 = T33 * T33 + Z2_234 * Z2_234, w234 = dhgen_sqrt_wide(v3), v4 = 1.0 / v3,
+        v3 = T33 * T33 + Z2_234 * Z2_234, w234 = dhgen_sqrt_wide(v3), v4 = DHGEN_QUOTIENT(1.0, v3),
         factor234 = w234 * v4, angle2 = dhgen_atan2_wide(Z2_234, -T33);
 
     /* theta5 */
     const dhgen_wide S5 = w1 * (v2 * (Xhat1 * T21 - Yhat1 * T11)),
         C5 = w1 * (v2 * (Xhat1 * T22 - Yhat1 * T12)), v5 = S5 * S5 + C5 * C5,
-        v6 = dhgen_sqrt_wide(v5) * (1.0 / v5), v7 = C5 * v6, v8 = S5 * v6,
+        v6 = dhgen_sqrt_wide(v5) * DHGEN_QUOTIENT(1.0, v5), v7 = C5 * v6, v8 = S5 * v6,
         angle3 = dhgen_atan2_wide(-S5, -C5);
 
     /* theta3 */
@@ -311,8 +314,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v29 = S2_pp * S2_pp + C2_pp * C2_pp, v30 = S2_pm * S2_pm + C2_pm * C2_pm,
         v31 = S2_mp * S2_mp + C2_mp * C2_mp, v32 = S2_mm * S2_mm + C2_mm * C2_mm,
         w2_pp = dhgen_sqrt_wide(v29), w2_pm = dhgen_sqrt_wide(v30), w2_mp = dhgen_sqrt_wide(v31),
-        w2_mm = dhgen_sqrt_wide(v32), v33 = 1.0 / v29, v34 = 1.0 / v30, v35 = 1.0 / v31,
-        v36 = 1.0 / v32, factor2_pp = w2_pp * v33, factor2_pm = w2_pm * v34,
+        w2_mm = dhgen_sqrt_wide(v32), v33 = DHGEN_QUOTIENT(1.0, v29),
+        v34 = DHGEN_QUOTIENT(1.0, v30), v35 = DHGEN_QUOTIENT(1.0, v31),
+        v36 = DHGEN_QUOTIENT(1.0, v32), factor2_pp = w2_pp * v33, factor2_pm = w2_pm * v34,
         factor2_mp = w2_mp * v35, factor2_mm = w2_mm * v36, angle6 = dhgen_atan2_wide(S2_pp, C2_pp),
         angle7 = dhgen_atan2_wide(S2_pm, C2_pm), angle8 = dhgen_atan2_wide(S2_mp, C2_mp),
         angle9 = dhgen_atan2_wide(S2_mm, C2_mm);
@@ -398,18 +402,18 @@ DHGEN_INLINE int solve_regular(
     /* theta1 */
     const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23),
         Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
-        w1 = sqrt(v1), v2 = 1.0 / v1, factor1 = w1 * v2, c1 = Xhat1 * factor1, s1 = Yhat1 * factor1,
-        v3 = copysign(DHGEN_HALF_TURN, Yhat1);
+        w1 = sqrt(v1), v2 = DHGEN_QUOTIENT(1.0, v1), factor1 = w1 * v2, c1 = Xhat1 * factor1,
+        s1 = Yhat1 * factor1, v3 = copysign(DHGEN_HALF_TURN, Yhat1);
     const dhgen_four v4 = m2 * (e1 - 1.0);
 
     /* theta234 */
     const double Z2_234 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1)), v5 = T33 * T33 + Z2_234 * Z2_234,
-        w234 = sqrt(v5), v6 = 1.0 / v5, factor234 = w234 * v6;
+        w234 = sqrt(v5), v6 = DHGEN_QUOTIENT(1.0, v5), factor234 = w234 * v6;
 
     /* theta5 */
     const double S5 = w1 * (v2 * (Xhat1 * T21 - Yhat1 * T11)),
         C5 = w1 * (v2 * (Xhat1 * T22 - Yhat1 * T12)), v7 = S5 * S5 + C5 * C5,
-        v8 = sqrt(v7) * (1.0 / v7), v9 = C5 * v8, v10 = S5 * v8,
+        v8 = sqrt(v7) * DHGEN_QUOTIENT(1.0, v7), v9 = C5 * v8, v10 = S5 * v8,
         v11 = copysign(DHGEN_HALF_TURN, -S5);
 
     /* theta3 */
@@ -425,8 +429,8 @@ DHGEN_INLINE int solve_regular(
     /* theta2 */
     const dhgen_four v21 = e3 * v18, v22 = m6 + m5 * N3, v23 = Z1_3 * v22,
         S2 = v23 - w3 * (m5 * v21), v24 = e3 * Z1_3, v25 = m5 * v24, v26 = v18 * v22,
-        C2 = v26 + w3 * v25, v27 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v27), v28 = 1.0 / v27,
-        factor2 = w2 * v28;
+        C2 = v26 + w3 * v25, v27 = S2 * S2 + C2 * C2, w2 = dhgen_sqrt_four(v27),
+        v28 = DHGEN_QUOTIENT(1.0, v27), factor2 = w2 * v28;
 
     /* is the pose one that the arm can take? */
     const dhgen_four v29 = m8 * v24, v30 = m8 * N3 - m9, v31 = v18 * v30, v32 = Z1_3 * v30,
@@ -475,7 +479,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -483,9 +487,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[2] = { 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     5, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.455, 1.455, 1.455, 1.0, 1.0, 1.0 }, 1.4545454545454546, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -502,12 +506,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void kuka_youbot_joint_velocities(const double q[5], const double twist[6], double velocities[5])
+DHGEN_PUBLIC void kuka_youbot_joint_velocities(
+    const double q[5], const double twist[6], double velocities[5])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int kuka_youbot_ik(
+DHGEN_PUBLIC int kuka_youbot_ik(
     const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
 {
 #ifndef KUKA_YOUBOT_PLAIN
@@ -518,12 +523,12 @@ int kuka_youbot_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int kuka_youbot_ik_nearest(const double T[16], const double q_seed[5], double q[5])
+DHGEN_PUBLIC int kuka_youbot_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void kuka_youbot_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void kuka_youbot_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef KUKA_YOUBOT_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

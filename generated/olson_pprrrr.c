@@ -47,11 +47,13 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const olson_pprrrr_branches[4] = {
     "elbow3+-elbow4+", "elbow3+-elbow4-", "elbow3--elbow4+", "elbow3--elbow4-",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 7e-09, 0.02040816326530612, 7.0, 0.6872233929727672, 0 },
     { -HUGE_VAL, HUGE_VAL, 7e-09, 0.02040816326530612, 7.0, 0.6872233929727672, 0 },
@@ -62,7 +64,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 1.5707963267948966, 0.0, 0.0, -1.5707963267948966 },
     { -1.5707963267948966, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 1.0, 0.0, 1.5707963267948966 },
@@ -71,14 +73,14 @@ static const double table[6][4] = {
     { 0.0, 2.0, 0.0, 1.5707963267948966 },
 };
 
-void olson_pprrrr_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void olson_pprrrr_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void olson_pprrrr_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void olson_pprrrr_fk(const double q[6], double T[16])
 {
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = s3 * c4, v1 = c3 * c4, v2 = s3 * s4,
@@ -96,7 +98,7 @@ void olson_pprrrr_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void olson_pprrrr_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void olson_pprrrr_jacobian(const double q[6], double J[36])
 {
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = s3 * c4, v1 = c3 * c4,
@@ -115,7 +117,7 @@ void olson_pprrrr_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -197,6 +199,7 @@ static void solve(
 
 #ifndef OLSON_PPRRRR_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 9.999999999999999e-09, /* doubt_limit^2 */
@@ -212,7 +215,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide v1 = T23 * T23 + T13 * T13, w3 = dhgen_sqrt_wide(v1),
-        factor3 = w3 * (1.0 / v1), c3 = T23 * factor3, v2 = T13 * factor3,
+        factor3 = w3 * DHGEN_QUOTIENT(1.0, v1), c3 = T23 * factor3, v2 = T13 * factor3,
         angle1 = dhgen_atan2_wide(-T13, T23);
 
     /* theta4 */
@@ -275,7 +278,7 @@ DHGEN_INLINE int solve_regular(
     ENTRIES(double);
 
     /* theta3 */
-    const double v1 = T23 * T23 + T13 * T13, w3 = sqrt(v1), factor3 = w3 * (1.0 / v1),
+    const double v1 = T23 * T23 + T13 * T13, w3 = sqrt(v1), factor3 = w3 * DHGEN_QUOTIENT(1.0, v1),
         c3 = T23 * factor3, v2 = T13 * factor3, v3 = copysign(DHGEN_HALF_TURN, -T13);
     const dhgen_four v4 = m2 * (e3 - 1.0);
 
@@ -316,7 +319,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -324,9 +327,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 2 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 2 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.1429, 0.1429, 0.1429, 1.0, 1.0, 1.0 }, 0.14285714285714285, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -343,12 +346,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void olson_pprrrr_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void olson_pprrrr_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int olson_pprrrr_ik(
+DHGEN_PUBLIC int olson_pprrrr_ik(
     const double T[16], const double *q_seed, double q[4][6], unsigned char status[4])
 {
 #ifndef OLSON_PPRRRR_PLAIN
@@ -359,12 +363,13 @@ int olson_pprrrr_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int olson_pprrrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int olson_pprrrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void olson_pprrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void olson_pprrrr_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef OLSON_PPRRRR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

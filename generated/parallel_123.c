@@ -74,12 +74,14 @@ static const double
     f1 = 0.23, /* d1 + d2 + d3 [m] */
     g1 = 0.23; /* d1 + d2 + d3 [m] */
 
+#ifndef __CUDACC_RTC__
 const char *const parallel_123_branches[8] = {
     "root1-right", "root1-left", "root2-right", "root2-left", "root3-right", "root3-left",
     "root4-right", "root4-left",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -91,28 +93,28 @@ static const struct dhgen_joint joints[6] = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[6] = { 0.625, 0.625, 0.625, 0.625, 0.625, 0.625 };
+DHGEN_TABLE int solved[6] = { 0, 1, 2, 3, 4, 5 };
+DHGEN_TABLE int turning[6] = { 1, 1, 1, 1, 1, 1 };
+DHGEN_TABLE double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[6] = { 0.625, 0.625, 0.625, 0.625, 0.625, 0.625 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[6] = {
+DHGEN_TABLE double span_low[6] = {
     -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
     -3.141592653589793, -3.141592653589793,
 };
-static const double span_width[6] = {
+DHGEN_TABLE double span_width[6] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
 };
-static const double stride[6] = {
+DHGEN_TABLE double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     6, 8, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -124,14 +126,14 @@ static const struct dhgen_numerical_arm descents = {
 };
 
 /* The joints whose values add up to the root of a polynomial, with their signs. */
-static const struct dhgen_root_turn turns[1] = { { 5, 1.0 } };
+DHGEN_TABLE struct dhgen_root_turn turns[1] = { { 5, 1.0 } };
 
-static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 0, /*
+DHGEN_TABLE struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 0, /*
     ascends */ 0, /* equations end all */ 0 };
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.1, 0.3, 0.0 },
     { 0.0, 0.05, 0.25, 0.0 },
     { 0.0, 0.08, 0.1, 1.5707963267948966 },
@@ -140,14 +142,14 @@ static const double table[6][4] = {
     { 0.0, 0.1, 0.05, 0.0 },
 };
 
-void parallel_123_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void parallel_123_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void parallel_123_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void parallel_123_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
@@ -175,7 +177,7 @@ void parallel_123_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void parallel_123_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void parallel_123_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2,
@@ -210,7 +212,7 @@ void parallel_123_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -362,9 +364,9 @@ static void solve(
     }
 }
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[4] = { 5, 2, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[4] = { 5, 2, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 }, 0.625, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -377,23 +379,25 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void parallel_123_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void parallel_123_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int parallel_123_ik(
+DHGEN_PUBLIC int parallel_123_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int parallel_123_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int parallel_123_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void parallel_123_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void parallel_123_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

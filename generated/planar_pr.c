@@ -47,23 +47,25 @@ static const double
     const number T14 = T[3]; \
     const number T24 = T[7]
 
+#ifndef __CUDACC_RTC__
 const char *const planar_pr_branches[2] = {
     "forward", "backward",
 };
+#endif
 
-static const struct dhgen_joint joints[2] = {
+DHGEN_TABLE struct dhgen_joint joints[2] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 3e-10, 11.11111111111111, 0.3, 0.02945243112740431, 0 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
 
 /* The axes at q = 0: a unit vector along each, and a point of it [m]. */
-static const double table[2][6] = {
+DHGEN_TABLE double table[2][6] = {
     { 0.8660254037844386, 0.5, 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 },
 };
 
-void planar_pr_frames(const double q[2], double frames[4][16])
+DHGEN_PUBLIC void planar_pr_frames(const double q[2], double frames[4][16])
 {
     static const double tool[12] = { 1.0, 0.0, 0.0, 0.3, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
     static const struct dhgen_links links = { 2, DHGEN_AXES, joints, &table[0][0], NULL, NULL, tool
@@ -71,7 +73,7 @@ void planar_pr_frames(const double q[2], double frames[4][16])
     dhgen_frames(&links, q, frames);
 }
 
-void planar_pr_fk(const double q[2], double T[16])
+DHGEN_PUBLIC void planar_pr_fk(const double q[2], double T[16])
 {
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = f3 * c2, x2_y = f3 * s2;
     T[0] = x2_x; T[1] = -x2_y; T[2] = 0.0; T[3] = f2 * q[0] + x2_x * a;
@@ -81,7 +83,7 @@ void planar_pr_fk(const double q[2], double T[16])
     T[15] = 1.0;
 }
 
-void planar_pr_jacobian(const double q[2], double J[12])
+DHGEN_PUBLIC void planar_pr_jacobian(const double q[2], double J[12])
 {
     const double p1_x = f2 * q[0], p1_y = f1 * q[0];
     const double c2 = cos(q[1]), s2 = sin(q[1]);
@@ -94,7 +96,7 @@ void planar_pr_jacobian(const double q[2], double J[12])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -128,6 +130,7 @@ static void solve(
 
 #ifndef PLANAR_PR_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 static const double
     m1 = 2.2222222222222221e-10, /* 1000 * k6 [m^-2] */
     m2 = 0.15, /* k2 * k7 [m] */
@@ -187,7 +190,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -195,8 +198,8 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[2] = { 3, 7 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[2] = { 3, 7 };
+DHGEN_TABLE struct dhgen_arm arm = {
     2, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 3.333, 3.333, 0.0, 0.0, 0.0, 0.0 }, 3.3333333333333335, { 1e-14, 1e-14 }, entries, 2,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -213,12 +216,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void planar_pr_joint_velocities(const double q[2], const double twist[6], double velocities[2])
+DHGEN_PUBLIC void planar_pr_joint_velocities(
+    const double q[2], const double twist[6], double velocities[2])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int planar_pr_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
+DHGEN_PUBLIC int planar_pr_ik(
+    const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
 {
 #ifndef PLANAR_PR_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -228,12 +233,12 @@ int planar_pr_ik(const double T[16], const double *q_seed, double q[2][2], unsig
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int planar_pr_ik_nearest(const double T[16], const double q_seed[2], double q[2])
+DHGEN_PUBLIC int planar_pr_ik_nearest(const double T[16], const double q_seed[2], double q[2])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void planar_pr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void planar_pr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef PLANAR_PR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

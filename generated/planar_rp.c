@@ -37,30 +37,32 @@ static const double
     const number T14 = T[3]; \
     const number T24 = T[7]
 
+#ifndef __CUDACC_RTC__
 const char *const planar_rp_branches[2] = {
     "forward", "backward",
 };
+#endif
 
-static const struct dhgen_joint joints[2] = {
+DHGEN_TABLE struct dhgen_joint joints[2] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { 0.0, 1.0, 1e-09, 1.0, 1.0, 0.03125, 0 },
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[2][4] = {
+DHGEN_TABLE double table[2][4] = {
     { 1.5707963267948966, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void planar_rp_frames(const double q[2], double frames[4][16])
+DHGEN_PUBLIC void planar_rp_frames(const double q[2], double frames[4][16])
 {
     static const struct dhgen_links links = { 2, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void planar_rp_fk(const double q[2], double T[16])
+DHGEN_PUBLIC void planar_rp_fk(const double q[2], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1);
@@ -71,7 +73,7 @@ void planar_rp_fk(const double q[2], double T[16])
     T[15] = 1.0;
 }
 
-void planar_rp_jacobian(const double q[2], double J[12])
+DHGEN_PUBLIC void planar_rp_jacobian(const double q[2], double J[12])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1);
@@ -84,7 +86,7 @@ void planar_rp_jacobian(const double q[2], double J[12])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -117,6 +119,7 @@ static void solve(
 
 #ifndef PLANAR_RP_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 9.999999999999999e-05 [m]. */
 static const double
     m1 = 9.999999999999999e-09; /* doubt_limit1^2 [m^2] */
@@ -188,7 +191,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -196,9 +199,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[2] = { 3, 7 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[2] = { 3, 7 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     2, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 1.0, 1.0, 0.0, 0.0, 0.0, 0.0 }, 1.0, { 1e-14, 1e-14 }, entries, 2,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -215,12 +218,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void planar_rp_joint_velocities(const double q[2], const double twist[6], double velocities[2])
+DHGEN_PUBLIC void planar_rp_joint_velocities(
+    const double q[2], const double twist[6], double velocities[2])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int planar_rp_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
+DHGEN_PUBLIC int planar_rp_ik(
+    const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
 {
 #ifndef PLANAR_RP_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -230,12 +235,12 @@ int planar_rp_ik(const double T[16], const double *q_seed, double q[2][2], unsig
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int planar_rp_ik_nearest(const double T[16], const double q_seed[2], double q[2])
+DHGEN_PUBLIC int planar_rp_ik_nearest(const double T[16], const double q_seed[2], double q[2])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void planar_rp_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void planar_rp_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef PLANAR_RP_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

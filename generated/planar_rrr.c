@@ -51,11 +51,13 @@ static const double
     const number T21 = T[4], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const planar_rrr_branches[2] = {
     "right", "left",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -63,20 +65,20 @@ static const struct dhgen_joint joints[3] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.0, 0.4, 0.0 },
     { 0.0, 0.0, 0.3, 0.0 },
     { 0.0, 0.0, 0.15, 0.0 },
 };
 
-void planar_rrr_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void planar_rrr_frames(const double q[3], double frames[5][16])
 {
     static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void planar_rrr_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void planar_rrr_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
@@ -89,7 +91,7 @@ void planar_rrr_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void planar_rrr_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void planar_rrr_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2,
@@ -105,7 +107,7 @@ void planar_rrr_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -178,6 +180,7 @@ static void solve(
 
 #ifndef PLANAR_RRR_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 static const double
     /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
     m1 = 5.755396159656667e-12,
@@ -199,7 +202,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     ENTRIES(dhgen_wide);
 
     /* theta123 */
-    const dhgen_wide v1 = T21 * T21 + T11 * T11, v2 = dhgen_sqrt_wide(v1) * (1.0 / v1),
+    const dhgen_wide v1 = T21 * T21 + T11 * T11, v2 = dhgen_sqrt_wide(v1) * DHGEN_QUOTIENT(1.0, v1),
         angle1 = dhgen_atan2_wide(T21, T11);
 
     /* theta2 */
@@ -210,8 +213,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta1 */
     const dhgen_wide v5 = m3 + m2 * N2, v6 = Z2_2 * v5, S1_p = v6 - w2 * (m2 * Z1_2),
         S1_m = v6 - w2 * (m2 * -Z1_2), v7 = Z1_2 * v5, C1_p = v7 + w2 * (m2 * Z2_2),
-        C1_m = v7 + w2 * (m2 * -Z2_2), factor1 = 1.0 / N2, angle3 = dhgen_atan2_wide(S1_p, C1_p),
-        angle4 = dhgen_atan2_wide(S1_m, C1_m);
+        C1_m = v7 + w2 * (m2 * -Z2_2), factor1 = DHGEN_QUOTIENT(1.0, N2),
+        angle3 = dhgen_atan2_wide(S1_p, C1_p), angle4 = dhgen_atan2_wide(S1_m, C1_m);
 
     /* is the pose one that the arm can take? */
     const dhgen_wide v8 = m4 - m5 * factor1, v9 = Z1_2 * v8, v10 = Z2_2 * v8, v11 = T33 - 1.0,
@@ -251,7 +254,7 @@ DHGEN_INLINE int solve_regular(
     ENTRIES(double);
 
     /* theta123 */
-    const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * (1.0 / v1);
+    const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * DHGEN_QUOTIENT(1.0, v1);
 
     /* theta2 */
     const double v3 = v2 * (a3 * T11), Z1_2 = T14 - v3, v4 = v2 * (a3 * T21), Z2_2 = T24 - v4,
@@ -263,7 +266,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four S1 = v7 - w2 * (m2 * v5), v8 = e2 * Z2_2;
     const double v9 = Z1_2 * v6;
     const dhgen_four C1 = v9 + w2 * (m2 * v8);
-    const double factor1 = 1.0 / N2;
+    const double factor1 = DHGEN_QUOTIENT(1.0, N2);
 
     /* is the pose one that the arm can take? */
     const double v10 = m4 - m5 * factor1, v11 = Z1_2 * v10, v12 = Z2_2 * v10, v13 = T33 - 1.0,
@@ -301,7 +304,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -309,9 +312,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.176, 1.176, 1.176, 1.0, 1.0, 1.0 }, 1.1764705882352942, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -328,12 +331,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void planar_rrr_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+DHGEN_PUBLIC void planar_rrr_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int planar_rrr_ik(
+DHGEN_PUBLIC int planar_rrr_ik(
     const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {
 #ifndef PLANAR_RRR_PLAIN
@@ -344,12 +348,12 @@ int planar_rrr_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int planar_rrr_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int planar_rrr_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void planar_rrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void planar_rrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef PLANAR_RRR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -23,11 +23,13 @@
 static const double
     a = 0.25; /* link length 1 [m] */
 
+#ifndef __CUDACC_RTC__
 const char *const planar_rrrr_branches[1] = {
     "nearest",
 };
+#endif
 
-static const struct dhgen_joint joints[4] = {
+DHGEN_TABLE struct dhgen_joint joints[4] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.0943951023931953, 2.0943951023931953, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -37,31 +39,31 @@ static const struct dhgen_joint joints[4] = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[4] = { 0, 1, 2, 3 };
-static const int turning[4] = { 1, 1, 1, 1 };
-static const double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
-static const double measure[4] = { 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE int solved[4] = { 0, 1, 2, 3 };
+DHGEN_TABLE int turning[4] = { 1, 1, 1, 1 };
+DHGEN_TABLE double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[4] = { 1.0, 1.0, 1.0, 1.0 };
 /* Rows of the translation that count. */
-static const int coordinate[2] = { 0, 1 };
+DHGEN_TABLE int coordinate[2] = { 0, 1 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[4] = {
+DHGEN_TABLE double span_low[4] = {
     -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
 };
-static const double span_width[4] = {
+DHGEN_TABLE double span_width[4] = {
     4.1887902047863905, 4.1887902047863905, 4.1887902047863905, 4.1887902047863905,
 };
-static const double stride[4] = {
+DHGEN_TABLE double stride[4] = {
     0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
 };
-static const double least_u[4] = {
+DHGEN_TABLE double least_u[4] = {
     -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
 };
-static const double most_u[4] = {
+DHGEN_TABLE double most_u[4] = {
     2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953,
 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     4, 1, /* joints; solutions that are kept */
     4, 2, /* joints that are solved for; equations */
     2, DHGEN_COORDINATES, 0, /* coordinates, directions, arm angle */
@@ -74,21 +76,21 @@ static const struct dhgen_numerical_arm descents = {
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[4][4] = {
+DHGEN_TABLE double table[4][4] = {
     { 0.0, 0.0, 0.25, 0.0 },
     { 0.0, 0.0, 0.25, 0.0 },
     { 0.0, 0.0, 0.25, 0.0 },
     { 0.0, 0.0, 0.25, 0.0 },
 };
 
-void planar_rrrr_frames(const double q[4], double frames[6][16])
+DHGEN_PUBLIC void planar_rrrr_frames(const double q[4], double frames[6][16])
 {
     static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void planar_rrrr_fk(const double q[4], double T[16])
+DHGEN_PUBLIC void planar_rrrr_fk(const double q[4], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
@@ -103,7 +105,7 @@ void planar_rrrr_fk(const double q[4], double T[16])
     T[15] = 1.0;
 }
 
-void planar_rrrr_jacobian(const double q[4], double J[24])
+DHGEN_PUBLIC void planar_rrrr_jacobian(const double q[4], double J[24])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a, p1_y = s1 * a;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2,
@@ -121,7 +123,7 @@ void planar_rrrr_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -150,8 +152,8 @@ static void solve(
     }
 }
 
-static const int entries[2] = { 3, 7 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[2] = { 3, 7 };
+DHGEN_TABLE struct dhgen_arm arm = {
     4, 1, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 1.0, 1.0, 0.0, 0.0, 0.0, 0.0 }, 1.0, { 1e-14, 1e-10 }, entries, 2,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -164,23 +166,24 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void planar_rrrr_joint_velocities(const double q[4], const double twist[6], double velocities[4])
+DHGEN_PUBLIC void planar_rrrr_joint_velocities(
+    const double q[4], const double twist[6], double velocities[4])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int planar_rrrr_ik(
+DHGEN_PUBLIC int planar_rrrr_ik(
     const double T[16], const double *q_seed, double q[1][4], unsigned char status[1])
 {
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[4])
+DHGEN_PUBLIC int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void planar_rrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void planar_rrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

@@ -62,13 +62,15 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const prismatic_2_wrist_branches[8] = {
     "shoulder+-elbow+-noflip", "shoulder+-elbow+-flip", "shoulder+-elbow--noflip",
     "shoulder+-elbow--flip", "shoulder--elbow+-noflip", "shoulder--elbow+-flip",
     "shoulder--elbow--noflip", "shoulder--elbow--flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1.24e-09, 0.6503642039542143, 1.24, 0.12173671532660449, 0 },
@@ -79,7 +81,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.3, 0.1, -1.5707963267948966 },
     { 0.2, 0.0, 0.15, 1.5707963267948966 },
     { 0.0, 0.1, 0.08, -1.5707963267948966 },
@@ -88,14 +90,14 @@ static const double table[6][4] = {
     { 0.0, 0.08, 0.0, 0.0 },
 };
 
-void prismatic_2_wrist_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void prismatic_2_wrist_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void prismatic_2_wrist_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void prismatic_2_wrist_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), x2_x = c1 * cat2, x2_y = s1 * cat2,
         z2_x = c1 * sat2, z2_y = s1 * sat2;
@@ -119,7 +121,7 @@ void prismatic_2_wrist_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void prismatic_2_wrist_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void prismatic_2_wrist_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), x2_x = c1 * cat2, x2_y = s1 * cat2,
         z2_x = c1 * sat2, z2_y = s1 * sat2, p2_x = c1 * a1 - s1 * q[1] + x2_x * a2,
@@ -149,7 +151,7 @@ void prismatic_2_wrist_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -271,6 +273,7 @@ static void solve(
 
 #ifndef PRISMATIC_2_WRIST_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     /* square of a length that fixes no angle [m^2] */
@@ -294,8 +297,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta1 */
     const dhgen_wide wy = T24 - d6 * T23, v1 = sat2 * wy, wx = T14 - d6 * T13, v2 = sat2 * wx,
         N1 = v1 * v1 + v2 * v2, wz = T34 - d6 * T33, Z1 = cat2 * wz - k1, D1 = N1 - Z1 * Z1,
-        w1 = dhgen_sqrt_wide(D1), v3 = w1 - w1, inverse1 = 1.0 / N1, v4 = v1 * Z1, v5 = v2 * Z1,
-        v6 = inverse1 * v5, v7 = w1 * (v1 * inverse1), c1_p = v7 - v6, v8 = v6 + v7,
+        w1 = dhgen_sqrt_wide(D1), v3 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v4 = v1 * Z1,
+        v5 = v2 * Z1, v6 = inverse1 * v5, v7 = w1 * (v1 * inverse1), c1_p = v7 - v6, v8 = v6 + v7,
         v9 = inverse1 * v4, v10 = w1 * (v2 * inverse1), v11 = v9 + v10, v12 = v9 - v10;
 
     /* theta3 */
@@ -400,7 +403,7 @@ DHGEN_INLINE int solve_regular(
     /* theta1 */
     const double wy = T24 - d6 * T23, v1 = sat2 * wy, wx = T14 - d6 * T13, v2 = sat2 * wx,
         N1 = v1 * v1 + v2 * v2, wz = T34 - d6 * T33, Z1 = cat2 * wz - k1, D1 = N1 - Z1 * Z1,
-        w1 = sqrt(D1), v3 = w1 - w1, inverse1 = 1.0 / N1, v4 = v1 * Z1, v5 = v2 * Z1,
+        w1 = sqrt(D1), v3 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v4 = v1 * Z1, v5 = v2 * Z1,
         v6 = inverse1 * v5;
     const dhgen_four c1 = w1 * (inverse1 * (e1 * v1)) - v6;
     const double v7 = inverse1 * v4;
@@ -467,7 +470,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -475,9 +478,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[2] = { 3, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[2] = { 3, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8065, 0.8065, 0.8065, 1.0, 1.0, 1.0 }, 0.8064516129032259, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -494,13 +497,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void prismatic_2_wrist_joint_velocities(const double q[6], const double twist[6], double
-    velocities[6])
+DHGEN_PUBLIC void prismatic_2_wrist_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int prismatic_2_wrist_ik(
+DHGEN_PUBLIC int prismatic_2_wrist_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef PRISMATIC_2_WRIST_PLAIN
@@ -511,12 +514,14 @@ int prismatic_2_wrist_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int prismatic_2_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int prismatic_2_wrist_ik_nearest(
+    const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void prismatic_2_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void prismatic_2_wrist_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef PRISMATIC_2_WRIST_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -57,12 +57,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const puma_branches[8] = {
     "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
     "left-up-flip", "left-down-noflip", "left-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -73,7 +75,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The axes at q = 0: a unit vector along each, and a point of it [m]. */
-static const double table[6][6] = {
+DHGEN_TABLE double table[6][6] = {
     { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 },
     { 1.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     { 1.0, 0.0, 0.0, 0.0, 0.0, 0.4318 },
@@ -82,14 +84,14 @@ static const double table[6][6] = {
     { 0.0, 0.0, 1.0, 0.15005, 0.0, 0.0 },
 };
 
-void puma_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void puma_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_AXES, joints, &table[0][0], NULL, NULL, NULL
         };
     dhgen_frames(&links, q, frames);
 }
 
-void puma_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void puma_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = s1 * s2, v1 = c1 * s2, y2_x = s1 * c2,
@@ -114,7 +116,7 @@ void puma_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void puma_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void puma_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = s1 * s2, v1 = c1 * s2, y2_x = s1 * c2,
@@ -145,7 +147,7 @@ void puma_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -255,6 +257,7 @@ static void solve(
 
 #ifndef PUMA_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit_squared2 = 3.57281304106196e-08 [m^2],
  * doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -278,9 +281,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta1 */
     const dhgen_wide t24 = T24 + D3 * T21 + k1 * T23, t14 = T14 + D3 * T11 + k1 * T13,
         N1 = t24 * t24 + t14 * t14, D1 = N1 - k2, w1 = dhgen_sqrt_wide(D1), v1 = w1 - w1,
-        inverse1 = 1.0 / N1, v2 = inverse1 * (D3 * t14), v3 = w1 * (t24 * inverse1), c1_p = v2 + v3,
-        c1_m = v2 - v3, v4 = inverse1 * (D3 * t24), v5 = w1 * (t14 * inverse1), s1_p = v4 - v5,
-        s1_m = v4 + v5;
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (D3 * t14), v3 = w1 * (t24 * inverse1),
+        c1_p = v2 + v3, c1_m = v2 - v3, v4 = inverse1 * (D3 * t24), v5 = w1 * (t14 * inverse1),
+        s1_p = v4 - v5, s1_m = v4 + v5;
 
     /* theta3 */
     const dhgen_wide t34 = T34 + D3 * T31 + k1 * T33, N3 = D1 + t34 * t34,
@@ -291,11 +294,11 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide v7 = w3 * (m3 * t34), v8 = m3 * (w1 * N3), v9 = v7 + v8, v10 = v8 - v7,
         v11 = m3 * (t34 * N3), v12 = w3 * (m3 * w1), C2_pp = v11 - v12, C2_pm = v11 + v12,
         v13 = v9 * v9 + C2_pp * C2_pp, v14 = C2_pm * C2_pm, v15 = v10 * v10 + v14,
-        v16 = v14 - v10 * -v10, factor2_pp = dhgen_sqrt_wide(v13) * (1.0 / v13),
-        factor2_pm = dhgen_sqrt_wide(v15) * (1.0 / v15),
-        factor2_mp = dhgen_sqrt_wide(v16) * (1.0 / v16), angle2 = dhgen_atan2_wide(-v9, C2_pp),
-        angle3 = dhgen_atan2_wide(-v10, C2_pm), angle4 = dhgen_atan2_wide(v10, C2_pm),
-        angle5 = dhgen_atan2_wide(v9, C2_pp);
+        v16 = v14 - v10 * -v10, factor2_pp = dhgen_sqrt_wide(v13) * DHGEN_QUOTIENT(1.0, v13),
+        factor2_pm = dhgen_sqrt_wide(v15) * DHGEN_QUOTIENT(1.0, v15),
+        factor2_mp = dhgen_sqrt_wide(v16) * DHGEN_QUOTIENT(1.0, v16),
+        angle2 = dhgen_atan2_wide(-v9, C2_pp), angle3 = dhgen_atan2_wide(-v10, C2_pm),
+        angle4 = dhgen_atan2_wide(v10, C2_pm), angle5 = dhgen_atan2_wide(v9, C2_pp);
 
     /* theta4 */
     const dhgen_wide v17 = m5 * N3, v18 = m3 - v17, v19 = v17 - m6, v20 = w1 * (N3 * (v18 + v19)),
@@ -385,8 +388,8 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double t24 = T24 + D3 * T21 + k1 * T23, t14 = T14 + D3 * T11 + k1 * T13,
-        N1 = t24 * t24 + t14 * t14, D1 = N1 - k2, w1 = sqrt(D1), v1 = w1 - w1, inverse1 = 1.0 / N1,
-        v2 = inverse1 * (D3 * t14);
+        N1 = t24 * t24 + t14 * t14, D1 = N1 - k2, w1 = sqrt(D1), v1 = w1 - w1,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (D3 * t14);
     const dhgen_four c1 = v2 + w1 * (inverse1 * (e1 * t24));
     const double v3 = inverse1 * (D3 * t24);
     const dhgen_four s1 = v3 - w1 * (inverse1 * (e1 * t14));
@@ -400,7 +403,7 @@ DHGEN_INLINE int solve_regular(
         v8 = e1 * e3;
     const double v9 = m3 * (t34 * N3);
     const dhgen_four C2 = v9 - w3 * (m3 * (w1 * v8)), v10 = v7 * v7 + C2 * C2,
-        factor2 = dhgen_sqrt_four(v10) * (1.0 / v10);
+        factor2 = dhgen_sqrt_four(v10) * DHGEN_QUOTIENT(1.0, v10);
 
     /* theta4 */
     const dhgen_four c23 = v9 + w3 * (w1 * (m3 * v8));
@@ -446,7 +449,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -454,9 +457,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.529, 0.529, 0.529, 1.0, 1.0, 1.0 }, 0.5290477290765635, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -473,12 +476,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void puma_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void puma_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int puma_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+DHGEN_PUBLIC int puma_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef PUMA_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -488,12 +493,12 @@ int puma_ik(const double T[16], const double *q_seed, double q[8][6], unsigned c
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int puma_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int puma_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void puma_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void puma_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef PUMA_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

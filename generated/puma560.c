@@ -58,12 +58,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const puma560_branches[8] = {
     "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
     "left-up-flip", "left-down-noflip", "left-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.792526803190927, 2.792526803190927, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -1.9198621771937625, 1.9198621771937625, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -74,7 +76,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.67183, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.4318, 0.0 },
     { 0.0, 0.15005, 0.0203, -1.5707963267948966 },
@@ -83,14 +85,14 @@ static const double table[6][4] = {
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void puma560_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void puma560_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void puma560_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void puma560_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -114,7 +116,7 @@ void puma560_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void puma560_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void puma560_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -142,7 +144,7 @@ void puma560_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -250,6 +252,7 @@ static void solve(
 
 #ifndef PUMA560_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     turn1 = 1.5238184104468135, /* atan2(k5, k6) [rad] */
@@ -274,10 +277,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = dhgen_sqrt_wide(D1),
-        v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * T24), v3 = w1 * (T14 * inverse1),
-        c1_p = v3 - v2, v4 = v2 + v3, v5 = inverse1 * (d3 * T14), v6 = w1 * (T24 * inverse1),
-        s1_p = v5 + v6, s1_m = v5 - v6, angle1 = dhgen_atan2_wide(s1_p, c1_p),
-        angle2 = dhgen_atan2_wide(s1_m, -v4);
+        v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d3 * T24),
+        v3 = w1 * (T14 * inverse1), c1_p = v3 - v2, v4 = v2 + v3, v5 = inverse1 * (d3 * T14),
+        v6 = w1 * (T24 * inverse1), s1_p = v5 + v6, s1_m = v5 - v6,
+        angle1 = dhgen_atan2_wide(s1_p, c1_p), angle2 = dhgen_atan2_wide(s1_m, -v4);
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
@@ -290,9 +293,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide X1_2 = m7 * N3 - m8, v13 = Z1_3 * X1_2, v14 = w3 * (m7 * w1),
         S2_pp = v13 - v14, S2_pm = v13 + v14, v15 = w3 * (m7 * Z1_3), v16 = w3 * (m7 * -Z1_3),
         v17 = w1 * X1_2, v18 = w1 * -X1_2, C2_pp = v15 + v17, C2_pm = v16 + v17, C2_mp = v15 + v18,
-        C2_mm = v16 + v18, factor2 = 1.0 / N3, angle4 = dhgen_atan2_wide(S2_pp, C2_pp),
-        angle5 = dhgen_atan2_wide(S2_pm, C2_pm), angle6 = dhgen_atan2_wide(S2_pm, C2_mp),
-        angle7 = dhgen_atan2_wide(S2_pp, C2_mm);
+        C2_mm = v16 + v18, factor2 = DHGEN_QUOTIENT(1.0, N3),
+        angle4 = dhgen_atan2_wide(S2_pp, C2_pp), angle5 = dhgen_atan2_wide(S2_pm, C2_pm),
+        angle6 = dhgen_atan2_wide(S2_pm, C2_mp), angle7 = dhgen_atan2_wide(S2_pp, C2_mm);
 
     /* theta4 */
     const dhgen_wide c23_pp = c3_p * C2_pp - s3_p * S2_pp, c23_pm = c3_m * C2_pm - s3_m * S2_pm,
@@ -398,7 +401,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt(D1), v1 = w1 - w1,
-        inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * T24);
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d3 * T24);
     const dhgen_four c1 = w1 * (inverse1 * (e1 * T14)) - v2;
     const double v3 = inverse1 * (d3 * T14);
     const dhgen_four s1 = v3 + w1 * (inverse1 * (e1 * T24));
@@ -414,7 +417,7 @@ DHGEN_INLINE int solve_regular(
     const double X1_2 = m7 * N3 - m8, v7 = Z1_3 * X1_2;
     const dhgen_four S2 = v7 - w3 * (m7 * (w1 * (e1 * e3))), v8 = w3 * (m7 * (e3 * Z1_3)),
         v9 = w1 * (e1 * X1_2), C2 = v8 + v9;
-    const double factor2 = 1.0 / N3;
+    const double factor2 = DHGEN_QUOTIENT(1.0, N3);
 
     /* theta4 */
     const dhgen_four c23 = c3 * C2 - s3 * S2, s23 = c3 * S2 + s3 * C2, v10 = c1 * T13 + s1 * T23,
@@ -465,7 +468,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -473,9 +476,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5862, 0.5862, 0.5862, 1.0, 1.0, 1.0 }, 0.5862420710759887, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -492,12 +495,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void puma560_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void puma560_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int puma560_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+DHGEN_PUBLIC int puma560_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef PUMA560_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -507,12 +512,12 @@ int puma560_ik(const double T[16], const double *q_seed, double q[8][6], unsigne
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int puma560_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int puma560_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void puma560_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void puma560_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef PUMA560_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

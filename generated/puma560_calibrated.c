@@ -75,12 +75,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const puma560_calibrated_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
     "root11", "root12", "root13", "root14", "root15", "root16",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -144,37 +146,37 @@ DHGEN_TABLE dhgen_general_arm general = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[6] = {
+DHGEN_TABLE int solved[6] = { 0, 1, 2, 3, 4, 5 };
+DHGEN_TABLE int turning[6] = { 1, 1, 1, 1, 1, 1 };
+DHGEN_TABLE double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[6] = {
     0.5843514598369508, 0.5843514598369508, 0.5843514598369508, 0.5843514598369508,
     0.5843514598369508, 0.5843514598369508,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[6] = {
+DHGEN_TABLE double span_low[6] = {
     -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
     -3.141592653589793, -3.141592653589793,
 };
-static const double span_width[6] = {
+DHGEN_TABLE double span_width[6] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
 };
-static const double stride[6] = {
+DHGEN_TABLE double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
 /* How the loop counts the joints: which way, and from where. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = {
+DHGEN_TABLE double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double zero[6] = {
     0.0004277699642, 0.0006617156617, -0.0018179220006, 8.90468712e-05, 0.0009695294734,
     -0.0022050175347,
 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -187,7 +189,7 @@ static const struct dhgen_numerical_arm descents = {
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0004277699642, 0.6712591624431, 0.0026544606897, 1.569187781842 },
     { 0.0006617156617, -0.000143425944, 0.4314454936115, 0.0010663588121 },
     { -0.0018179220006, 0.1490653237899, 0.0201858398555, -1.5690550529582 },
@@ -196,14 +198,14 @@ static const double table[6][4] = {
     { -0.0022050175347, -0.0012011655652, -9.3840846e-05, -0.001546476069 },
 };
 
-void puma560_calibrated_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void puma560_calibrated_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void puma560_calibrated_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void puma560_calibrated_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1,
@@ -244,7 +246,7 @@ void puma560_calibrated_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void puma560_calibrated_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void puma560_calibrated_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), p1_x = c1 * a1, p1_y = s1 * a1, v2 = s1 * ca1,
@@ -341,14 +343,15 @@ static const double
 #define KNOWN(number) \
     /* theta1 */ \
     const dhgen_##number N1 = T14 * T14 + T24 * T24, D1 = N1 - near_k1, \
-        w1 = dhgen_sqrt_##number(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = near_d3 * T24, \
-        v3 = inverse1 * v2, v6 = near_d3 * T14, v7 = inverse1 * v6; \
+        w1 = dhgen_sqrt_##number(D1), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), \
+        v2 = near_d3 * T24, v3 = inverse1 * v2, v6 = near_d3 * T14, v7 = inverse1 * v6; \
     /* theta3 */ \
     const dhgen_##number N3 = D1 + T34 * T34, v10 = near_longest3 - N3, v11 = N3 - near_shortest3, \
         D3 = v10 * v11, w3 = dhgen_sqrt_##number(D3), v12 = w3 - w3, v13 = near_m5 * N3 - near_m4, \
         v15 = near_m6 - near_m3 * N3; \
     /* theta2 */ \
-    const dhgen_##number X1_2 = near_m7 * N3 - near_m8, v17 = T34 * X1_2, factor2 = 1.0 / N3; \
+    const dhgen_##number X1_2 = near_m7 * N3 - near_m8, v17 = T34 * X1_2, \
+        factor2 = DHGEN_QUOTIENT(1.0, N3); \
     /* joint values */ \
     const dhgen_##number v33 = near_length * T14, v34 = v33 + v33, v35 = near_length * T24, \
         v36 = v35 + v35, v37 = v34 * v34 + v36 * v36, v38 = near1 + dhgen_sqrt_##number(v37), \
@@ -360,19 +363,21 @@ static const double
         v47 = dhgen_abs_##number(N3), v48 = dhgen_abs_##number(inverse1), \
         v49 = inverse1 * (inverse1 * v34), v50 = inverse1 * (inverse1 * v36), \
         v51 = v48 * (near1 * v48), v54 = near3 * inverse1, v55 = v6 * v50, v57 = v54 - v6 * v49, \
-        v60 = near4 / w1, v61 = v34 * v60, v62 = v36 * v60, v63 = v38 * v60, v64 = v63 * v63 / w1, \
-        v65 = v64 + (v64 + near1 * dhgen_abs_##number(v60)), v71 = dhgen_abs_##number(w1), \
-        v73 = v65 + dhgen_sqrt_##number(v61 * v61 + v62 * v62), v77 = near_angle * T33, \
-        v78 = near_angle * T23, v81 = dhgen_abs_##number(T13), v83 = v77 * v77, v84 = v78 * v78, \
-        v85 = near5 + dhgen_sqrt_##number(v83 + v84), v90 = v2 * v49, v93 = v2 * v50 - v54, \
-        v96 = near_angle * T13, v99 = dhgen_abs_##number(T23), v101 = v96 * v96, \
+        v60 = DHGEN_QUOTIENT(near4, w1), v61 = v34 * v60, v62 = v36 * v60, v63 = v38 * v60, \
+        v64 = DHGEN_QUOTIENT(v63 * v63, w1), v65 = v64 + (v64 + near1 * dhgen_abs_##number(v60)), \
+        v71 = dhgen_abs_##number(w1), v73 = v65 + dhgen_sqrt_##number(v61 * v61 + v62 * v62), \
+        v77 = near_angle * T33, v78 = near_angle * T23, v81 = dhgen_abs_##number(T13), \
+        v83 = v77 * v77, v84 = v78 * v78, v85 = near5 + dhgen_sqrt_##number(v83 + v84), \
+        v90 = v2 * v49, v93 = v2 * v50 - v54, v96 = near_angle * T13, \
+        v99 = dhgen_abs_##number(T23), v101 = v96 * v96, \
         v102 = near5 + dhgen_sqrt_##number(v83 + v101), v108 = dhgen_abs_##number(factor2), \
         v109 = factor2 * (factor2 * v34), v110 = factor2 * (factor2 * v36), \
         v111 = factor2 * (factor2 * v40), v112 = v108 * (near2 * v108), \
         v113 = v112 + (v112 + (dhgen_abs_##number(v111) + (dhgen_abs_##number(v109) + \
-            dhgen_abs_##number(v110)))) * (v41 / (v47 - v41)), v114 = near_m3 * v34, \
-        v115 = near_m3 * v36, v116 = near_m3 * v40, v117 = near4 / w3, v118 = v42 * v117, \
-        v119 = v43 * v117, v120 = v44 * v117, v121 = v46 * v117, v122 = v121 * v121 / w3, \
+            dhgen_abs_##number(v110)))) * DHGEN_QUOTIENT(v41, v47 - v41), v114 = near_m3 * v34, \
+        v115 = near_m3 * v36, v116 = near_m3 * v40, v117 = DHGEN_QUOTIENT(near4, w3), \
+        v118 = v42 * v117, v119 = v43 * v117, v120 = v44 * v117, v121 = v46 * v117, \
+        v122 = DHGEN_QUOTIENT(v121 * v121, w3), \
         v123 = v122 + (v122 + v45 * dhgen_abs_##number(v117)), \
         v124 = v123 + dhgen_sqrt_##number(v118 * v118 + v119 * v119 + v120 * v120), \
         v128 = near6 + near_m5 * v123, v130 = dhgen_abs_##number(w3), v135 = near_m7 * v34, \
@@ -464,8 +469,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* joint values */
     const dhgen_wide v52 = dhgen_sqrt_wide(N1) - sqrt(near1),
-        v53 = v51 + (v51 + (dhgen_abs_wide(v49) + dhgen_abs_wide(v50))) * (v38 / (v52 * v52)),
-        v56 = v53 + dhgen_sqrt_wide(v49 * v49 + v50 * v50), v58 = near3 * v56,
+        v53 = v51 + (v51 + (dhgen_abs_wide(v49) + dhgen_abs_wide(v50))) * DHGEN_QUOTIENT(v38, v52 *
+            v52), v56 = v53 + dhgen_sqrt_wide(v49 * v49 + v50 * v50), v58 = near3 * v56,
         v59 = v58 + v53 * dhgen_abs_wide(v6), v69 = near_length * v56,
         v70 = v69 + v53 * dhgen_abs_wide(T24), v72 = v70 * v71,
         v88 = v69 + v53 * dhgen_abs_wide(T14), v89 = v71 * v88,
@@ -561,7 +566,7 @@ DHGEN_INLINE int solve_regular(
 
     /* joint values */
     const double v52 = sqrt(N1) - sqrt(near1),
-        v53 = v51 + (v51 + (fabs(v49) + fabs(v50))) * (v38 / (v52 * v52)),
+        v53 = v51 + (v51 + (fabs(v49) + fabs(v50))) * DHGEN_QUOTIENT(v38, v52 * v52),
         v56 = v53 + sqrt(v49 * v49 + v50 * v50), v58 = near3 * v56, v59 = v58 + v53 * fabs(v6),
         v69 = near_length * v56, v70 = v69 + v53 * fabs(T24), v72 = v70 * v71;
     const dhgen_four v76 = v59 + (v72 + v65 * dhgen_abs_four(v9) + v73 * (v70 + dhgen_sqrt_four(v67
@@ -621,7 +626,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_branches(solve_wide, 8, T, free_joints, q, status);
@@ -640,7 +645,7 @@ DHGEN_TABLE dhgen_nearest_arm nearest_arm = {
 #endif
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -678,8 +683,8 @@ static void solve(
     }
 }
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5844, 0.5844, 0.5844, 1.0, 1.0, 1.0 }, 0.5843514598369508, { 1e-14, 1e-10 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -692,24 +697,26 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void puma560_calibrated_joint_velocities(const double q[6], const double twist[6], double
-    velocities[6])
+DHGEN_PUBLIC void puma560_calibrated_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int puma560_calibrated_ik(
+DHGEN_PUBLIC int puma560_calibrated_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
 {
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int puma560_calibrated_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int puma560_calibrated_ik_nearest(
+    const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void puma560_calibrated_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void puma560_calibrated_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

@@ -44,11 +44,13 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const rail_5dof_branches[2] = {
     "noflip", "flip",
 };
+#endif
 
-static const struct dhgen_joint joints[5] = {
+DHGEN_TABLE struct dhgen_joint joints[5] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 6e-09, 0.027777777777777776, 6.0, 0.5890486225480862, 0 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -59,28 +61,28 @@ static const struct dhgen_joint joints[5] = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[5] = { 0, 1, 2, 3, 4 };
-static const int turning[5] = { 0, 1, 1, 1, 1 };
-static const double unit[5] = { 6.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[5] = {
+DHGEN_TABLE int solved[5] = { 0, 1, 2, 3, 4 };
+DHGEN_TABLE int turning[5] = { 0, 1, 1, 1, 1 };
+DHGEN_TABLE double unit[5] = { 6.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[5] = {
     1.0, 0.16666666666666666, 0.16666666666666666, 0.16666666666666666, 0.16666666666666666,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[5] = {
+DHGEN_TABLE double span_low[5] = {
     -1.0, -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
 };
-static const double span_width[5] = {
+DHGEN_TABLE double span_width[5] = {
     2.0, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
 };
-static const double stride[5] = {
+DHGEN_TABLE double stride[5] = {
     0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
     0.5315553977157914,
 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     5, 2, /* joints; solutions that are kept */
     5, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -91,12 +93,12 @@ static const struct dhgen_numerical_arm descents = {
     rail_5dof_fk, rail_5dof_jacobian, 0, 0,
 };
 
-static const struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
+DHGEN_TABLE struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
     ascends */ 1, /* equations end all */ 0 };
 
 
 /* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[5][4] = {
+DHGEN_TABLE double table[5][4] = {
     { 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 2.0, 0.0 },
     { 0.0, 1.0, 0.0, 1.5707963267948966 },
@@ -104,14 +106,14 @@ static const double table[5][4] = {
     { 0.0, 3.0, 0.0, -1.5707963267948966 },
 };
 
-void rail_5dof_frames(const double q[5], double frames[7][16])
+DHGEN_PUBLIC void rail_5dof_frames(const double q[5], double frames[7][16])
 {
     static const struct dhgen_links links = { 5, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void rail_5dof_fk(const double q[5], double T[16])
+DHGEN_PUBLIC void rail_5dof_fk(const double q[5], double T[16])
 {
     const double c2 = cos(q[1]), s2 = sin(q[1]);
     const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = c2 * c3, x3_y = s2 * c3, z4_x = c2 * s3,
@@ -129,7 +131,7 @@ void rail_5dof_fk(const double q[5], double T[16])
     T[15] = 1.0;
 }
 
-void rail_5dof_jacobian(const double q[5], double J[30])
+DHGEN_PUBLIC void rail_5dof_jacobian(const double q[5], double J[30])
 {
     const double c2 = cos(q[1]), s2 = sin(q[1]), p3_x = a1 + s2 * d3, v1 = c2 * d3;
     const double c3 = cos(q[2]), s3 = sin(q[2]), z4_x = c2 * s3, z4_y = s2 * s3;
@@ -145,7 +147,7 @@ void rail_5dof_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -225,6 +227,7 @@ static void solve(
 
 #ifndef RAIL_5DOF_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit2 = 0.0036 [m^2], doubt_limit = 9.999999999999999e-05,
  * exact_slack1 = 6e-12 [m], exact_slack = 1e-12. */
 static const double
@@ -246,24 +249,25 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta2 */
     const dhgen_wide wy = T24 - d5 * T23, v1 = T14 - d5 * T13 - a1, s2 = d3 * v1, C2 = d3 * wy,
-        v2 = s2 * s2 + C2 * C2, v3 = dhgen_sqrt_wide(v2) * (1.0 / v2),
+        v2 = s2 * s2 + C2 * C2, v3 = dhgen_sqrt_wide(v2) * DHGEN_QUOTIENT(1.0, v2),
         angle1 = dhgen_atan2_wide(v1, -wy);
 
     /* theta3 */
     const dhgen_wide X3 = T23 * s2 - T13 * C2, v4 = T33 * T33 + v3 * (X3 * (v3 * X3)),
-        w3 = dhgen_sqrt_wide(v4), v5 = 1.0 / v4, factor3 = w3 * v5, v6 = X3 * factor3,
-        v7 = T33 * factor3, v8 = v3 * v6, angle2 = dhgen_atan2_wide(-v7, -v8);
+        w3 = dhgen_sqrt_wide(v4), v5 = DHGEN_QUOTIENT(1.0, v4), factor3 = w3 * v5,
+        v6 = X3 * factor3, v7 = T33 * factor3, v8 = v3 * v6, angle2 = dhgen_atan2_wide(-v7, -v8);
 
     /* theta4 */
     const dhgen_wide v9 = T23 * C2 + T13 * s2, v10 = v4 + v3 * (v9 * (v3 * v9)),
-        v11 = dhgen_sqrt_wide(v10) * (1.0 / v10), c4 = v9 * v11, s4 = w3 * v11,
+        v11 = dhgen_sqrt_wide(v10) * DHGEN_QUOTIENT(1.0, v10), c4 = v9 * v11, s4 = w3 * v11,
         angle3 = dhgen_atan2_wide(s4, v3 * c4);
 
     /* theta5 */
     const dhgen_wide C5 = w3 * (v5 * (X3 * T32 - T33 * (s2 * T22 - C2 * T12))),
         v12 = s2 * T21 - C2 * T11, S5 = w3 * (v5 * (X3 * T31 - T33 * v12)),
-        v13 = v3 * (S5 * (v3 * S5) + C5 * (v3 * C5)), v14 = dhgen_sqrt_wide(v13) * (1.0 / v13),
-        v15 = C5 * v14, v16 = S5 * v14, angle4 = dhgen_atan2_wide(-v16, -v15);
+        v13 = v3 * (S5 * (v3 * S5) + C5 * (v3 * C5)),
+        v14 = dhgen_sqrt_wide(v13) * DHGEN_QUOTIENT(1.0, v13), v15 = C5 * v14, v16 = S5 * v14,
+        angle4 = dhgen_atan2_wide(-v16, -v15);
 
     /* is the pose one that the arm can take? */
     const dhgen_wide v17 = v7 * s4, v18 = v6 * s4, v19 = T14 - a1, v20 = T34 - q1_p - d5 * v17,
@@ -302,23 +306,23 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double wy = T24 - d5 * T23, v1 = T14 - d5 * T13 - a1, s2 = d3 * v1, C2 = d3 * wy,
-        v2 = s2 * s2 + C2 * C2, v3 = sqrt(v2) * (1.0 / v2);
+        v2 = s2 * s2 + C2 * C2, v3 = sqrt(v2) * DHGEN_QUOTIENT(1.0, v2);
 
     /* theta3 */
     const double X3 = T23 * s2 - T13 * C2, v4 = T33 * T33 + v3 * (X3 * (v3 * X3)), w3 = sqrt(v4),
-        v5 = 1.0 / v4, factor3 = w3 * v5, v6 = X3 * factor3, v7 = T33 * factor3, v8 = v3 * v6,
-        v9 = copysign(DHGEN_HALF_TURN, -v7);
+        v5 = DHGEN_QUOTIENT(1.0, v4), factor3 = w3 * v5, v6 = X3 * factor3, v7 = T33 * factor3,
+        v8 = v3 * v6, v9 = copysign(DHGEN_HALF_TURN, -v7);
     const dhgen_four v10 = m3 * (e3 - 1.0);
 
     /* theta4 */
     const double v11 = T23 * C2 + T13 * s2, v12 = v4 + v3 * (v11 * (v3 * v11)),
-        v13 = sqrt(v12) * (1.0 / v12), c4 = v11 * v13, s4 = w3 * v13;
+        v13 = sqrt(v12) * DHGEN_QUOTIENT(1.0, v12), c4 = v11 * v13, s4 = w3 * v13;
 
     /* theta5 */
     const double C5 = w3 * (v5 * (X3 * T32 - T33 * (s2 * T22 - C2 * T12))),
         v14 = s2 * T21 - C2 * T11, S5 = w3 * (v5 * (X3 * T31 - T33 * v14)),
-        v15 = v3 * (S5 * (v3 * S5) + C5 * (v3 * C5)), v16 = sqrt(v15) * (1.0 / v15), v17 = C5 * v16,
-        v18 = S5 * v16, v19 = copysign(DHGEN_HALF_TURN, -v18);
+        v15 = v3 * (S5 * (v3 * S5) + C5 * (v3 * C5)), v16 = sqrt(v15) * DHGEN_QUOTIENT(1.0, v15),
+        v17 = C5 * v16, v18 = S5 * v16, v19 = copysign(DHGEN_HALF_TURN, -v18);
 
     /* is the pose one that the arm can take? */
     const double v20 = v7 * s4, v21 = v6 * s4, v22 = T14 - a1, v23 = T34 - q1 - d5 * v20,
@@ -350,7 +354,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -358,9 +362,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 2 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 2 };
+DHGEN_TABLE struct dhgen_arm arm = {
     5, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.1667, 0.1667, 0.1667, 1.0, 1.0, 1.0 }, 0.16666666666666666, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -377,12 +381,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void rail_5dof_joint_velocities(const double q[5], const double twist[6], double velocities[5])
+DHGEN_PUBLIC void rail_5dof_joint_velocities(
+    const double q[5], const double twist[6], double velocities[5])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
+DHGEN_PUBLIC int rail_5dof_ik(
+    const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
 {
 #ifndef RAIL_5DOF_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -392,12 +398,12 @@ int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsig
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5])
+DHGEN_PUBLIC int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void rail_5dof_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void rail_5dof_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef RAIL_5DOF_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

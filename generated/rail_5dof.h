@@ -13,8 +13,18 @@
 #ifndef RAIL_5DOF_H
 #define RAIL_5DOF_H
 
+#ifndef __CUDACC_RTC__ /* it has their functions without them */
 #include <math.h>
 #include <stddef.h>
+#endif
+
+#ifndef DHGEN_PUBLIC /* the mark of functions: in CUDA they are for both sides */
+#ifdef __CUDACC__
+#define DHGEN_PUBLIC __host__ __device__
+#else
+#define DHGEN_PUBLIC
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -49,41 +59,45 @@ enum {
     RAIL_5DOF_INVALID_POSE = 4
 };
 
+#ifndef __CUDACC_RTC__
 /* The name of every row. */
 extern const char *const rail_5dof_branches[2];
+#endif
 
 /* The pose T of the joint values q. */
-void rail_5dof_fk(const double q[5], double T[16]);
+DHGEN_PUBLIC void rail_5dof_fk(const double q[5], double T[16]);
 
 /* The frames of the base, of the links as the robot file has them, and of the tool. */
-void rail_5dof_frames(const double q[5], double frames[7][16]);
+DHGEN_PUBLIC void rail_5dof_frames(const double q[5], double frames[7][16]);
 
 /* The geometric Jacobian, 6 x 5 row by row: velocity of the tool's origin, then angular
  * velocity. */
-void rail_5dof_jacobian(const double q[5], double J[30]);
+DHGEN_PUBLIC void rail_5dof_jacobian(const double q[5], double J[30]);
 
 /* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
  * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
  * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
  * the twist, lengths in arm sizes. */
-void rail_5dof_joint_velocities(const double q[5], const double twist[6], double velocities[5]);
+DHGEN_PUBLIC void rail_5dof_joint_velocities(
+    const double q[5], const double twist[6], double velocities[5]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -RAIL_5DOF_INVALID_POSE, also for a seed that is
  * not finite where it may be needed. */
-int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsigned char status[2]);
+DHGEN_PUBLIC int rail_5dof_ik(
+    const double T[16], const double *q_seed, double q[2][5], unsigned char status[2]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns RAIL_5DOF_OK or RAIL_5DOF_FREE_JOINT, or, with NaN in q,
  * minus RAIL_5DOF_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */
-int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
+DHGEN_PUBLIC int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
 
 /* rail_5dof_ik without a seed for n poses: T holds n x 16 numbers,
  * q n x 2 x 5, status n x 2. */
-void rail_5dof_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+DHGEN_PUBLIC void rail_5dof_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus
 }

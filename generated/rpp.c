@@ -37,11 +37,13 @@ static const double
     const number T24 = T[7]; \
     const number T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const rpp_branches[2] = {
     "forward", "backward",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 5e-10, 4.0, 0.5, 0.04908738521234052, 0 },
@@ -49,20 +51,20 @@ static const struct dhgen_joint joints[3] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.5, 0.0, -1.5707963267948966 },
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void rpp_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void rpp_frames(const double q[3], double frames[5][16])
 {
     static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void rpp_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void rpp_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     T[0] = c1; T[1] = -s1; T[2] = 0.0; T[3] = -(s1 * q[1]);
@@ -72,7 +74,7 @@ void rpp_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void rpp_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void rpp_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     J[0] = -(c1 * q[1]); J[1] = -s1; J[2] = 0.0;
@@ -84,7 +86,7 @@ void rpp_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -118,6 +120,7 @@ static void solve(
 
 #ifndef RPP_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 4.9999999999999996e-05 [m]. */
 static const double
     m1 = 2.4999999999999996e-09; /* doubt_limit1^2 [m^2] */
@@ -186,7 +189,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -194,9 +197,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[3] = { 3, 7, 11 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[3] = { 3, 7, 11 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 2.0, 2.0, 2.0, 0.0, 0.0, 0.0 }, 2.0, { 1e-14, 1e-14 }, entries, 3,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -213,12 +216,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void rpp_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+DHGEN_PUBLIC void rpp_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int rpp_ik(const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
+DHGEN_PUBLIC int rpp_ik(
+    const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {
 #ifndef RPP_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -228,12 +233,12 @@ int rpp_ik(const double T[16], const double *q_seed, double q[2][3], unsigned ch
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int rpp_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int rpp_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void rpp_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void rpp_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef RPP_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -37,12 +37,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const rrprrr_branches[8] = {
     "back-forward-noflip", "back-forward-flip", "back-backward-noflip", "back-backward-flip",
     "front-forward-noflip", "front-forward-flip", "front-backward-noflip", "front-backward-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -53,7 +55,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
@@ -62,14 +64,14 @@ static const double table[6][4] = {
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
 };
 
-void rrprrr_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void rrprrr_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void rrprrr_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void rrprrr_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, z3_x = c1 * s2,
@@ -90,7 +92,7 @@ void rrprrr_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void rrprrr_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void rrprrr_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, z3_x = c1 * s2,
@@ -109,7 +111,7 @@ void rrprrr_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -197,6 +199,7 @@ static void solve(
 
 #ifndef RRPRRR_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 9.999999999999999e-05 [m]. */
 static const double
     m1 = 9.999999999999999e-09; /* doubt_limit1^2 [m^2] */
@@ -211,20 +214,20 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide v1 = T14 * T14 + T24 * T24, w1 = dhgen_sqrt_wide(v1),
-        factor1 = w1 * (1.0 / v1), angle1 = dhgen_atan2_wide(-T24, -T14),
+        factor1 = w1 * DHGEN_QUOTIENT(1.0, v1), angle1 = dhgen_atan2_wide(-T24, -T14),
         q1_mpp = angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, -T24);
 
     /* theta2, r3 */
     const dhgen_wide v2 = v1 + T34 * T34, q3_ppp = dhgen_sqrt_wide(v2),
-        factor2 = q3_ppp * (1.0 / v2), v3 = T34 * factor2, v4 = w1 * factor2,
+        factor2 = q3_ppp * DHGEN_QUOTIENT(1.0, v2), v3 = T34 * factor2, v4 = w1 * factor2,
         angle2 = dhgen_atan2_wide(-w1, -T34),
         q2_pmp = angle2 - dhgen_signed_wide(DHGEN_HALF_TURN, -w1);
 
     /* theta4 */
     const dhgen_wide v5 = T14 * T13 + T24 * T23, X4 = factor1 * (v3 * v5) - v4 * T33,
         Y4 = T24 * T13 - T14 * T23, v6 = X4 * X4 + factor1 * (Y4 * (factor1 * Y4)),
-        w4 = dhgen_sqrt_wide(v6), factor4 = w4 * (1.0 / v6), v7 = X4 * factor4, s4 = Y4 * factor4,
-        v8 = factor1 * s4, angle3 = dhgen_atan2_wide(v8, -v7),
+        w4 = dhgen_sqrt_wide(v6), factor4 = w4 * DHGEN_QUOTIENT(1.0, v6), v7 = X4 * factor4,
+        s4 = Y4 * factor4, v8 = factor1 * s4, angle3 = dhgen_atan2_wide(v8, -v7),
         q4_ppm = angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, v8);
 
     /* theta5 */
@@ -279,18 +282,18 @@ DHGEN_INLINE int solve_regular(
     ENTRIES(double);
 
     /* theta1 */
-    const double v1 = T14 * T14 + T24 * T24, w1 = sqrt(v1), factor1 = w1 * (1.0 / v1);
+    const double v1 = T14 * T14 + T24 * T24, w1 = sqrt(v1), factor1 = w1 * DHGEN_QUOTIENT(1.0, v1);
 
     /* theta2, r3 */
-    const double v2 = v1 + T34 * T34, w3 = sqrt(v2), factor2 = w3 * (1.0 / v2), v3 = T34 * factor2,
-        v4 = w1 * factor2, v5 = copysign(DHGEN_HALF_TURN, -w1);
+    const double v2 = v1 + T34 * T34, w3 = sqrt(v2), factor2 = w3 * DHGEN_QUOTIENT(1.0, v2),
+        v3 = T34 * factor2, v4 = w1 * factor2, v5 = copysign(DHGEN_HALF_TURN, -w1);
     const dhgen_four v6 = e2 - 1.0;
 
     /* theta4 */
     const double v7 = T14 * T13 + T24 * T23, X4 = factor1 * (v3 * v7) - v4 * T33,
         Y4 = T24 * T13 - T14 * T23, v8 = X4 * X4 + factor1 * (Y4 * (factor1 * Y4)), w4 = sqrt(v8),
-        factor4 = w4 * (1.0 / v8), v9 = X4 * factor4, s4 = Y4 * factor4, v10 = factor1 * s4,
-        v11 = copysign(DHGEN_HALF_TURN, v10);
+        factor4 = w4 * DHGEN_QUOTIENT(1.0, v8), v9 = X4 * factor4, s4 = Y4 * factor4,
+        v10 = factor1 * s4, v11 = copysign(DHGEN_HALF_TURN, v10);
 
     /* theta5 */
     const double v13 = copysign(DHGEN_HALF_TURN, -w4);
@@ -336,7 +339,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -344,9 +347,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }, 1.0, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -363,12 +366,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void rrprrr_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void rrprrr_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int rrprrr_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+DHGEN_PUBLIC int rrprrr_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef RRPRRR_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -378,12 +383,12 @@ int rrprrr_ik(const double T[16], const double *q_seed, double q[8][6], unsigned
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int rrprrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int rrprrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void rrprrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void rrprrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef RRPRRR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -50,11 +50,13 @@ static const double
     const number T21 = T[4], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const scara_branches[2] = {
     "right", "left",
 };
+#endif
 
-static const struct dhgen_joint joints[4] = {
+DHGEN_TABLE struct dhgen_joint joints[4] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.2689280275926285, 2.2689280275926285, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.530727415391778, 2.530727415391778, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -63,14 +65,14 @@ static const struct dhgen_joint joints[4] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[4][4] = {
+DHGEN_TABLE double table[4][4] = {
     { 0.0, 0.0, 0.4, 0.0 },
     { 0.0, 0.0, 0.3, 0.0 },
     { 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void scara_frames(const double q[4], double frames[6][16])
+DHGEN_PUBLIC void scara_frames(const double q[4], double frames[6][16])
 {
     static const double tool[12] = { 1.0, 0.0, 0.0, 0.1, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
     static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
@@ -78,7 +80,7 @@ void scara_frames(const double q[4], double frames[6][16])
     dhgen_frames(&links, q, frames);
 }
 
-void scara_fk(const double q[4], double T[16])
+DHGEN_PUBLIC void scara_fk(const double q[4], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
@@ -91,7 +93,7 @@ void scara_fk(const double q[4], double T[16])
     T[15] = 1.0;
 }
 
-void scara_jacobian(const double q[4], double J[24])
+DHGEN_PUBLIC void scara_jacobian(const double q[4], double J[24])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * L1, p1_y = s1 * L1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2,
@@ -107,7 +109,7 @@ void scara_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -181,6 +183,7 @@ static void solve(
 
 #ifndef SCARA_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 static const double
     /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
     m1 = 5.382361223382632e-12,
@@ -290,7 +293,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -298,9 +301,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.25, 1.25, 1.25, 1.0, 1.0, 1.0 }, 1.25, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -317,12 +320,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void scara_joint_velocities(const double q[4], const double twist[6], double velocities[4])
+DHGEN_PUBLIC void scara_joint_velocities(
+    const double q[4], const double twist[6], double velocities[4])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int scara_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+DHGEN_PUBLIC int scara_ik(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
 #ifndef SCARA_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -332,12 +337,12 @@ int scara_ik(const double T[16], const double *q_seed, double q[2][4], unsigned 
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int scara_ik_nearest(const double T[16], const double q_seed[4], double q[4])
+DHGEN_PUBLIC int scara_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void scara_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void scara_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef SCARA_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -37,11 +37,13 @@ static const double
     k1 = 0.25, /* L1^2 + L2^2 [m^2] */
     k2 = 4.166666666666667; /* 1 / (2 * L2 * L1) [m^-2] */
 
+#ifndef __CUDACC_RTC__
 const char *const scara_ball_screw_branches[2] = {
     "right", "left",
 };
+#endif
 
-static const struct dhgen_joint joints[4] = {
+DHGEN_TABLE struct dhgen_joint joints[4] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.2689280275926285, 2.2689280275926285, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.530727415391778, 2.530727415391778, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -50,14 +52,14 @@ static const struct dhgen_joint joints[4] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[4][4] = {
+DHGEN_TABLE double table[4][4] = {
     { 0.0, 0.0, 0.4, 0.0 },
     { 0.0, 0.0, 0.3, 0.0 },
     { 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void scara_ball_screw_frames(const double q[4], double frames[6][16])
+DHGEN_PUBLIC void scara_ball_screw_frames(const double q[4], double frames[6][16])
 {
     static const double drives[16] = {
         1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0025464790894703256, 0.0, 0.0, 0.0,
@@ -68,7 +70,7 @@ void scara_ball_screw_frames(const double q[4], double frames[6][16])
     dhgen_frames(&links, q, frames);
 }
 
-void scara_ball_screw_fk(const double q[4], double T[16])
+DHGEN_PUBLIC void scara_ball_screw_fk(const double q[4], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
@@ -80,7 +82,7 @@ void scara_ball_screw_fk(const double q[4], double T[16])
     T[15] = 1.0;
 }
 
-void scara_ball_screw_jacobian(const double q[4], double J[24])
+DHGEN_PUBLIC void scara_ball_screw_jacobian(const double q[4], double J[24])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * L1, p1_y = s1 * L1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), p2_x = p1_x + (c1 * c2 - s1 * s2) * L2,
@@ -94,7 +96,7 @@ void scara_ball_screw_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -165,20 +167,20 @@ static void solve(
 }
 
 /* The drives whose whole turns hang together, and sums of drives that have limits. */
-static const int coupled[1] = { 3 };
-static const double coupled_moves[4] = { 0.0, 0.0, -0.016, 6.283185307179586 };
-static const double coupled_lowest[4] = {
+DHGEN_TABLE int coupled[1] = { 3 };
+DHGEN_TABLE double coupled_moves[4] = { 0.0, 0.0, -0.016, 6.283185307179586 };
+DHGEN_TABLE double coupled_lowest[4] = {
     -2.2689280285926285, -2.530727416391778, -0.2000000007, -6.283185308179586,
 };
-static const double coupled_highest[4] = {
+DHGEN_TABLE double coupled_highest[4] = {
     2.2689280285926285, 2.530727416391778, 7e-10, 6.283185308179586,
 };
-static const struct dhgen_coupling coupling = {
+DHGEN_TABLE struct dhgen_coupling coupling = {
     1, coupled, coupled_moves, coupled_lowest, coupled_highest, 0, NULL, NULL, NULL, NULL,
 };
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.429, 1.429, 1.429, 1.0, 1.0, 1.0 }, 1.4285714285714286, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -191,24 +193,26 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void scara_ball_screw_joint_velocities(const double q[4], const double twist[6], double
-    velocities[4])
+DHGEN_PUBLIC void scara_ball_screw_joint_velocities(
+    const double q[4], const double twist[6], double velocities[4])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int scara_ball_screw_ik(
+DHGEN_PUBLIC int scara_ball_screw_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
     return dhgen_coupled_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int scara_ball_screw_ik_nearest(const double T[16], const double q_seed[4], double q[4])
+DHGEN_PUBLIC int scara_ball_screw_ik_nearest(
+    const double T[16], const double q_seed[4], double q[4])
 {
     return dhgen_coupled_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void scara_ball_screw_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void scara_ball_screw_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_coupled_each(&arm, n, T, NULL, q, status);
 }

@@ -13,8 +13,18 @@
 #ifndef SCARA_BALL_SCREW_H
 #define SCARA_BALL_SCREW_H
 
+#ifndef __CUDACC_RTC__ /* it has their functions without them */
 #include <math.h>
 #include <stddef.h>
+#endif
+
+#ifndef DHGEN_PUBLIC /* the mark of functions: in CUDA they are for both sides */
+#ifdef __CUDACC__
+#define DHGEN_PUBLIC __host__ __device__
+#else
+#define DHGEN_PUBLIC
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -49,30 +59,32 @@ enum {
     SCARA_BALL_SCREW_INVALID_POSE = 4
 };
 
+#ifndef __CUDACC_RTC__
 /* The name of every row. */
 extern const char *const scara_ball_screw_branches[2];
+#endif
 
 /* The pose T of the joint values q. */
-void scara_ball_screw_fk(const double q[4], double T[16]);
+DHGEN_PUBLIC void scara_ball_screw_fk(const double q[4], double T[16]);
 
 /* The frames of the base, of the links as the robot file has them, and of the tool. */
-void scara_ball_screw_frames(const double q[4], double frames[6][16]);
+DHGEN_PUBLIC void scara_ball_screw_frames(const double q[4], double frames[6][16]);
 
 /* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
  * velocity. */
-void scara_ball_screw_jacobian(const double q[4], double J[24]);
+DHGEN_PUBLIC void scara_ball_screw_jacobian(const double q[4], double J[24]);
 
 /* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
  * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
  * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
  * the twist, lengths in arm sizes. */
-void scara_ball_screw_joint_velocities(const double q[4], const double twist[6], double
-    velocities[4]);
+DHGEN_PUBLIC void scara_ball_screw_joint_velocities(
+    const double q[4], const double twist[6], double velocities[4]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
  * -SCARA_BALL_SCREW_INVALID_POSE, also for a seed that is not finite where it may be needed. */
-int scara_ball_screw_ik(
+DHGEN_PUBLIC int scara_ball_screw_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
@@ -80,11 +92,13 @@ int scara_ball_screw_ik(
  * Returns SCARA_BALL_SCREW_OK or SCARA_BALL_SCREW_FREE_JOINT, or, with NaN in q,
  * minus SCARA_BALL_SCREW_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */
-int scara_ball_screw_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
+DHGEN_PUBLIC int scara_ball_screw_ik_nearest(
+    const double T[16], const double q_seed[4], double q[4]);
 
 /* scara_ball_screw_ik without a seed for n poses: T holds n x 16 numbers,
  * q n x 2 x 4, status n x 2. */
-void scara_ball_screw_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+DHGEN_PUBLIC void scara_ball_screw_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus
 }

@@ -25,8 +25,16 @@
 /* What a robot's file and the runtime agree on: the number of their interface, statuses, and the
  * marks of functions and tables. */
 
+#ifdef __CUDACC_RTC__ /* it knows their functions without these headers, and not their numbers */
+#ifndef NAN
+#define NAN __builtin_bit_cast(float, 0x7fc00000u)
+#define INFINITY __builtin_bit_cast(float, 0x7f800000u)
+#define HUGE_VALF INFINITY
+#endif
+#else
 #include <math.h>
 #include <stddef.h>
+#endif
 
 /* NaN and infinity mark what is no solution and no limit: a compiler that is told that they don't
  * exist makes solutions of poses that are out of reach. */
@@ -38,27 +46,55 @@
 #define DHGEN_INTERFACE 1
 
 /* Marks. DHGEN_INLINE stands before what is called in the fast path, DHGEN_FN before all other
- * functions of the runtime, DHGEN_APART before those whose stack and code have to stay out of their
- * callers, DHGEN_TABLE before constant tables. DHGEN_API stands before what robots' files call:
- * with -DDHGEN_SHARED that is compiled once for all of them, in dhgen.c, and their files have its
- * declarations only. */
+ * functions of the runtime, DHGEN_SMALL before those of them that kernels of CUDA call, DHGEN_APART
+ * before those whose stack and code have to stay out of their callers, DHGEN_TABLE before constant
+ * tables, DHGEN_PUBLIC before a robot's public functions. DHGEN_API stands before what robots'
+ * files call: with -DDHGEN_SHARED that is compiled once for all of them, in dhgen.c, and their
+ * files have its declarations only.
+ *
+ * In CUDA all functions are for both sides, and tables are where they are read. What is not called
+ * in the fast path stays a call there: with all of it in one function compiling takes minutes. */
 #if defined(__GNUC__)
 #define DHGEN_UNUSED __attribute__((unused))
+#else
+#define DHGEN_UNUSED
+#endif
+#ifndef DHGEN_PUBLIC
+#ifdef __CUDACC__
+#define DHGEN_PUBLIC __host__ __device__
+#else
+#define DHGEN_PUBLIC
+#endif
+#endif
+#if defined(__CUDACC__)
+#define DHGEN_NOINLINE __noinline__
+#define DHGEN_ALWAYS
+#define DHGEN_FN DHGEN_PUBLIC DHGEN_NOINLINE DHGEN_UNUSED static
+#ifdef __CUDA_ARCH__
+#define DHGEN_TABLE __device__ static const
+#endif
+#elif defined(__GNUC__)
 #define DHGEN_NOINLINE __attribute__((noinline))
 #define DHGEN_ALWAYS __attribute__((always_inline))
 #else
-#define DHGEN_UNUSED
 #define DHGEN_NOINLINE
 #define DHGEN_ALWAYS
 #endif
 #ifndef DHGEN_FN
 #define DHGEN_FN DHGEN_UNUSED static
 #endif
+#ifndef DHGEN_SMALL
+#ifdef __CUDACC__
+#define DHGEN_SMALL DHGEN_PUBLIC DHGEN_UNUSED static inline
+#else
+#define DHGEN_SMALL DHGEN_FN
+#endif
+#endif
 #ifndef DHGEN_INLINE
-#define DHGEN_INLINE DHGEN_UNUSED static inline
+#define DHGEN_INLINE DHGEN_PUBLIC DHGEN_UNUSED static inline
 #endif
 #ifndef DHGEN_APART
-#define DHGEN_APART DHGEN_NOINLINE DHGEN_UNUSED static
+#define DHGEN_APART DHGEN_PUBLIC DHGEN_NOINLINE DHGEN_UNUSED static
 #endif
 #ifndef DHGEN_TABLE
 #define DHGEN_TABLE static const
@@ -329,7 +365,7 @@ DHGEN_INLINE void dhgen_ik_each(const struct dhgen_arm *arm, size_t k, size_t n,
 #define DHGEN_NEARLY_A_TURN 6.183185f
 
 /* How far a joint value is beyond its limits, whole turns aside; negative below [rad or length]. */
-DHGEN_FN float dhgen_overshoot(const struct dhgen_arm *arm, int joint, float value)
+DHGEN_SMALL float dhgen_overshoot(const struct dhgen_arm *arm, int joint, float value)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const float low = of->lowest, high = of->highest;
@@ -357,7 +393,7 @@ DHGEN_FN float dhgen_beyond_limits(const struct dhgen_arm *arm, const float *q)
 
 /* How far a joint value is past an end of its range: where that is nearly a turn, the value as it
  * stands, as turning it would lead across the gap. */
-DHGEN_FN float dhgen_past_an_end(const struct dhgen_arm *arm, int joint, float value)
+DHGEN_SMALL float dhgen_past_an_end(const struct dhgen_arm *arm, int joint, float value)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const float low = of->lowest, high = of->highest;
@@ -377,7 +413,8 @@ DHGEN_FN float dhgen_past_ends(const struct dhgen_arm *arm, const float *q)
 }
 
 /* A joint value moved by whole turns near to another, but inside its limits if it can be. */
-DHGEN_FN float dhgen_turned(const struct dhgen_arm *arm, int joint, float given, float towards)
+DHGEN_SMALL float dhgen_turned(
+    const struct dhgen_arm *arm, int joint, float given, float towards)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const float low = of->lowest - DHGEN_LIMIT, high = of->highest + DHGEN_LIMIT;
@@ -392,7 +429,8 @@ DHGEN_FN float dhgen_turned(const struct dhgen_arm *arm, int joint, float given,
 }
 
 /* A joint value turned inside its limits, or next to the end that it and the seed are at. */
-DHGEN_FN float dhgen_at_an_end(const struct dhgen_arm *arm, int joint, float value, float seed)
+DHGEN_SMALL float dhgen_at_an_end(
+    const struct dhgen_arm *arm, int joint, float value, float seed)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const float near = value + DHGEN_TURN * floorf((seed - value) / DHGEN_TURN + 0.5f);
@@ -778,7 +816,7 @@ DHGEN_FN void dhgen_follow_seed(const struct dhgen_arm *arm, const float *T,
 
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-DHGEN_FN float dhgen_misfit(const float *T)
+DHGEN_SMALL float dhgen_misfit(const float *T)
 {
     const float x0 = T[0], x1 = T[1], x2 = T[2];
     const float y0 = T[4], y1 = T[5], y2 = T[6];
@@ -793,7 +831,7 @@ DHGEN_FN float dhgen_misfit(const float *T)
 
 /* Takes one step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, N. J.
  * Higham, Computing the polar decomposition, 1986). */
-DHGEN_FN void dhgen_straighten(float *T)
+DHGEN_SMALL void dhgen_straighten(float *T)
 {
     float G[3][3];
     for (int i = 0; i < 3; i++)
@@ -809,14 +847,14 @@ DHGEN_FN void dhgen_straighten(float *T)
 
 /* Whether a number may be used: it is finite, and where a joint slides so are its square and sums
  * of those, as its cube is. */
-DHGEN_FN int dhgen_usable(const struct dhgen_arm *arm, float number)
+DHGEN_SMALL int dhgen_usable(const struct dhgen_arm *arm, float number)
 {
     return isfinite(arm->slides ? number * number * number : number) != 0;
 }
 
 /* Makes three entries one long: a column or a row. Returns 0 where they are none, 1 where they
  * were, 2 where they are now. */
-DHGEN_FN int dhgen_read_unit(float *x, float *y, float *z)
+DHGEN_SMALL int dhgen_read_unit(float *x, float *y, float *z)
 {
     const float square = *x * *x + *y * *y + *z * *z;
     const float miss = (square - 1.0f) * (square - 1.0f);
@@ -833,7 +871,7 @@ DHGEN_FN int dhgen_read_unit(float *x, float *y, float *z)
 
 /* Makes the tool's x axis level, or zero where it is too steep to have a yaw, which is free then.
  * Returns 0 where it is no direction, 1 where it was level, 2 where it is now. */
-DHGEN_FN int dhgen_read_yaw(float *T)
+DHGEN_SMALL int dhgen_read_yaw(float *T)
 {
     const float square = T[0] * T[0] + T[4] * T[4];
     T[8] = 0.0f;
@@ -849,7 +887,7 @@ DHGEN_FN int dhgen_read_yaw(float *T)
 
 /* Makes the sine of the pitch one at most. Returns 0 where it is none, 1 where it was, 2 where it
  * is now. */
-DHGEN_FN int dhgen_read_pitch(float *T)
+DHGEN_SMALL int dhgen_read_pitch(float *T)
 {
     const float over = fabsf(T[8]) - 1.0f;
     if (over <= 0.0f)
@@ -863,7 +901,7 @@ DHGEN_FN int dhgen_read_pitch(float *T)
 }
 
 /* Makes the rotation one. Returns 0 where it is none, 1 where it was, 2 where it is now. */
-DHGEN_FN int dhgen_read_rotation(float *T)
+DHGEN_SMALL int dhgen_read_rotation(float *T)
 {
     const float miss = dhgen_misfit(T);
     if (!(miss <= DHGEN_ROUNDED))
@@ -877,7 +915,7 @@ DHGEN_FN int dhgen_read_rotation(float *T)
 
 /* Copies a pose; directions that are only rounded are put right. Returns 0 for what is no pose, 1
  * for what was one, 2 for what was rounded. */
-DHGEN_FN int dhgen_read_pose(const struct dhgen_arm *arm, const float *given, float *T)
+DHGEN_SMALL int dhgen_read_pose(const struct dhgen_arm *arm, const float *given, float *T)
 {
     for (int i = 0; i < 16; i++)
         T[i] = given[i];
@@ -1463,8 +1501,31 @@ DHGEN_API void dhgen_joint_velocities(
  * and machine have them; with -DDHGEN_SCALAR and elsewhere `dhgen_wide` is a double, and there is
  * no `dhgen_four`. With -DDHGEN_LIBM the arctangents are those of <math.h>, too. */
 
+/* Quotients in the fast path: in C what is written. In CUDA a division's rare cases cost more than
+ * all else, registers and branches, so there they are left out: what is divided by must be neither
+ * subnormal nor above 1e307. Poses at which it is are left to the careful functions. */
 
-#if defined(__clang__)
+
+/* The quotient of a and b, from an estimate of 1 / b that is right to six digits: within one of the
+ * last place. */
+DHGEN_INLINE float dhgen_quotient_by(float estimate, float a, float b)
+{
+    const float off = fmaf(-b, estimate, 1.0f);
+    const float inverse = fmaf(estimate, fmaf(off, off, off), estimate), first = a * inverse;
+    return fmaf(fmaf(-b, first, a), inverse, first);
+}
+
+#ifdef __CUDA_ARCH__
+DHGEN_INLINE float dhgen_quotient(float a, float b)
+{
+    return __fdividef(a, b); /* within two of the last place */
+}
+#define DHGEN_QUOTIENT(a, b) dhgen_quotient(a, b)
+#else
+#define DHGEN_QUOTIENT(a, b) ((a) / (b))
+#endif
+
+#if defined(__clang__) || defined(__CUDACC__)
 #define DHGEN_UNROLLED _Pragma("unroll")
 #elif defined(__GNUC__) && __GNUC__ >= 8
 #define DHGEN_UNROLLED _Pragma("GCC unroll 2")
@@ -1513,7 +1574,7 @@ DHGEN_INLINE float dhgen_maximum_double(float a, float b)
 }
 
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12)               \
-    && !defined(DHGEN_SCALAR) && !defined(DHGEN_LIBM)
+    && !defined(DHGEN_SCALAR) && !defined(DHGEN_LIBM) && !defined(__CUDACC__)
 #else
 /* Lanes that are single numbers. */
 
@@ -1641,7 +1702,7 @@ DHGEN_INLINE DHGEN_OF(direction) DHGEN_OF(ratio)(DHGEN_VECTOR y, DHGEN_VECTOR x)
     const DHGEN_VECTOR up = DHGEN_ADDED(least, turned, -most);
     const DHGEN_VECTOR down = DHGEN_ADDED(most, turned, least);
     DHGEN_OF(direction) of;
-    of.r = DHGEN_OF(negated)(up, part) / down;
+    of.r = DHGEN_QUOTIENT(DHGEN_OF(negated)(up, part), down);
     of.known = DHGEN_ADDED(whole, turned, part);
     of.y = y;
     return of;
@@ -1855,11 +1916,13 @@ static const float
     const number T21 = T[4], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const scara_f32_branches[2] = {
     "right", "left",
 };
+#endif
 
-static const struct dhgen_joint joints[4] = {
+DHGEN_TABLE struct dhgen_joint joints[4] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.268928f, 2.268928f, 2e-06f, 1.0f, 1.0f, 0.09817477f, 1 },
     { -2.5307274f, 2.5307274f, 2e-06f, 1.0f, 1.0f, 0.09817477f, 1 },
@@ -1867,7 +1930,7 @@ static const struct dhgen_joint joints[4] = {
     { -6.2831855f, 6.2831855f, 2e-06f, 1.0f, 1.0f, 0.09817477f, 1 },
 };
 
-void scara_f32_fk(const float q[4], float T[16])
+DHGEN_PUBLIC void scara_f32_fk(const float q[4], float T[16])
 {
     const float c1 = cosf(q[0]), s1 = sinf(q[0]);
     const float c2 = cosf(q[1]), s2 = sinf(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 *
@@ -1881,7 +1944,7 @@ void scara_f32_fk(const float q[4], float T[16])
     T[15] = 1.0f;
 }
 
-void scara_f32_jacobian(const float q[4], float J[24])
+DHGEN_PUBLIC void scara_f32_jacobian(const float q[4], float J[24])
 {
     const float c1 = cosf(q[0]), s1 = sinf(q[0]), p1_x = c1 * L1, p1_y = s1 * L1;
     const float c2 = cosf(q[1]), s2 = sinf(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 *
@@ -1898,7 +1961,7 @@ void scara_f32_jacobian(const float q[4], float J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const float *T, const float *free_joints, const float *seed, float moved, float *rows,
     unsigned char *status)
 {
@@ -1973,6 +2036,7 @@ static void solve(
 
 #ifndef SCARA_F32_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 static const float
     /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
     m1 = 2.150425e-06f,
@@ -2026,16 +2090,16 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         * T13 + v5 * v5)) | (dhgen_grazes_wide(excess_p) | dhgen_grazes_wide(excess_m));
 }
 
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const float *T, const float *free_joints, float *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
 }
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f }, 1.25f, { 1e-06f, 1e-06f }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -2052,12 +2116,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void scara_f32_joint_velocities(const float q[4], const float twist[6], float velocities[4])
+DHGEN_PUBLIC void scara_f32_joint_velocities(
+    const float q[4], const float twist[6], float velocities[4])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int scara_f32_ik(const float T[16], const float *q_seed, float q[2][4], unsigned char status[2])
+DHGEN_PUBLIC int scara_f32_ik(
+    const float T[16], const float *q_seed, float q[2][4], unsigned char status[2])
 {
 #ifndef SCARA_F32_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -2067,12 +2133,12 @@ int scara_f32_ik(const float T[16], const float *q_seed, float q[2][4], unsigned
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
+DHGEN_PUBLIC int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void scara_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)
+DHGEN_PUBLIC void scara_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)
 {
 #ifndef SCARA_F32_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

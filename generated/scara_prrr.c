@@ -50,11 +50,13 @@ static const double
     const number T21 = T[4], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const scara_prrr_branches[2] = {
     "right", "left",
 };
+#endif
 
-static const struct dhgen_joint joints[4] = {
+DHGEN_TABLE struct dhgen_joint joints[4] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 5.5e-10, 3.305785123966942, 0.55, 0.053996123733574576, 0 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -63,21 +65,21 @@ static const struct dhgen_joint joints[4] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[4][4] = {
+DHGEN_TABLE double table[4][4] = {
     { 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.3, 0.0 },
     { 0.0, 0.0, 0.25, 0.0 },
     { 0.0, 0.0, 0.0, 3.141592653589793 },
 };
 
-void scara_prrr_frames(const double q[4], double frames[6][16])
+DHGEN_PUBLIC void scara_prrr_frames(const double q[4], double frames[6][16])
 {
     static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void scara_prrr_fk(const double q[4], double T[16])
+DHGEN_PUBLIC void scara_prrr_fk(const double q[4], double T[16])
 {
     const double c2 = cos(q[1]), s2 = sin(q[1]);
     const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = c2 * c3 - s2 * s3, x3_y = s2 * c3 + c2 * s3;
@@ -89,7 +91,7 @@ void scara_prrr_fk(const double q[4], double T[16])
     T[15] = 1.0;
 }
 
-void scara_prrr_jacobian(const double q[4], double J[24])
+DHGEN_PUBLIC void scara_prrr_jacobian(const double q[4], double J[24])
 {
     const double c2 = cos(q[1]), s2 = sin(q[1]), p2_x = c2 * a2, p2_y = s2 * a2;
     const double c3 = cos(q[2]), s3 = sin(q[2]), p3_x = p2_x + (c2 * c3 - s2 * s3) * a3,
@@ -103,7 +105,7 @@ void scara_prrr_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -172,6 +174,7 @@ static void solve(
 
 #ifndef SCARA_PRRR_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 static const double
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m1 = 1.831867990631471e-12,
@@ -261,7 +264,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -269,9 +272,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 1 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 1 };
+DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.818, 1.818, 1.818, 1.0, 1.0, 1.0 }, 1.8181818181818181, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -288,12 +291,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void scara_prrr_joint_velocities(const double q[4], const double twist[6], double velocities[4])
+DHGEN_PUBLIC void scara_prrr_joint_velocities(
+    const double q[4], const double twist[6], double velocities[4])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int scara_prrr_ik(
+DHGEN_PUBLIC int scara_prrr_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
 #ifndef SCARA_PRRR_PLAIN
@@ -304,12 +308,12 @@ int scara_prrr_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int scara_prrr_ik_nearest(const double T[16], const double q_seed[4], double q[4])
+DHGEN_PUBLIC int scara_prrr_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void scara_prrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void scara_prrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef SCARA_PRRR_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -48,11 +48,13 @@ static const double
     const number T24 = T[7]; \
     const number T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const scara_rrp_branches[2] = {
     "right", "left",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -60,20 +62,20 @@ static const struct dhgen_joint joints[3] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.5, 0.4, 0.0 },
     { 0.0, 0.0, 0.3, 0.0 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void scara_rrp_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void scara_rrp_frames(const double q[3], double frames[5][16])
 {
     static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void scara_rrp_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void scara_rrp_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
@@ -84,7 +86,7 @@ void scara_rrp_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void scara_rrp_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void scara_rrp_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), p2_x = p1_x + (c1 * c2 - s1 * s2) * a2,
@@ -98,7 +100,7 @@ void scara_rrp_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -148,6 +150,7 @@ static void solve(
 
 #ifndef SCARA_RRP_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 static const double
     /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
     m1 = 8.046896482482852e-12,
@@ -222,7 +225,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -230,9 +233,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[3] = { 3, 7, 11 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[3] = { 3, 7, 11 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.8333, 0.8333, 0.8333, 0.0, 0.0, 0.0 }, 0.8333333333333334, { 1e-14, 1e-14 }, entries, 3,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -249,12 +252,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void scara_rrp_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+DHGEN_PUBLIC void scara_rrp_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int scara_rrp_ik(const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
+DHGEN_PUBLIC int scara_rrp_ik(
+    const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {
 #ifndef SCARA_RRP_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -264,12 +269,12 @@ int scara_rrp_ik(const double T[16], const double *q_seed, double q[2][3], unsig
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int scara_rrp_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int scara_rrp_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void scara_rrp_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void scara_rrp_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef SCARA_RRP_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -50,11 +50,13 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const scara_wrist_branches[4] = {
     "right-noflip", "right-flip", "left-noflip", "left-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -65,7 +67,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.5, 0.4, 0.0 },
     { 0.0, 0.0, 0.3, 0.0 },
     { 0.0, 0.0, 0.0, 3.141592653589793 },
@@ -74,14 +76,14 @@ static const double table[6][4] = {
     { 0.0, 0.1, 0.0, 0.0 },
 };
 
-void scara_wrist_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void scara_wrist_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void scara_wrist_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void scara_wrist_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
@@ -99,7 +101,7 @@ void scara_wrist_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void scara_wrist_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void scara_wrist_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2,
@@ -121,7 +123,7 @@ void scara_wrist_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -203,6 +205,7 @@ static void solve(
 
 #ifndef SCARA_WRIST_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
@@ -322,7 +325,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -330,9 +333,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[2] = { 3, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[2] = { 3, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.7692, 0.7692, 0.7692, 1.0, 1.0, 1.0 }, 0.7692307692307692, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -349,12 +352,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void scara_wrist_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void scara_wrist_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int scara_wrist_ik(
+DHGEN_PUBLIC int scara_wrist_ik(
     const double T[16], const double *q_seed, double q[4][6], unsigned char status[4])
 {
 #ifndef SCARA_WRIST_PLAIN
@@ -365,12 +369,12 @@ int scara_wrist_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int scara_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int scara_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void scara_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void scara_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef SCARA_WRIST_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -58,11 +58,13 @@ static const double
     const number T23 = T[6], T24 = T[7]; \
     const number T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const scorbot_pointing_branches[4] = {
     "back-down", "back-up", "front-up", "front-down",
 };
+#endif
 
-static const struct dhgen_joint joints[5] = {
+DHGEN_TABLE struct dhgen_joint joints[5] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -73,28 +75,28 @@ static const struct dhgen_joint joints[5] = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[4] = { 0, 1, 2, 3 };
-static const int turning[4] = { 1, 1, 1, 1 };
-static const double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
-static const double measure[4] = {
+DHGEN_TABLE int solved[4] = { 0, 1, 2, 3 };
+DHGEN_TABLE int turning[4] = { 1, 1, 1, 1 };
+DHGEN_TABLE double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[4] = {
     1.050420168067227, 1.050420168067227, 1.050420168067227, 1.050420168067227,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[4] = {
+DHGEN_TABLE double span_low[4] = {
     -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
 };
-static const double span_width[4] = {
+DHGEN_TABLE double span_width[4] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
 };
-static const double stride[4] = {
+DHGEN_TABLE double stride[4] = {
     0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
 };
-static const int given_places[1] = { 4 };
+DHGEN_TABLE int given_places[1] = { 4 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     5, 4, /* joints; solutions that are kept */
     4, 6, /* joints that are solved for; equations */
     3, DHGEN_POINTING, 0, /* coordinates, directions, arm angle */
@@ -105,12 +107,12 @@ static const struct dhgen_numerical_arm descents = {
     scorbot_pointing_fk, scorbot_pointing_jacobian, 0, 0,
 };
 
-static const struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
+DHGEN_TABLE struct dhgen_completion completion = { &descents, 0, 0, 0, /* adds others */ 0, /*
     ascends */ 1, /* equations end all */ 0 };
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[5][4] = {
+DHGEN_TABLE double table[5][4] = {
     { 0.0, 0.349, 0.016, -1.5707963267948966 },
     { 0.0, 0.0, 0.221, 0.0 },
     { 0.0, 0.0, 0.221, 0.0 },
@@ -118,14 +120,14 @@ static const double table[5][4] = {
     { 0.0, 0.145, 0.0, 0.0 },
 };
 
-void scorbot_pointing_frames(const double q[5], double frames[7][16])
+DHGEN_PUBLIC void scorbot_pointing_frames(const double q[5], double frames[7][16])
 {
     static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void scorbot_pointing_fk(const double q[5], double T[16])
+DHGEN_PUBLIC void scorbot_pointing_fk(const double q[5], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -146,7 +148,7 @@ void scorbot_pointing_fk(const double q[5], double T[16])
     T[15] = 1.0;
 }
 
-void scorbot_pointing_jacobian(const double q[5], double J[30])
+DHGEN_PUBLIC void scorbot_pointing_jacobian(const double q[5], double J[30])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -169,7 +171,7 @@ void scorbot_pointing_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -271,6 +273,7 @@ static void solve(
 
 #ifndef SCORBOT_POINTING_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 9.52e-05 [m], doubt_limit = 9.999999999999999e-05,
  * doubt_limit_squared2 = 9.063039999999998e-09 [m^2], exact_slack = 1e-12,
  * exact_slack1 = 9.519999999999998e-13 [m], pose_slack1 = 9.519999999999999e-06 [m]. */
@@ -299,12 +302,12 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta1 */
     const dhgen_wide sigma1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
         Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
-        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, factor1 = w1 * v2, v3 = Xhat1 * factor1,
-        v4 = Yhat1 * factor1, angle1 = dhgen_atan2_wide(-Yhat1, -Xhat1);
+        w1 = dhgen_sqrt_wide(v1), v2 = DHGEN_QUOTIENT(1.0, v1), factor1 = w1 * v2,
+        v3 = Xhat1 * factor1, v4 = Yhat1 * factor1, angle1 = dhgen_atan2_wide(-Yhat1, -Xhat1);
 
     /* theta234 */
     const dhgen_wide v5 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1)), v6 = T33 * T33 + v5 * v5,
-        w234 = dhgen_sqrt_wide(v6), v7 = 1.0 / v6, v8 = w234 * v7,
+        w234 = dhgen_sqrt_wide(v6), v7 = DHGEN_QUOTIENT(1.0, v6), v8 = w234 * v7,
         angle2 = dhgen_atan2_wide(-v5, T33);
 
     /* theta3 */
@@ -329,8 +332,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v37 = v34 + w3_m * v35, v38 = v34 + w3_m * v36, v39 = v28 * v28 + C2_pp * C2_pp,
         v40 = v29 * v29 + C2_pm * C2_pm, v41 = v31 * v31 + v37 * v37, v42 = v32 * v32 + v38 * v38,
         w2_pp = dhgen_sqrt_wide(v39), w2_pm = dhgen_sqrt_wide(v40), w2_mp = dhgen_sqrt_wide(v41),
-        w2_mm = dhgen_sqrt_wide(v42), v43 = 1.0 / v39, v44 = 1.0 / v40, v45 = 1.0 / v41,
-        v46 = 1.0 / v42, factor2_pp = w2_pp * v43, factor2_pm = w2_pm * v44,
+        w2_mm = dhgen_sqrt_wide(v42), v43 = DHGEN_QUOTIENT(1.0, v39),
+        v44 = DHGEN_QUOTIENT(1.0, v40), v45 = DHGEN_QUOTIENT(1.0, v41),
+        v46 = DHGEN_QUOTIENT(1.0, v42), factor2_pp = w2_pp * v43, factor2_pm = w2_pm * v44,
         factor2_mp = w2_mp * v45, factor2_mm = w2_mm * v46, angle5 = dhgen_atan2_wide(-v28, C2_pp),
         angle6 = dhgen_atan2_wide(-v29, C2_pm), angle7 = dhgen_atan2_wide(-v31, -v37),
         angle8 = dhgen_atan2_wide(-v32, -v38);
@@ -411,12 +415,12 @@ DHGEN_INLINE int solve_regular(
     /* theta1 */
     const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23),
         Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
-        w1 = sqrt(v1), v2 = 1.0 / v1, factor1 = w1 * v2, v3 = Xhat1 * factor1, v4 = Yhat1 * factor1,
-        v5 = copysign(DHGEN_HALF_TURN, -Yhat1);
+        w1 = sqrt(v1), v2 = DHGEN_QUOTIENT(1.0, v1), factor1 = w1 * v2, v3 = Xhat1 * factor1,
+        v4 = Yhat1 * factor1, v5 = copysign(DHGEN_HALF_TURN, -Yhat1);
 
     /* theta234 */
     const double v6 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1)), v7 = T33 * T33 + v6 * v6,
-        w234 = sqrt(v7), v8 = 1.0 / v7, v9 = w234 * v8;
+        w234 = sqrt(v7), v8 = DHGEN_QUOTIENT(1.0, v7), v9 = w234 * v8;
 
     /* theta3 */
     const double v10 = d5 * T33, v11 = T34 - d1, v12 = v9 * v10, Z1_3 = v11 - v12, v13 = d5 * v6,
@@ -434,7 +438,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four Y1_2 = m7 * (v23 + (v24 + v15 * v15)) - w234 * (m6 * (v8 * (v22 + v15 * v19))),
         v25 = Z1_3 * Y1_2, v26 = v25 + w3 * (m7 * (e3 * v18)), v27 = Z2_3 * Y1_2,
         v28 = m7 * (e3 * Z1_3), C2 = v27 - w3 * v28, v29 = v26 * v26 + C2 * C2,
-        w2 = dhgen_sqrt_four(v29), v30 = 1.0 / v29, factor2 = w2 * v30;
+        w2 = dhgen_sqrt_four(v29), v30 = DHGEN_QUOTIENT(1.0, v29), factor2 = w2 * v30;
 
     /* is the pose one that the arm can take? */
     const dhgen_four v31 = a1 - v17,
@@ -479,7 +483,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -487,10 +491,10 @@ static int solve_regular(
 #endif
 #endif
 
-static const int given_joints[1] = { 4 };
-static const int entries[6] = { 2, 3, 6, 7, 10, 11 };
-static const int choosable[2] = { 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int given_joints[1] = { 4 };
+DHGEN_TABLE int entries[6] = { 2, 3, 6, 7, 10, 11 };
+DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     5, 4, 1, DHGEN_POINTING, joints, given_joints, 1,
     { 1.05, 1.05, 1.05, 1.0, 1.0, 1.0 }, 1.050420168067227, { 1e-14, 1e-14 }, entries, 6,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -507,13 +511,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void scorbot_pointing_joint_velocities(const double q[5], const double twist[6], double
-    velocities[5])
+DHGEN_PUBLIC void scorbot_pointing_joint_velocities(
+    const double q[5], const double twist[6], double velocities[5])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int scorbot_pointing_ik(
+DHGEN_PUBLIC int scorbot_pointing_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[4][5],
     unsigned char status[4])
 {
@@ -525,13 +529,13 @@ int scorbot_pointing_ik(
     return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
 }
 
-int scorbot_pointing_ik_nearest(
+DHGEN_PUBLIC int scorbot_pointing_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[5], double q[5])
 {
     return dhgen_ik_nearest(&arm, T, free_joints, q_seed, q);
 }
 
-void scorbot_pointing_ik_batch(
+DHGEN_PUBLIC void scorbot_pointing_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
 {
 #ifndef SCORBOT_POINTING_PLAIN

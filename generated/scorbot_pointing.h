@@ -13,8 +13,18 @@
 #ifndef SCORBOT_POINTING_H
 #define SCORBOT_POINTING_H
 
+#ifndef __CUDACC_RTC__ /* it has their functions without them */
 #include <math.h>
 #include <stddef.h>
+#endif
+
+#ifndef DHGEN_PUBLIC /* the mark of functions: in CUDA they are for both sides */
+#ifdef __CUDACC__
+#define DHGEN_PUBLIC __host__ __device__
+#else
+#define DHGEN_PUBLIC
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -50,30 +60,32 @@ enum {
     SCORBOT_POINTING_INVALID_POSE = 4
 };
 
+#ifndef __CUDACC_RTC__
 /* The name of every row. */
 extern const char *const scorbot_pointing_branches[4];
+#endif
 
 /* The pose T of the joint values q. */
-void scorbot_pointing_fk(const double q[5], double T[16]);
+DHGEN_PUBLIC void scorbot_pointing_fk(const double q[5], double T[16]);
 
 /* The frames of the base, of the links as the robot file has them, and of the tool. */
-void scorbot_pointing_frames(const double q[5], double frames[7][16]);
+DHGEN_PUBLIC void scorbot_pointing_frames(const double q[5], double frames[7][16]);
 
 /* The geometric Jacobian, 6 x 5 row by row: velocity of the tool's origin, then angular
  * velocity. */
-void scorbot_pointing_jacobian(const double q[5], double J[30]);
+DHGEN_PUBLIC void scorbot_pointing_jacobian(const double q[5], double J[30]);
 
 /* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
  * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
  * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
  * the twist, lengths in arm sizes. */
-void scorbot_pointing_joint_velocities(const double q[5], const double twist[6], double
-    velocities[5]);
+DHGEN_PUBLIC void scorbot_pointing_joint_velocities(
+    const double q[5], const double twist[6], double velocities[5]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
  * -SCORBOT_POINTING_INVALID_POSE, also for a seed that is not finite where it may be needed. */
-int scorbot_pointing_ik(
+DHGEN_PUBLIC int scorbot_pointing_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[4][5],
     unsigned char status[4]);
 
@@ -82,12 +94,12 @@ int scorbot_pointing_ik(
  * Returns SCORBOT_POINTING_OK or SCORBOT_POINTING_FREE_JOINT, or, with NaN in q,
  * minus SCORBOT_POINTING_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */
-int scorbot_pointing_ik_nearest(
+DHGEN_PUBLIC int scorbot_pointing_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[5], double q[5]);
 
 /* scorbot_pointing_ik without a seed for n poses: T holds n x 16 numbers, free_joints n x 1,
  * q n x 4 x 5, status n x 4. */
-void scorbot_pointing_ik_batch(
+DHGEN_PUBLIC void scorbot_pointing_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status);
 
 #ifdef __cplusplus

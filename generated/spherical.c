@@ -38,11 +38,13 @@ static const double
     const number T24 = T[7]; \
     const number T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const spherical_branches[4] = {
     "front-forward", "front-backward", "back-forward", "back-backward",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -50,20 +52,20 @@ static const struct dhgen_joint joints[3] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.5, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void spherical_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void spherical_frames(const double q[3], double frames[5][16])
 {
     static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void spherical_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void spherical_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), v1 = c1 * s2, v2 = s1 * s2;
@@ -74,7 +76,7 @@ void spherical_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void spherical_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void spherical_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), v1 = c1 * s2, v2 = s1 * s2, v3 = v1 * q[2],
@@ -88,7 +90,7 @@ void spherical_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -139,6 +141,7 @@ static void solve(
 
 #ifndef SPHERICAL_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 4.9999999999999996e-05 [m]. */
 static const double
     m1 = 2.4999999999999996e-09; /* doubt_limit1^2 [m^2] */
@@ -217,7 +220,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -225,9 +228,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[3] = { 3, 7, 11 };
-static const int choosable[2] = { 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[3] = { 3, 7, 11 };
+DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 2.0, 2.0, 2.0, 0.0, 0.0, 0.0 }, 2.0, { 1e-14, 1e-14 }, entries, 3,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -244,12 +247,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void spherical_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+DHGEN_PUBLIC void spherical_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int spherical_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
+DHGEN_PUBLIC int spherical_ik(
+    const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
 #ifndef SPHERICAL_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -259,12 +264,12 @@ int spherical_ik(const double T[16], const double *q_seed, double q[4][3], unsig
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int spherical_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int spherical_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void spherical_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void spherical_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef SPHERICAL_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -64,12 +64,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const spherical_wrist_all_offsets_branches[8] = {
     "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
     "left-up-flip", "left-down-noflip", "left-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -80,7 +82,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.5, 0.12, -1.5707963267948966 },
     { 0.0, 0.13, 0.43, 0.0 },
     { 0.0, -0.06, 0.09, 1.5707963267948966 },
@@ -89,14 +91,14 @@ static const double table[6][4] = {
     { 0.0, 0.07, 0.0, 0.0 },
 };
 
-void spherical_wrist_all_offsets_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void spherical_wrist_all_offsets_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void spherical_wrist_all_offsets_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void spherical_wrist_all_offsets_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -121,7 +123,7 @@ void spherical_wrist_all_offsets_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void spherical_wrist_all_offsets_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void spherical_wrist_all_offsets_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -152,7 +154,7 @@ void spherical_wrist_all_offsets_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -264,6 +266,7 @@ static void solve(
 
 #ifndef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     turn1 = -1.3382393849899876, /* atan2(-k6, k7) [rad] */
@@ -292,7 +295,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1, D1 = N1 - k2,
-        w1 = dhgen_sqrt_wide(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (k1 * Y1),
+        w1 = dhgen_sqrt_wide(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = inverse1 * (k1 * Y1),
         v2 = v1 + w1 * (wx * inverse1), v3 = v1 + w1 * (inverse1 * -wx), v4 = inverse1 * (k1 * wx),
         s1_p = w1 * (Y1 * inverse1) - v4, s1_m = w1 * (inverse1 * -Y1) - v4;
 
@@ -306,8 +309,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta2 */
     const dhgen_wide v11 = Z1_3 * (m4 + m3 * N3_p), v12 = Z1_3 * (m4 + m3 * N3_m),
-        factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m, v13 = v5 * (m3 + m4 * factor2_p),
-        v14 = v6 * (m3 + m4 * factor2_m), v15 = w3_p * (m3 * v5),
+        factor2_p = DHGEN_QUOTIENT(1.0, N3_p), factor2_m = DHGEN_QUOTIENT(1.0, N3_m),
+        v13 = v5 * (m3 + m4 * factor2_p), v14 = v6 * (m3 + m4 * factor2_m), v15 = w3_p * (m3 * v5),
         angle3 = dhgen_atan2_wide(-(factor2_p * (v11 - v15)), -(v13 + w3_p * (m3 * (Z1_3 *
             factor2_p)))),
         angle4 = dhgen_atan2_wide(-(factor2_p * (v11 + v15)), -(v13 + w3_p * (m3 * (-Z1_3 *
@@ -412,7 +415,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1, D1 = N1 - k2,
-        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (k1 * Y1);
+        w1 = sqrt(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = inverse1 * (k1 * Y1);
     const dhgen_four v2 = v1 + w1 * (inverse1 * (e1 * wx));
     const double v3 = inverse1 * (k1 * wx);
     const dhgen_four s1 = w1 * (inverse1 * (e1 * Y1)) - v3;
@@ -426,7 +429,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four w3 = dhgen_sqrt_four(D3);
 
     /* theta2 */
-    const dhgen_four v7 = Z1_3 * (m4 + m3 * N3), v8 = e3 * Z1_3, factor2 = 1.0 / N3,
+    const dhgen_four v7 = Z1_3 * (m4 + m3 * N3), v8 = e3 * Z1_3, factor2 = DHGEN_QUOTIENT(1.0, N3),
         v9 = v4 * (m3 + m4 * factor2);
 
     /* theta4 */
@@ -474,7 +477,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -482,9 +485,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5618, 0.5618, 0.5618, 1.0, 1.0, 1.0 }, 0.5617977528089886, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -501,13 +504,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void spherical_wrist_all_offsets_joint_velocities(const double q[6], const double twist[6], double
-    velocities[6])
+DHGEN_PUBLIC void spherical_wrist_all_offsets_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int spherical_wrist_all_offsets_ik(
+DHGEN_PUBLIC int spherical_wrist_all_offsets_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
@@ -518,12 +521,13 @@ int spherical_wrist_all_offsets_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int spherical_wrist_all_offsets_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int spherical_wrist_all_offsets_ik_nearest(
+    const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void spherical_wrist_all_offsets_ik_batch(
+DHGEN_PUBLIC void spherical_wrist_all_offsets_ik_batch(
     size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN

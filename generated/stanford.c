@@ -46,12 +46,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const stanford_branches[8] = {
     "right-forward-noflip", "right-forward-flip", "right-backward-noflip", "right-backward-flip",
     "left-forward-noflip", "left-forward-flip", "left-backward-noflip", "left-backward-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.9670597283903604, 2.9670597283903604, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.9670597283903604, 2.9670597283903604, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -62,7 +64,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.412, 0.0, -1.5707963267948966 },
     { 0.0, 0.154, 0.0, 1.5707963267948966 },
     { -1.5707963267948966, 0.0, 0.0203, 0.0 },
@@ -71,14 +73,14 @@ static const double table[6][4] = {
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void stanford_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void stanford_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void stanford_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void stanford_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2,
@@ -99,7 +101,7 @@ void stanford_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void stanford_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void stanford_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2,
@@ -120,7 +122,7 @@ void stanford_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -213,6 +215,7 @@ static void solve(
 
 #ifndef STANFORD_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.000127 [m], doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 3.3959800000001614e-12, /* 1000 * k4 [m^2] */
@@ -230,14 +233,14 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide N1 = T14 * T14 + T24 * T24, D1 = N1 - k2, w1 = dhgen_sqrt_wide(D1),
-        v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = k1 * T14, v3 = k1 * T24, v4 = inverse1 * v3,
-        v5 = w1 * (T14 * inverse1), c1_p = v4 - v5, c1_m = v4 + v5, v6 = inverse1 * v2,
-        v7 = w1 * (T24 * inverse1), v8 = v6 + v7, v9 = v6 - v7,
+        v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = k1 * T14, v3 = k1 * T24,
+        v4 = inverse1 * v3, v5 = w1 * (T14 * inverse1), c1_p = v4 - v5, c1_m = v4 + v5,
+        v6 = inverse1 * v2, v7 = w1 * (T24 * inverse1), v8 = v6 + v7, v9 = v6 - v7,
         angle1 = dhgen_atan2_wide(-v8, c1_p), angle2 = dhgen_atan2_wide(-v9, c1_m);
 
     /* theta2, r3 */
     const dhgen_wide Y2_2 = T34 - d1, v10 = D1 + Y2_2 * Y2_2, w3 = dhgen_sqrt_wide(v10),
-        factor2 = w3 * (1.0 / v10), angle3 = dhgen_atan2_wide(-w1, Y2_2),
+        factor2 = w3 * DHGEN_QUOTIENT(1.0, v10), angle3 = dhgen_atan2_wide(-w1, Y2_2),
         q2_pmp = angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, -w1);
 
     /* theta4 */
@@ -343,14 +346,14 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double N1 = T14 * T14 + T24 * T24, D1 = N1 - k2, w1 = sqrt(D1), v1 = w1 - w1,
-        inverse1 = 1.0 / N1, v2 = k1 * T14, v3 = k1 * T24, v4 = inverse1 * v3;
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = k1 * T14, v3 = k1 * T24, v4 = inverse1 * v3;
     const dhgen_four c1 = v4 - w1 * (inverse1 * (e1 * T14));
     const double v5 = inverse1 * v2;
     const dhgen_four v6 = v5 + w1 * (inverse1 * (e1 * T24));
 
     /* theta2, r3 */
-    const double Y2_2 = T34 - d1, v7 = D1 + Y2_2 * Y2_2, w3 = sqrt(v7), factor2 = w3 * (1.0 / v7),
-        v8 = copysign(DHGEN_HALF_TURN, -w1);
+    const double Y2_2 = T34 - d1, v7 = D1 + Y2_2 * Y2_2, w3 = sqrt(v7),
+        factor2 = w3 * DHGEN_QUOTIENT(1.0, v7), v8 = copysign(DHGEN_HALF_TURN, -w1);
     const dhgen_four v9 = e2 - 1.0, v10 = m3 * v9;
 
     /* theta4 */
@@ -424,7 +427,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -432,9 +435,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.7874, 0.7874, 0.7874, 1.0, 1.0, 1.0 }, 0.7874015748031495, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -451,12 +454,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void stanford_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void stanford_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int stanford_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+DHGEN_PUBLIC int stanford_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef STANFORD_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -466,12 +471,12 @@ int stanford_ik(const double T[16], const double *q_seed, double q[8][6], unsign
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int stanford_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int stanford_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void stanford_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void stanford_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef STANFORD_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

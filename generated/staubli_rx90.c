@@ -49,12 +49,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const staubli_rx90_branches[8] = {
     "back-up-noflip", "back-up-flip", "back-down-noflip", "back-down-flip", "front-down-noflip",
     "front-down-flip", "front-up-noflip", "front-up-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -65,7 +67,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.45, 0.0 },
@@ -74,14 +76,14 @@ static const double table[6][4] = {
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
 };
 
-void staubli_rx90_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void staubli_rx90_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void staubli_rx90_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void staubli_rx90_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -105,7 +107,7 @@ void staubli_rx90_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void staubli_rx90_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void staubli_rx90_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -129,7 +131,7 @@ void staubli_rx90_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -235,6 +237,7 @@ static void solve(
 
 #ifndef STAUBLI_RX90_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 9e-05 [m], doubt_limit_squared2 = 8.1e-09 [m^2],
  * doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -254,8 +257,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide v1 = T14 * T14 + T24 * T24, w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1,
-        angle1 = dhgen_atan2_wide(-T24, -T14);
+    const dhgen_wide v1 = T14 * T14 + T24 * T24, w1 = dhgen_sqrt_wide(v1),
+        v2 = DHGEN_QUOTIENT(1.0, v1), angle1 = dhgen_atan2_wide(-T24, -T14);
 
     /* theta3 */
     const dhgen_wide N3 = v1 + T34 * T34, D3 = (longest3 - N3) * (N3 - shortest3),
@@ -270,7 +273,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v17 = w3 * (m4 * T34), v18 = m4 * (w1 * N3), C2_pp = v17 - v18, C2_mp = v17 + v18,
         v19 = S2_pp * S2_pp, v20 = v19 + C2_pp * C2_pp, v21 = S2_pm * S2_pm + C2_mp * C2_mp,
         v22 = v19 - C2_pp * -C2_pp, w2_pp = dhgen_sqrt_wide(v20), w2_pm = dhgen_sqrt_wide(v21),
-        w2_mm = dhgen_sqrt_wide(v22), v23 = 1.0 / v20, v24 = 1.0 / v21, v25 = 1.0 / v22,
+        w2_mm = dhgen_sqrt_wide(v22), v23 = DHGEN_QUOTIENT(1.0, v20),
+        v24 = DHGEN_QUOTIENT(1.0, v21), v25 = DHGEN_QUOTIENT(1.0, v22),
         angle3 = dhgen_atan2_wide(S2_pp, C2_pp), angle4 = dhgen_atan2_wide(S2_pm, -C2_mp),
         angle5 = dhgen_atan2_wide(S2_pm, C2_mp), angle6 = dhgen_atan2_wide(S2_pp, -C2_pp);
 
@@ -285,14 +289,16 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         Y4 = w1 * (v2 * (T14 * T23 - T24 * T13)), v32 = Y4 * Y4, v33 = v32 + X4_pp * X4_pp,
         v34 = v32 + X4_pm * X4_pm, v35 = v32 + X4_mp * X4_mp, v36 = v32 + X4_mm * X4_mm,
         w4_pp = dhgen_sqrt_wide(v33), w4_pm = dhgen_sqrt_wide(v34), w4_mp = dhgen_sqrt_wide(v35),
-        w4_mm = dhgen_sqrt_wide(v36), factor4_pp = w4_pp * (1.0 / v33),
-        factor4_pm = w4_pm * (1.0 / v34), factor4_mp = w4_mp * (1.0 / v35),
-        factor4_mm = w4_mm * (1.0 / v36), v37 = X4_pp * factor4_pp, v38 = X4_pm * factor4_pm,
-        v39 = X4_mp * factor4_mp, v40 = X4_mm * factor4_mm, s4_pp = Y4 * factor4_pp,
-        s4_pm = Y4 * factor4_pm, s4_mp = Y4 * factor4_mp, s4_mm = Y4 * factor4_mm,
-        angle7 = dhgen_atan2_wide(Y4, -X4_pp), angle8 = dhgen_atan2_wide(Y4, -X4_pm),
-        angle9 = dhgen_atan2_wide(-Y4, -X4_mp), angle10 = dhgen_atan2_wide(-Y4, -X4_mm),
-        v41 = dhgen_signed_wide(DHGEN_HALF_TURN, Y4), v42 = dhgen_signed_wide(DHGEN_HALF_TURN, -Y4);
+        w4_mm = dhgen_sqrt_wide(v36), factor4_pp = w4_pp * DHGEN_QUOTIENT(1.0, v33),
+        factor4_pm = w4_pm * DHGEN_QUOTIENT(1.0, v34),
+        factor4_mp = w4_mp * DHGEN_QUOTIENT(1.0, v35),
+        factor4_mm = w4_mm * DHGEN_QUOTIENT(1.0, v36), v37 = X4_pp * factor4_pp,
+        v38 = X4_pm * factor4_pm, v39 = X4_mp * factor4_mp, v40 = X4_mm * factor4_mm,
+        s4_pp = Y4 * factor4_pp, s4_pm = Y4 * factor4_pm, s4_mp = Y4 * factor4_mp,
+        s4_mm = Y4 * factor4_mm, angle7 = dhgen_atan2_wide(Y4, -X4_pp),
+        angle8 = dhgen_atan2_wide(Y4, -X4_pm), angle9 = dhgen_atan2_wide(-Y4, -X4_mp),
+        angle10 = dhgen_atan2_wide(-Y4, -X4_mm), v41 = dhgen_signed_wide(DHGEN_HALF_TURN, Y4),
+        v42 = dhgen_signed_wide(DHGEN_HALF_TURN, -Y4);
 
     /* theta5 */
     const dhgen_wide angle11 = dhgen_atan2_wide(w4_pp, c23_pp * T33 + s23_pp * v30),
@@ -362,7 +368,7 @@ DHGEN_INLINE int solve_regular(
     ENTRIES(double);
 
     /* theta1 */
-    const double v1 = T14 * T14 + T24 * T24, w1 = sqrt(v1), v2 = 1.0 / v1,
+    const double v1 = T14 * T14 + T24 * T24, w1 = sqrt(v1), v2 = DHGEN_QUOTIENT(1.0, v1),
         v3 = copysign(DHGEN_HALF_TURN, -T24);
 
     /* theta3 */
@@ -378,7 +384,7 @@ DHGEN_INLINE int solve_regular(
     const double v14 = w1 * X1_2, v15 = T34 * Y1_2;
     const dhgen_four v16 = e3 * v15, v17 = e1 * v14, v18 = v16 - v17, v19 = w3 * (m4 * (e3 * T34)),
         v20 = m4 * (w1 * (e1 * N3)), C2 = v19 - v20, v21 = S2 * S2 + C2 * C2,
-        w2 = dhgen_sqrt_four(v21), v22 = 1.0 / v21;
+        w2 = dhgen_sqrt_four(v21), v22 = DHGEN_QUOTIENT(1.0, v21);
 
     /* theta4 */
     const dhgen_four v23 = e3 * c3, c23 = w2 * (v22 * (v18 * v23 + v6 * v12)),
@@ -386,9 +392,9 @@ DHGEN_INLINE int solve_regular(
     const double v24 = w1 * (v2 * (T14 * T13 + T24 * T23));
     const dhgen_four X4 = s23 * T33 - e1 * (c23 * v24);
     const double Y4 = w1 * (v2 * (T14 * T23 - T24 * T13)), v25 = Y4 * Y4;
-    const dhgen_four v26 = v25 + X4 * X4, w4 = dhgen_sqrt_four(v26), factor4 = w4 * (1.0 / v26),
-        v27 = X4 * factor4, s4 = Y4 * factor4, v28 = e1 * Y4,
-        v29 = dhgen_signed_four(DHGEN_HALF_TURN, v28);
+    const dhgen_four v26 = v25 + X4 * X4, w4 = dhgen_sqrt_four(v26),
+        factor4 = w4 * DHGEN_QUOTIENT(1.0, v26), v27 = X4 * factor4, s4 = Y4 * factor4,
+        v28 = e1 * Y4, v29 = dhgen_signed_four(DHGEN_HALF_TURN, v28);
 
     /* theta6 */
     const double v30 = w1 * (v2 * (T14 * T22 - T24 * T12)),
@@ -425,7 +431,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -433,9 +439,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.111, 1.111, 1.111, 1.0, 1.0, 1.0 }, 1.1111111111111112, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -452,12 +458,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void staubli_rx90_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void staubli_rx90_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int staubli_rx90_ik(
+DHGEN_PUBLIC int staubli_rx90_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef STAUBLI_RX90_PLAIN
@@ -468,12 +475,13 @@ int staubli_rx90_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int staubli_rx90_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int staubli_rx90_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void staubli_rx90_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void staubli_rx90_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef STAUBLI_RX90_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

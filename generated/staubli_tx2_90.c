@@ -62,12 +62,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const staubli_tx2_90_branches[8] = {
     "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
     "left-up-flip", "left-down-noflip", "left-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -2.2689280275926285, 2.5743606466916362, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -78,7 +80,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.478, 0.05, -1.5707963267948966 },
     { -1.5707963267948966, 0.05, 0.425, 0.0 },
     { 1.5707963267948966, 0.0, 0.0, 1.5707963267948966 },
@@ -87,7 +89,7 @@ static const double table[6][4] = {
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void staubli_tx2_90_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void staubli_tx2_90_frames(const double q[6], double frames[8][16])
 {
     static const double tool[12] = { 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.1 };
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
@@ -95,7 +97,7 @@ void staubli_tx2_90_frames(const double q[6], double frames[8][16])
     dhgen_frames(&links, q, frames);
 }
 
-void staubli_tx2_90_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void staubli_tx2_90_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2,
@@ -120,7 +122,7 @@ void staubli_tx2_90_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void staubli_tx2_90_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void staubli_tx2_90_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1,
         v1 = q[1] + offset2;
@@ -151,7 +153,7 @@ void staubli_tx2_90_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -276,6 +278,7 @@ static void solve(
 
 #ifndef STAUBLI_TX2_90_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit_squared2 = 2.3347840000000007e-08 [m^2],
  * doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -298,10 +301,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, N1 = t14 * t14 + Y1 * Y1,
-        D1 = N1 - k1, w1 = dhgen_sqrt_wide(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d2 * Y1),
-        v2 = v1 + w1 * (t14 * inverse1), v3 = v1 + w1 * (inverse1 * -t14),
-        v4 = inverse1 * (d2 * t14), s1_p = w1 * (Y1 * inverse1) - v4,
-        s1_m = w1 * (inverse1 * -Y1) - v4;
+        D1 = N1 - k1, w1 = dhgen_sqrt_wide(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v1 = inverse1 * (d2 * Y1), v2 = v1 + w1 * (t14 * inverse1),
+        v3 = v1 + w1 * (inverse1 * -t14), v4 = inverse1 * (d2 * t14),
+        s1_p = w1 * (Y1 * inverse1) - v4, s1_m = w1 * (inverse1 * -Y1) - v4;
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d6 * T31 - d1, v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3,
@@ -318,10 +321,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v22 = v17 + w3_p * v20, v23 = v18 + w3_m * v19, v24 = v18 + w3_m * v20,
         v25 = S2_pp * S2_pp + v21 * v21, v26 = v16 * v16 + v22 * v22,
         v27 = S2_mp * S2_mp + v23 * v23, v28 = S2_mm * S2_mm + v24 * v24,
-        factor2_pp = dhgen_sqrt_wide(v25) * (1.0 / v25),
-        factor2_pm = dhgen_sqrt_wide(v26) * (1.0 / v26),
-        factor2_mp = dhgen_sqrt_wide(v27) * (1.0 / v27),
-        factor2_mm = dhgen_sqrt_wide(v28) * (1.0 / v28);
+        factor2_pp = dhgen_sqrt_wide(v25) * DHGEN_QUOTIENT(1.0, v25),
+        factor2_pm = dhgen_sqrt_wide(v26) * DHGEN_QUOTIENT(1.0, v26),
+        factor2_mp = dhgen_sqrt_wide(v27) * DHGEN_QUOTIENT(1.0, v27),
+        factor2_mm = dhgen_sqrt_wide(v28) * DHGEN_QUOTIENT(1.0, v28);
 
     /* theta4 */
     const dhgen_wide v29 = s3_p * S2_pp - v11 * v21, v30 = v11 * v22 - s3_p * v16,
@@ -458,7 +461,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, N1 = t14 * t14 + Y1 * Y1, D1 = N1 - k1,
-        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d2 * Y1);
+        w1 = sqrt(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = inverse1 * (d2 * Y1);
     const dhgen_four v2 = v1 + w1 * (inverse1 * (e1 * t14));
     const double v3 = inverse1 * (d2 * t14);
     const dhgen_four s1 = w1 * (inverse1 * (e1 * Y1)) - v3;
@@ -476,7 +479,7 @@ DHGEN_INLINE int solve_regular(
     /* theta2 */
     const dhgen_four Y1_2 = a2 + d4 * s3, v9 = Z1_3 * Y1_2, S2 = w3 * (m5 * (e3 * v4)) - v9,
         v10 = v4 * Y1_2, v11 = m5 * (e3 * Z1_3), v12 = v10 + w3 * v11, v13 = S2 * S2 + v12 * v12,
-        factor2 = dhgen_sqrt_four(v13) * (1.0 / v13);
+        factor2 = dhgen_sqrt_four(v13) * DHGEN_QUOTIENT(1.0, v13);
 
     /* theta4 */
     const dhgen_four v14 = s3 * S2 - e3 * (v8 * v12), v15 = s3 * v12 + e3 * (v8 * S2),
@@ -535,7 +538,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -543,9 +546,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.6545, 0.6545, 0.6545, 1.0, 1.0, 1.0 }, 0.6544502617801046, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -562,12 +565,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void staubli_tx2_90_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void staubli_tx2_90_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int staubli_tx2_90_ik(
+DHGEN_PUBLIC int staubli_tx2_90_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef STAUBLI_TX2_90_PLAIN
@@ -578,12 +582,13 @@ int staubli_tx2_90_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int staubli_tx2_90_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int staubli_tx2_90_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void staubli_tx2_90_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void staubli_tx2_90_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef STAUBLI_TX2_90_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -62,12 +62,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const staubli_tx40_branches[8] = {
     "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
     "left-up-flip", "left-down-noflip", "left-down-flip",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -78,7 +80,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 3.141592653589793, 0.32, 0.0, 1.5707963267948966 },
     { 1.5707963267948966, 0.0, 0.225, 0.0 },
     { 1.5707963267948966, 0.035, 0.0, 1.5707963267948966 },
@@ -87,14 +89,14 @@ static const double table[6][4] = {
     { 0.0, 0.065, 0.0, 0.0 },
 };
 
-void staubli_tx40_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void staubli_tx40_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void staubli_tx40_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void staubli_tx40_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -120,7 +122,7 @@ void staubli_tx40_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void staubli_tx40_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void staubli_tx40_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -150,7 +152,7 @@ void staubli_tx40_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -272,6 +274,7 @@ static void solve(
 
 #ifndef STAUBLI_TX40_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit_squared2 = 7.569000000000001e-09 [m^2],
  * doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -294,9 +297,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = dhgen_sqrt_wide(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy),
-        v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d3 * X1),
-        s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5;
+        w1 = dhgen_sqrt_wide(D1), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v2 = inverse1 * (d3 * wy), v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1),
+        v5 = inverse1 * (d3 * X1), s1_p = w1 * (wy * inverse1) - v5,
+        s1_m = w1 * (inverse1 * -wy) - v5;
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
@@ -309,10 +313,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         C2_pm = v11 + v12, C2_mp = v10 - v12, C2_mm = v11 - v12, v13 = S2_pp * S2_pp,
         v14 = v13 + C2_pp * C2_pp, v15 = S2_pm * S2_pm, v16 = v15 + C2_pm * C2_pm,
         v17 = v15 + C2_mp * C2_mp, v18 = v13 + C2_mm * C2_mm,
-        factor2_pp = dhgen_sqrt_wide(v14) * (1.0 / v14),
-        factor2_pm = dhgen_sqrt_wide(v16) * (1.0 / v16),
-        factor2_mp = dhgen_sqrt_wide(v17) * (1.0 / v17),
-        factor2_mm = dhgen_sqrt_wide(v18) * (1.0 / v18);
+        factor2_pp = dhgen_sqrt_wide(v14) * DHGEN_QUOTIENT(1.0, v14),
+        factor2_pm = dhgen_sqrt_wide(v16) * DHGEN_QUOTIENT(1.0, v16),
+        factor2_mp = dhgen_sqrt_wide(v17) * DHGEN_QUOTIENT(1.0, v17),
+        factor2_mm = dhgen_sqrt_wide(v18) * DHGEN_QUOTIENT(1.0, v18);
 
     /* theta4 */
     const dhgen_wide v19 = m5 * N3, v20 = v19 - m3, v21 = m6 - v19, v22 = w1 * (N3 * (v20 + v21)),
@@ -421,7 +425,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy);
+        w1 = sqrt(D1), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d3 * wy);
     const dhgen_four v3 = v2 + w1 * (inverse1 * (e1 * X1));
     const double v4 = inverse1 * (d3 * X1);
     const dhgen_four s1 = w1 * (inverse1 * (e1 * wy)) - v4;
@@ -435,7 +439,7 @@ DHGEN_INLINE int solve_regular(
     const double v8 = m3 * (Z1_3 * N3);
     const dhgen_four S2 = v8 - w3 * (m3 * (w1 * v7)), v9 = w3 * (m3 * (e3 * Z1_3)),
         v10 = m3 * (w1 * (e1 * N3)), C2 = v9 + v10, v11 = S2 * S2 + C2 * C2,
-        factor2 = dhgen_sqrt_four(v11) * (1.0 / v11);
+        factor2 = dhgen_sqrt_four(v11) * DHGEN_QUOTIENT(1.0, v11);
 
     /* theta4 */
     const dhgen_four v12 = v8 + w3 * (w1 * (m3 * v7));
@@ -489,7 +493,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -497,9 +501,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 3, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.149, 1.149, 1.149, 1.0, 1.0, 1.0 }, 1.1494252873563218, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -516,12 +520,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void staubli_tx40_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void staubli_tx40_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int staubli_tx40_ik(
+DHGEN_PUBLIC int staubli_tx40_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef STAUBLI_TX40_PLAIN
@@ -532,12 +537,13 @@ int staubli_tx40_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int staubli_tx40_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int staubli_tx40_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void staubli_tx40_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void staubli_tx40_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef STAUBLI_TX40_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

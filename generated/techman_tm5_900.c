@@ -64,12 +64,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const techman_tm5_900_branches[8] = {
     "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-up",
     "right-noflip-down", "right-flip-up", "right-flip-down",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -4.71238898038469, 4.71238898038469, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -80,7 +82,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 3.141592653589793, 0.1452, 0.0, 1.5707963267948966 },
     { 1.5707963267948966, 0.0, 0.429, 0.0 },
     { 0.0, -0.1223, 0.4115, 0.0 },
@@ -89,14 +91,14 @@ static const double table[6][4] = {
     { 0.0, 0.11315, 0.0, 0.0 },
 };
 
-void techman_tm5_900_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void techman_tm5_900_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void techman_tm5_900_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void techman_tm5_900_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -122,7 +124,7 @@ void techman_tm5_900_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void techman_tm5_900_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void techman_tm5_900_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -152,7 +154,7 @@ void techman_tm5_900_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -286,6 +288,7 @@ static void solve(
 
 #ifndef TECHMAN_TM5_900_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 3.246208900000177e-12, /* 1000 * k3 [m^2] */
@@ -305,16 +308,16 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = dhgen_sqrt_wide(D1), v1 = k4 * w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy),
-        c1_p = v2 - w1 * (X1 * inverse1), c1_m = v2 - w1 * (inverse1 * -X1),
-        v3 = inverse1 * (d3 * X1), s1_p = v3 + w1 * (wy * inverse1),
-        s1_m = v3 + w1 * (inverse1 * -wy);
+        w1 = dhgen_sqrt_wide(D1), v1 = k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v2 = inverse1 * (d3 * wy), c1_p = v2 - w1 * (X1 * inverse1),
+        c1_m = v2 - w1 * (inverse1 * -X1), v3 = inverse1 * (d3 * X1),
+        s1_p = v3 + w1 * (wy * inverse1), s1_m = v3 + w1 * (inverse1 * -wy);
 
     /* theta6 */
     const dhgen_wide X6_p = c1_p * T21 - s1_p * T11, X6_m = c1_m * T21 - s1_m * T11,
         Y6_p = c1_p * T22 - s1_p * T12, Y6_m = c1_m * T22 - s1_m * T12,
         v4 = X6_p * X6_p + Y6_p * Y6_p, v5 = X6_m * X6_m + Y6_m * Y6_m, w6_p = dhgen_sqrt_wide(v4),
-        w6_m = dhgen_sqrt_wide(v5), v6 = 1.0 / v4, v7 = 1.0 / v5,
+        w6_m = dhgen_sqrt_wide(v5), v6 = DHGEN_QUOTIENT(1.0, v4), v7 = DHGEN_QUOTIENT(1.0, v5),
         angle1 = dhgen_atan2_wide(Y6_p, -X6_p), angle2 = dhgen_atan2_wide(Y6_m, -X6_m);
 
     /* theta5 */
@@ -444,15 +447,15 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), v1 = k4 * w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy);
+        w1 = sqrt(D1), v1 = k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d3 * wy);
     const dhgen_four c1 = v2 - w1 * (inverse1 * (e1 * X1));
     const double v3 = inverse1 * (d3 * X1);
     const dhgen_four s1 = v3 + w1 * (inverse1 * (e1 * wy));
 
     /* theta6 */
     const dhgen_four X6 = c1 * T21 - s1 * T11, Y6 = c1 * T22 - s1 * T12, v4 = X6 * X6 + Y6 * Y6,
-        w6 = dhgen_sqrt_four(v4), v5 = 1.0 / v4, v6 = dhgen_signed_four(DHGEN_HALF_TURN, Y6),
-        v7 = m3 * (e6 - 1.0);
+        w6 = dhgen_sqrt_four(v4), v5 = DHGEN_QUOTIENT(1.0, v4),
+        v6 = dhgen_signed_four(DHGEN_HALF_TURN, Y6), v7 = m3 * (e6 - 1.0);
 
     /* theta5 */
     const dhgen_four c5 = T23 * c1 - T13 * s1;
@@ -514,7 +517,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -522,10 +525,10 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 5, 1, 0 };
-static const int together[2] = { 0, 5 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 5, 1, 0 };
+DHGEN_TABLE int together[2] = { 0, 5 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.7535, 0.7535, 0.7535, 1.0, 1.0, 1.0 }, 0.753494329955167, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -542,13 +545,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void techman_tm5_900_joint_velocities(const double q[6], const double twist[6], double
-    velocities[6])
+DHGEN_PUBLIC void techman_tm5_900_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int techman_tm5_900_ik(
+DHGEN_PUBLIC int techman_tm5_900_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef TECHMAN_TM5_900_PLAIN
@@ -559,12 +562,14 @@ int techman_tm5_900_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int techman_tm5_900_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int techman_tm5_900_ik_nearest(
+    const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void techman_tm5_900_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void techman_tm5_900_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef TECHMAN_TM5_900_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

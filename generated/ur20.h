@@ -12,8 +12,18 @@
 #ifndef UR20_H
 #define UR20_H
 
+#ifndef __CUDACC_RTC__ /* it has their functions without them */
 #include <math.h>
 #include <stddef.h>
+#endif
+
+#ifndef DHGEN_PUBLIC /* the mark of functions: in CUDA they are for both sides */
+#ifdef __CUDACC__
+#define DHGEN_PUBLIC __host__ __device__
+#else
+#define DHGEN_PUBLIC
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -49,41 +59,45 @@ enum {
     UR20_INVALID_POSE = 4
 };
 
+#ifndef __CUDACC_RTC__
 /* The name of every row. */
 extern const char *const ur20_branches[8];
+#endif
 
 /* The pose T of the joint values q. */
-void ur20_fk(const double q[6], double T[16]);
+DHGEN_PUBLIC void ur20_fk(const double q[6], double T[16]);
 
 /* The frames of the base, of the links as the robot file has them, and of the tool. */
-void ur20_frames(const double q[6], double frames[8][16]);
+DHGEN_PUBLIC void ur20_frames(const double q[6], double frames[8][16]);
 
 /* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
  * velocity. */
-void ur20_jacobian(const double q[6], double J[36]);
+DHGEN_PUBLIC void ur20_jacobian(const double q[6], double J[36]);
 
 /* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
  * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
  * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
  * the twist, lengths in arm sizes. */
-void ur20_joint_velocities(const double q[6], const double twist[6], double velocities[6]);
+DHGEN_PUBLIC void ur20_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -UR20_INVALID_POSE, also for a seed that is
  * not finite where it may be needed. */
-int ur20_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+DHGEN_PUBLIC int ur20_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns UR20_OK or UR20_FREE_JOINT, or, with NaN in q,
  * minus UR20_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */
-int ur20_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+DHGEN_PUBLIC int ur20_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* ur20_ik without a seed for n poses: T holds n x 16 numbers,
  * q n x 8 x 6, status n x 8. */
-void ur20_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+DHGEN_PUBLIC void ur20_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus
 }

@@ -12,8 +12,18 @@
 #ifndef UR5_F32_H
 #define UR5_F32_H
 
+#ifndef __CUDACC_RTC__ /* it has their functions without them */
 #include <math.h>
 #include <stddef.h>
+#endif
+
+#ifndef DHGEN_PUBLIC /* the mark of functions: in CUDA they are for both sides */
+#ifdef __CUDACC__
+#define DHGEN_PUBLIC __host__ __device__
+#else
+#define DHGEN_PUBLIC
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -51,38 +61,42 @@ enum {
     UR5_F32_INVALID_POSE = 4
 };
 
+#ifndef __CUDACC_RTC__
 /* The name of every row. */
 extern const char *const ur5_f32_branches[8];
+#endif
 
 /* The pose T of the joint values q. */
-void ur5_f32_fk(const float q[6], float T[16]);
+DHGEN_PUBLIC void ur5_f32_fk(const float q[6], float T[16]);
 
 /* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
  * velocity. */
-void ur5_f32_jacobian(const float q[6], float J[36]);
+DHGEN_PUBLIC void ur5_f32_jacobian(const float q[6], float J[36]);
 
 /* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
  * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
  * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
  * the twist, lengths in arm sizes. */
-void ur5_f32_joint_velocities(const float q[6], const float twist[6], float velocities[6]);
+DHGEN_PUBLIC void ur5_f32_joint_velocities(
+    const float q[6], const float twist[6], float velocities[6]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -UR5_F32_INVALID_POSE, also for a seed that is
  * not finite where it may be needed. */
-int ur5_f32_ik(const float T[16], const float *q_seed, float q[8][6], unsigned char status[8]);
+DHGEN_PUBLIC int ur5_f32_ik(
+    const float T[16], const float *q_seed, float q[8][6], unsigned char status[8]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns UR5_F32_OK or UR5_F32_FREE_JOINT, or, with NaN in q,
  * minus UR5_F32_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */
-int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6]);
+DHGEN_PUBLIC int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6]);
 
 /* ur5_f32_ik without a seed for n poses: T holds n x 16 numbers,
  * q n x 8 x 6, status n x 8. */
-void ur5_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status);
+DHGEN_PUBLIC void ur5_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status);
 
 #ifdef __cplusplus
 }

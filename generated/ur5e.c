@@ -60,12 +60,14 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const ur5e_branches[8] = {
     "right-noflip-down", "right-noflip-up", "right-flip-down", "right-flip-up", "left-noflip-up",
     "left-noflip-down", "left-flip-up", "left-flip-down",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -6.283185307179586, 6.283185307179586, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -6.283185307179586, 6.283185307179586, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -76,7 +78,7 @@ static const struct dhgen_joint joints[6] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.1625, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, -0.425, 0.0 },
     { 0.0, 0.0, -0.3922, 0.0 },
@@ -85,14 +87,14 @@ static const double table[6][4] = {
     { 0.0, 0.0996, 0.0, 0.0 },
 };
 
-void ur5e_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void ur5e_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void ur5e_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void ur5e_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -117,7 +119,7 @@ void ur5e_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void ur5e_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void ur5e_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -148,7 +150,7 @@ void ur5e_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -275,6 +277,7 @@ static void solve(
 
 #ifndef UR5E_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 3.4985918000001714e-12, /* 1000 * k3 [m^2] */
@@ -294,17 +297,18 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = dhgen_sqrt_wide(D1), v1 = k4 * w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d4 * wy),
-        v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d4 * X1),
-        s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5,
-        angle1 = dhgen_atan2_wide(s1_p, -v3), angle2 = dhgen_atan2_wide(s1_m, -v4);
+        w1 = dhgen_sqrt_wide(D1), v1 = k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v2 = inverse1 * (d4 * wy), v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1),
+        v5 = inverse1 * (d4 * X1), s1_p = w1 * (wy * inverse1) - v5,
+        s1_m = w1 * (inverse1 * -wy) - v5, angle1 = dhgen_atan2_wide(s1_p, -v3),
+        angle2 = dhgen_atan2_wide(s1_m, -v4);
 
     /* theta6 */
     const dhgen_wide v6 = v3 * T21 + s1_p * T11, v7 = v4 * T21 + s1_m * T11,
         v8 = v3 * T22 + s1_p * T12, v9 = v4 * T22 + s1_m * T12, v10 = v6 * v6 + v8 * v8,
         v11 = v7 * v7 + v9 * v9, w6_p = dhgen_sqrt_wide(v10), w6_m = dhgen_sqrt_wide(v11),
-        v12 = 1.0 / v10, v13 = 1.0 / v11, angle3 = dhgen_atan2_wide(-v8, v6),
-        angle4 = dhgen_atan2_wide(-v9, v7);
+        v12 = DHGEN_QUOTIENT(1.0, v10), v13 = DHGEN_QUOTIENT(1.0, v11),
+        angle3 = dhgen_atan2_wide(-v8, v6), angle4 = dhgen_atan2_wide(-v9, v7);
 
     /* theta5 */
     const dhgen_wide c5_p = T13 * s1_p + T23 * v3, c5_m = T13 * s1_m + T23 * v4,
@@ -411,15 +415,15 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), v1 = k4 * w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d4 * wy);
+        w1 = sqrt(D1), v1 = k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d4 * wy);
     const dhgen_four v3 = v2 + w1 * (inverse1 * (e1 * X1));
     const double v4 = inverse1 * (d4 * X1);
     const dhgen_four s1 = w1 * (inverse1 * (e1 * wy)) - v4;
 
     /* theta6 */
     const dhgen_four v5 = v3 * T21 + s1 * T11, v6 = v3 * T22 + s1 * T12, v7 = v5 * v5 + v6 * v6,
-        w6 = dhgen_sqrt_four(v7), v8 = 1.0 / v7, v9 = dhgen_signed_four(DHGEN_HALF_TURN, -v6),
-        v10 = m3 * (e6 - 1.0);
+        w6 = dhgen_sqrt_four(v7), v8 = DHGEN_QUOTIENT(1.0, v7),
+        v9 = dhgen_signed_four(DHGEN_HALF_TURN, -v6), v10 = m3 * (e6 - 1.0);
 
     /* theta5 */
     const dhgen_four c5 = T13 * s1 + T23 * v3;
@@ -473,7 +477,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -481,10 +485,10 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[3] = { 5, 1, 0 };
-static const int together[2] = { 0, 5 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[3] = { 5, 1, 0 };
+DHGEN_TABLE int together[2] = { 0, 5 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.762, 0.762, 0.762, 1.0, 1.0, 1.0 }, 0.762020879372095, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -501,12 +505,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void ur5e_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void ur5e_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int ur5e_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+DHGEN_PUBLIC int ur5e_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
 #ifndef UR5E_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -516,12 +522,12 @@ int ur5e_ik(const double T[16], const double *q_seed, double q[8][6], unsigned c
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int ur5e_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int ur5e_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void ur5e_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void ur5e_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef UR5E_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -40,6 +40,9 @@
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifdef __CUDA_ARCH__
+__device__ static
+#endif
 const double ur5e_fleet_nominal[6][4] = {
     { 0.0, 0.1625, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, -0.425, 0.0 },
@@ -49,12 +52,14 @@ const double ur5e_fleet_nominal[6][4] = {
     { 0.0, 0.0996, 0.0, 0.0 },
 };
 
+#ifndef __CUDACC_RTC__
 const char *const ur5e_fleet_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
     "root11", "root12", "root13", "root14", "root15", "root16",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -6.283185307179586, 6.283185307179586, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -6.283185307179586, 6.283185307179586, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -87,42 +92,42 @@ DHGEN_TABLE dhgen_general_arm general = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[6] = {
+DHGEN_TABLE int solved[6] = { 0, 1, 2, 3, 4, 5 };
+DHGEN_TABLE int turning[6] = { 1, 1, 1, 1, 1, 1 };
+DHGEN_TABLE double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[6] = {
     0.762020879372095, 0.762020879372095, 0.762020879372095, 0.762020879372095, 0.762020879372095,
     0.762020879372095,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[6] = {
+DHGEN_TABLE double span_low[6] = {
     -6.283185307179586, -6.283185307179586, -6.283185307179586, -6.283185307179586,
     -6.283185307179586, -6.283185307179586,
 };
-static const double span_width[6] = {
+DHGEN_TABLE double span_width[6] = {
     12.566370614359172, 12.566370614359172, 12.566370614359172, 12.566370614359172,
     12.566370614359172, 12.566370614359172,
 };
-static const double stride[6] = {
+DHGEN_TABLE double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
-static const double least_u[6] = {
+DHGEN_TABLE double least_u[6] = {
     -6.283185307179586, -6.283185307179586, -6.283185307179586, -6.283185307179586,
     -6.283185307179586, -6.283185307179586,
 };
-static const double most_u[6] = {
+DHGEN_TABLE double most_u[6] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
 };
 /* How the loop counts the joints: which way, and from where. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+DHGEN_TABLE double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -166,8 +171,8 @@ static const double
     /* theta1 */ \
     const dhgen_##number X1 = near_d6 * T13 - T14, wy = T24 - near_d6 * T23, \
         N1 = X1 * X1 + wy * wy, D1 = N1 - near_k1, w1 = dhgen_sqrt_##number(D1), \
-        v1 = near_k4 * w1, inverse1 = 1.0 / N1, v2 = near_d4 * wy, v3 = inverse1 * v2, \
-        v7 = near_d4 * X1, v8 = inverse1 * v7; \
+        v1 = near_k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = near_d4 * wy, \
+        v3 = inverse1 * v2, v7 = near_d4 * X1, v8 = inverse1 * v7; \
     /* theta3 */ \
     const dhgen_##number v24 = T34 - near_d1; \
     /* joint values */ \
@@ -191,7 +196,7 @@ static const double
         v82 = dhgen_sqrt_##number(N1) - dhgen_sqrt_##number(v81), \
         v83 = v80 + (v80 + (dhgen_abs_##number(v79) + (dhgen_abs_##number(v78) + \
             (dhgen_abs_##number(v77) + (dhgen_abs_##number(v75) + dhgen_abs_##number(v76)))))) * \
-            (v73 / (v82 * v82)), v84 = near_d4 * v43, v85 = near_d4 * v60, \
+            DHGEN_QUOTIENT(v73, v82 * v82), v84 = near_d4 * v43, v85 = near_d4 * v60, \
         v86 = near_d4 * free_joints[1], v87 = near_d4 * v45, v88 = inverse1 * v84, \
         v89 = inverse1 * v86, v90 = v74 * v87, v91 = v2 * v76, v92 = v2 * v78, \
         v93 = v83 + (dhgen_sqrt_##number(v75 * v75 + v76 * v76 + v77 * v77) + \
@@ -199,10 +204,11 @@ static const double
         v95 = dhgen_abs_##number(v86), v96 = v88 - v2 * v75, v97 = v2 * v77 - inverse1 * v85, \
         v98 = v89 - v2 * v79, \
         v99 = v90 + v83 * dhgen_abs_##number(v2) + v93 * (v87 + (v95 + dhgen_sqrt_##number(v94 + \
-            v85 * v85))), v100 = near1 / w1, v101 = v68 * v100, v102 = v56 * v100, \
+            v85 * v85))), v100 = DHGEN_QUOTIENT(near1, w1), v101 = v68 * v100, v102 = v56 * v100, \
         v103 = v71 * v100, v104 = v57 * v100, v105 = v69 * v100, v106 = v73 * v100, \
-        v107 = v106 * v106 / w1, v108 = v107 + (v107 + v72 * dhgen_abs_##number(v100)), \
-        v113 = v45 * v74, v120 = v113 + v51 * v83, v122 = dhgen_abs_##number(w1), \
+        v107 = DHGEN_QUOTIENT(v106 * v106, w1), \
+        v108 = v107 + (v107 + v72 * dhgen_abs_##number(v100)), v113 = v45 * v74, \
+        v120 = v113 + v51 * v83, v122 = dhgen_abs_##number(w1), \
         v123 = v108 + (dhgen_sqrt_##number(v101 * v101 + v102 * v102 + v103 * v103) + \
             dhgen_sqrt_##number(v104 * v104 + v105 * v105)), v130 = T11 * free_joints[0], \
         v131 = T31 * free_joints[0], v133 = dhgen_abs_##number(T21), v135 = v131 * v131, \
@@ -226,8 +232,8 @@ static const double
         v10 = inverse1 * v9, s1 = w1 * v10 - v8; \
     /* theta6 */ \
     const dhgen_##number v11 = v6 * T21 + s1 * T11, v12 = v6 * T22 + s1 * T12, \
-        v13 = v11 * v11 + v12 * v12, w6 = dhgen_sqrt_##number(v13), v14 = 1.0 / v13, \
-        v15 = dhgen_signed_##number(DHGEN_HALF_TURN, -v12); \
+        v13 = v11 * v11 + v12 * v12, w6 = dhgen_sqrt_##number(v13), \
+        v14 = DHGEN_QUOTIENT(1.0, v13), v15 = dhgen_signed_##number(DHGEN_HALF_TURN, -v12); \
     /* theta5 */ \
     const dhgen_##number c5 = T13 * s1 + T23 * v6; \
     /* theta234 */ \
@@ -283,15 +289,16 @@ static const double
         v205 = v171 + v171 + (v196 + v196), v206 = v172 + v172 + (v197 + v197), \
         v207 = v173 + v173 + (v198 + v198), v208 = v174 + v174 + (v199 + v199), \
         v209 = v175 + v175 + (v200 + v200), v210 = v179 + (v177 + v177) + (v204 + (v202 + v202)), \
-        v211 = near1 / w6, v212 = v205 * v211, v213 = v206 * v211, v214 = v207 * v211, \
-        v215 = v208 * v211, v216 = v209 * v211, v217 = v210 * dhgen_abs_##number(v211), \
-        v218 = dhgen_abs_##number(v14), v219 = v14 * (v14 * v205), v220 = v14 * (v14 * v206), \
-        v221 = v14 * (v14 * v207), v222 = v14 * (v14 * v208), v223 = v14 * (v14 * v209), \
-        v224 = v218 * (v210 * v218), v225 = v179 + v204, v226 = w6 - dhgen_sqrt_##number(v225), \
+        v211 = DHGEN_QUOTIENT(near1, w6), v212 = v205 * v211, v213 = v206 * v211, \
+        v214 = v207 * v211, v215 = v208 * v211, v216 = v209 * v211, \
+        v217 = v210 * dhgen_abs_##number(v211), v218 = dhgen_abs_##number(v14), \
+        v219 = v14 * (v14 * v205), v220 = v14 * (v14 * v206), v221 = v14 * (v14 * v207), \
+        v222 = v14 * (v14 * v208), v223 = v14 * (v14 * v209), v224 = v218 * (v210 * v218), \
+        v225 = v179 + v204, v226 = w6 - dhgen_sqrt_##number(v225), \
         v227 = v224 + (v224 + (dhgen_abs_##number(v223) + (dhgen_abs_##number(v222) + \
             (dhgen_abs_##number(v221) + (dhgen_abs_##number(v219) + dhgen_abs_##number(v220)))))) \
-            * ((v210 + (dhgen_sqrt_##number(v205 * v205 + v206 * v206 + v207 * v207) + \
-            dhgen_sqrt_##number(v208 * v208 + v209 * v209))) / (v226 * v226)), \
+            * DHGEN_QUOTIENT(v210 + (dhgen_sqrt_##number(v205 * v205 + v206 * v206 + v207 * v207) \
+            + dhgen_sqrt_##number(v208 * v208 + v209 * v209)), v226 * v226), \
         v230 = T13 * v150 + (T23 * v124 - v6 * v40), v231 = T13 * v152 + s1 * v40 + T23 * v125, \
         v232 = T13 * v154 - s1 * v41 + (T23 * v126 + v6 * v59), v233 = T13 * v156 + T23 * v127, \
         v234 = T13 * v157 + T23 * v128, \
@@ -506,7 +513,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_branches(solve_wide, 8, T, free_joints, q, status);
@@ -514,14 +521,14 @@ static int solve_regular(
 #endif
 #endif
 
-static void solve(const double *T, const double *free_joints, const double *seed, double moved,
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
     double *q, unsigned char *status);
 
-static int solve_certain(
+DHGEN_FN int solve_certain(
     const double *T, const double *free_joints, double *q, unsigned char *status);
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const struct dhgen_arm arm_of_kind = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE struct dhgen_arm arm_of_kind = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.762, 0.762, 0.762, 1.0, 1.0, 1.0 }, 0.762020879372095, { 1e-14, 1e-10 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -552,58 +559,59 @@ static const dhgen_kind kind = {
 
 /* Regular poses: what the caller gives is the arm. Returns how many rows are OK, or -1 if the pose
  * has to be left to `solve`. */
-static int solve_certain(
+DHGEN_FN int solve_certain(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_certain_rows(&kind, dhgen_handed_arm(free_joints), T, q, status);
 }
 
 /* Fills the rows that have a solution, and no others. */
-static void solve(const double *T, const double *free_joints, const double *seed, double moved,
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
     double *q, unsigned char *status)
 {
     (void)moved;
     dhgen_calibrated_rows(&kind, dhgen_handed_arm(free_joints), T, seed, q, status);
 }
 
-int ur5e_fleet_calibrate(const double *table, ur5e_fleet_calibration *arm)
+DHGEN_PUBLIC int ur5e_fleet_calibrate(const double *table, ur5e_fleet_calibration *arm)
 {
     return dhgen_calibrate(&kind, table, arm);
 }
 
-void ur5e_fleet_fk(const ur5e_fleet_calibration *arm, const double q[6], double T[16])
+DHGEN_PUBLIC void ur5e_fleet_fk(const ur5e_fleet_calibration *arm, const double q[6], double T[16])
 {
     dhgen_serial_pose(arm, q, T);
 }
 
-void ur5e_fleet_jacobian(const ur5e_fleet_calibration *arm, const double q[6], double J[36])
+DHGEN_PUBLIC void ur5e_fleet_jacobian(const ur5e_fleet_calibration *arm, const double q[6], double
+    J[36])
 {
     dhgen_serial_jacobian(arm, q, J);
 }
 
-void ur5e_fleet_joint_velocities(const ur5e_fleet_calibration *arm, const double q[6], const double
-    twist[6], double velocities[6])
+DHGEN_PUBLIC void ur5e_fleet_joint_velocities(const ur5e_fleet_calibration *arm, const double q[6],
+    const double twist[6], double velocities[6])
 {
     const struct dhgen_calibrated_arm own = dhgen_calibrated_arm_of(&kind, arm);
     dhgen_joint_velocities(&own.arm, q, twist, velocities);
 }
 
-int ur5e_fleet_ik(const ur5e_fleet_calibration *arm, const double T[16], const double *q_seed,
-    double q[16][6], unsigned char status[16])
+DHGEN_PUBLIC int ur5e_fleet_ik(const ur5e_fleet_calibration *arm, const double T[16], const double
+    *q_seed, double q[16][6], unsigned char status[16])
 {
     const struct dhgen_calibrated_arm own = dhgen_calibrated_arm_of(&kind, arm);
     return dhgen_ik(&own.arm, T, dhgen_handed_on(arm), q_seed, &q[0][0], status);
 }
 
-int ur5e_fleet_ik_nearest(const ur5e_fleet_calibration *arm, const double T[16], const double
-    q_seed[6], double q[6])
+DHGEN_PUBLIC int ur5e_fleet_ik_nearest(const ur5e_fleet_calibration *arm, const double T[16], const
+    double q_seed[6], double q[6])
 {
     const struct dhgen_calibrated_arm own = dhgen_calibrated_arm_of(&kind, arm);
     return dhgen_ik_nearest(&own.arm, T, dhgen_handed_on(arm), q_seed, q);
 }
 
-void ur5e_fleet_ik_batch(const ur5e_fleet_calibration *arm, size_t n, const double *T, double *q,
-    unsigned char *status)
+DHGEN_PUBLIC void ur5e_fleet_ik_batch(const ur5e_fleet_calibration *arm, size_t n, const double *T,
+    double *q, unsigned char *status)
 {
     const struct dhgen_calibrated_arm own = dhgen_calibrated_arm_of(&kind, arm);
     dhgen_ik_each(&own.arm, 0, n, T, dhgen_handed_on(arm), q, status);

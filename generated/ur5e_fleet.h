@@ -12,10 +12,20 @@
 #ifndef UR5E_FLEET_H
 #define UR5E_FLEET_H
 
+#ifndef __CUDACC_RTC__ /* it has their functions without them */
 #include <math.h>
 #include <stddef.h>
+#endif
 
 #include "dhgen/calibration.h"
+
+#ifndef DHGEN_PUBLIC /* the mark of functions: in CUDA they are for both sides */
+#ifdef __CUDACC__
+#define DHGEN_PUBLIC __host__ __device__
+#else
+#define DHGEN_PUBLIC
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -71,47 +81,52 @@ enum {
 typedef dhgen_calibration ur5e_fleet_calibration;
 
 /* The table of the data sheet, standard: theta at q = 0 [rad], d [m], a [m], alpha [rad]. */
+#ifndef __CUDA_ARCH__
 extern const double ur5e_fleet_nominal[6][4];
+#endif
 
 /* Fills in an arm from its table, row by row, columns as those of the data sheet's. Returns
  * UR5E_FLEET_TAKEN, or what is wrong with it. */
-int ur5e_fleet_calibrate(const double *table, ur5e_fleet_calibration *arm);
+DHGEN_PUBLIC int ur5e_fleet_calibrate(const double *table, ur5e_fleet_calibration *arm);
 
+#ifndef __CUDACC_RTC__
 /* The name of every row. */
 extern const char *const ur5e_fleet_branches[16];
+#endif
 
 /* The pose T of the joint values q. */
-void ur5e_fleet_fk(const ur5e_fleet_calibration *arm, const double q[6], double T[16]);
+DHGEN_PUBLIC void ur5e_fleet_fk(const ur5e_fleet_calibration *arm, const double q[6], double T[16]);
 
 /* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
  * velocity. */
-void ur5e_fleet_jacobian(const ur5e_fleet_calibration *arm, const double q[6], double J[36]);
+DHGEN_PUBLIC void ur5e_fleet_jacobian(const ur5e_fleet_calibration *arm, const double q[6], double
+    J[36]);
 
 /* The joint velocities with which the tool moves by a twist (velocity of its origin, angular
  * velocity): least squares of least norm, exact where the arm is regular. Near a singular pose what
  * the arm hardly can do is damped: no joint velocity exceeds a hundred times the twist, lengths in
  * arm sizes. */
-void ur5e_fleet_joint_velocities(const ur5e_fleet_calibration *arm, const double q[6], const double
-    twist[6], double velocities[6]);
+DHGEN_PUBLIC void ur5e_fleet_joint_velocities(const ur5e_fleet_calibration *arm, const double q[6],
+    const double twist[6], double velocities[6]);
 
 /* All solutions, in the order of the first joint, then the second and so on. (Where the nominal
  * arm's lead to them it is not proven that no second one is near one of these.) q_seed gives the
  * values of joints that are indeterminate at this pose (NULL: zeros). Returns how many rows are OK
  * or FREE_JOINT, or -UR5E_FLEET_INVALID_POSE, also for a seed that is not finite. */
-int ur5e_fleet_ik(const ur5e_fleet_calibration *arm, const double T[16], const double *q_seed,
-    double q[16][6], unsigned char status[16]);
+DHGEN_PUBLIC int ur5e_fleet_ik(const ur5e_fleet_calibration *arm, const double T[16], const double
+    *q_seed, double q[16][6], unsigned char status[16]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed. Returns UR5E_FLEET_OK or UR5E_FLEET_FREE_JOINT, or, with NaN in q, minus
  * UR5E_FLEET_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that is
  * not finite. */
-int ur5e_fleet_ik_nearest(const ur5e_fleet_calibration *arm, const double T[16], const double
-    q_seed[6], double q[6]);
+DHGEN_PUBLIC int ur5e_fleet_ik_nearest(const ur5e_fleet_calibration *arm, const double T[16], const
+    double q_seed[6], double q[6]);
 
 /* ur5e_fleet_ik without a seed for n poses: T holds n x 16 numbers,
  * q n x 16 x 6, status n x 16. */
-void ur5e_fleet_ik_batch(const ur5e_fleet_calibration *arm, size_t n, const double *T, double *q,
-    unsigned char *status);
+DHGEN_PUBLIC void ur5e_fleet_ik_batch(const ur5e_fleet_calibration *arm, size_t n, const double *T,
+    double *q, unsigned char *status);
 
 #ifdef __cplusplus
 }

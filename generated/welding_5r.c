@@ -55,12 +55,14 @@ static const double
     k6 = 0.4525, /* L2^2 + L3^2 [m^2] */
     k7 = 2.2222222222222223; /* 1 / (2 * L3 * L2) [m^-2] */
 
+#ifndef __CUDACC_RTC__
 const char *const welding_5r_branches[8] = {
     "root1-elbow+", "root1-elbow-", "root2-elbow+", "root2-elbow-", "root3-elbow+", "root3-elbow-",
     "root4-elbow+", "root4-elbow-",
 };
+#endif
 
-static const struct dhgen_joint joints[5] = {
+DHGEN_TABLE struct dhgen_joint joints[5] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -2.9670597283903604, 2.9670597283903604, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -71,31 +73,29 @@ static const struct dhgen_joint joints[5] = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[5] = { 0, 1, 2, 3, 4 };
-static const int turning[5] = { 1, 1, 1, 1, 1 };
-static const double unit[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[5] = { 0.625, 0.625, 0.625, 0.625, 0.625 };
+DHGEN_TABLE int solved[5] = { 0, 1, 2, 3, 4 };
+DHGEN_TABLE int turning[5] = { 1, 1, 1, 1, 1 };
+DHGEN_TABLE double unit[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[5] = { 0.625, 0.625, 0.625, 0.625, 0.625 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[5] = {
+DHGEN_TABLE double span_low[5] = {
     -2.9670597283903604, -3.141592653589793, -3.141592653589793, -3.141592653589793,
     -3.141592653589793,
 };
-static const double span_width[5] = {
+DHGEN_TABLE double span_width[5] = {
     5.934119456780721, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
 };
-static const double stride[5] = {
+DHGEN_TABLE double stride[5] = {
     0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
     0.5315553977157914,
 };
-static const double least_u[5] = {
-    -2.9670597283903604, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-};
-static const double most_u[5] = { 2.9670597283903604, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL };
+DHGEN_TABLE double least_u[5] = { -2.9670597283903604, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+DHGEN_TABLE double most_u[5] = { 2.9670597283903604, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     5, 8, /* joints; solutions that are kept */
     5, 6, /* joints that are solved for; equations */
     3, DHGEN_POINTING, 0, /* coordinates, directions, arm angle */
@@ -107,14 +107,14 @@ static const struct dhgen_numerical_arm descents = {
 };
 
 /* The joints whose values add up to the root of a polynomial, with their signs. */
-static const struct dhgen_root_turn turns[1] = { { 0, 1.0 } };
+DHGEN_TABLE struct dhgen_root_turn turns[1] = { { 0, 1.0 } };
 
-static const struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 0, /*
+DHGEN_TABLE struct dhgen_completion completion = { &descents, turns, 1, 0, /* adds others */ 0, /*
     ascends */ 0, /* equations end all */ 0 };
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[5][4] = {
+DHGEN_TABLE double table[5][4] = {
     { 0.0, 0.3, 0.08, 1.5707963267948966 },
     { 0.0, 0.0, 0.5, 0.0 },
     { 0.0, 0.0, 0.45, 0.0 },
@@ -122,7 +122,7 @@ static const double table[5][4] = {
     { 0.0, 0.12, 0.0, 1.5707963267948966 },
 };
 
-void welding_5r_frames(const double q[5], double frames[7][16])
+DHGEN_PUBLIC void welding_5r_frames(const double q[5], double frames[7][16])
 {
     static const double tool[12] = { 1.0, 0.0, 0.0, 0.02, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.1 };
     static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
@@ -130,7 +130,7 @@ void welding_5r_frames(const double q[5], double frames[7][16])
     dhgen_frames(&links, q, frames);
 }
 
-void welding_5r_fk(const double q[5], double T[16])
+DHGEN_PUBLIC void welding_5r_fk(const double q[5], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -154,7 +154,7 @@ void welding_5r_fk(const double q[5], double T[16])
     T[15] = 1.0;
 }
 
-void welding_5r_jacobian(const double q[5], double J[30])
+DHGEN_PUBLIC void welding_5r_jacobian(const double q[5], double J[30])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
@@ -185,7 +185,7 @@ void welding_5r_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -304,9 +304,9 @@ static void solve(
     }
 }
 
-static const int entries[6] = { 2, 3, 6, 7, 10, 11 };
-static const int choosable[4] = { 3, 2, 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[6] = { 2, 3, 6, 7, 10, 11 };
+DHGEN_TABLE int choosable[4] = { 3, 2, 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     5, 8, 0, DHGEN_POINTING, joints, NULL, 0,
     { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 }, 0.625, { 1e-14, 1e-14 }, entries, 6,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -319,23 +319,24 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void welding_5r_joint_velocities(const double q[5], const double twist[6], double velocities[5])
+DHGEN_PUBLIC void welding_5r_joint_velocities(
+    const double q[5], const double twist[6], double velocities[5])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int welding_5r_ik(
+DHGEN_PUBLIC int welding_5r_ik(
     const double T[16], const double *q_seed, double q[8][5], unsigned char status[8])
 {
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int welding_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5])
+DHGEN_PUBLIC int welding_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void welding_5r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void welding_5r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

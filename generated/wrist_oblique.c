@@ -54,11 +54,13 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const wrist_oblique_branches[2] = {
     "shoulder+", "shoulder-",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -66,20 +68,20 @@ static const struct dhgen_joint joints[3] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.0, 0.0, 1.0471975511965976 },
     { 0.0, 0.0, 0.0, -0.8726646259971648 },
     { 0.0, 0.1, 0.0, 0.0 },
 };
 
-void wrist_oblique_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void wrist_oblique_frames(const double q[3], double frames[5][16])
 {
     static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void wrist_oblique_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void wrist_oblique_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = s1 * k1, y1_y = c1 * k1, z1_x = s1 * f2,
         v2 = c1 * f2;
@@ -96,7 +98,7 @@ void wrist_oblique_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void wrist_oblique_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void wrist_oblique_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), z1_x = s1 * f2, v1 = c1 * f2;
     const double c2 = cos(q[1]), s2 = sin(q[1]), z2_x = z1_x * ca2 - (s1 * k1 * c2 + c1 * s2) * sa2,
@@ -111,7 +113,7 @@ void wrist_oblique_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -188,6 +190,7 @@ static void solve(
 
 #ifndef WRIST_OBLIQUE_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     /* square of a length that fixes no angle [m^2] */
@@ -212,9 +215,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide v1 = k1 * (sqrt3 * T14), Y1 = k1 * (sqrt3 * T24), N1 = v1 * v1 + Y1 * Y1,
-        Z1 = k1 * (T34 - k3), D1 = N1 - Z1 * Z1, w1 = dhgen_sqrt_wide(D1), inverse1 = 1.0 / N1,
-        v2 = v1 * Z1, v3 = Y1 * Z1, v4 = v1 * w1, c1_p = v3 + v4, c1_m = v3 - v4, v5 = Y1 * w1,
-        s1_p = v5 - v2, v6 = v2 + v5;
+        Z1 = k1 * (T34 - k3), D1 = N1 - Z1 * Z1, w1 = dhgen_sqrt_wide(D1),
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = v1 * Z1, v3 = Y1 * Z1, v4 = v1 * w1,
+        c1_p = v3 + v4, c1_m = v3 - v4, v5 = Y1 * w1, s1_p = v5 - v2, v6 = v2 + v5;
 
     /* theta3 */
     const dhgen_wide v7 = sqrt3 * T22, v8 = sqrt3 * T12, v9 = sqrt3 * T21, v10 = sqrt3 * T11,
@@ -223,14 +226,15 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v13 = Y1 * v8 - v1 * v7, v14 = m2 * (T32 - inverse1 * (v2 * v8 + v3 * v7)),
         C3_p = v14 + w1 * (m2 * (inverse1 * v13)), C3_m = v14 + w1 * (m2 * (inverse1 * -v13)),
         v15 = S3_p * S3_p + C3_p * C3_p, v16 = S3_m * S3_m + C3_m * C3_m,
-        v17 = dhgen_sqrt_wide(v15) * (1.0 / v15), v18 = dhgen_sqrt_wide(v16) * (1.0 / v16),
-        v19 = C3_p * v17, v20 = C3_m * v18, v21 = S3_p * v17, v22 = S3_m * v18;
+        v17 = dhgen_sqrt_wide(v15) * DHGEN_QUOTIENT(1.0, v15),
+        v18 = dhgen_sqrt_wide(v16) * DHGEN_QUOTIENT(1.0, v16), v19 = C3_p * v17, v20 = C3_m * v18,
+        v21 = S3_p * v17, v22 = S3_m * v18;
 
     /* theta2 */
     const dhgen_wide v23 = k4 * (T32 * v21 - T31 * v19), v24 = k4 * (T32 * v22 - T31 * v20),
         v25 = k5 * (k1 * (2.0 * T33 - ca2)), v26 = v25 * v25, v27 = v26 + v23 * v23,
-        v28 = v26 + v24 * v24, v29 = dhgen_sqrt_wide(v27) * (1.0 / v27),
-        v30 = dhgen_sqrt_wide(v28) * (1.0 / v28), c2_p = v25 * v29, c2_m = v25 * v30,
+        v28 = v26 + v24 * v24, v29 = dhgen_sqrt_wide(v27) * DHGEN_QUOTIENT(1.0, v27),
+        v30 = dhgen_sqrt_wide(v28) * DHGEN_QUOTIENT(1.0, v28), c2_p = v25 * v29, c2_m = v25 * v30,
         s2_p = v23 * v29, s2_m = v24 * v30;
 
     /* is the pose one that the arm can take? */
@@ -295,8 +299,8 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double v1 = k1 * (sqrt3 * T14), Y1 = k1 * (sqrt3 * T24), N1 = v1 * v1 + Y1 * Y1,
-        Z1 = k1 * (T34 - k3), D1 = N1 - Z1 * Z1, w1 = sqrt(D1), inverse1 = 1.0 / N1, v2 = v1 * Z1,
-        v3 = Y1 * Z1, v4 = v1 * w1;
+        Z1 = k1 * (T34 - k3), D1 = N1 - Z1 * Z1, w1 = sqrt(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v2 = v1 * Z1, v3 = Y1 * Z1, v4 = v1 * w1;
     const dhgen_four c1 = v3 + e1 * v4, v5 = e1 * v1;
     const double v6 = Y1 * w1;
     const dhgen_four s1 = e1 * v6 - v2, v7 = e1 * Y1;
@@ -307,12 +311,12 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four S3 = v13 + w1 * (m2 * (inverse1 * (e1 * v12)));
     const double v14 = Y1 * v9 - v1 * v8, v15 = m2 * (T32 - inverse1 * (v2 * v9 + v3 * v8));
     const dhgen_four C3 = v15 + w1 * (m2 * (inverse1 * (e1 * v14))), v16 = S3 * S3 + C3 * C3,
-        v17 = dhgen_sqrt_four(v16) * (1.0 / v16), v18 = C3 * v17, v19 = S3 * v17;
+        v17 = dhgen_sqrt_four(v16) * DHGEN_QUOTIENT(1.0, v16), v18 = C3 * v17, v19 = S3 * v17;
 
     /* theta2 */
     const dhgen_four v20 = k4 * (T32 * v19 - T31 * v18);
     const double v21 = k5 * (k1 * (2.0 * T33 - ca2)), v22 = v21 * v21;
-    const dhgen_four v23 = v22 + v20 * v20, v24 = dhgen_sqrt_four(v23) * (1.0 / v23),
+    const dhgen_four v23 = v22 + v20 * v20, v24 = dhgen_sqrt_four(v23) * DHGEN_QUOTIENT(1.0, v23),
         c2 = v21 * v24, s2 = v20 * v24;
 
     /* is the pose one that the arm can take? */
@@ -365,7 +369,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -373,9 +377,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 10.0, 10.0, 10.0, 1.0, 1.0, 1.0 }, 10.0, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -392,12 +396,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void wrist_oblique_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+DHGEN_PUBLIC void wrist_oblique_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int wrist_oblique_ik(
+DHGEN_PUBLIC int wrist_oblique_ik(
     const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {
 #ifndef WRIST_OBLIQUE_PLAIN
@@ -408,12 +413,13 @@ int wrist_oblique_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int wrist_oblique_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int wrist_oblique_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void wrist_oblique_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void wrist_oblique_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef WRIST_OBLIQUE_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

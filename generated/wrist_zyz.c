@@ -37,11 +37,13 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6]; \
     const number T33 = T[10]
 
+#ifndef __CUDACC_RTC__
 const char *const wrist_zyz_branches[2] = {
     "noflip", "flip",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -49,20 +51,20 @@ static const struct dhgen_joint joints[3] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void wrist_zyz_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void wrist_zyz_frames(const double q[3], double frames[5][16])
 {
     static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void wrist_zyz_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void wrist_zyz_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2;
@@ -74,7 +76,7 @@ void wrist_zyz_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void wrist_zyz_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void wrist_zyz_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]);
@@ -87,7 +89,7 @@ void wrist_zyz_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -124,6 +126,7 @@ static void solve(
 
 #ifndef WRIST_ZYZ_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 9.999999999999999e-09; /* doubt_limit^2 */
@@ -194,7 +197,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -202,9 +205,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[6] = { 0, 2, 4, 6, 8, 10 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[6] = { 0, 2, 4, 6, 8, 10 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 2, 0, DHGEN_ROTATION, joints, NULL, 0,
     { 0.0, 0.0, 0.0, 1.0, 1.0, 1.0 }, 1.0, { 1e-14, 1e-14 }, entries, 6,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -221,12 +224,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void wrist_zyz_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+DHGEN_PUBLIC void wrist_zyz_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int wrist_zyz_ik(const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
+DHGEN_PUBLIC int wrist_zyz_ik(
+    const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {
 #ifndef WRIST_ZYZ_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -236,12 +241,12 @@ int wrist_zyz_ik(const double T[16], const double *q_seed, double q[2][3], unsig
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int wrist_zyz_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int wrist_zyz_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void wrist_zyz_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void wrist_zyz_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef WRIST_ZYZ_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

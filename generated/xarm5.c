@@ -58,11 +58,13 @@ static const double
     const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
     const number T31 = T[8], T33 = T[10], T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const xarm5_branches[4] = {
     "back-down", "back-up", "front-up", "front-down",
 };
+#endif
 
-static const struct dhgen_joint joints[5] = {
+DHGEN_TABLE struct dhgen_joint joints[5] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -72,7 +74,7 @@ static const struct dhgen_joint joints[5] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[5][4] = {
+DHGEN_TABLE double table[5][4] = {
     { 3.141592653589793, 0.267, 0.0, 1.5707963267948966 },
     { 1.7566747807196037, 0.0, 0.2894866145437471, 0.0 },
     { 2.733184269115749, 0.0, 0.35116, 0.0 },
@@ -80,14 +82,14 @@ static const double table[5][4] = {
     { 0.0, 0.097, 0.0, 0.0 },
 };
 
-void xarm5_frames(const double q[5], double frames[7][16])
+DHGEN_PUBLIC void xarm5_frames(const double q[5], double frames[7][16])
 {
     static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void xarm5_fk(const double q[5], double T[16])
+DHGEN_PUBLIC void xarm5_fk(const double q[5], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -110,7 +112,7 @@ void xarm5_fk(const double q[5], double T[16])
     T[15] = 1.0;
 }
 
-void xarm5_jacobian(const double q[5], double J[30])
+DHGEN_PUBLIC void xarm5_jacobian(const double q[5], double J[30])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -138,7 +140,7 @@ void xarm5_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -256,6 +258,7 @@ static void solve(
 
 #ifndef XARM5_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.00010806466145437469 [m],
  * doubt_limit = 9.999999999999999e-05. */
 static const double
@@ -285,18 +288,18 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta1 */
     const dhgen_wide sigma1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
         Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
-        w1 = dhgen_sqrt_wide(v1), v2 = 1.0 / v1, factor1 = w1 * v2, c1 = Xhat1 * factor1,
-        s1 = Yhat1 * factor1;
+        w1 = dhgen_sqrt_wide(v1), v2 = DHGEN_QUOTIENT(1.0, v1), factor1 = w1 * v2,
+        c1 = Xhat1 * factor1, s1 = Yhat1 * factor1;
 
     /* theta234 */
     const dhgen_wide v3 = v2 * (T13 * Xhat1 + T23 * Yhat1), Z2_234 = w1 * v3,
-        v4 = T33 * T33 + Z2_234 * Z2_234, factor234 = dhgen_sqrt_wide(v4) * (1.0 / v4),
+        v4 = T33 * T33 + Z2_234 * Z2_234, factor234 = dhgen_sqrt_wide(v4) * DHGEN_QUOTIENT(1.0, v4),
         angle1 = dhgen_atan2_wide(-Z2_234, T33);
 
     /* theta5 */
     const dhgen_wide Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22)),
         Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21)), v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5,
-        v6 = dhgen_sqrt_wide(v5) * (1.0 / v5), v7 = Z1_5 * v6, v8 = Z2_5 * v6,
+        v6 = dhgen_sqrt_wide(v5) * DHGEN_QUOTIENT(1.0, v5), v7 = Z1_5 * v6, v8 = Z2_5 * v6,
         angle2 = dhgen_atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
@@ -314,7 +317,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide v22 = m7 * N3_p - m8, v23 = m7 * N3_m - m8, v24 = Z1_3_p * v22,
         v25 = Z1_3_m * v23, S2_pp = v24 - w3_p * (m7 * Z2_3_p), S2_pm = v24 - w3_p * (m7 * -Z2_3_p),
         v26 = w3_m * (m7 * v19), S2_mp = v25 + v26, S2_mm = v25 - v26, v27 = Z2_3_p * v22,
-        v28 = v19 * v23, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m, v29 = w3_p * (m7 * Z1_3_p),
+        v28 = v19 * v23, factor2_p = DHGEN_QUOTIENT(1.0, N3_p),
+        factor2_m = DHGEN_QUOTIENT(1.0, N3_m), v29 = w3_p * (m7 * Z1_3_p),
         angle5 = dhgen_atan2_wide(S2_pp, v27 + v29), angle6 = dhgen_atan2_wide(S2_pm, v27 - v29),
         angle7 = dhgen_atan2_wide(S2_mp, w3_m * (m7 * Z1_3_m) - v28),
         angle8 = dhgen_atan2_wide(S2_mm, w3_m * (m7 * -Z1_3_m) - v28);
@@ -397,16 +401,17 @@ DHGEN_INLINE int solve_regular(
     /* theta1 */
     const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23),
         Xhat1 = T14 + T13 * sigma1, Yhat1 = T24 + T23 * sigma1, v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1,
-        w1 = sqrt(v1), v2 = 1.0 / v1, factor1 = w1 * v2, c1 = Xhat1 * factor1, s1 = Yhat1 * factor1;
+        w1 = sqrt(v1), v2 = DHGEN_QUOTIENT(1.0, v1), factor1 = w1 * v2, c1 = Xhat1 * factor1,
+        s1 = Yhat1 * factor1;
 
     /* theta234 */
     const double v3 = T13 * Xhat1 + T23 * Yhat1, Z2_234 = w1 * (v2 * v3),
-        v4 = T33 * T33 + Z2_234 * Z2_234, factor234 = sqrt(v4) * (1.0 / v4);
+        v4 = T33 * T33 + Z2_234 * Z2_234, factor234 = sqrt(v4) * DHGEN_QUOTIENT(1.0, v4);
 
     /* theta5 */
     const double Z1_5 = w1 * (v2 * (Yhat1 * T12 - Xhat1 * T22)),
         Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21)), v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5,
-        v6 = sqrt(v5) * (1.0 / v5), v7 = Z1_5 * v6, v8 = Z2_5 * v6,
+        v6 = sqrt(v5) * DHGEN_QUOTIENT(1.0, v5), v7 = Z1_5 * v6, v8 = Z2_5 * v6,
         v9 = copysign(DHGEN_HALF_TURN, -Z2_5);
     const dhgen_four v10 = m3 * (e1 - 1.0);
 
@@ -422,7 +427,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const dhgen_four v19 = e3 * Z2_3, v20 = m7 * N3 - m8, v21 = Z1_3 * v20,
-        S2 = v21 - w3 * (m7 * v19), v22 = Z2_3 * v20, factor2 = 1.0 / N3;
+        S2 = v21 - w3 * (m7 * v19), v22 = Z2_3 * v20, factor2 = DHGEN_QUOTIENT(1.0, N3);
 
     /* is the pose one that the arm can take? */
     const dhgen_four v23 = Z1_3 * (m9 + m10 * factor2), v24 = v17 + Z2_3,
@@ -471,7 +476,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -479,9 +484,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const int choosable[2] = { 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     5, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.9254, 0.9254, 0.9254, 1.0, 1.0, 1.0 }, 0.9253718898866895, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -498,12 +503,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void xarm5_joint_velocities(const double q[5], const double twist[6], double velocities[5])
+DHGEN_PUBLIC void xarm5_joint_velocities(
+    const double q[5], const double twist[6], double velocities[5])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
+DHGEN_PUBLIC int xarm5_ik(
+    const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
 {
 #ifndef XARM5_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -513,12 +520,12 @@ int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned 
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int xarm5_ik_nearest(const double T[16], const double q_seed[5], double q[5])
+DHGEN_PUBLIC int xarm5_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void xarm5_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void xarm5_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef XARM5_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -34,12 +34,14 @@ static const double
     offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
     offset2 = 3.141592653589793; /* offset of joint 2 [rad] */
 
+#ifndef __CUDACC_RTC__
 const char *const xarm7_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
     "root11", "root12", "root13", "root14", "root15", "root16",
 };
+#endif
 
-static const struct dhgen_joint joints[7] = {
+DHGEN_TABLE struct dhgen_joint joints[7] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -106,35 +108,35 @@ DHGEN_TABLE dhgen_general_arm general = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[6] = { 0, 1, 3, 4, 5, 6 };
-static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[6] = {
+DHGEN_TABLE int solved[6] = { 0, 1, 3, 4, 5, 6 };
+DHGEN_TABLE int turning[6] = { 1, 1, 1, 1, 1, 1 };
+DHGEN_TABLE double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[6] = {
     0.8295313148071338, 0.8295313148071338, 0.8295313148071338, 0.8295313148071338,
     0.8295313148071338, 0.8295313148071338,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[6] = {
+DHGEN_TABLE double span_low[6] = {
     -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
     -3.141592653589793, -3.141592653589793,
 };
-static const double span_width[6] = {
+DHGEN_TABLE double span_width[6] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
 };
-static const double stride[6] = {
+DHGEN_TABLE double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
 /* How the loop counts the joints: which way, and from where. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = { 3.141592653589793, 3.141592653589793, 0.0, 0.0, 0.0, 0.0 };
-static const int given_places[1] = { 2 };
+DHGEN_TABLE double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double zero[6] = { 3.141592653589793, 3.141592653589793, 0.0, 0.0, 0.0, 0.0 };
+DHGEN_TABLE int given_places[1] = { 2 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     7, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -147,7 +149,7 @@ static const struct dhgen_numerical_arm descents = {
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[7][4] = {
+DHGEN_TABLE double table[7][4] = {
     { 3.141592653589793, 0.267, 0.0, 1.5707963267948966 },
     { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.293, 0.0525, 1.5707963267948966 },
@@ -157,14 +159,14 @@ static const double table[7][4] = {
     { 0.0, 0.097, 0.0, 0.0 },
 };
 
-void xarm7_frames(const double q[7], double frames[9][16])
+DHGEN_PUBLIC void xarm7_frames(const double q[7], double frames[9][16])
 {
     static const struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void xarm7_fk(const double q[7], double T[16])
+DHGEN_PUBLIC void xarm7_fk(const double q[7], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -193,7 +195,7 @@ void xarm7_fk(const double q[7], double T[16])
     T[15] = 1.0;
 }
 
-void xarm7_jacobian(const double q[7], double J[42])
+DHGEN_PUBLIC void xarm7_jacobian(const double q[7], double J[42])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -232,7 +234,7 @@ void xarm7_jacobian(const double q[7], double J[42])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -266,9 +268,9 @@ static void solve(
     }
 }
 
-static const int given_joints[1] = { 2 };
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int given_joints[1] = { 2 };
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE struct dhgen_arm arm = {
     7, 16, 1, DHGEN_POSE, joints, given_joints, 1,
     { 0.8295, 0.8295, 0.8295, 1.0, 1.0, 1.0 }, 0.8295313148071338, { 1e-14, 1e-10 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -281,25 +283,26 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void xarm7_joint_velocities(const double q[7], const double twist[6], double velocities[7])
+DHGEN_PUBLIC void xarm7_joint_velocities(
+    const double q[7], const double twist[6], double velocities[7])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int xarm7_ik(
+DHGEN_PUBLIC int xarm7_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
     unsigned char status[16])
 {
     return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
 }
 
-int xarm7_ik_nearest(
+DHGEN_PUBLIC int xarm7_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
 {
     return dhgen_ik_nearest(&arm, T, free_joints, q_seed, q);
 }
 
-void xarm7_ik_batch(
+DHGEN_PUBLIC void xarm7_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, free_joints, q, status);

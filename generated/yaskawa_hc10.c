@@ -37,12 +37,14 @@ static const double
     offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
     offset6 = 3.141592653589793; /* offset of joint 6 [rad] */
 
+#ifndef __CUDACC_RTC__
 const char *const yaskawa_hc10_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
     "root11", "root12", "root13", "root14", "root15", "root16",
 };
+#endif
 
-static const struct dhgen_joint joints[6] = {
+DHGEN_TABLE struct dhgen_joint joints[6] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -3.141592653589793, 3.141592653589793, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -107,45 +109,45 @@ DHGEN_TABLE dhgen_general_arm general = {
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and over the arm's size. */
-static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
-static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
-static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double measure[6] = {
+DHGEN_TABLE int solved[6] = { 0, 1, 2, 3, 4, 5 };
+DHGEN_TABLE int turning[6] = { 1, 1, 1, 1, 1, 1 };
+DHGEN_TABLE double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double measure[6] = {
     0.5659309564233164, 0.5659309564233164, 0.5659309564233164, 0.5659309564233164,
     0.5659309564233164, 0.5659309564233164,
 };
 /* Rows of the translation that count. */
-static const int coordinate[3] = { 0, 1, 2 };
+DHGEN_TABLE int coordinate[3] = { 0, 1, 2 };
 /* Between which values starts lie, and what is added from start to start, in parts of that: a
  * direction that is like no other. */
-static const double span_low[6] = {
+DHGEN_TABLE double span_low[6] = {
     -3.141592653589793, -3.141592653589793, -0.08726646259971647, -3.141592653589793,
     -3.141592653589793, -3.141592653589793,
 };
-static const double span_width[6] = {
+DHGEN_TABLE double span_width[6] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
 };
-static const double stride[6] = {
+DHGEN_TABLE double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
-static const double least_u[6] = {
+DHGEN_TABLE double least_u[6] = {
     -3.141592653589793, -3.141592653589793, -0.08726646259971647, -3.141592653589793,
     -3.141592653589793, -3.141592653589793,
 };
-static const double most_u[6] = {
+DHGEN_TABLE double most_u[6] = {
     3.141592653589793, 3.141592653589793, 6.19591884457987, 3.141592653589793, 3.141592653589793,
     3.141592653589793,
 };
 /* How the loop counts the joints: which way, and from where. */
-static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double zero[6] = {
+DHGEN_TABLE double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+DHGEN_TABLE double zero[6] = {
     3.141592653589793, 1.5707963267948966, 1.5707963267948966, 3.141592653589793, 3.141592653589793,
     3.141592653589793,
 };
 
-static const struct dhgen_numerical_arm descents = {
+DHGEN_TABLE struct dhgen_numerical_arm descents = {
     6, 16, /* joints; solutions that are kept */
     6, 6, /* joints that are solved for; equations */
     3, DHGEN_ROTATION, 0, /* coordinates, directions, arm angle */
@@ -158,7 +160,7 @@ static const struct dhgen_numerical_arm descents = {
 
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[6][4] = {
+DHGEN_TABLE double table[6][4] = {
     { 3.141592653589793, 0.275, 0.0, 1.5707963267948966 },
     { 1.5707963267948966, 0.0, 0.7, 3.141592653589793 },
     { 1.5707963267948966, 0.0, 0.0, 1.5707963267948966 },
@@ -167,14 +169,14 @@ static const double table[6][4] = {
     { 3.141592653589793, -0.13, 0.0, 3.141592653589793 },
 };
 
-void yaskawa_hc10_frames(const double q[6], double frames[8][16])
+DHGEN_PUBLIC void yaskawa_hc10_frames(const double q[6], double frames[8][16])
 {
     static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void yaskawa_hc10_fk(const double q[6], double T[16])
+DHGEN_PUBLIC void yaskawa_hc10_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -200,7 +202,7 @@ void yaskawa_hc10_fk(const double q[6], double T[16])
     T[15] = 1.0;
 }
 
-void yaskawa_hc10_jacobian(const double q[6], double J[36])
+DHGEN_PUBLIC void yaskawa_hc10_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
@@ -231,7 +233,7 @@ void yaskawa_hc10_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -265,8 +267,8 @@ static void solve(
     }
 }
 
-static const int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+DHGEN_TABLE struct dhgen_arm arm = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5659, 0.5659, 0.5659, 1.0, 1.0, 1.0 }, 0.5659309564233164, { 1e-14, 1e-10 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -279,23 +281,25 @@ static const struct dhgen_arm arm = {
     NULL,
 };
 
-void yaskawa_hc10_joint_velocities(const double q[6], const double twist[6], double velocities[6])
+DHGEN_PUBLIC void yaskawa_hc10_joint_velocities(
+    const double q[6], const double twist[6], double velocities[6])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int yaskawa_hc10_ik(
+DHGEN_PUBLIC int yaskawa_hc10_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
 {
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int yaskawa_hc10_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+DHGEN_PUBLIC int yaskawa_hc10_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void yaskawa_hc10_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void yaskawa_hc10_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
 }

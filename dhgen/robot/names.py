@@ -120,7 +120,8 @@ _FILES = """
 aux cmath com0 com1 com2 com3 com4 com5 com6 com7 com8 com9 complex con ctype errno fenv float
 inttypes iso646 limits llvmlite locale lpt0 lpt1 lpt2 lpt3 lpt4 lpt5 lpt6 lpt7 lpt8 lpt9 math nul
 numba numpy prn setjmp signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib
-stdnoreturn string dhgen_native dhgen_pose tgmath threads time uchar wchar wctype
+stdnoreturn string dhgen_cuda dhgen_kernels dhgen_native dhgen_pose tgmath threads time uchar
+wchar wctype
 """
 
 # Python's standard modules (3.11 to 3.14, small letters), which numpy, or the caller, would not

@@ -70,9 +70,9 @@ def c_coupling(module: SolverModule) -> CCoupling | None:
         "sum_slacks": list(turns.slacks),
     }
     drives = [str(drive) for drive in turns.drives]
-    arrays = [c_array(f"static const int coupled[{len(drives)}]", drives)] if drives else []
+    arrays = [c_array(f"DHGEN_TABLE int coupled[{len(drives)}]", drives)] if drives else []
     arrays += [
-        c_array(f"static const double {name}[{len(values)}]", map(_number, values))
+        c_array(f"DHGEN_TABLE double {name}[{len(values)}]", map(_number, values))
         for name, values in numbers.items()
         if values
     ]

@@ -25,7 +25,7 @@ DHGEN_INLINE DHGEN_OF(direction) DHGEN_OF(ratio)(DHGEN_VECTOR y, DHGEN_VECTOR x)
     const DHGEN_VECTOR up = DHGEN_ADDED(least, turned, -most);
     const DHGEN_VECTOR down = DHGEN_ADDED(most, turned, least);
     DHGEN_OF(direction) of;
-    of.r = DHGEN_OF(negated)(up, part) / down;
+    of.r = DHGEN_QUOTIENT(DHGEN_OF(negated)(up, part), down);
     of.known = DHGEN_ADDED(whole, turned, part);
     of.y = y;
     return of;

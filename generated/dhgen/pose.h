@@ -8,7 +8,7 @@
 #include "tolerances.h"
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-DHGEN_FN double dhgen_misfit(const double *T)
+DHGEN_SMALL double dhgen_misfit(const double *T)
 {
     const double x0 = T[0], x1 = T[1], x2 = T[2];
     const double y0 = T[4], y1 = T[5], y2 = T[6];
@@ -23,7 +23,7 @@ DHGEN_FN double dhgen_misfit(const double *T)
 
 /* Takes one step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, N. J.
  * Higham, Computing the polar decomposition, 1986). */
-DHGEN_FN void dhgen_straighten(double *T)
+DHGEN_SMALL void dhgen_straighten(double *T)
 {
     double G[3][3];
     for (int i = 0; i < 3; i++)
@@ -39,14 +39,14 @@ DHGEN_FN void dhgen_straighten(double *T)
 
 /* Whether a number may be used: it is finite, and where a joint slides so are its square and sums
  * of those, as its cube is. */
-DHGEN_FN int dhgen_usable(const struct dhgen_arm *arm, double number)
+DHGEN_SMALL int dhgen_usable(const struct dhgen_arm *arm, double number)
 {
     return isfinite(arm->slides ? number * number * number : number) != 0;
 }
 
 /* Makes three entries one long: a column or a row. Returns 0 where they are none, 1 where they
  * were, 2 where they are now. */
-DHGEN_FN int dhgen_read_unit(double *x, double *y, double *z)
+DHGEN_SMALL int dhgen_read_unit(double *x, double *y, double *z)
 {
     const double square = *x * *x + *y * *y + *z * *z;
     const double miss = (square - 1.0) * (square - 1.0);
@@ -63,7 +63,7 @@ DHGEN_FN int dhgen_read_unit(double *x, double *y, double *z)
 
 /* Makes the tool's x axis level, or zero where it is too steep to have a yaw, which is free then.
  * Returns 0 where it is no direction, 1 where it was level, 2 where it is now. */
-DHGEN_FN int dhgen_read_yaw(double *T)
+DHGEN_SMALL int dhgen_read_yaw(double *T)
 {
     const double square = T[0] * T[0] + T[4] * T[4];
     T[8] = 0.0;
@@ -79,7 +79,7 @@ DHGEN_FN int dhgen_read_yaw(double *T)
 
 /* Makes the sine of the pitch one at most. Returns 0 where it is none, 1 where it was, 2 where it
  * is now. */
-DHGEN_FN int dhgen_read_pitch(double *T)
+DHGEN_SMALL int dhgen_read_pitch(double *T)
 {
     const double over = fabs(T[8]) - 1.0;
     if (over <= 0.0)
@@ -93,7 +93,7 @@ DHGEN_FN int dhgen_read_pitch(double *T)
 }
 
 /* Makes the rotation one. Returns 0 where it is none, 1 where it was, 2 where it is now. */
-DHGEN_FN int dhgen_read_rotation(double *T)
+DHGEN_SMALL int dhgen_read_rotation(double *T)
 {
     const double miss = dhgen_misfit(T);
     if (!(miss <= DHGEN_ROUNDED))
@@ -107,7 +107,7 @@ DHGEN_FN int dhgen_read_rotation(double *T)
 
 /* Copies a pose; directions that are only rounded are put right. Returns 0 for what is no pose, 1
  * for what was one, 2 for what was rounded. */
-DHGEN_FN int dhgen_read_pose(const struct dhgen_arm *arm, const double *given, double *T)
+DHGEN_SMALL int dhgen_read_pose(const struct dhgen_arm *arm, const double *given, double *T)
 {
     for (int i = 0; i < 16; i++)
         T[i] = given[i];

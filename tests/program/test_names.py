@@ -77,6 +77,8 @@ def test_what_the_templates_use_is_reserved() -> None:
 
 
 OF_THE_RUNTIME = re.compile("dhgen_|DHGEN_")
+# Names of <math.h>, which the compiler for GPUs does not have: there the runtime defines them.
+STANDARD = {"HUGE_VAL", "HUGE_VALF", "INFINITY", "NAN"}
 
 
 def test_the_runtime_has_names_of_its_own() -> None:
@@ -94,7 +96,7 @@ def test_the_runtime_has_names_of_its_own() -> None:
         for values in re.findall(r"^enum \{(.*?)\}", code, re.DOTALL | re.MULTILINE):
             found |= set(re.findall(r"^\s*(\w+)", values, re.MULTILINE))
     assert {"dhgen_turned", "dhgen_four", "dhgen_arm", "DHGEN_OK", "DHGEN_FN"} <= found
-    assert {name for name in found if not OF_THE_RUNTIME.match(name)} == set()
+    assert {name for name in found if not OF_THE_RUNTIME.match(name)} == STANDARD
     builder = Builder(RESERVED)
     length = builder.constant("dhgen_four", 0.4, "a length", role=Source.ARM)
     program = builder.finish("t", {"q1": builder.mul(length, builder.pose(1, 1))}, [])

@@ -9,6 +9,7 @@ from __future__ import annotations
 import ctypes
 import subprocess
 import tempfile
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 
@@ -33,6 +34,7 @@ COORDINATES, POINTING, _, POSE, YAW, PITCH, TILT = range(7)
 TURN = 2.0 * np.pi
 LOW, HIGH = -2.0, 2.0  # limits of joint 1
 Q = np.array([0.4, 0.9])  # a regular configuration
+DOUBLES = ("overshoot", "past_an_end", "turned", "at_an_end", "misfit", "miss", "quotient_by")
 
 
 @cache
@@ -43,7 +45,7 @@ def library(build: str = BUILDS[0]) -> ctypes.CDLL:
     command = [str(c_compiler()), *flags, "driver.c", "-o", "driver.so", "-lm"]
     subprocess.run(command, check=True, cwd=folder)
     found = ctypes.CDLL(str(folder / "driver.so"))
-    for name in ("overshoot", "past_an_end", "turned", "at_an_end", "misfit", "miss"):
+    for name in DOUBLES:
         getattr(found, f"run_{name}").restype = ctypes.c_double
     return found
 
@@ -106,6 +108,17 @@ def test_a_range_of_nearly_a_turn_has_ends_that_no_turn_leads_across() -> None:
     assert call("overshoot", 0, 3.24) == 0.0
     near = call("at_an_end", 0, -3.14, 3.15)
     assert near == pytest.approx(TURN - 3.14)  # at the end where the seed is
+
+
+def test_a_quotient_from_an_estimate_is_right_but_for_its_last_place() -> None:
+    """Of the estimate six digits are right, as a GPU's are."""
+    rng = np.random.default_rng(8)
+    sizes = 10.0 ** rng.uniform(-150.0, 150.0, (2000, 2))
+    for a, b in rng.uniform(-1.0, 1.0, (2000, 2)) * sizes:
+        estimate = (1.0 / b) * (1.0 + rng.uniform(-1e-6, 1e-6))
+        found = call("quotient_by", estimate, float(a), float(b))
+        off = abs(Fraction(found) - Fraction(a) / Fraction(b))
+        assert off <= Fraction(float(np.spacing(abs(found))))
 
 
 def test_turned_is_the_nearest_copy_inside_the_limits() -> None:

@@ -10,6 +10,8 @@ from dhgen.targets.layout import call
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
 
+PUBLIC = "DHGEN_PUBLIC"  # the mark of functions
+
 
 @dataclass(frozen=True, slots=True)
 class Prototypes:
@@ -19,12 +21,14 @@ class Prototypes:
         ik: All solutions of a pose.
         nearest: The solution next to a seed.
         batch: All solutions of many poses.
+        velocities: The joint velocities of a twist.
         free_argument: How they hand on what else the caller gives.
     """
 
     ik: str
     nearest: str
     batch: str
+    velocities: str
     free_argument: str
 
 
@@ -36,10 +40,13 @@ def c_prototypes(module: SolverModule) -> Prototypes:
     batch_free = ["const double *free_joints"] if free else []
     batch = ["size_t n", "const double *T", *batch_free, "double *q", "unsigned char *status"]
     seed = f"const double q_seed[{dof}]"
+    chosen = [pose, *free, seed, f"double q[{dof}]"]
+    twist = [f"const double q[{dof}]", "const double twist[6]", f"double velocities[{dof}]"]
     inputs = [pose, *free, "const double *q_seed", *table]
     return Prototypes(
-        ik=call(f"int {name}_ik", inputs, ""),
-        nearest=call(f"int {name}_ik_nearest", [pose, *free, seed, f"double q[{dof}]"], ""),
-        batch=call(f"void {name}_ik_batch", batch, ""),
+        ik=call(f"{PUBLIC} int {name}_ik", inputs, ""),
+        nearest=call(f"{PUBLIC} int {name}_ik_nearest", chosen, ""),
+        batch=call(f"{PUBLIC} void {name}_ik_batch", batch, ""),
+        velocities=call(f"{PUBLIC} void {name}_joint_velocities", twist, ""),
         free_argument=f", {'free_joints' if given else 'NULL'}",
     )

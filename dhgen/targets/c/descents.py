@@ -135,7 +135,7 @@ def _drives(kernel: NumericalKernel) -> tuple[str, ...]:
         _places("turned_drives", (place for place, _ in turned)),
         _numbers("turn_moves", (x for _, moves in turned for x in moves.tolist())),
         _numbers("drives_back", kernel.back.ravel().tolist()),
-        f"static const struct dhgen_drives drive_table = {{ {table} }};",
+        f"DHGEN_TABLE struct dhgen_drives drive_table = {{ {table} }};",
     )
     return tuple(filter(None, arrays))
 
@@ -143,7 +143,7 @@ def _drives(kernel: NumericalKernel) -> tuple[str, ...]:
 def _turns(module: SolverModule) -> str:
     turning = module.policy.root_turns
     entries = [f"{{ {joint - 1}, {float(sign)!r} }}" for joint, sign in turning]
-    head = f"static const struct dhgen_root_turn turns[{len(entries)}]"
+    head = f"DHGEN_TABLE struct dhgen_root_turn turns[{len(entries)}]"
     return c_array(head, entries) if entries else ""
 
 
@@ -169,4 +169,4 @@ def _numbers(name: str, values: Iterable[float]) -> str:
 
 
 def _array(kind: str, name: str, texts: list[str]) -> str:
-    return c_array(f"static const {kind} {name}[{len(texts)}]", texts) if texts else ""
+    return c_array(f"DHGEN_TABLE {kind} {name}[{len(texts)}]", texts) if texts else ""

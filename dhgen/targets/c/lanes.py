@@ -23,6 +23,7 @@ PREFIX = "dhgen_"  # of the runtime's names
 NEVER_SCALAR = frozenset({"atan2"})  # taken in lanes also where one would do
 _BITS = {"and": "&", "or": "|"}
 MAXIMUM = f"{PREFIX}maximum_double"
+QUOTIENT = "DHGEN_QUOTIENT"
 _OPPOSITE = {"add": "-", "sub": "+"}  # what is written of a sum with a product that begins with -
 
 
@@ -191,11 +192,14 @@ class LaneText:
         return Text(f"{self._function(operator, lanes=lanes)}({listed})", ATOM, lanes)
 
     def _infix(self, operator: str, first: Text, second: Text) -> Text:
+        lanes = first.lanes or second.lanes
+        if operator == "div":
+            return Text(f"{QUOTIENT}({first.text}, {second.text})", ATOM, lanes)
         sign, binds = INFIX[operator]
         if operator in _OPPOSITE and second.text[0] == "-" and second.binds > binds:
             sign, second = _OPPOSITE[operator], Text(second.text[1:], second.binds, second.lanes)
         text = f"{first.within(binds)} {sign} {second.within(binds + 1)}"
-        return Text(text, binds, first.lanes or second.lanes)
+        return Text(text, binds, lanes)
 
     def _function(self, operator: str, *, lanes: bool) -> str:
         if not lanes:

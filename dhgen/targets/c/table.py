@@ -50,7 +50,7 @@ class _Places:
 
     @property
     def definition(self) -> str:
-        return c_array(f"static const int {self.name}[{len(self.places)}]", map(str, self.places))
+        return c_array(f"DHGEN_TABLE int {self.name}[{len(self.places)}]", map(str, self.places))
 
 
 def c_table(module: SolverModule, *, has_functions: bool = True) -> CTable:

@@ -7,7 +7,6 @@
 #include "circle_cosines.h"
 #include "circle_sines.h"
 #include "circle_tables.h"
-#include <math.h>
 
 /* More than 16 roots of a kind come from rounding. */
 #define DHGEN_ROOTS 24

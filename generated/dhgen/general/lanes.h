@@ -5,12 +5,13 @@
 #define DHGEN_GENERAL_LANES_H
 
 #include "../interface.h"
-#include <math.h>
 
 /* Lanes: GNU vectors where the compiler has them, plain doubles otherwise. Vectors wider than the
  * machine's are slow: compile for the machine, or set DHGEN_GENERAL_LANES to 1, 2, 4 or 8. */
 #ifndef DHGEN_GENERAL_LANES
-#if defined(__GNUC__) && defined(__AVX512F__)
+#if defined(__CUDACC__)
+#define DHGEN_GENERAL_LANES 1
+#elif defined(__GNUC__) && defined(__AVX512F__)
 #define DHGEN_GENERAL_LANES 8
 #elif defined(__GNUC__) && defined(__AVX__)
 #define DHGEN_GENERAL_LANES 4

@@ -5,7 +5,6 @@
 #define DHGEN_GENERAL_MOEBIUS_H
 
 #include "circle_tables.h"
-#include <math.h>
 
 /* How far the mean of the roots is from the circle's middle: not at all when they are spread
  * evenly, by one when they lie together. Beyond this, squared, roots are spread. */

@@ -6,7 +6,6 @@
 
 #include "circle_cells.h"
 #include "moebius.h"
-#include <math.h>
 
 /* Closer looks at most. */
 #define DHGEN_LOOKS 4

@@ -7,7 +7,6 @@
 #include "../general.h"
 #include "closed_polynomial.h"
 #include "correct.h"
-#include <math.h>
 
 #if DHGEN_MAY_LACK(DHGEN_FOUR_TURNS)
 #include "eliminate.h"

@@ -5,7 +5,6 @@
 #define DHGEN_GENERAL_SOLUTIONS_H
 
 #include "refine.h"
-#include <math.h>
 
 /* Newton steps for a candidate; two are enough unless a root is nearly double. */
 #define DHGEN_LOOP_STEPS 4

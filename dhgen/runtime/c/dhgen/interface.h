@@ -5,8 +5,20 @@
 #ifndef DHGEN_INTERFACE_H
 #define DHGEN_INTERFACE_H
 
+#ifdef __CUDACC_RTC__ /* it knows their functions without these headers, and not their numbers */
+#ifndef NAN
+#define NAN __builtin_bit_cast(float, 0x7fc00000u)
+#define INFINITY __builtin_bit_cast(float, 0x7f800000u)
+#ifndef DHGEN_SINGLE_PRECISION
+#define HUGE_VAL ((double)INFINITY)
+#else
+#define HUGE_VALF INFINITY
+#endif
+#endif
+#else
 #include <math.h>
 #include <stddef.h>
+#endif
 
 /* NaN and infinity mark what is no solution and no limit: a compiler that is told that they don't
  * exist makes solutions of poses that are out of reach. */
@@ -18,27 +30,55 @@
 #define DHGEN_INTERFACE 1
 
 /* Marks. DHGEN_INLINE stands before what is called in the fast path, DHGEN_FN before all other
- * functions of the runtime, DHGEN_APART before those whose stack and code have to stay out of their
- * callers, DHGEN_TABLE before constant tables. DHGEN_API stands before what robots' files call:
- * with -DDHGEN_SHARED that is compiled once for all of them, in dhgen.c, and their files have its
- * declarations only. */
+ * functions of the runtime, DHGEN_SMALL before those of them that kernels of CUDA call, DHGEN_APART
+ * before those whose stack and code have to stay out of their callers, DHGEN_TABLE before constant
+ * tables, DHGEN_PUBLIC before a robot's public functions. DHGEN_API stands before what robots'
+ * files call: with -DDHGEN_SHARED that is compiled once for all of them, in dhgen.c, and their
+ * files have its declarations only.
+ *
+ * In CUDA all functions are for both sides, and tables are where they are read. What is not called
+ * in the fast path stays a call there: with all of it in one function compiling takes minutes. */
 #if defined(__GNUC__)
 #define DHGEN_UNUSED __attribute__((unused))
+#else
+#define DHGEN_UNUSED
+#endif
+#ifndef DHGEN_PUBLIC
+#ifdef __CUDACC__
+#define DHGEN_PUBLIC __host__ __device__
+#else
+#define DHGEN_PUBLIC
+#endif
+#endif
+#if defined(__CUDACC__)
+#define DHGEN_NOINLINE __noinline__
+#define DHGEN_ALWAYS
+#define DHGEN_FN DHGEN_PUBLIC DHGEN_NOINLINE DHGEN_UNUSED static
+#ifdef __CUDA_ARCH__
+#define DHGEN_TABLE __device__ static const
+#endif
+#elif defined(__GNUC__)
 #define DHGEN_NOINLINE __attribute__((noinline))
 #define DHGEN_ALWAYS __attribute__((always_inline))
 #else
-#define DHGEN_UNUSED
 #define DHGEN_NOINLINE
 #define DHGEN_ALWAYS
 #endif
 #ifndef DHGEN_FN
 #define DHGEN_FN DHGEN_UNUSED static
 #endif
+#ifndef DHGEN_SMALL
+#ifdef __CUDACC__
+#define DHGEN_SMALL DHGEN_PUBLIC DHGEN_UNUSED static inline
+#else
+#define DHGEN_SMALL DHGEN_FN
+#endif
+#endif
 #ifndef DHGEN_INLINE
-#define DHGEN_INLINE DHGEN_UNUSED static inline
+#define DHGEN_INLINE DHGEN_PUBLIC DHGEN_UNUSED static inline
 #endif
 #ifndef DHGEN_APART
-#define DHGEN_APART DHGEN_NOINLINE DHGEN_UNUSED static
+#define DHGEN_APART DHGEN_PUBLIC DHGEN_NOINLINE DHGEN_UNUSED static
 #endif
 #ifndef DHGEN_TABLE
 #define DHGEN_TABLE static const

@@ -8,9 +8,10 @@
 #define DHGEN_LANES_H
 
 #include "arm.h"
+#include "quotient.h"
 #include "tolerances.h"
 
-#if defined(__clang__)
+#if defined(__clang__) || defined(__CUDACC__)
 #define DHGEN_UNROLLED _Pragma("unroll")
 #elif defined(__GNUC__) && __GNUC__ >= 8
 #define DHGEN_UNROLLED _Pragma("GCC unroll 2")
@@ -59,7 +60,7 @@ DHGEN_INLINE double dhgen_maximum_double(double a, double b)
 }
 
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12)               \
-    && !defined(DHGEN_SCALAR) && !defined(DHGEN_LIBM)
+    && !defined(DHGEN_SCALAR) && !defined(DHGEN_LIBM) && !defined(__CUDACC__)
 #include "vectors.h"
 #else
 #include "scalars.h"

@@ -12,7 +12,7 @@
 #define DHGEN_NEARLY_A_TURN 6.183185307179587
 
 /* How far a joint value is beyond its limits, whole turns aside; negative below [rad or length]. */
-DHGEN_FN double dhgen_overshoot(const struct dhgen_arm *arm, int joint, double value)
+DHGEN_SMALL double dhgen_overshoot(const struct dhgen_arm *arm, int joint, double value)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const double low = of->lowest, high = of->highest;
@@ -40,7 +40,7 @@ DHGEN_FN double dhgen_beyond_limits(const struct dhgen_arm *arm, const double *q
 
 /* How far a joint value is past an end of its range: where that is nearly a turn, the value as it
  * stands, as turning it would lead across the gap. */
-DHGEN_FN double dhgen_past_an_end(const struct dhgen_arm *arm, int joint, double value)
+DHGEN_SMALL double dhgen_past_an_end(const struct dhgen_arm *arm, int joint, double value)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const double low = of->lowest, high = of->highest;
@@ -60,7 +60,8 @@ DHGEN_FN double dhgen_past_ends(const struct dhgen_arm *arm, const double *q)
 }
 
 /* A joint value moved by whole turns near to another, but inside its limits if it can be. */
-DHGEN_FN double dhgen_turned(const struct dhgen_arm *arm, int joint, double given, double towards)
+DHGEN_SMALL double dhgen_turned(
+    const struct dhgen_arm *arm, int joint, double given, double towards)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const double low = of->lowest - DHGEN_LIMIT, high = of->highest + DHGEN_LIMIT;
@@ -75,7 +76,8 @@ DHGEN_FN double dhgen_turned(const struct dhgen_arm *arm, int joint, double give
 }
 
 /* A joint value turned inside its limits, or next to the end that it and the seed are at. */
-DHGEN_FN double dhgen_at_an_end(const struct dhgen_arm *arm, int joint, double value, double seed)
+DHGEN_SMALL double dhgen_at_an_end(
+    const struct dhgen_arm *arm, int joint, double value, double seed)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const double near = value + DHGEN_TURN * floor((seed - value) / DHGEN_TURN + 0.5);

@@ -5,7 +5,6 @@
 #define DHGEN_RIGID_H
 
 #include "interface.h"
-#include <math.h>
 
 /* C = A B for rigid transforms, three rows of four. */
 DHGEN_INLINE void dhgen_compose(const double A[12], const double B[12], double C[12])

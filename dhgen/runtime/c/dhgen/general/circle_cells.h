@@ -5,7 +5,6 @@
 #define DHGEN_GENERAL_CIRCLE_CELLS_H
 
 #include "circle_parts.h"
-#include <math.h>
 
 /* How often a cell is halved before its roots count as one of higher multiplicity. */
 #define DHGEN_DEEPEST 14
@@ -150,7 +149,9 @@ DHGEN_FN void dhgen_cell_edge(int cell, double *c, double *s)
 /* The number of the lowest bit that is set. */
 DHGEN_FN int dhgen_lowest_bit(unsigned long long bits)
 {
-#ifdef __GNUC__
+#if defined(__CUDA_ARCH__)
+    return __ffsll((long long)bits) - 1;
+#elif defined(__GNUC__)
     return __builtin_ctzll(bits);
 #else
     int i = 0;

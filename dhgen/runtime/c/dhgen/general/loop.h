@@ -6,7 +6,6 @@
 
 #include "../rigid.h"
 #include "arm.h"
-#include <math.h>
 
 /* The loop at a pose: K0 ... K4 and the pose P = L T R, three rows of four, lengths in arm sizes.
  */

@@ -6,7 +6,6 @@
 
 #include "circle_cells.h"
 #include "determinant.h"
-#include <math.h>
 
 /* Room for candidates: roots, the middles of close pairs, double roots, and what may be on both
  * sides of them. */

@@ -1,0 +1,94 @@
+"""NVRTC by its wheel, without a GPU: what it says of a robot's kernels, and what ptxas does."""
+
+from __future__ import annotations
+
+import ctypes
+import re
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+GENERATED = Path(__file__).resolve().parents[2] / "generated"
+FIRST = ("all_rows", "count_rows", "nearest_to_seeds")
+CAREFUL = ("careful_rows", "careful_count", "careful_nearest")
+MOTION = ("poses", "jacobians")
+_STACK = re.compile(r"(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes spill loads")
+
+
+@dataclass(frozen=True, slots=True)
+class Used:
+    """What a kernel uses, functions that it calls among it.
+
+    Attributes:
+        registers: Of a thread.
+        stack: Bytes of a thread's own memory.
+        spilled: Bytes that are written to memory and read again for want of registers.
+    """
+
+    registers: int
+    stack: int
+    spilled: int
+
+
+def defined(name: str) -> list[str]:
+    """What the kernels have to know of a robot, as options of a compiler."""
+    header = (GENERATED / f"{name}.h").read_text("utf-8")
+    given = re.search(r"_FREE = (\d+)", header)
+    return [f"-DDHGEN_ROBOT={name}", f"-DDHGEN_GIVEN={given[1] if given else 0}"]
+
+
+def is_regular(name: str) -> bool:
+    """Whether regular poses have kernels of their own."""
+    return "#define DHGEN_SOLVE_WIDE " in (GENERATED / f"{name}.c").read_text("utf-8")
+
+
+def compiled(text: str, options: list[str], kernels: list[str] | None = None) -> str:
+    """The compiler's log of a source, from which these instances of templates are made.
+
+    Every warning is an error.
+    """
+    library = _library()
+    program = ctypes.c_void_p()
+    asked = ["-std=c++17", "-Werror", "all-warnings", f"-I{GENERATED}", *options]
+    listed = (ctypes.c_char_p * len(asked))(*map(str.encode, asked))
+    source = text.encode()
+    library.nvrtcCreateProgram(ctypes.byref(program), source, b"test.cu", 0, None, None)
+    for kernel in kernels or []:
+        library.nvrtcAddNameExpression(program, kernel.encode())
+    failed = library.nvrtcCompileProgram(program, len(asked), listed)
+    size = ctypes.c_size_t()
+    library.nvrtcGetProgramLogSize(program, ctypes.byref(size))
+    log = ctypes.create_string_buffer(size.value)
+    library.nvrtcGetProgramLog(program, log)
+    library.nvrtcDestroyProgram(ctypes.byref(program))
+    assert not failed, log.value.decode()
+    return log.value.decode()
+
+
+def kernels_of(name: str, kernels: list[str], options: list[str]) -> str:
+    """The compiler's log of kernels of a robot."""
+    text = f'#include "{name}.c"\n#include "dhgen_kernels.cuh"\n'
+    return compiled(text, [*defined(name), *options], kernels)
+
+
+def used(name: str, kernel: str, architecture: str) -> Used:
+    """What ptxas says of one kernel on an architecture."""
+    options = [f"-arch={architecture}", "--ptxas-options=-v"]
+    log = kernels_of(name, [kernel], options)
+    found = re.findall(r"Used (\d+) registers", log)
+    assert len(found) == 1, log
+    stacks = [tuple(map(int, each)) for each in _STACK.findall(log)]
+    stack, spilled = (
+        sum(each) for each in ((s for s, *_ in stacks), (x + y for _, x, y in stacks))
+    )
+    return Used(int(found[0]), stack, spilled)
+
+
+def _library() -> ctypes.CDLL:
+    for folder in map(Path, sys.path):
+        for part in ("nvidia/cu13/lib", "nvidia/cuda_nvrtc/lib"):
+            for path in sorted((folder / part).glob("libnvrtc.so.??")):
+                return ctypes.CDLL(str(path))
+    pytest.skip("no NVRTC: pip install nvidia-cuda-nvrtc")

@@ -1,0 +1,102 @@
+"""Robots' C and the kernels around it, as NVRTC compiles them: there is no GPU here."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from typing import TYPE_CHECKING
+
+import pytest
+
+from tests.gpu.nvrtc import (
+    CAREFUL,
+    FIRST,
+    GENERATED,
+    MOTION,
+    compiled,
+    is_regular,
+    kernels_of,
+    used,
+)
+from tests.structures import BREADTH, those_in
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+FLEET, SINGLE = "_fleet", "_f32"
+SHARED = {"dhgen_native", "dhgen_pose"}
+ALL = sorted(path.stem for path in GENERATED.glob("*.c") if path.stem not in SHARED)
+ARMS = [name for name in ALL if not name.endswith((FLEET, SINGLE))]
+OTHERS = [name for name in ALL if name.endswith((FLEET, SINGLE))]
+CLOSED = [name for name in ARMS if is_regular(name)]
+# Closed forms in which nothing needs a sine of an angle that comes from outside: of a given joint
+# it may be large, and taking its turns away needs forty bytes of memory.
+WITHOUT_SINES = [
+    name for name in CLOSED if "_FREE = " not in (GENERATED / f"{name}.h").read_text("utf-8")
+]
+MOST_REGISTERS = 184  # five blocks of 64 threads are on a multiprocessor then
+ARCHITECTURES = ("sm_80", "sm_90", "sm_120")
+USER = """
+#include "scara.c"
+__global__ void rows(const double *q, double *found, unsigned char *status)
+{
+    double T[16], J[24];
+    scara_fk(q, T);
+    scara_jacobian(q, J);
+    scara_ik(T, nullptr, (double(*)[4])found, status);
+    found[0] += J[0];
+}
+int main()
+{
+    const double q[4] = { 0.3, -0.8, -0.05, 1.0 };
+    double T[16], found[2][4];
+    unsigned char status[2];
+    scara_fk(q, T);
+    return scara_ik(T, nullptr, found, status) == 2 && scara_branches[0] ? 0 : 1;
+}
+"""
+
+
+@pytest.mark.parametrize("name", those_in(("scara",), ARMS))
+def test_every_kernel_of_an_arm_compiles_without_a_warning(name: str) -> None:
+    """All of them in one source, to what no architecture is chosen for yet."""
+    wanted = [*(FIRST if is_regular(name) else ()), *CAREFUL, *MOTION]
+    kernels = [f"dhgen_{each}<double, 16>" for each in wanted]
+    kernels_of(name, [*kernels, "dhgen_careful_rows<float, 12>"], ["-arch=compute_80"])
+
+
+@pytest.mark.parametrize("name", those_in((), OTHERS))
+def test_other_files_compile_without_a_warning(name: str) -> None:
+    """Those whose table comes at run time, and in single precision."""
+    compiled(f'#include "{name}.c"\n', ["-arch=compute_80"])
+
+
+@pytest.mark.parametrize("architecture", those_in(ARCHITECTURES[1:2], ARCHITECTURES))
+@pytest.mark.parametrize("name", those_in(("scara", "puma560"), WITHOUT_SINES))
+def test_regular_poses_need_no_memory_of_their_own(name: str, architecture: str) -> None:
+    """Nor more registers than leave room for enough threads to keep its memory busy."""
+    needed = used(name, "dhgen_all_rows<double, 16>", architecture)
+    assert (needed.stack, needed.spilled) == (0, 0)
+    assert needed.registers <= MOST_REGISTERS
+
+
+@pytest.mark.parametrize("kernel", ["count_rows<double, 16>", "all_rows<float, 12>"])
+@pytest.mark.parametrize("name", those_in((), WITHOUT_SINES))
+def test_other_kernels_of_regular_poses_need_none_either(name: str, kernel: str) -> None:
+    needed = used(name, f"dhgen_{kernel}", ARCHITECTURES[1])
+    assert (needed.stack, needed.spilled) == (0, 0)
+    assert needed.registers <= MOST_REGISTERS
+
+
+@BREADTH
+def test_functions_are_for_both_sides_in_a_users_source(tmp_path: Path) -> None:
+    compiler = shutil.which("nvcc")
+    if compiler is None:
+        pytest.skip("no nvcc")
+    source, program = tmp_path / "user.cu", tmp_path / "user"
+    source.write_text(USER, encoding="utf-8")
+    flags = ["-Werror", "all-warnings", "-std=c++17", "-arch=sm_90", f"-I{GENERATED}"]
+    command = [compiler, *flags, str(source), "-o", str(program)]
+    built = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert built.returncode == 0, built.stderr
+    assert subprocess.run([program], check=False).returncode == 0
