@@ -1,0 +1,519 @@
+# SPDX-License-Identifier: MIT
+"""A robot's C on a GPU: arrays that live there are solved there.
+
+Part of dhgen, which puts a copy of this file beside the robots that it generates.
+
+    import dhgen_cuda, scara
+    robot = dhgen_cuda.cuda(scara)  # scara.c and scara.h are next to scara.py
+    q, status = robot.ik_batch(T)  # T: (n, 4, 4) or (n, 3, 4), of PyTorch or CuPy
+
+Arrays are any with `__cuda_array_interface__`, float64 or float32. Results are arrays of PyTorch or
+CuPy, as the poses are; other libraries give the arrays that are written to, `out=`. Kernels go to
+the stream that is current in the library, or to `stream=`; nothing waits for them.
+
+It needs NVIDIA's driver, and NVRTC, which comes with PyTorch and CuPy or by `pip install
+nvidia-cuda-nvrtc`. What that compiles is kept in $DHGEN_CACHE_DIR, or dhgen/ in the user's cache
+folder, under the digest of all that it is made of: the first call of a robot takes a second for
+regular poses, and ten more for the careful functions, if these are wanted.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import importlib
+import math
+import os
+import sys
+import tempfile
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+    from types import ModuleType
+
+GPUArray: TypeAlias = Any  # of a library that is not known here
+DRIVER = "libcuda.so.1"
+SKIPPED = 5  # NaN: the pose needs the careful functions, and these were not asked for
+KINDS = {"<f8": ("float64", "double", 8), "<f4": ("float32", "float", 4)}
+ARRAYS = ("T", "free_joints", "values", "q", "status", "left")  # of a batch
+OPTIONS = ("-std=c++17",)
+MOST = 2**31 - 1  # poses of a batch
+_LEGACY = 1  # the stream of a library that names none
+_ALIGNED = 16  # bytes that kernels read at once
+_MULTIPROCESSORS, _MAJOR, _MINOR = 16, 75, 76  # attributes of a device
+_ORDINAL = 9  # attribute of a pointer: its device
+
+
+class NoDriver(RuntimeError):  # noqa: N818
+    """There is no driver for NVIDIA's GPUs."""
+
+
+class NoCompiler(RuntimeError):  # noqa: N818
+    """There is no NVRTC, which compiles for the GPU."""
+
+
+class BuildError(RuntimeError):
+    """NVRTC rejects the source; the message is its output."""
+
+
+class DeviceError(RuntimeError):
+    """The driver rejects a call; the message is its own."""
+
+
+def cuda(module: ModuleType) -> Solver:
+    """A robot's solver for arrays on a GPU.
+
+    Args:
+        module: The robot's Python; its C and header are looked for in the same folder.
+
+    Raises:
+        TypeError: The argument is not a robot's module.
+        FileNotFoundError: The C or its header is missing.
+        NoDriver: There is no driver.
+        NoCompiler: There is no NVRTC.
+    """
+    if not hasattr(module, "ik_all"):
+        wanted = "a robot's module, as in 'import scara; dhgen_cuda.cuda(scara)'"
+        raise TypeError(f"cuda takes {wanted}, not {module!r}")
+    source = Path(str(module.__file__)).with_suffix(".c")
+    for path in (source, source.with_suffix(".h"), source.with_name("dhgen_kernels.cuh")):
+        if not path.exists():
+            raise FileNotFoundError(f"{path} not found: cuda needs it next to {source.stem}.py")
+    nvrtc()
+    return Solver(Program.of(module, source), driver())
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """What kernels of a robot are compiled from, and how many values the caller gives."""
+
+    name: str
+    source: Path
+    text: str
+    dof: int
+    rows: int
+    given: int
+    regular: bool  # whether regular poses have a kernel of their own
+
+    @staticmethod
+    def of(module: ModuleType, source: Path) -> Program:
+        """The program of a robot."""
+        given = 1 if hasattr(module, "arm_angle") else len(getattr(module, "FREE_JOINTS", ()))
+        defined = f"#define DHGEN_ROBOT {module.NAME}\n#define DHGEN_GIVEN {given}\n"
+        text = f'{defined}#include "{source.name}"\n#include "dhgen_kernels.cuh"\n'
+        regular = "#define DHGEN_SOLVE_WIDE " in source.read_text(encoding="utf-8")
+        rows = len(module.BRANCHES)
+        return Program(module.NAME, source, text, module.DOF, rows, given, regular)
+
+    def kernel(self, name: str, architecture: str) -> tuple[bytes, bytes]:
+        """A kernel compiled for an architecture, unless it is kept already: its name, its code."""
+        beside = [self.source, self.source.with_suffix(".h")]
+        beside += [self.source.with_name("dhgen_kernels.cuh")]
+        beside += sorted(self.source.with_name("dhgen").rglob("*.h"))
+        options = [*OPTIONS, f"-arch={architecture}", f"-I{self.source.parent}"]
+        compiler = nvrtc()
+        asked = "\n".join([self.text, name, *options, str(_version(compiler))])
+        made_of = b"\0".join([asked.encode(), *(path.read_bytes() for path in beside)])
+        folder = cache_folder()
+        start = f"{self.source.stem}-{_digest(made_of)}-"
+        for kept in folder.glob(f"{start}*.cubin"):
+            content = kept.read_bytes()
+            if kept.stem.endswith(_digest(content)):
+                lowered, _, code = content.partition(b"\n")
+                return lowered, code
+        lowered, code = compiled(compiler, self.text, name, options)
+        content = lowered + b"\n" + code
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=folder) as room:
+            made = Path(room) / "made.cubin"
+            made.write_bytes(content)
+            made.replace(folder / f"{start}{_digest(content)}.cubin")  # nobody sees half of it
+        return lowered, code
+
+
+class Batch(ctypes.Structure):
+    """The arrays of a batch, as kernels take them."""
+
+    _fields_ = (("n", ctypes.c_ulonglong), *((name, ctypes.c_void_p) for name in ARRAYS))
+
+
+@dataclass(frozen=True, slots=True)
+class Array:
+    """What is asked of a caller's array."""
+
+    name: str  # in messages
+    owner: GPUArray
+    pointer: int
+    shape: tuple[int, ...]
+    kind: str  # of its numbers: <f8
+
+    @staticmethod
+    def of(owner: GPUArray, name: str) -> Array:
+        """An array by its interface."""
+        told = getattr(owner, "__cuda_array_interface__", None)
+        if not isinstance(told, dict):
+            what = f"{type(owner).__module__}.{type(owner).__name__}"
+            raise TypeError(f"{name} must be an array on a GPU, not {what}")
+        shape, kind = tuple(told["shape"]), told["typestr"]
+        strides, size = told.get("strides"), int(kind[2:])
+        dense = tuple(size * math.prod(shape[k + 1 :]) for k in range(len(shape)))
+        if strides is not None and tuple(strides) != dense and 0 not in shape:
+            raise TypeError(f"{name} must be contiguous")
+        return Array(name, owner, told["data"][0] or 0, shape, kind)
+
+    def demand(self, kind: str, *shape: int) -> None:
+        """Raises what is wrong with the type of its numbers, its shape, or where it begins."""
+        if self.kind != kind:
+            wanted = KINDS[kind][0] if kind in KINDS else "uint8"
+            raise TypeError(f"{self.name} must be {wanted}, not {self.kind}")
+        if self.shape != shape:
+            raise ValueError(f"{self.name} must be of shape {shape}, not {self.shape}")
+        if self.pointer % _ALIGNED and kind in KINDS:
+            raise ValueError(f"{self.name} must begin at a multiple of {_ALIGNED} bytes")
+
+
+class Solver:
+    """A robot's functions for arrays on a GPU: see `cuda`."""
+
+    def __init__(self, program: Program, cu: ctypes.CDLL) -> None:
+        self._program, self._cu = program, cu
+        self._loaded: dict[tuple[str, int], ctypes.c_void_p] = {}
+
+    def ik_batch(
+        self,
+        T: GPUArray,
+        *q_free: GPUArray,
+        nearest: GPUArray = None,
+        careful: bool = True,
+        out: tuple[GPUArray, GPUArray] | None = None,
+        stream: int | None = None,
+    ) -> tuple[GPUArray, GPUArray]:
+        """All solutions of poses, or those nearest to seeds.
+
+        Args:
+            T: Poses (n, 4, 4) or (n, 3, 4).
+            q_free: Where the caller gives values besides: (n, how many).
+            nearest: Seeds (n, dof): one solution a pose is wanted, the nearest.
+            careful: Whether poses that are not regular are solved; else their status is SKIPPED.
+            out: The arrays that are written to, joint values and statuses.
+            stream: The address of a CUDA stream, by default the one that is current in the library.
+
+        Returns:
+            Joint values (n, rows, dof) and statuses (n, rows); with seeds (n, dof) and (n,).
+        """
+        poses = Array.of(T, "T")
+        n, kind = self._poses(poses)
+        one = nearest is not None
+        rows = () if one else (self._program.rows,)
+        shapes = (n, *rows, self._program.dof), (n, *rows)
+        kinds = kind, "|u1"
+        made = out or tuple(map(_new, (T, T), shapes, kinds))
+        q, status = (Array.of(*each) for each in zip(made, ("q", "status"), strict=True))
+        q.demand(kind, *shapes[0])
+        status.demand("|u1", *shapes[1])
+        arrays = {"T": poses, "q": q, "status": status, **self._given(q_free, n, kind)}
+        if one:
+            arrays["values"] = Array.of(nearest, "nearest")
+            arrays["values"].demand(kind, n, self._program.dof)
+        names = ("nearest_to_seeds", "careful_nearest") if one else ("all_rows", "careful_rows")
+        self._solve(names, arrays, n, stream, careful=careful)
+        return made[0], made[1]
+
+    def count(
+        self,
+        T: GPUArray,
+        *q_free: GPUArray,
+        careful: bool = True,
+        out: GPUArray = None,
+        stream: int | None = None,
+    ) -> GPUArray:
+        """How many solutions inside limits poses have, (n,): 255 where careful=False skips one."""
+        poses = Array.of(T, "T")
+        n, kind = self._poses(poses)
+        made = _new(T, (n,), "|u1") if out is None else out
+        status = Array.of(made, "out")
+        status.demand("|u1", n)
+        arrays = {"T": poses, "status": status, **self._given(q_free, n, kind)}
+        names = ("count_rows", "careful_count")
+        self._solve(names, arrays, n, stream, careful=careful)
+        return made
+
+    def fk(self, q: GPUArray, *, out: GPUArray = None, stream: int | None = None) -> GPUArray:
+        """The poses (n, 4, 4) of joint values (n, dof)."""
+        return self._motion("poses", q, (4, 4), out, stream)
+
+    def jacobian(self, q: GPUArray, *, out: GPUArray = None, stream: int | None = None) -> GPUArray:
+        """The Jacobians (n, 6, dof) of joint values (n, dof)."""
+        return self._motion("jacobians", q, (6, self._program.dof), out, stream)
+
+    def _motion(
+        self,
+        name: str,
+        q: GPUArray,
+        shape: tuple[int, int],
+        out: GPUArray,
+        stream: int | None,
+    ) -> GPUArray:
+        values = Array.of(q, "q")
+        kind = _number(values)
+        n = values.shape[0] if values.shape else 0
+        values.demand(kind, n, self._program.dof)
+        made = _new(q, (n, *shape), kind) if out is None else out
+        result = Array.of(made, "out")
+        result.demand(kind, n, *shape)
+        arrays = {"values": values, "q": result}
+        if n:
+            with self._at(arrays) as device:
+                kernel = self._kernel(name, kind, 16, device)
+                self._launch(
+                    kernel, _over(n, 128), 128, Batch(n, **_places(arrays)), _stream(q, stream)
+                )
+        return made
+
+    def _poses(self, poses: Array) -> tuple[int, str]:
+        """How many there are, and the type of their numbers."""
+        kind, shape = _number(poses), poses.shape
+        if len(shape) != 3 or shape[1:] not in ((4, 4), (3, 4)):
+            raise ValueError(f"T must be of shape (n, 4, 4) or (n, 3, 4), not {shape}")
+        if shape[0] > MOST:
+            raise ValueError(f"T has more than {MOST} poses: give them in parts")
+        poses.demand(kind, *shape)
+        return shape[0], kind
+
+    def _given(self, q_free: Sequence[GPUArray], n: int, kind: str) -> dict[str, Array]:
+        """What the caller gives besides poses."""
+        given = self._program.given
+        if len(q_free) != (given > 0):
+            takes = f"(n, {given}), besides T" if given else "nothing besides T"
+            raise TypeError(f"{self._program.name} takes {takes}")
+        if not given:
+            return {}
+        values = Array.of(q_free[0], "q_free")
+        values.demand(kind, n, given)
+        return {"free_joints": values}
+
+    def _solve(
+        self,
+        names: tuple[str, str],
+        arrays: dict[str, Array],
+        n: int,
+        stream: int | None,
+        *,
+        careful: bool,
+    ) -> None:
+        """Both kernels, on one stream."""
+        if not careful and not self._program.regular:
+            raise ValueError(f"{self._program.name} has no regular poses: all need careful=True")
+        if n == 0:
+            return
+        poses = arrays["T"]
+        entries, at, batch = (
+            4 * poses.shape[1],
+            _stream(poses.owner, stream),
+            Batch(n, **_places(arrays)),
+        )
+        with self._at(arrays) as device:
+            processors = self._attribute(_MULTIPROCESSORS, device)
+            last = self._kernel(names[1], poses.kind, entries, device) if careful else None
+            if not self._program.regular:
+                self._launch(last, min(_over(n, 128), 2 * processors), 128, batch, at)
+                return
+            first = self._kernel(names[0], poses.kind, entries, device)
+            left = ctypes.c_void_p()
+            if careful:
+                self._call("cuMemAllocAsync", ctypes.byref(left), ctypes.c_size_t(4 * n + 4), at)
+                self._call("cuMemsetD32Async", left, 0, ctypes.c_size_t(1), at)
+                batch.left = left
+            try:
+                size = ctypes.c_int()  # of a block: as many threads as it may have
+                self._call("cuFuncGetAttribute", ctypes.byref(size), 0, first)
+                self._launch(first, _over(n, size.value), size.value, batch, at)
+                if careful:
+                    self._launch(last, min(n, 16 * processors), 32, batch, at)
+            finally:
+                if careful:
+                    self._call("cuMemFreeAsync", left, at)
+
+    @contextmanager
+    def _at(self, arrays: dict[str, Array]) -> Iterator[int]:
+        """The device of all arrays, with its context current."""
+        devices = {array.name: self._device(array) for array in arrays.values()}
+        first, *others = devices.items()
+        for name, device in others:
+            if device != first[1]:
+                told = f"{first[0]} is on GPU {first[1]}, and {name} on GPU {device}"
+                raise ValueError(f"{told}: all arrays must be on one")
+        context = ctypes.c_void_p()
+        self._call("cuDevicePrimaryCtxRetain", ctypes.byref(context), first[1])
+        self._call("cuCtxPushCurrent_v2", context)
+        try:
+            yield first[1]
+        finally:
+            self._call("cuCtxPopCurrent_v2", ctypes.byref(context))
+            self._call("cuDevicePrimaryCtxRelease_v2", first[1])
+
+    def _device(self, array: Array) -> int:
+        found = ctypes.c_int()
+        place = ctypes.c_void_p(array.pointer)
+        if self._cu.cuPointerGetAttribute(ctypes.byref(found), _ORDINAL, place):
+            raise ValueError(f"{array.name} is not in the memory of a GPU")
+        return found.value
+
+    def _kernel(self, name: str, kind: str, entries: int, device: int) -> ctypes.c_void_p:
+        """A kernel, compiled and loaded once."""
+        asked = f"dhgen_{name}<{KINDS[kind][1]}, {entries}>"
+        if (asked, device) not in self._loaded:
+            major, minor = (self._attribute(each, device) for each in (_MAJOR, _MINOR))
+            lowered, code = self._program.kernel(asked, f"sm_{major}{minor}")
+            module, function = ctypes.c_void_p(), ctypes.c_void_p()
+            self._call("cuModuleLoadData", ctypes.byref(module), code)
+            self._call("cuModuleGetFunction", ctypes.byref(function), module, lowered)
+            self._loaded[asked, device] = function
+        return self._loaded[asked, device]
+
+    def _attribute(self, number: int, device: int) -> int:
+        found = ctypes.c_int()
+        self._call("cuDeviceGetAttribute", ctypes.byref(found), number, device)
+        return found.value
+
+    def _launch(
+        self,
+        kernel: ctypes.c_void_p | None,
+        blocks: int,
+        threads: int,
+        batch: Batch,
+        stream: ctypes.c_void_p,
+    ) -> None:
+        arguments = (ctypes.c_void_p * 1)(ctypes.addressof(batch))
+        self._call(
+            "cuLaunchKernel", kernel, blocks, 1, 1, threads, 1, 1, 0, stream, arguments, None
+        )
+
+    def _call(self, name: str, *arguments: object) -> None:
+        error = self._cu[name](*arguments)
+        if error:
+            text = ctypes.c_char_p()
+            self._cu.cuGetErrorString(error, ctypes.byref(text))
+            raise DeviceError(f"{name}: {(text.value or b'unknown error').decode()}")
+
+
+def _places(arrays: dict[str, Array]) -> dict[str, int]:
+    return {name: array.pointer for name, array in arrays.items()}
+
+
+def _over(n: int, size: int) -> int:
+    return -(-n // size)
+
+
+def _number(array: Array) -> str:
+    if array.kind not in KINDS:
+        raise TypeError(f"{array.name} must be float32 or float64, not {array.kind}")
+    return array.kind
+
+
+def _library(array: GPUArray) -> str:
+    return type(array).__module__.partition(".")[0]
+
+
+def _new(like: GPUArray, shape: tuple[int, ...], kind: str) -> GPUArray:
+    """An array of the library and on the GPU of another."""
+    library = _library(like)
+    name = KINDS[kind][0] if kind in KINDS else "uint8"
+    if library == "torch":
+        torch = importlib.import_module("torch")
+        return torch.empty(shape, dtype=getattr(torch, name), device=like.device)
+    if library == "cupy":
+        with like.device:
+            return importlib.import_module("cupy").empty(shape, name)
+    raise TypeError(f"arrays of {library} can't be made here: give those to be written to, out=")
+
+
+def _stream(array: GPUArray, chosen: int | None) -> ctypes.c_void_p:
+    """A stream: the caller's, or the one that is current in the array's library."""
+    library = _library(array)
+    if chosen is None and library == "torch":
+        found = importlib.import_module("torch").cuda.current_stream(array.device)
+        chosen = found.cuda_stream
+    elif chosen is None and library == "cupy":
+        chosen = importlib.import_module("cupy").cuda.get_current_stream().ptr
+    elif chosen is None:
+        chosen = array.__cuda_array_interface__.get("stream") or _LEGACY
+    return ctypes.c_void_p(chosen)
+
+
+@cache
+def driver() -> ctypes.CDLL:
+    """NVIDIA's driver, ready."""
+    try:
+        found = ctypes.CDLL(DRIVER)
+    except OSError:
+        raise NoDriver(f"NVIDIA's driver is not installed: {DRIVER} not found") from None
+    if error := found.cuInit(0):
+        raise NoDriver(f"NVIDIA's driver finds no GPU that it can use (error {error} of cuInit)")
+    return found
+
+
+@cache
+def nvrtc() -> ctypes.CDLL:
+    """NVRTC, as PyTorch, CuPy or its own wheel brings it, or as the system has it."""
+    parts = ("nvidia/cu13/lib", "nvidia/cuda_nvrtc/lib")
+    wheels = (Path(folder, part) for folder in sys.path for part in parts)
+    found = [path for folder in wheels for path in sorted(folder.glob("libnvrtc.so.*"))]
+    others = ("libnvrtc.so.13", "libnvrtc.so.12", "/usr/local/cuda/lib64/libnvrtc.so")
+    for name in [*map(str, found), *others]:
+        try:
+            return ctypes.CDLL(name)
+        except OSError:
+            continue
+    raise NoCompiler("NVRTC is not installed: pip install nvidia-cuda-nvrtc")
+
+
+def compiled(
+    compiler: ctypes.CDLL, text: str, kernel: str, options: Sequence[str]
+) -> tuple[bytes, bytes]:
+    """A kernel's name in its code, and the code."""
+    program, lowered = ctypes.c_void_p(), ctypes.c_char_p()
+    listed = (ctypes.c_char_p * len(options))(*map(str.encode, options))
+    compiler.nvrtcCreateProgram(ctypes.byref(program), text.encode(), b"dhgen.cu", 0, None, None)
+    try:
+        compiler.nvrtcAddNameExpression(program, kernel.encode())
+        failed = compiler.nvrtcCompileProgram(program, len(options), listed)
+        log = _output(compiler, program, "ProgramLog").rstrip(b"\0").decode()
+        if failed:
+            raise BuildError(f"{kernel}\n{log}")
+        compiler.nvrtcGetLoweredName(program, kernel.encode(), ctypes.byref(lowered))
+        code = _output(compiler, program, "CUBIN")
+        return lowered.value or b"", code
+    finally:
+        compiler.nvrtcDestroyProgram(ctypes.byref(program))
+
+
+def _output(compiler: ctypes.CDLL, program: ctypes.c_void_p, what: str) -> bytes:
+    size = ctypes.c_size_t()
+    compiler[f"nvrtcGet{what}Size"](program, ctypes.byref(size))
+    content = ctypes.create_string_buffer(size.value)
+    compiler[f"nvrtcGet{what}"](program, content)
+    return content.raw
+
+
+def _version(compiler: ctypes.CDLL) -> tuple[int, int]:
+    major, minor = ctypes.c_int(), ctypes.c_int()
+    compiler.nvrtcVersion(ctypes.byref(major), ctypes.byref(minor))
+    return major.value, minor.value
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:24]
+
+
+def cache_folder() -> Path:
+    """Where kernels are kept; it need not be there yet."""
+    if chosen := os.environ.get("DHGEN_CACHE_DIR"):
+        return Path(chosen)
+    user = os.environ.get("XDG_CACHE_HOME")
+    return (Path(user) if user else Path.home() / ".cache") / "dhgen"
