@@ -67,9 +67,9 @@ def compiled(text: str, options: list[str], kernels: list[str] | None = None) ->
     return log.value.decode()
 
 
-def kernels_of(name: str, kernels: list[str], options: list[str]) -> str:
-    """The compiler's log of kernels of a robot."""
-    text = f'#include "{name}.c"\n#include "dhgen_kernels.cuh"\n'
+def kernels_of(name: str, kernels: list[str], options: list[str], more: str = "") -> str:
+    """The compiler's log of kernels of a robot, and of more behind them."""
+    text = f'#include "{name}.c"\n#include "dhgen_kernels.cuh"\n{more}'
     return compiled(text, [*defined(name), *options], kernels)
 
 

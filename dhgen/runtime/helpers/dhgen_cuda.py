@@ -181,7 +181,7 @@ class Solver:
     """A robot's functions for arrays on a GPU: see `cuda`."""
 
     def __init__(self, program: Program, cu: ctypes.CDLL) -> None:
-        self._program, self._cu = program, cu
+        self.program, self._cu = program, cu
         self._loaded: dict[tuple[str, int], ctypes.c_void_p] = {}
 
     def ik_batch(
@@ -209,8 +209,8 @@ class Solver:
         poses = Array.of(T, "T")
         n, kind = self._poses(poses)
         one = nearest is not None
-        rows = () if one else (self._program.rows,)
-        shapes = (n, *rows, self._program.dof), (n, *rows)
+        rows = () if one else (self.program.rows,)
+        shapes = (n, *rows, self.program.dof), (n, *rows)
         kinds = kind, "|u1"
         made = out or tuple(map(_new, (T, T), shapes, kinds))
         q, status = (Array.of(*each) for each in zip(made, ("q", "status"), strict=True))
@@ -219,7 +219,7 @@ class Solver:
         arrays = {"T": poses, "q": q, "status": status, **self._given(q_free, n, kind)}
         if one:
             arrays["values"] = Array.of(nearest, "nearest")
-            arrays["values"].demand(kind, n, self._program.dof)
+            arrays["values"].demand(kind, n, self.program.dof)
         names = ("nearest_to_seeds", "careful_nearest") if one else ("all_rows", "careful_rows")
         self._solve(names, arrays, n, stream, careful=careful)
         return made[0], made[1]
@@ -249,7 +249,7 @@ class Solver:
 
     def jacobian(self, q: GPUArray, *, out: GPUArray = None, stream: int | None = None) -> GPUArray:
         """The Jacobians (n, 6, dof) of joint values (n, dof)."""
-        return self._motion("jacobians", q, (6, self._program.dof), out, stream)
+        return self._motion("jacobians", q, (6, self.program.dof), out, stream)
 
     def _motion(
         self,
@@ -262,15 +262,15 @@ class Solver:
         values = Array.of(q, "q")
         kind = _number(values)
         n = values.shape[0] if values.shape else 0
-        values.demand(kind, n, self._program.dof)
+        values.demand(kind, n, self.program.dof)
         made = _new(q, (n, *shape), kind) if out is None else out
         result = Array.of(made, "out")
         result.demand(kind, n, *shape)
         arrays = {"values": values, "q": result}
         if n:
-            with self._at(arrays) as device:
-                kernel = self._kernel(name, kind, 16, device)
-                self._launch(
+            with self.at(arrays) as device:
+                kernel = self.kernel(_instance(name, kind, 16), device)
+                self.launch(
                     kernel, _over(n, 128), 128, Batch(n, **_places(arrays)), _stream(q, stream)
                 )
         return made
@@ -287,10 +287,10 @@ class Solver:
 
     def _given(self, q_free: Sequence[GPUArray], n: int, kind: str) -> dict[str, Array]:
         """What the caller gives besides poses."""
-        given = self._program.given
+        given = self.program.given
         if len(q_free) != (given > 0):
             takes = f"(n, {given}), besides T" if given else "nothing besides T"
-            raise TypeError(f"{self._program.name} takes {takes}")
+            raise TypeError(f"{self.program.name} takes {takes}")
         if not given:
             return {}
         values = Array.of(q_free[0], "q_free")
@@ -307,8 +307,8 @@ class Solver:
         careful: bool,
     ) -> None:
         """Both kernels, on one stream."""
-        if not careful and not self._program.regular:
-            raise ValueError(f"{self._program.name} has no regular poses: all need careful=True")
+        if not careful and not self.program.regular:
+            raise ValueError(f"{self.program.name} has no regular poses: all need careful=True")
         if n == 0:
             return
         poses = arrays["T"]
@@ -317,13 +317,14 @@ class Solver:
             _stream(poses.owner, stream),
             Batch(n, **_places(arrays)),
         )
-        with self._at(arrays) as device:
+        with self.at(arrays) as device:
             processors = self._attribute(_MULTIPROCESSORS, device)
-            last = self._kernel(names[1], poses.kind, entries, device) if careful else None
-            if not self._program.regular:
-                self._launch(last, min(_over(n, 128), 2 * processors), 128, batch, at)
+            asked = [_instance(name, poses.kind, entries) for name in names]
+            last = self.kernel(asked[1], device) if careful else None
+            if not self.program.regular:
+                self.launch(last, min(_over(n, 128), 2 * processors), 128, batch, at)
                 return
-            first = self._kernel(names[0], poses.kind, entries, device)
+            first = self.kernel(asked[0], device)
             left = ctypes.c_void_p()
             if careful:
                 self._call("cuMemAllocAsync", ctypes.byref(left), ctypes.c_size_t(4 * n + 4), at)
@@ -332,16 +333,16 @@ class Solver:
             try:
                 size = ctypes.c_int()  # of a block: as many threads as it may have
                 self._call("cuFuncGetAttribute", ctypes.byref(size), 0, first)
-                self._launch(first, _over(n, size.value), size.value, batch, at)
+                self.launch(first, _over(n, size.value), size.value, batch, at)
                 if careful:
-                    self._launch(last, min(n, 16 * processors), 32, batch, at)
+                    self.launch(last, min(n, 16 * processors), 32, batch, at)
             finally:
                 if careful:
                     self._call("cuMemFreeAsync", left, at)
 
     @contextmanager
-    def _at(self, arrays: dict[str, Array]) -> Iterator[int]:
-        """The device of all arrays, with its context current."""
+    def at(self, arrays: dict[str, Array]) -> Iterator[int]:
+        """The device of arrays, with its context current."""
         devices = {array.name: self._device(array) for array in arrays.values()}
         first, *others = devices.items()
         for name, device in others:
@@ -364,12 +365,11 @@ class Solver:
             raise ValueError(f"{array.name} is not in the memory of a GPU")
         return found.value
 
-    def _kernel(self, name: str, kind: str, entries: int, device: int) -> ctypes.c_void_p:
-        """A kernel, compiled and loaded once."""
-        asked = f"dhgen_{name}<{KINDS[kind][1]}, {entries}>"
+    def kernel(self, asked: str, device: int) -> ctypes.c_void_p:
+        """An instance of a kernel's template, compiled and loaded once."""
         if (asked, device) not in self._loaded:
             major, minor = (self._attribute(each, device) for each in (_MAJOR, _MINOR))
-            lowered, code = self._program.kernel(asked, f"sm_{major}{minor}")
+            lowered, code = self.program.kernel(asked, f"sm_{major}{minor}")
             module, function = ctypes.c_void_p(), ctypes.c_void_p()
             self._call("cuModuleLoadData", ctypes.byref(module), code)
             self._call("cuModuleGetFunction", ctypes.byref(function), module, lowered)
@@ -381,7 +381,7 @@ class Solver:
         self._call("cuDeviceGetAttribute", ctypes.byref(found), number, device)
         return found.value
 
-    def _launch(
+    def launch(
         self,
         kernel: ctypes.c_void_p | None,
         blocks: int,
@@ -389,6 +389,7 @@ class Solver:
         batch: Batch,
         stream: ctypes.c_void_p,
     ) -> None:
+        """Puts a kernel on a stream."""
         arguments = (ctypes.c_void_p * 1)(ctypes.addressof(batch))
         self._call(
             "cuLaunchKernel", kernel, blocks, 1, 1, threads, 1, 1, 0, stream, arguments, None
@@ -400,6 +401,10 @@ class Solver:
             text = ctypes.c_char_p()
             self._cu.cuGetErrorString(error, ctypes.byref(text))
             raise DeviceError(f"{name}: {(text.value or b'unknown error').decode()}")
+
+
+def _instance(name: str, kind: str, entries: int) -> str:
+    return f"dhgen_{name}<{KINDS[kind][1]}, {entries}>"
 
 
 def _places(arrays: dict[str, Array]) -> dict[str, int]:
