@@ -63,7 +63,8 @@ template <class Number> struct dhgen_sizes {
     enum { WORDS = BYTES / (int)sizeof(word), STRIDE = WORDS + 1 };
 };
 
-/* Threads of a block of the first kernel: one warp where two would not fit shared memory. */
+/* Threads of a block of the first kernel: one warp where two would not fit shared memory. Ten warps
+ * of a multiprocessor have room for their registers. */
 #define DHGEN_THREADS (DHGEN_ROWS * DHGEN_DOF <= 94 ? 64 : 32)
 
 DHGEN_INLINE unsigned dhgen_blocks(unsigned long long n)
@@ -189,7 +190,8 @@ __device__ inline void dhgen_copy_lane(const dhgen_batch<Number> &batch, size_t 
 
 /* All rows of regular poses. */
 template <class Number, int ENTRIES>
-__global__ void __launch_bounds__(DHGEN_THREADS) dhgen_all_rows(dhgen_batch<Number> batch)
+__global__ void __launch_bounds__(DHGEN_THREADS, 320 / DHGEN_THREADS)
+    dhgen_all_rows(dhgen_batch<Number> batch)
 {
     typedef dhgen_sizes<Number> sizes;
     __shared__ typename sizes::word stages[DHGEN_THREADS * sizes::STRIDE];

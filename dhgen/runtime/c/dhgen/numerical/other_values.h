@@ -19,7 +19,7 @@ DHGEN_FN double dhgen_fan_value(const struct dhgen_arm *arm, int joint, int k)
     const double step = arm->joints[joint].fan_step;
     const int far = (k < 0 ? -k : k) - DHGEN_CLOSE_FAN;
     const double off = far > 0 ? step * far : step * exp2(0.5 * far - 0.5);
-    return k == 0 ? 0.0 : copysign(off, k);
+    return k == 0 ? 0.0 : copysign(off, (double)k);
 }
 
 /* Whether the row that is searched has joint values, and to both sides of them none as good. */

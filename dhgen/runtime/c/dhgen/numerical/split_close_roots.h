@@ -132,7 +132,7 @@ DHGEN_FN int dhgen_find_first(struct dhgen_close_rows *rows, int row, double *en
         && dhgen_is_new(rows, rows->others, end);
     for (int power = DHGEN_FIRST_POWER; power <= DHGEN_LAST_POWER; power += DHGEN_POWER_STEP)
         for (int side = 1; side >= -1 && !found; side -= 2)
-            found = dhgen_leads_elsewhere(rows, ldexp(side, -power), row, end);
+            found = dhgen_leads_elsewhere(rows, ldexp((double)side, -power), row, end);
     return found;
 }
 
