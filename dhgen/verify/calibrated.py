@@ -277,6 +277,8 @@ def _compare(found: list[Rows], kind: Kind, table: FloatArray, T: FloatArray) ->
             there = other[number][np.isin(kinds[number], HELD)]
             for row in held:
                 _demand(_turned(there, row).min(), FOUND, f"{where}: a row of Python in C")
+            for row in there:
+                _demand(_turned(held, row).min(), FOUND, f"{where}: a row of C in Python")
 
 
 def _check_first(

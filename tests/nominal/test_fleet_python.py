@@ -241,6 +241,8 @@ def test_arms_are_printed_and_filled_by_lists(folder: Path) -> None:
     kept = arm.numbers.copy()
     table[:] = 0.0
     np.testing.assert_array_equal(arm.numbers, kept)
+    with pytest.raises(ValueError, match="read-only"):
+        arm.table[0, 0] = 1.0
     again = made.calibrated(arm.table)
     np.testing.assert_array_equal(again.numbers, kept)
 

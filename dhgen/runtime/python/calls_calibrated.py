@@ -191,7 +191,7 @@ class CalibratedArm:
     """An arm with the table that it was given: only read, by any number of threads.
 
     Attributes:
-        table: theta, d, a, alpha of each row at q = 0, (6, 4).
+        table: theta, d, a, alpha of each row at q = 0, (6, 4); can't be written to.
         numbers: What the table makes of the arm, as `ik_into` of the module takes it; not to be
             changed.
         turned: By how much its tool is turned to that of the nominal arm at most, once that has
@@ -203,7 +203,8 @@ class CalibratedArm:
 
     def __init__(self, table: Floats, arm: Floats, calls: Mapping[str, Any]) -> None:
         """Takes what `calibrated` of the module worked out."""
-        self.table, self.numbers, self._calls = table, arm, calls
+        self.table, self.numbers, self._calls = table.view(), arm, calls
+        self.table.flags.writeable = False  # the numbers would not follow
         self._choice: Choice = calls["choice"](arm)
         self.turned, self.moved = (float(arm[at - NUMBERS]) for at in (TURNED, MOVED))
 
