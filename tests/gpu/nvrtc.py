@@ -14,7 +14,7 @@ GENERATED = Path(__file__).resolve().parents[2] / "generated"
 FIRST = ("all_rows", "count_rows", "nearest_to_seeds")
 CAREFUL = ("careful_rows", "careful_count", "careful_nearest")
 MOTION = ("poses", "jacobians")
-_STACK = re.compile(r"(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes spill loads")
+_STACK = re.compile(r"(\d+) bytes stack frame")
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,13 +23,11 @@ class Used:
 
     Attributes:
         registers: Of a thread.
-        stack: Bytes of a thread's own memory.
-        spilled: Bytes that are written to memory and read again for want of registers.
+        stack: Bytes of a thread's own memory, for arrays or for want of registers.
     """
 
     registers: int
     stack: int
-    spilled: int
 
 
 def defined(name: str) -> list[str]:
@@ -79,11 +77,7 @@ def used(name: str, kernel: str, architecture: str) -> Used:
     log = kernels_of(name, [kernel], options)
     found = re.findall(r"Used (\d+) registers", log)
     assert len(found) == 1, log
-    stacks = [tuple(map(int, each)) for each in _STACK.findall(log)]
-    stack, spilled = (
-        sum(each) for each in ((s for s, *_ in stacks), (x + y for _, x, y in stacks))
-    )
-    return Used(int(found[0]), stack, spilled)
+    return Used(int(found[0]), sum(map(int, _STACK.findall(log))))
 
 
 def _library() -> ctypes.CDLL:
