@@ -275,7 +275,7 @@ def _run_check(robot: Any, T: Memory, out: Any, tally: Memory, kind: str, n: int
     number = cuda.KINDS[kind][1]
     with checks.at(arrays) as device:
         kernel = checks.kernel(f"gpu_check<{number}, 16>", device)
-        checks.launch(kernel, -(-n // 128), 128, batch, ctypes.c_void_p(1))
+        checks.launch(kernel, (-(-n // 128), 128), batch, ctypes.c_void_p(1))
 
 
 def _first_call(cuda: Any, gpu: GPU, name: str) -> None:  # noqa: ANN401

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
     from types import ModuleType
 
+Pointer = ctypes.c_void_p
 GPUArray: TypeAlias = Any  # of a library that is not known here
 DRIVER = "libcuda.so.1"
 SKIPPED = 5  # NaN: the pose needs the careful functions, and these were not asked for
@@ -139,7 +140,7 @@ class Program:
 class Batch(ctypes.Structure):
     """The arrays of a batch, as kernels take them."""
 
-    _fields_ = (("n", ctypes.c_ulonglong), *((name, ctypes.c_void_p) for name in ARRAYS))
+    _fields_ = (("n", ctypes.c_ulonglong), *((name, Pointer) for name in ARRAYS))
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,7 +174,7 @@ class Array:
             raise TypeError(f"{self.name} must be {wanted}, not {self.kind}")
         if self.shape != shape:
             raise ValueError(f"{self.name} must be of shape {shape}, not {self.shape}")
-        if self.pointer % _ALIGNED and kind in KINDS:
+        if self.pointer % _ALIGNED:
             raise ValueError(f"{self.name} must begin at a multiple of {_ALIGNED} bytes")
 
 
@@ -182,7 +183,8 @@ class Solver:
 
     def __init__(self, program: Program, cu: ctypes.CDLL) -> None:
         self.program, self._cu = program, cu
-        self._loaded: dict[tuple[str, int], ctypes.c_void_p] = {}
+        self._contexts: dict[int, Pointer] = {}
+        self._loaded: dict[tuple[str, int], Pointer] = {}
 
     def ik_batch(
         self,
@@ -270,9 +272,7 @@ class Solver:
         if n:
             with self.at(arrays) as device:
                 kernel = self.kernel(_instance(name, kind, 16), device)
-                self.launch(
-                    kernel, _over(n, 128), 128, Batch(n, **_places(arrays)), _stream(q, stream)
-                )
+                self.launch(kernel, (_over(n, 128), 128), _batch(n, arrays), _stream(q, stream))
         return made
 
     def _poses(self, poses: Array) -> tuple[int, str]:
@@ -312,20 +312,15 @@ class Solver:
         if n == 0:
             return
         poses = arrays["T"]
-        entries, at, batch = (
-            4 * poses.shape[1],
-            _stream(poses.owner, stream),
-            Batch(n, **_places(arrays)),
-        )
+        asked = [_instance(name, poses.kind, 4 * poses.shape[1]) for name in names]
+        at, batch = _stream(poses.owner, stream), _batch(n, arrays)
         with self.at(arrays) as device:
             processors = self._attribute(_MULTIPROCESSORS, device)
-            asked = [_instance(name, poses.kind, entries) for name in names]
-            last = self.kernel(asked[1], device) if careful else None
+            last = self.kernel(asked[1], device) if careful else Pointer()
             if not self.program.regular:
-                self.launch(last, min(_over(n, 128), 2 * processors), 128, batch, at)
+                self.launch(last, (min(_over(n, 128), 2 * processors), 128), batch, at)
                 return
-            first = self.kernel(asked[0], device)
-            left = ctypes.c_void_p()
+            first, left = self.kernel(asked[0], device), Pointer()
             if careful:
                 self._call("cuMemAllocAsync", ctypes.byref(left), ctypes.c_size_t(4 * n + 4), at)
                 self._call("cuMemsetD32Async", left, 0, ctypes.c_size_t(1), at)
@@ -333,9 +328,9 @@ class Solver:
             try:
                 size = ctypes.c_int()  # of a block: as many threads as it may have
                 self._call("cuFuncGetAttribute", ctypes.byref(size), 0, first)
-                self.launch(first, _over(n, size.value), size.value, batch, at)
+                self.launch(first, (_over(n, size.value), size.value), batch, at)
                 if careful:
-                    self.launch(last, min(n, 16 * processors), 32, batch, at)
+                    self.launch(last, (min(n, 16 * processors), 32), batch, at)
             finally:
                 if careful:
                     self._call("cuMemFreeAsync", left, at)
@@ -349,28 +344,29 @@ class Solver:
             if device != first[1]:
                 told = f"{first[0]} is on GPU {first[1]}, and {name} on GPU {device}"
                 raise ValueError(f"{told}: all arrays must be on one")
-        context = ctypes.c_void_p()
-        self._call("cuDevicePrimaryCtxRetain", ctypes.byref(context), first[1])
-        self._call("cuCtxPushCurrent_v2", context)
+        if first[1] not in self._contexts:
+            context = Pointer()
+            self._call("cuDevicePrimaryCtxRetain", ctypes.byref(context), first[1])
+            self._contexts[first[1]] = context  # for good: what is loaded belongs to it
+        self._call("cuCtxPushCurrent_v2", self._contexts[first[1]])
         try:
             yield first[1]
         finally:
-            self._call("cuCtxPopCurrent_v2", ctypes.byref(context))
-            self._call("cuDevicePrimaryCtxRelease_v2", first[1])
+            self._call("cuCtxPopCurrent_v2", ctypes.byref(Pointer()))
 
     def _device(self, array: Array) -> int:
         found = ctypes.c_int()
-        place = ctypes.c_void_p(array.pointer)
+        place = Pointer(array.pointer)
         if self._cu.cuPointerGetAttribute(ctypes.byref(found), _ORDINAL, place):
             raise ValueError(f"{array.name} is not in the memory of a GPU")
         return found.value
 
-    def kernel(self, asked: str, device: int) -> ctypes.c_void_p:
+    def kernel(self, asked: str, device: int) -> Pointer:
         """An instance of a kernel's template, compiled and loaded once."""
         if (asked, device) not in self._loaded:
             major, minor = (self._attribute(each, device) for each in (_MAJOR, _MINOR))
             lowered, code = self.program.kernel(asked, f"sm_{major}{minor}")
-            module, function = ctypes.c_void_p(), ctypes.c_void_p()
+            module, function = Pointer(), Pointer()
             self._call("cuModuleLoadData", ctypes.byref(module), code)
             self._call("cuModuleGetFunction", ctypes.byref(function), module, lowered)
             self._loaded[asked, device] = function
@@ -381,19 +377,10 @@ class Solver:
         self._call("cuDeviceGetAttribute", ctypes.byref(found), number, device)
         return found.value
 
-    def launch(
-        self,
-        kernel: ctypes.c_void_p | None,
-        blocks: int,
-        threads: int,
-        batch: Batch,
-        stream: ctypes.c_void_p,
-    ) -> None:
-        """Puts a kernel on a stream."""
-        arguments = (ctypes.c_void_p * 1)(ctypes.addressof(batch))
-        self._call(
-            "cuLaunchKernel", kernel, blocks, 1, 1, threads, 1, 1, 0, stream, arguments, None
-        )
+    def launch(self, kernel: Pointer, size: tuple[int, int], batch: Batch, at: Pointer) -> None:
+        """Puts a kernel of so many blocks of threads on a stream."""
+        (blocks, threads), given = size, (Pointer * 1)(ctypes.addressof(batch))
+        self._call("cuLaunchKernel", kernel, blocks, 1, 1, threads, 1, 1, 0, at, given, None)
 
     def _call(self, name: str, *arguments: object) -> None:
         error = self._cu[name](*arguments)
@@ -407,8 +394,8 @@ def _instance(name: str, kind: str, entries: int) -> str:
     return f"dhgen_{name}<{KINDS[kind][1]}, {entries}>"
 
 
-def _places(arrays: dict[str, Array]) -> dict[str, int]:
-    return {name: array.pointer for name, array in arrays.items()}
+def _batch(n: int, arrays: dict[str, Array]) -> Batch:
+    return Batch(n, **{name: array.pointer for name, array in arrays.items()})
 
 
 def _over(n: int, size: int) -> int:
@@ -438,7 +425,7 @@ def _new(like: GPUArray, shape: tuple[int, ...], kind: str) -> GPUArray:
     raise TypeError(f"arrays of {library} can't be made here: give those to be written to, out=")
 
 
-def _stream(array: GPUArray, chosen: int | None) -> ctypes.c_void_p:
+def _stream(array: GPUArray, chosen: int | None) -> Pointer:
     """A stream: the caller's, or the one that is current in the array's library."""
     library = _library(array)
     if chosen is None and library == "torch":
@@ -448,7 +435,7 @@ def _stream(array: GPUArray, chosen: int | None) -> ctypes.c_void_p:
         chosen = importlib.import_module("cupy").cuda.get_current_stream().ptr
     elif chosen is None:
         chosen = array.__cuda_array_interface__.get("stream") or _LEGACY
-    return ctypes.c_void_p(chosen)
+    return Pointer(chosen)
 
 
 @cache
@@ -482,7 +469,7 @@ def compiled(
     compiler: ctypes.CDLL, text: str, kernel: str, options: Sequence[str]
 ) -> tuple[bytes, bytes]:
     """A kernel's name in its code, and the code."""
-    program, lowered = ctypes.c_void_p(), ctypes.c_char_p()
+    program, lowered = Pointer(), ctypes.c_char_p()
     listed = (ctypes.c_char_p * len(options))(*map(str.encode, options))
     compiler.nvrtcCreateProgram(ctypes.byref(program), text.encode(), b"dhgen.cu", 0, None, None)
     try:
@@ -498,7 +485,7 @@ def compiled(
         compiler.nvrtcDestroyProgram(ctypes.byref(program))
 
 
-def _output(compiler: ctypes.CDLL, program: ctypes.c_void_p, what: str) -> bytes:
+def _output(compiler: ctypes.CDLL, program: Pointer, what: str) -> bytes:
     size = ctypes.c_size_t()
     compiler[f"nvrtcGet{what}Size"](program, ctypes.byref(size))
     content = ctypes.create_string_buffer(size.value)

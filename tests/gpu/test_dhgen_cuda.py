@@ -127,7 +127,6 @@ def test_all_rows_are_two_kernels_on_the_library_s_stream(
         f"launch 1100 1000,1,1 32,1,1 0 on 77: {arrays}",
         "free 10000000500 on 77",
         "pop",
-        "release 0",
     ]
     solver.ik_batch(poses(n))
     assert not [call for call in calls(driver) if call.startswith(("load", "function"))]
@@ -270,7 +269,7 @@ def test_errors_of_the_driver_are_told(
     monkeypatch.setenv("CUMEMALLOC_ERROR", "1")
     with pytest.raises(dhgen_cuda.DeviceError, match="cuMemAllocAsync: out of memory"):
         solver.ik_batch(poses(64))
-    assert calls(driver)[-2:] == ["pop", "release 0"]
+    assert calls(driver)[-1:] == ["pop"]
 
 
 def test_what_is_missing(
