@@ -10,12 +10,15 @@ import importlib
 import subprocess
 import sys
 from pathlib import Path
-
-import pytest
+from typing import TYPE_CHECKING
 
 from benchmarks import gpu
 from dhgen.verify.native import c_compiler
 from tests.gpu.nvrtc import kernels_of
+from tests.structures import BREADTH
+
+if TYPE_CHECKING:
+    import pytest
 
 DRIVER = Path(__file__).parents[1] / "gpu" / "driver.c.txt"
 COPIED = 2.147  # GB that copying one GiB reads and writes
@@ -34,7 +37,7 @@ def test_without_a_device_it_is_skipped(
     )
 
 
-@pytest.mark.slow
+@BREADTH
 def test_what_is_measured(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:

@@ -74,7 +74,7 @@ def test_other_files_compile_without_a_warning(name: str) -> None:
 
 
 @pytest.mark.parametrize("architecture", those_in(ARCHITECTURES[1:2], ARCHITECTURES))
-@pytest.mark.parametrize("name", those_in(("scara", "puma560"), WITHOUT_SINES))
+@pytest.mark.parametrize("name", those_in(("scara",), WITHOUT_SINES))
 def test_regular_poses_need_next_to_no_memory_of_their_own(name: str, architecture: str) -> None:
     """Nor more registers than leave room for enough threads to keep its memory busy."""
     needed = used(name, "dhgen_all_rows<double, 16>", architecture)
