@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 import pytest
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable
+    from pathlib import Path
 
     from _pytest.mark import ParameterSet
 
@@ -60,6 +62,15 @@ def one_of_each(names: Iterable[str]) -> list[ParameterSet]:
         **dict.fromkeys(OFTEN_ODD, pytest.mark.slow),
     }
     return [pytest.param(name, marks=marks.get(name, BREADTH)) for name in names]
+
+
+def says(path: Path, line: str) -> bool:
+    """Whether a robot file has a line that begins like this.
+
+    Tests are chosen by that: to read all robot files as dhgen does takes as long as to collect all
+    tests, in each process that runs them.
+    """
+    return re.search(f"^{line}", path.read_text("utf-8"), re.MULTILINE) is not None
 
 
 def those_in(first: Collection[str], names: Iterable[str]) -> list[ParameterSet]:

@@ -13,8 +13,8 @@ from dhgen.atomic_write import write_files
 from dhgen.status import HELD, Status
 from dhgen.tolerances import SINGLE
 from tests.embedded.board import CORTEX_M4, CORTEX_M7, MISSING, answers, compiled
-from tests.structures import BREADTH, first_of
-from tests.targets.made import NAMES, apart, folder, made, poses_of, residual, robot
+from tests.structures import BREADTH, first_of, says
+from tests.targets.made import NAMES, apart, folder, made, poses_of, residual, robot, robot_path
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -28,7 +28,10 @@ pytestmark = [
 ]
 
 POSES = 24
-SMALL = sorted((name for name in NAMES if robot(name).float32), key=lambda name: name != "scara")
+SMALL = sorted(
+    (name for name in NAMES if says(robot_path(name), "float32: true")),
+    key=lambda name: name != "scara",
+)
 BOARDS = {"Cortex-M4": CORTEX_M4, "Cortex-M7": CORTEX_M7}
 # What the floating-point unit knows, and for one arm what it does not, or knows besides.
 SOLVED = [

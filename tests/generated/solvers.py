@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).resolve().parents[2]
 GENERATED = ROOT / "generated"
-NAMES = sorted(path.stem for path in (ROOT / "robots").glob("*.yaml"))
+ROBOTS = ROOT / "robots"
+NAMES = sorted(path.stem for path in ROBOTS.glob("*.yaml"))
 _KEPT: list[tempfile.TemporaryDirectory[str]] = []
 
 
@@ -37,7 +38,7 @@ def folder() -> Path:
 @cache
 def robot(name: str) -> Robot:
     """What the robot file says."""
-    return load(ROOT / "robots" / f"{name}.yaml")
+    return load(ROBOTS / f"{name}.yaml")
 
 
 @cache

@@ -11,12 +11,13 @@ from dhgen.status import HELD, Status
 from dhgen.survey.oracle.arm_angle import arm_angle, elbow_of, given_values
 from dhgen.survey.oracle.poses import random_joints
 from tests.generated.asking import trial
-from tests.generated.solvers import NAMES, library, robot, short_module
+from tests.generated.solvers import NAMES, ROBOTS, library, robot, short_module
+from tests.structures import says
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
-GIVEN = [name for name in NAMES if robot(name).arm_angle]
+GIVEN = [name for name in NAMES if says(ROBOTS / f"{name}.yaml", "free: arm_angle")]
 POSES = 200
 RESIDUAL = 1e-11
 SAME = 1e-9

@@ -14,16 +14,19 @@ import pytest
 from numba import njit
 from numba.core.runtime import _nrt_python as _nrt  # type: ignore[attr-defined]
 
+from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
+from dhgen.robot.task import TaskKind
 from dhgen.status import HELD, Status
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.poses import random_joints
 from dhgen.survey.oracle.problem import task_entries
 from dhgen.survey.singular import is_redundant
-from tests.generated.solvers import GENERATED, NAMES, given, library, module, robot
+from tests.generated.solvers import GENERATED, NAMES, ROBOTS, given, library, module, robot
 from tests.oracle.sets import joint_sets
-from tests.structures import BREADTH, COMPILED, COMPILED_SLOWLY, STRUCTURES, first_of
+from tests.structures import BREADTH, COMPILED, COMPILED_SLOWLY, STRUCTURES, first_of, says
+from tests.targets.made import MADE_UP
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -113,6 +116,15 @@ def test_every_robot_has_its_files() -> None:
     wanted |= {f"dhgen_pose.{end}" for end in ("py", "c", "h")}
     wanted |= {f"dhgen_native.{end}" for end in ("py", "c")}
     assert {path.name for path in GENERATED.iterdir() if path.is_file()} == wanted
+
+
+def test_lines_by_which_tests_choose_arms_are_what_dhgen_reads() -> None:
+    for path in [*ROBOTS.glob("*.yaml"), *MADE_UP.glob("*.yaml")]:
+        read = load(path)
+        assert says(path, "free: arm_angle") == read.arm_angle, path
+        assert says(path, "float32: true") == read.float32, path
+        assert says(path, "numerical: true") == read.numerical, path
+        assert says(path, "task: (?!pose$)") == (read.task.kind is not TaskKind.POSE), path
 
 
 @pytest.mark.parametrize(("name", "language"), ASKED)

@@ -24,7 +24,7 @@ from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.problem import task_entries
 from dhgen.verify.native import PORTABLE, Build, CompiledSolver, compile_solver, import_module
 from tests.compiling import library, sharing, write_new, written
-from tests.structures import STRUCTURES
+from tests.structures import STRUCTURES, says
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 GENERATED = ROBOTS.parent / "generated"
 # Which of a family of solutions damped least squares find, rounding decides: see tests/numerical.
-NAMES = [name for name in STRUCTURES if not load(ROBOTS / f"{name}.yaml").numerical]
+NAMES = [name for name in STRUCTURES if not says(ROBOTS / f"{name}.yaml", "numerical: true")]
 MADE_UP = Path(__file__).parent / "robots"
 # Whole turns of these hang together, which most tests know nothing of.
 COUPLED = Path(__file__).parent / "coupled"
