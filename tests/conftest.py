@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import gc
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
 
+from dhgen.workers import collect_seldom
 from tests.kept import make_folder
 from tests.structures import GENERAL
 
 settings.register_profile("untimed", deadline=None, max_examples=40)  # the machine decides how long
 settings.load_profile("untimed")
 
-# Derivations keep many small values alive: looking through them again and again took 8 % of a run.
-gc.set_threshold(100_000, 50, 100)
+collect_seldom()
 
 HERE = Path(__file__).parent
 FILES = [*(HERE.parent / "robots").glob("*.yaml"), *(HERE / "targets").glob("*/*.yaml")]
