@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.paul.common_factor import have_nothing_in_common
 from dhgen.paul.form import is_multiple
 from dhgen.paul.kind import Kind
 from dhgen.paul.step import Step
@@ -180,6 +181,8 @@ def _has_higher_powers(
 
 def _without_common_factor(parts: Parts) -> Parts:
     """Four polynomials without the factor that all of them have in common."""
+    if have_nothing_in_common([part for part in parts if part]):
+        return parts
     common = reduce(lambda one, other: one.gcd(other), parts)
     x1, y1, x2, y2 = (part if common.is_ground else part.exquo(common) for part in parts)
     return x1, y1, x2, y2
