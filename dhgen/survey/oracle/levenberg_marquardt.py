@@ -1,4 +1,8 @@
-"""Levenberg-Marquardt from many starts, compiled: the loop in which the oracle spends its time."""
+"""Levenberg-Marquardt from many starts, compiled: the loop in which the oracle spends its time.
+
+Arrays are copied number by number: what numba makes of whole ones, with texts for shapes that do
+not fit, takes it as long to compile as all the rest.
+"""
 
 from __future__ import annotations
 
@@ -66,7 +70,8 @@ def _place(
                 axes[joint, 3 + i] += T[j, 3] * axes[joint, k] - T[k, 3] * axes[joint, j]
         step = links[joint]
         for i in range(3):
-            moved[:] = T[i, :3]
+            for k in range(3):
+                moved[k] = T[i, k]
             for column in range(4):
                 for row in range(3):
                     link[row] = (
@@ -165,12 +170,16 @@ def _follow_one(
         if slope < (STATIONARY_NEAR if cost < NEAR else STATIONARY) * cost:
             break
         _damped_step(J, gradient, damping, L, step)
-        trial[:] = here
-        trial[moving] -= step
+        for joint in range(n):
+            trial[joint] = here[joint]
+        for place in range(k):
+            trial[moving[place]] -= step[place]
         _place(links, twists, turning, trial, T, axes)
         reached = _linearise(T, axes, entries, target, moving, trial_error, trial_J)
         if reached < cost:
-            here[:], cost = trial, reached
+            cost = reached
+            for joint in range(n):
+                here[joint] = trial[joint]
             error, trial_error, J, trial_J = trial_error, error, trial_J, J
             damping = max(damping / EASED, LEAST_DAMPING)
         else:
