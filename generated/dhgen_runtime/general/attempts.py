@@ -204,7 +204,9 @@ def try_closed_form(
     """
     joints, links, between = np.zeros(6, np.int64), loop, np.zeros((4, 12))
     if arm[HAS_WRIST] > 0.0:
-        between[0, :] = invert(loop[4])
+        link = invert(loop[4])
+        for i in range(12):
+            between[0, i] = link[i]
     else:
         joints, links = joints_of(arm, which), around(arm, which, loop)
         split_links(arm, joints, links, between)

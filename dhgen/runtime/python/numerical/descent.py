@@ -118,7 +118,7 @@ def _missing_tilt(T: Floats, P: Floats, vector: Floats) -> None:
     cosine = T[2, 0] * P[8] + T[2, 1] * P[9] + T[2, 2] * P[10]
     turn = np.empty(3)
     _rotation_vector((across, along, 0.0), cosine, turn)
-    vector[:2] = turn[:2]
+    vector[0], vector[1] = turn[0], turn[1]
 
 
 @inner
@@ -133,7 +133,8 @@ def _direction_rates(arm: Floats, P: Floats, spin: Floats, column: Floats) -> No
     elif arm[DIRECTIONS] == PITCH:
         column[0] = spin[0] * P[4] - spin[1] * P[0]
     else:  # the first are all that counts: of tilts, turns about level axes
-        column[:] = spin[: len(column)]
+        for i in range(len(column)):  # of whole arrays numba compares shapes, and tells them
+            column[i] = spin[i]
 
 
 @inner
