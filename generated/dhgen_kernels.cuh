@@ -20,8 +20,8 @@
  *
  * Arms without regular poses (DHGEN_SOLVE_WIDE is not defined) have no first kernel: there a batch
  * without a list goes through the second, one pose a thread. Nothing is allocated, nothing waits.
- * Numbers of arrays are double or float; it is doubles that are computed with. A pose in single
- * precision is rounded, and becomes the nearest rotation first. */
+ * Numbers of arrays are double or float; it is doubles that are computed with. Rounded poses, as
+ * those in single precision are, become the nearest rotation in the first kernel. */
 #ifndef DHGEN_KERNELS_CUH
 #define DHGEN_KERNELS_CUH
 
@@ -113,7 +113,7 @@ __device__ inline void dhgen_leave(const dhgen_batch<Number> &batch, size_t i)
     batch.left[1 + atomicAdd(batch.left, 1u)] = (unsigned)i;
 }
 
-/* Solves a pose of a batch if it is regular. Returns whether it is. */
+/* Solves a pose of a batch if it is regular, be it rounded. Returns whether it is. */
 template <class Number, int ENTRIES>
 __device__ inline bool dhgen_regular_pose(
     const dhgen_batch<Number> &batch, size_t i, double *found, int *kind)
@@ -122,10 +122,8 @@ __device__ inline bool dhgen_regular_pose(
     dhgen_load_pose<Number, ENTRIES>(batch.T, i, given);
     if (DHGEN_GIVEN > 0)
         dhgen_load_values<DHGEN_GIVEN>(batch.free_joints, i, held);
-    const bool rounded = sizeof(Number) < sizeof(double);
-    if (rounded && dhgen_read_pose(&arm, given, pose) == 0)
-        return false;
-    return !DHGEN_SOLVE_WIDE(rounded ? pose : given, DHGEN_GIVEN > 0 ? held : NULL, found, kind);
+    return dhgen_read_pose(&arm, given, pose) != 0
+        && !DHGEN_SOLVE_WIDE(pose, DHGEN_GIVEN > 0 ? held : NULL, found, kind);
 }
 
 /* The first kernel for all rows, until the results are in a warp's stage. */
