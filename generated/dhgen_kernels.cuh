@@ -60,7 +60,7 @@ template <class Number> struct dhgen_word<Number, true> {
 template <class Number> struct dhgen_sizes {
     enum { RESULTS = DHGEN_ROWS * DHGEN_DOF, BYTES = RESULTS * (int)sizeof(Number) };
     typedef typename dhgen_word<Number, BYTES % 16 == 0>::type word;
-    enum { WORDS = BYTES / (int)sizeof(word), STRIDE = WORDS + 1 };
+    enum { WORDS = BYTES / (int)sizeof(word), STRIDE = WORDS + 1, PER = RESULTS / WORDS };
 };
 
 /* Threads of a block of the first kernel: one warp where two would not fit shared memory. Ten warps
@@ -132,8 +132,6 @@ __device__ inline void dhgen_solve_lane(
     const dhgen_batch<Number> &batch, size_t i, int lane, typename dhgen_sizes<Number>::word *stage)
 {
     typedef dhgen_sizes<Number> sizes;
-    typedef typename sizes::word word;
-    enum { PER = (int)(sizeof(word) / sizeof(Number)) };
     double found[DHGEN_ROWS * DHGEN_DOF];
     int kind[DHGEN_ROWS] = { 0 };
     const bool left = !dhgen_regular_pose<Number, ENTRIES>(batch, i, found, kind);
@@ -141,12 +139,12 @@ __device__ inline void dhgen_solve_lane(
 #pragma unroll
     for (int k = 0; k < sizes::WORDS; k++) {
         union {
-            word whole;
-            Number numbers[PER];
+            typename sizes::word whole;
+            Number numbers[sizes::PER];
         } write;
 #pragma unroll
-        for (int j = 0; j < PER; j++)
-            write.numbers[j] = (Number)(skipped ? DHGEN_NAN : found[PER * k + j]);
+        for (int j = 0; j < sizes::PER; j++)
+            write.numbers[j] = (Number)(skipped ? DHGEN_NAN : found[sizes::PER * k + j]);
         stage[lane * sizes::STRIDE + k] = write.whole;
     }
     enum { TOGETHER = DHGEN_ROWS % 8 == 0 ? 8 : DHGEN_ROWS % 4 == 0 ? 4 : 1 };
@@ -174,8 +172,7 @@ __device__ inline void dhgen_copy_lane(const dhgen_batch<Number> &batch, size_t 
     const typename dhgen_sizes<Number>::word *stage)
 {
     typedef dhgen_sizes<Number> sizes;
-    typedef typename sizes::word word;
-    word *const to = (word *)(batch.q + sizes::RESULTS * first);
+    typename sizes::word *const to = (typename sizes::word *)(batch.q + sizes::RESULTS * first);
     const size_t poses = batch.n - first < 32 ? batch.n - first : 32;
     const int count = sizes::WORDS * (int)poses;
 #pragma unroll 8
@@ -205,7 +202,7 @@ __global__ void __launch_bounds__(DHGEN_THREADS, 320 / DHGEN_THREADS)
 
 /* How many rows of regular poses are inside limits. */
 template <class Number, int ENTRIES>
-__global__ void __launch_bounds__(128) dhgen_count_rows(dhgen_batch<Number> batch)
+__global__ void __launch_bounds__(128, 3) dhgen_count_rows(dhgen_batch<Number> batch)
 {
     const size_t i = blockIdx.x * (size_t)blockDim.x + threadIdx.x;
     double found[DHGEN_ROWS * DHGEN_DOF];
@@ -264,7 +261,7 @@ __device__ inline int dhgen_nearest_lane(
 
 /* The solution of regular poses that is nearest to a seed. */
 template <class Number, int ENTRIES>
-__global__ void __launch_bounds__(128) dhgen_nearest_to_seeds(dhgen_batch<Number> batch)
+__global__ void __launch_bounds__(128, 3) dhgen_nearest_to_seeds(dhgen_batch<Number> batch)
 {
     const size_t i = blockIdx.x * (size_t)blockDim.x + threadIdx.x;
     double found[DHGEN_ROWS * DHGEN_DOF], seed[DHGEN_DOF], q[DHGEN_DOF];
