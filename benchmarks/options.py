@@ -11,6 +11,7 @@ from benchmarks.results import machine
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from pathlib import Path
 
 
 def parser(
@@ -21,7 +22,7 @@ def parser(
     Args:
         module: What stands after `python -m`.
         about: The module's docstring.
-        arms: What may be named; every robot file if nothing is given.
+        arms: What may be named; every serial arm if nothing is given.
     """
     made = argparse.ArgumentParser(
         prog=f"python -m {module}",
@@ -35,8 +36,21 @@ def parser(
 
 
 def robot_names() -> list[str]:
-    """Every robot file of the checkout."""
-    return sorted(path.stem for path in (CHECKOUT / "robots").glob("*.yaml"))
+    """Every serial arm of the checkout."""
+    return [path.stem for path in _robot_files() if not _has_legs(path)]
+
+
+def parallel_names() -> list[str]:
+    """Every parallel robot of the checkout."""
+    return [path.stem for path in _robot_files() if _has_legs(path)]
+
+
+def _robot_files() -> list[Path]:
+    return sorted((CHECKOUT / "robots").glob("*.yaml"))
+
+
+def _has_legs(path: Path) -> bool:
+    return "\nlegs:\n" in path.read_text(encoding="utf-8")
 
 
 def show(text: str, mark: str, *, write: bool) -> None:

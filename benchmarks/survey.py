@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from benchmarks.arms import robot_path
-from benchmarks.options import parser, robot_names
+from benchmarks.options import parallel_names, parser, robot_names
 from benchmarks.report import README, place, placed, table
 from dhgen.survey.survey import survey
 from dhgen.survey.table import HEAD, cells
@@ -44,14 +44,15 @@ Row = tuple[str, ...]
 
 def main(arguments: list[str]) -> None:
     """Surveys, prints the table and writes it if asked to."""
-    options_of = parser("benchmarks.survey", __doc__)
+    every = sorted([*robot_names(), *parallel_names()])
+    options_of = parser("benchmarks.survey", __doc__, every)
     options_of.add_argument("--poses", type=int, default=POSES, metavar="N")
     options = options_of.parse_args(arguments)
     lines = survey([robot_path(name) for name in options.arms], options.poses, tell=print)
     new = {line.name: padded(cells(line)) for line in lines}
     known = {row[NAME]: row for row in written(README.read_text(encoding="utf-8"))}
     rows = {**known, **new} if options.write else new
-    text = report([rows[name] for name in robot_names() if name in rows])
+    text = report([rows[name] for name in every if name in rows])
     print(f"\n{text}")
     if options.write:
         place(README, MARK, text)

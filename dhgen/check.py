@@ -9,15 +9,18 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-from dhgen.compiler import compile_loaded, source_name
+from dhgen.compiler import source_name
 from dhgen.derivation.figures.figure import FOLDER
 from dhgen.descriptions.files import ENDINGS as DESCRIPTIONS
 from dhgen.descriptions.files import is_description
 from dhgen.descriptions.write import identifier
 from dhgen.errors import DhgenError, about
 from dhgen.generated_header import SUFFIXES, is_generated, source_folder
+from dhgen.parallel.compile import compile_file
+from dhgen.parallel.read import SUFFIX as LEG
 from dhgen.printing.comments import plain_path
 from dhgen.robot.robot import FLEET
+from dhgen.robot.schema import MAX_LEGS
 from dhgen.robot_files import ENDINGS, led_to
 from dhgen.tolerances import DOUBLE, SINGLE
 from dhgen.workers import side_by_side
@@ -27,7 +30,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from dhgen.compiler import Compilation
-    from dhgen.robot_files import RobotFile, RobotFiles
+    from dhgen.parallel.compile import ParallelCompilation
+    from dhgen.robot_files import AnyFile, RobotFiles
 
 MOST_DIFFERENCES = 60  # lines of a diff that are shown
 
@@ -64,7 +68,7 @@ def compare(
     expected: dict[str, str] = {}
     makers: dict[str, Path] = {}
     refusals: list[DhgenError] = []
-    compiler = partial(compile_loaded, out=out, single_file=single_file)
+    compiler = partial(compile_file, out=out, single_file=single_file)
     compiled = side_by_side(partial(_files_of, compiler), files.loaded)
     for file, made in zip(files.loaded, compiled, strict=True):
         if isinstance(made, DhgenError):
@@ -99,7 +103,7 @@ def _extra_text(path: Path, robots: tuple[Path, ...]) -> str:
 
 
 def _files_of(
-    compiler: Callable[[RobotFile], Compilation], file: RobotFile
+    compiler: Callable[[AnyFile], Compilation | ParallelCompilation], file: AnyFile
 ) -> dict[str, str] | DhgenError:
     try:
         with about(file.path):
@@ -192,7 +196,9 @@ def _folder_of(source: str) -> str:
 def _stems(files: Iterable[Path]) -> set[str]:
     """What the names of files may begin with that are made of these robot files."""
     names = map(_robot_name, files)
-    return {name + suffix for name in names for suffix in (DOUBLE.suffix, SINGLE.suffix, FLEET)}
+    legs = [LEG, *(f"{LEG}{number}" for number in range(1, MAX_LEGS + 1))]
+    suffixes = (DOUBLE.suffix, SINGLE.suffix, FLEET, *legs)
+    return {name + suffix for name in names for suffix in suffixes}
 
 
 def _robot_name(path: Path) -> str:

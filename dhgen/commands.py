@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from dhgen.compiler import Compilation
     from dhgen.errors import Diagnostic
-    from dhgen.robot_files import RobotFile, RobotFiles
+    from dhgen.robot_files import AnyFile, ParallelFile, RobotFile, RobotFiles
     from dhgen.targets.module import SolverModule
 
 
@@ -87,13 +87,17 @@ def write(options: argparse.Namespace) -> int:
     return worst
 
 
-def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
+def _write_one(file: AnyFile, options: argparse.Namespace) -> None:
     from dhgen.atomic_write import replace_files  # noqa: PLC0415
     from dhgen.compiler import verified  # noqa: PLC0415
     from dhgen.derivation import derivation_summary, tool_at_zero  # noqa: PLC0415
+    from dhgen.robot_files import ParallelFile  # noqa: PLC0415
     from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
     _refuse_taken(file, options.out)
+    if isinstance(file, ParallelFile):
+        _write_parallel(file, options)
+        return
     compilation = _compile(file, out=options.out, single_file=options.single_file)
     module = compilation.module
     if options.numerical and module.method is not Method.NUMERICAL:
@@ -119,6 +123,35 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     print(tool_at_zero(module.chain, module.length_unit))
     print(f"all solutions counted by an independent search: dhgen survey {quote(str(file.path))}")
     print(f"wrote {', '.join(str(options.out / name) for name in _own(file, compilation))}\n")
+
+
+def _write_parallel(file: ParallelFile, options: argparse.Namespace) -> None:
+    """Derives, verifies and writes a parallel robot with its legs."""
+    from dhgen.atomic_write import replace_files  # noqa: PLC0415
+    from dhgen.parallel.compile import compile_parallel, verified_parallel  # noqa: PLC0415
+    from dhgen.parallel.document import parallel_summary  # noqa: PLC0415
+    from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
+
+    _tell_notes(file.robot.notices)
+    with about(file.path):
+        made = compile_parallel(file, _tell, out=options.out, single_file=options.single_file)
+    print(f"{made.robot.name}: {made.robot.title}")
+    print(parallel_summary(made.module))
+    _refuse_occupied([options.out / name for name in made.files])
+    if not sys.stderr.isatty():
+        print("verifying what is to be written: this may take a minute ...", flush=True)
+    report = verified_parallel(made, _tell)
+    options.out.mkdir(parents=True, exist_ok=True)
+    replace_files(options.out, {name: text.encode() for name, text in made.files.items()})
+    for name, code in report.code.items():
+        keep_compiled(code, options.out / f"{name}.py")
+    compared = "Python and C agree" if report.compiled else "no C compiler found: C not tested"
+    print(
+        f"verified on {report.poses} poses of the platform: {report.modes} working modes, largest "
+        f"miss of a leg {report.residual:.1e} robot sizes; {compared}"
+    )
+    own = [name for name in made.files if name.partition(".")[0] in file.stems]
+    print(f"wrote {', '.join(str(options.out / name) for name in own)}\n")
 
 
 def _tell_untranslated(sentences: Iterable[str]) -> None:
@@ -333,7 +366,7 @@ def _refuse_mute() -> None:
         raise CommandError("dhgen: standard output is closed: there is nothing to print to")
 
 
-def _refuse_taken(file: RobotFile, out: Path) -> None:
+def _refuse_taken(file: AnyFile, out: Path) -> None:
     """Stops before the work, where files of another robot have the names of this one's.
 
     A robot is who it is by its name: its file may have been moved.
@@ -341,7 +374,7 @@ def _refuse_taken(file: RobotFile, out: Path) -> None:
     for stem in file.stems:
         paths = (out / f"{stem}{suffix}" for suffix in SUFFIXES)
         owners = (robot_of(path) for path in paths if path.is_file())
-        other = next((owner for owner in owners if owner not in {None, file.robot.name}), None)
+        other = next((owner for owner in owners if owner not in {None, *file.stems}), None)
         if other is not None:
             raise CommandError(
                 f"{file.path}: {out / stem}.* are files of the robot '{other}': rename one of the "

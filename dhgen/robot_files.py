@@ -6,19 +6,25 @@ import os
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from dhgen.descriptions.expand import Outside
 from dhgen.descriptions.files import is_description, read_as_robot_file
 from dhgen.descriptions.wishes import Wishes
 from dhgen.errors import Diagnostic, RobotFileError
-from dhgen.robot.load import load_text, read_text
+from dhgen.parallel.read import assemble_parallel
+from dhgen.robot.assemble import assemble
+from dhgen.robot.load import demand_right, load_text, read_text
+from dhgen.robot.reader import read_document
+from dhgen.robot.report import LEGS, Report
 from dhgen.robot.robot import FLEET
+from dhgen.robot.source import SourceText
 from dhgen.tolerances import DOUBLE, SINGLE
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from dhgen.parallel.robot import ParallelRobot
     from dhgen.robot.robot import Robot
 
 
@@ -64,7 +70,7 @@ class RobotFile:
     @property
     def digest(self) -> str:
         """Of the text, however its lines end."""
-        return sha256(b"\n".join(self.text.encode().splitlines())).hexdigest()[:16]
+        return _digest(self.text)
 
     def with_numerical(self) -> RobotFile:
         """The same as if the file said `numerical: true`."""
@@ -80,6 +86,67 @@ class RobotFile:
 
 
 @dataclass(frozen=True, slots=True)
+class ParallelFile:
+    """A parallel robot and its robot file.
+
+    Attributes:
+        path: What was read.
+        robot: What it describes.
+        text: The robot file.
+    """
+
+    path: Path
+    robot: ParallelRobot
+    text: str
+
+    @property
+    def digest(self) -> str:
+        """Of the text, however its lines end."""
+        return _digest(self.text)
+
+    @property
+    def chains(self) -> tuple[RobotFile, ...]:
+        """A robot file of each kind of leg, as if it stood alone; they have the whole's text."""
+        return tuple(RobotFile(self.path, chain, self.text) for chain in self.robot.chains)
+
+    def with_numerical(self) -> ParallelFile:
+        """The same with legs that the numerical solver may take."""
+        return replace(self, robot=self.robot.with_numerical())
+
+    @property
+    def stems(self) -> tuple[str, ...]:
+        """What the files are called that are made of it, without what follows the point."""
+        return (self.robot.name, *(chain.name for chain in self.robot.chains))
+
+
+AnyFile: TypeAlias = RobotFile | ParallelFile
+
+
+def read_file(path: Path, wishes: Wishes = AS_USUAL, outside: Outside = NOTHING_ELSE) -> AnyFile:
+    """A robot file, serial or parallel, or a description.
+
+    Args:
+        path: The file.
+        wishes: What is said of an import.
+        outside: What a xacro needs.
+
+    Raises:
+        RobotFileError: The file can't be read, or has mistakes.
+    """
+    if is_description(path):
+        return RobotFile.read(path, wishes, outside)
+    text = read_text(path)
+    report = Report(read_document(SourceText.of(text.removeprefix("\ufeff"), str(path))))
+    if report.document.has(LEGS):
+        return ParallelFile(path, demand_right(report, assemble_parallel(report)), text)
+    return RobotFile(path, demand_right(report, assemble(report)), text)
+
+
+def _digest(text: str) -> str:
+    return sha256(b"\n".join(text.encode().splitlines())).hexdigest()[:16]
+
+
+@dataclass(frozen=True, slots=True)
 class RobotFiles:
     """The robot files of a command.
 
@@ -90,7 +157,7 @@ class RobotFiles:
     """
 
     paths: tuple[Path, ...]
-    loaded: tuple[RobotFile, ...]
+    loaded: tuple[AnyFile, ...]
     refusals: tuple[RobotFileError, ...]
 
 
@@ -102,10 +169,11 @@ def load_all(paths: Iterable[Path]) -> RobotFiles:
     """
     once = _each_once(paths)
     makers: dict[str, tuple[Path, str]] = {}
-    loaded, refusals = [], []
+    loaded: list[AnyFile] = []
+    refusals = []
     for path in once:
         try:
-            file = RobotFile.read(path)
+            file = read_file(path)
         except RobotFileError as refusal:
             refusals.append(refusal)
             continue

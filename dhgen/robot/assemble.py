@@ -12,6 +12,7 @@ from dhgen.robot.joints import read_axis, read_row
 from dhgen.robot.lengths import note_distance, note_spread
 from dhgen.robot.names import why_no_parameter_name
 from dhgen.robot.passive import check_passive, is_passive
+from dhgen.robot.report import LEGS
 from dhgen.robot.robot import Convention, DhTable, Parameter, ReferenceAxes, Robot
 from dhgen.robot.schema import AxisRow, FrameEntry, JointRow, SumEntry, Units
 from dhgen.robot.shape import Shape
@@ -22,6 +23,7 @@ from dhgen.robot.task import ANGLES, ARM_ANGLE, COORDINATES, Task, TaskKind
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from dhgen.robot.reader import Path
     from dhgen.robot.report import Report
     from dhgen.robot.robot import DhRow, Frame, SumLimit
 
@@ -35,29 +37,38 @@ def assemble(report: Report) -> Robot | None:
     Returns:
         The robot; None, or a robot of no use, after a mistake.
     """
-    return _Assembly(report).robot()
+    return Assembly(report, Shape(report), Cells(report)).robot()
 
 
-class _Assembly:
-    def __init__(self, report: Report) -> None:
+class Assembly:
+    """The sections of a file, or of one leg of it.
+
+    Args:
+        report: Where mistakes and notices go.
+        shape: Which sections have the shape that they should have.
+        cells: Reads cells.
+        at: Where the table stands: of a leg at its place in the list of legs.
+    """
+
+    def __init__(self, report: Report, shape: Shape, cells: Cells, at: Path = ()) -> None:
         self.report = report
         self.document = report.document
-        self.shape = Shape(report)
-        self.cells = Cells(report)
+        self.shape = shape
+        self.cells = cells
+        self.at = at
 
     def robot(self) -> Robot | None:
-        units = self.shape.section(("units",), Units) or Units()
-        self.cells.units.degrees = units.angle == "deg"
-        parameters = self._parameters()
-        geometry = self._geometry()
-        base, tool = self._frame("base"), self._frame("tool")
-        self._check_names()
+        """The robot of the whole file; None after a mistake that leaves none."""
+        if self.document.has(LEGS):
+            message = "a robot with legs is a parallel one: its solvers are made by `dhgen FILE`"
+            self.report.error_at_key((LEGS,), message)
+            return None
+        units, parameters = self.beginning()
+        geometry = self.geometry()
+        base, tool = self.frame("base"), self.frame("tool")
         sums = self._sums(geometry)
         free = self._free(len(self._numbers()))
-        for name in self.cells.used.unused():
-            message = f"no cell uses the parameter '{name}': remove it, or use it in a cell"
-            self.report.notice_at_key(("parameters", name), message)
-        self._note_cells(units)
+        self.note_cells(units)
         file = self.shape.file
         if file is None or geometry is None:
             return None
@@ -69,7 +80,7 @@ class _Assembly:
             geometry=geometry,
             base=base,
             tool=tool,
-            task=_task(file.task),
+            task=task_of(file.task),
             free=free,
             arm_angle=self._plain_free() == ARM_ANGLE,
             steps=tuple(file.steps),
@@ -84,8 +95,17 @@ class _Assembly:
             doubts=tuple(self.report.doubts),
         )
 
-    def _note_cells(self, units: Units) -> None:
-        """Remarks that cells get beside each other."""
+    def beginning(self) -> tuple[Units, tuple[Parameter, ...]]:
+        """What cells are read by: the units and the parameters."""
+        units = self.shape.section(("units",), Units) or Units()
+        self.cells.units.degrees = units.angle == "deg"
+        return units, self._parameters()
+
+    def note_cells(self, units: Units) -> None:
+        """Remarks that cells get beside each other, and on parameters that none uses."""
+        for name in self.cells.used.unused():
+            message = f"no cell uses the parameter '{name}': remove it, or use it in a cell"
+            self.report.notice_at_key(("parameters", name), message)
         note_slips(self.report, self.cells.slips)
         note_snapped(self.report, self.cells.snapped)
         in_radians = "angle" in units.model_fields_set
@@ -109,24 +129,32 @@ class _Assembly:
             parameters.append(Parameter(name, expression, value))
         return tuple(parameters)
 
-    def _geometry(self) -> DhTable | ReferenceAxes | None:
-        if self.document.has("joints") and self.document.has("axes"):
-            self.report.error_at_key(("axes",), "a robot has joints or axes, not both")
-        elif self.document.has("axes"):
+    def geometry(self) -> DhTable | ReferenceAxes | None:
+        """The table, or the axes in the reference position."""
+        self._check_names()
+        if self._has("joints") and self._has("axes"):
+            self.report.error_at_key((*self.at, "axes"), "a robot has joints or axes, not both")
+        elif self._has("axes"):
             return self._axes()
-        elif not self.document.has("joints"):
+        elif not self._has("joints"):
             message = (
                 "no joints: write them as 'joints' (a table) or as 'axes' (reference position)"
             )
-            self.report.error((), message)
+            self.report.error(self.at, message)
         return self._table()
 
+    def _has(self, key: str) -> bool:
+        """Whether the file, or the leg, has a key."""
+        section = self.document.plain(self.at)
+        return isinstance(section, dict) and key in section
+
     def _table(self) -> DhTable:
-        if self.document.has("home") and not self.document.has("axes"):
-            self.report.error_at_key(("home",), "'home' goes with 'axes'; with 'joints' use 'tool'")
+        if self._has("home") and not self._has("axes"):
+            message = "'home' goes with 'axes'; with 'joints' use 'tool'"
+            self.report.error_at_key((*self.at, "home"), message)
         rows, count = [], self._count("joints")
         numbers = self._numbers()
-        for path in [("joints", i) for i in range(count)]:
+        for path in [(*self.at, "joints", i) for i in range(count)]:
             if entry := self.shape.section(path, JointRow):
                 complete = self.shape.right(path)
                 rows.append(read_row(self.cells, path, entry, numbers, complete=complete))
@@ -137,10 +165,11 @@ class _Assembly:
 
     def _check_drives(self, rows: Sequence[DhRow], numbers: tuple[int, ...]) -> None:
         """What rows hold of each other's variables; of rows with other mistakes nothing is said."""
-        right = check_couplings(self.cells, "joints", rows, numbers)
+        table = (*self.at, "joints")
+        right = check_couplings(self.cells, table, rows, numbers)
         if right and numbers == tuple(n for n, row in enumerate(rows, start=1) if row.sign):
             for place in set(range(len(rows))) - {number - 1 for number in numbers}:
-                check_passive(self.cells, ("joints", place), rows[place])
+                check_passive(self.cells, (*table, place), rows[place])
 
     def _numbers(self) -> dict[int, int]:
         """The joints' numbers by those of their rows, of which passive ones have no q."""
@@ -148,7 +177,7 @@ class _Assembly:
         passive = [
             number
             for number in range(1, rows + 1)
-            if is_passive(self.document.plain(("joints", number - 1)), number, rows)
+            if is_passive(self.document.plain((*self.at, "joints", number - 1)), number, rows)
         ]
         count = max(rows, self._count("axes"))
         return numbers_of([number for number in range(1, count + 1) if number not in passive])
@@ -176,15 +205,15 @@ class _Assembly:
             self.report.error_at_key(("convention",), message)
         axes = tuple(
             read_axis(self.cells, path, entry, complete=self.shape.right(path))
-            for path in [("axes", i) for i in range(self._count("axes"))]
+            for path in [(*self.at, "axes", i) for i in range(self._count("axes"))]
             if (entry := self.shape.section(path, AxisRow))
         )
-        return ReferenceAxes(axes, self._frame("home"))
+        return ReferenceAxes(axes, self.frame("home"))
 
     def _check_names(self) -> None:
         """Names are for all joints or for none, and each is of one joint."""
-        key = "joints" if self.document.has("joints") else "axes"
-        rows = [(key, place) for place in range(self._count(key))]
+        key = "joints" if self._has("joints") else "axes"
+        rows = [(*self.at, key, place) for place in range(self._count(key))]
         named: dict[str, int] = {}
         unnamed: list[int] = []
         for number, path in enumerate(rows, start=1):
@@ -200,9 +229,11 @@ class _Assembly:
             message = f"joint {unnamed[0]} has no name: name every joint, or none"
             self.report.error(rows[unnamed[0] - 1], message)
 
-    def _frame(self, key: str) -> Frame:
-        entry = self.shape.section((key,), FrameEntry)
-        return read_frame(self.cells, (key,), entry) if entry else IDENTITY_FRAME
+    def frame(self, key: str) -> Frame:
+        """A constant frame."""
+        path = (*self.at, key)
+        entry = self.shape.section(path, FrameEntry) if self._has(key) else None
+        return read_frame(self.cells, path, entry) if entry else IDENTITY_FRAME
 
     def _free(self, joints: int) -> tuple[int, ...]:
         plain = self._plain_free()
@@ -228,11 +259,12 @@ class _Assembly:
         return self.document.plain(("free",)) if self.document.has("free") else []
 
     def _count(self, key: str) -> int:
-        value = self.document.plain((key,)) if self.document.has(key) else []
+        value = self.document.plain((*self.at, key)) if self._has(key) else []
         return len(value) if isinstance(value, list) else 0
 
 
-def _task(entry: str | list[str]) -> Task:
+def task_of(entry: str | list[str]) -> Task:
+    """The task as a file writes it."""
     if isinstance(entry, str):
         return Task(TaskKind(entry))
     angles = next(angles for angles in ANGLES if set(entry) - set(COORDINATES) == set(angles))

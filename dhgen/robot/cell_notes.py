@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.robot.angles import is_half_turns
 from dhgen.robot.expression import ZERO, Expression, Name, parts, to_text
+from dhgen.robot.report import LEGS, within_leg
 from dhgen.robot.source import quoted
 
 if TYPE_CHECKING:
@@ -221,6 +222,8 @@ def _listed(cells: Sequence[NearCell]) -> str:
 def _place(path: Path) -> str:
     """The place of a cell: "a of joint 2", "entry 3 of xyz of tool", "entry 1,4 of tool"."""
     words: list[str] = []
+    leg = f"leg {int(path[1]) + 1}" if path[0] == LEGS and len(path) > 2 else ""
+    path = within_leg(path)
     if path[0] in LISTS:
         words.append(f"joint {int(path[1]) + 1}")
         path = path[2:]
@@ -231,4 +234,4 @@ def _place(path: Path) -> str:
         else:
             words.append(str(path[0]))
         path = path[len(numbers) or 1 :]
-    return " of ".join(reversed(words))
+    return " of ".join([*reversed(words), *([leg] if leg else [])])

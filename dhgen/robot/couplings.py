@@ -50,12 +50,14 @@ def read_couplings(
     return tuple(found)
 
 
-def check_couplings(cells: Cells, key: str, rows: Sequence[DhRow], numbers: Sequence[int]) -> bool:
+def check_couplings(
+    cells: Cells, table: Path, rows: Sequence[DhRow], numbers: Sequence[int]
+) -> bool:
     """Reports couplings that are no ratio, and joints that hang on each other in a circle.
 
     Args:
         cells: Reports.
-        key: Where the table stands.
+        table: Where the table stands.
         rows: The table.
         numbers: The numbers, from 1, of all rows with a variable of their own.
 
@@ -63,7 +65,7 @@ def check_couplings(cells: Cells, key: str, rows: Sequence[DhRow], numbers: Sequ
         Whether all is well.
     """
     cell = {JointKind.REVOLUTE: "theta", JointKind.PRISMATIC: "d"}
-    paths: list[Path] = [(key, place, cell[row.kind]) for place, row in enumerate(rows)]
+    paths: list[Path] = [(*table, place, cell[row.kind]) for place, row in enumerate(rows)]
     checked = [
         _has_ratio(cells, path, (row, rows[numbers[coupling.joint - 1] - 1]), coupling, numbers)
         for path, row in zip(paths, rows, strict=True)

@@ -127,7 +127,7 @@ def read_row(
         numbers: The joints' numbers by those of their rows: their variables it may hold.
         complete: Whether these are all: a misspelt key may have held the variable.
     """
-    row = int(path[1]) + 1
+    row = int(path[-1]) + 1
     theta = _split(cells, (*path, "theta"), entry.theta, numbers, row)
     d = _split(cells, (*path, "d"), entry.d, numbers, row)
     if INVALID not in (theta.offset, d.offset):

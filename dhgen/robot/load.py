@@ -7,7 +7,7 @@ import os
 import re
 import shlex
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from dhgen.errors import Diagnostic, RobotFileError
 from dhgen.robot.assemble import assemble
@@ -17,6 +17,8 @@ from dhgen.robot.source import SourceText, Span
 
 if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
+
+AnyRobot = TypeVar("AnyRobot")
 
 _XML = re.compile(r"\ufeff?\s*<[?!A-Za-z]")
 _KINDS_OF_XML = {
@@ -89,7 +91,15 @@ def load_source(source: SourceText) -> Robot:
         RobotFileError: The text describes no robot: all its mistakes at once.
     """
     report = Report(read_document(source))
-    robot = assemble(report)
+    return demand_right(report, assemble(report))
+
+
+def demand_right(report: Report, robot: AnyRobot | None) -> AnyRobot:
+    """A robot that was read.
+
+    Raises:
+        RobotFileError: There were mistakes: all of them.
+    """
     if report.errors or robot is None:
         raise RobotFileError(report.errors, report.notes_on_errors)
     return robot

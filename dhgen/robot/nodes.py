@@ -44,7 +44,7 @@ def piece(node: ScalarNode, start: int, text: str) -> ScalarNode:
 Entry: TypeAlias = tuple[Node, Node]
 
 _LIST_KEYS = (
-    *("limits", "direction", "point", "free", "steps"),
+    *("limits", "direction", "point", "free", "steps", "actuated", "turned"),
     *("xyz", "rpy", "quaternion_xyzw", "quaternion_wxyz"),
 )
 _BRACKETS = {"(": ")", "[": "]", "{": "}"}

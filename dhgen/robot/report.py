@@ -19,6 +19,12 @@ if TYPE_CHECKING:
 
 
 ROWS = (("joints",), ("axes",))
+LEGS = "legs"  # of a parallel robot: each holds a table of its own
+
+
+def within_leg(path: Path) -> Path:
+    """A place in a leg as if the leg were a file; any other place as it is."""
+    return path[2:] if path[:1] == (LEGS,) and len(path) > 2 else path
 
 
 class Report:
@@ -49,7 +55,8 @@ class Report:
     def error(self, path: Path, message: str, *, part: Span | None = None) -> None:
         """Something wrong with the value at a path, or with a part of a cell."""
         self._errors.append(self._point(self.document.find(path)[1], message, part))
-        if len(path) > 2 or path[:1] not in ROWS:  # a whole row holds many values
+        within = within_leg(path)
+        if len(within) > 2 or within[:1] not in ROWS:  # a whole row holds many values
             self._wrong.add(_field(path))
 
     def error_at_key(self, path: Path, message: str) -> None:

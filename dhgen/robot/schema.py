@@ -164,6 +164,7 @@ Task = Annotated[
 
 
 MAX_JOINTS = 64
+MAX_LEGS = 12
 MAX_PARAMETERS = 128
 FRAME_FORM = "keys with values, e.g. {xyz: [0, 0, 0.1]}, or a 4x4 matrix"
 
@@ -243,6 +244,48 @@ class AxisRow(_Strict):
     name: JointName
 
 
+class LegEntry(_Strict):
+    """A leg of a parallel robot: a serial chain from the base to a part of the platform."""
+
+    base: FrameEntry = Field(
+        default=FrameEntry(), description="Place of the leg on the base: where its table begins."
+    )
+    joints: list[JointRow] = Field(
+        default=[],
+        min_length=1,
+        max_length=MAX_JOINTS,
+        description="The leg's table, from the base to the platform.",
+    )
+    axes: list[AxisRow] = Field(
+        default=[],
+        min_length=1,
+        max_length=MAX_JOINTS,
+        description="Instead of joints: the leg's axes in the reference position, in its own base.",
+    )
+    home: FrameEntry = Field(
+        default=FrameEntry(),
+        description="With axes: pose of the leg's last frame in the reference position.",
+    )
+    actuated: list[JointNumber] = Field(
+        min_length=1, description="The leg's joints, from 1, that are driven; others are passive."
+    )
+    point: Triple = Field(
+        default=[],
+        description="The point of the platform that the leg carries, in the platform's frame.",
+    )
+    frame: FrameEntry = Field(
+        default=FrameEntry(),
+        description="Instead of a point: the frame of the platform that the leg's last link is.",
+    )
+    turned: list[Cell] = Field(
+        default=[],
+        min_length=1,
+        max_length=MAX_LEGS,
+        description="Several legs that are alike: each is this one turned about z by one of these "
+        "angles, on the base and on the platform.",
+    )
+
+
 class SumEntry(_Strict):
     """Limits of a sum of joints' variables, by their numbers."""
 
@@ -292,6 +335,12 @@ class RobotFile(_Strict):
         min_length=1,
         max_length=MAX_JOINTS,
         description="Instead of joints: the axes in the reference position.",
+    )
+    legs: list[LegEntry] = Field(
+        default=[],
+        min_length=1,
+        max_length=MAX_LEGS,
+        description="Instead of joints: the legs of a parallel robot, which carry its platform.",
     )
     home: FrameEntry = Field(
         default=FrameEntry(),
@@ -366,7 +415,7 @@ def schema_text() -> str:
     """The JSON Schema of robot files, as it is committed for editors."""
     schema = RobotFile.model_json_schema(schema_generator=_EditorSchema)
     schema["$schema"] = _EditorSchema.schema_dialect
-    schema["oneOf"] = [{"required": ["joints"]}, {"required": ["axes"]}]
+    schema["oneOf"] = [{"required": [key]} for key in ("joints", "axes", "legs")]
     return json.dumps(schema, indent=2, sort_keys=True) + "\n"
 
 

@@ -8,13 +8,16 @@ from typing import TYPE_CHECKING, TypeVar
 from pydantic import BaseModel, ValidationError
 
 from dhgen.robot.arithmetic import nearest
+from dhgen.robot.report import LEGS, within_leg
 from dhgen.robot.schema import (
     FRAME_FORM,
     MAX_JOINTS,
+    MAX_LEGS,
     AxisRow,
     ExpectedError,
     FrameEntry,
     JointRow,
+    LegEntry,
     RobotFile,
     SumEntry,
     Units,
@@ -47,12 +50,17 @@ _KEYED = {"model_type", "dict_type"}  # where keys with values belong
 
 _ROW = "{theta: q, d: 0, a: 0.4, alpha: pi/2}"
 _AXIS = "{type: prismatic, direction: [0, 0, 1]}"
+_LEG = f"{{base: {{xyz: [0.2, 0, 0]}}, joints: [{_ROW}], actuated: [1], point: [0.1, 0, 0]}}"
 _VECTOR = "a list [x, y, z]"
 
 # What a key holds that takes a list or further keys.
 _FORMS = {
     "parameters": "names with values, e.g. {a1: 0.4}",
     "joints": f"a list of joints, e.g. [{_ROW}]",
+    "legs": f"a list of legs, e.g. [{_LEG}]",
+    "actuated": "a list of joints, e.g. [1]",
+    "turned": "a list of angles, e.g. [0, 120 deg, 240 deg]",
+    "frame": FRAME_FORM,
     "axes": f"a list of axes, e.g. [{_AXIS}]",
     "home": FRAME_FORM,
     "base": FRAME_FORM,
@@ -75,6 +83,7 @@ _SUMS = "a list of sums, e.g. [{of: q2 + q3, from: -80 deg, to: 150 deg}]"
 _ENTRIES = {
     "joints": f"a joint, e.g. {_ROW}",
     "axes": f"an axis, e.g. {_AXIS}",
+    "legs": f"a leg, e.g. {_LEG}",
     "matrix": "a row of four numbers",
     "limits": "a sum with its limits, e.g. {of: q2 + q3, from: -80 deg, to: 150 deg}; limits of a "
     "joint stand in its row",
@@ -95,6 +104,10 @@ def length_message(path: Path, details: ErrorDetails) -> str:
     context = details.get("ctx", {})
     count = context.get("actual_length")
     bound = context.get("min_length", context.get("max_length"))
+    if path[-1] == "legs":
+        return f"a robot has 2 to {MAX_LEGS} legs, not {count}"
+    if path[-1] in {"actuated", "turned"}:
+        return f"expected 1 to {MAX_LEGS} values, not {count}: {_form(path)}"
     if path[-1] in {"joints", "axes"}:
         return f"a robot has 1 to {MAX_JOINTS} joints, not {count}"
     if path[-1] == "parameters":
@@ -147,6 +160,7 @@ _MODELS: Mapping[str, type[BaseModel]] = {
     "tool": FrameEntry,
     "units": Units,
     "limits": SumEntry,
+    "frame": FrameEntry,
 }
 _WORDS = {"name", "title", "source"}  # who writes them in a joint may not mean the robot's
 _JOINT_TYPES = "a joint slides by 'theta: 0, d: q', and turns by 'theta: q, d: 0'"
@@ -237,13 +251,17 @@ def _glued(key: str, path: Path) -> str:
 
 def _elsewhere(key: str, path: Path) -> str:
     """The end of a message about a key that other tools have, with its counterpart here."""
+    in_leg, path = path[0] == LEGS, within_leg(path)
     if path[0] == "joints" and len(path) > 1 and key in _OTHER_TABLES:
         return f"; {_OTHER_TABLES[key]}"
     if path[0] in {"joints", "axes"} and key in _WORDS:
         return "; a joint has only a 'name': say more in a comment, '# elbow'"
     if len(path) == 1 and key in {"joint_limits", "qlim"}:
         return "; limits stand in each joint: 'limits: [-1.5, 1.5]'"
-    if len(path) > 1 and key in RobotFile.model_fields and key not in _WORDS:
+    outside = len(path) > 1 or (in_leg and key not in LegEntry.model_fields)
+    if outside and key in RobotFile.model_fields and key not in _WORDS:
+        if in_leg:
+            return "; it stands on a line of its own as 'legs:' does"
         at_joint = key == "free" and isinstance(path[1], int)
         example = f": 'free: [{int(path[1]) + 1}]'" if at_joint else ""
         return f"; it stands on a line of its own as '{path[0]}:' does{example}"
@@ -251,5 +269,7 @@ def _elsewhere(key: str, path: Path) -> str:
 
 
 def _valid_keys(path: Path) -> tuple[str, ...]:
-    model = RobotFile if len(path) == 1 else _MODELS[str(path[0])]
+    file = LegEntry if path[0] == LEGS and len(path) > 2 else RobotFile
+    path = within_leg(path)
+    model = file if len(path) == 1 else _MODELS[str(path[0])]
     return tuple(field.alias or name for name, field in model.model_fields.items())

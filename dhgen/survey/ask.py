@@ -56,7 +56,7 @@ def ask_random(trial: Trial, count: int, bound: float) -> Random:
         rows, _ = trial.solve(T, joints)
         residuals = trial.residuals(rows, T)
         worst = max(worst, float(residuals.max(initial=0.0)))
-        true = _distinct(trial, rows[residuals <= bound])
+        true = distinct(trial, rows[residuals <= bound])
         spurious += len(rows) - len(true)
         if len(rows) > len(true):
             faults.append(f"{len(rows) - len(true)} spurious, q = {joints.tolist()}")
@@ -64,13 +64,13 @@ def ask_random(trial: Trial, count: int, bound: float) -> Random:
             expected, found = expected + 1, found + (len(true) > 0)
             continue
         held = trial.search(T, joints, seed=number, at_least=len(true))
-        missed = _missed(trial, held.regular, true, SAME)
+        lost = missed(trial, held.regular, true, SAME)
         met = np.concatenate([held.regular, held.singular])
         expected += len(held.regular)
-        found += len(held.regular) - missed
-        unmet += sum(not _among(trial, row, met, SAME) for row in true)
-        if missed:
-            faults.append(f"{missed} of {len(held.regular)} missed, q = {joints.tolist()}")
+        found += len(held.regular) - lost
+        unmet += sum(not among(trial, row, met, SAME) for row in true)
+        if lost:
+            faults.append(f"{lost} of {len(held.regular)} missed, q = {joints.tolist()}")
     return Random(expected, found, spurious, unmet, worst, _told("random", faults))
 
 
@@ -98,15 +98,15 @@ def ask_singular(trial: Trial, count: int, bound: float) -> Singular:
             elif residual > bound:
                 fault = f"residual {residual:.1e}"
             elif (
-                not _among(trial, joints, rows, RECOVERED)
+                not among(trial, joints, rows, RECOVERED)
                 and Status.FREE_JOINT not in status
                 and not (redundant or in_a_family(trial.robot, joints))
             ):
                 fault = f"q found again only to within {trial.apart(rows, joints).min():.1e}"
             elif RIGHT_ANGLES in kind and not redundant:
                 held = trial.search(T, joints).regular
-                missed = _missed(trial, held, rows, RECOVERED)
-                fault = f"{missed} of {len(held)} missed" if missed else ""
+                lost = missed(trial, held, rows, RECOVERED)
+                fault = f"{lost} of {len(held)} missed" if lost else ""
             answered += not fault
             faults += [f"{fault}, q = {joints.tolist()}"] if fault else []
         poses += len(q)
@@ -114,20 +114,22 @@ def ask_singular(trial: Trial, count: int, bound: float) -> Singular:
     return Singular(poses, answered, worst, tuple(told))
 
 
-def _missed(trial: Trial, solutions: FloatArray, rows: FloatArray, near: float) -> int:
+def missed(trial: Trial, solutions: FloatArray, rows: FloatArray, near: float) -> int:
     """How many solutions are not among the rows."""
-    return sum(not _among(trial, one, rows, near) for one in solutions)
+    return sum(not among(trial, one, rows, near) for one in solutions)
 
 
-def _distinct(trial: Trial, rows: FloatArray) -> FloatArray:
+def distinct(trial: Trial, rows: FloatArray) -> FloatArray:
+    """Rows without those that repeat another."""
     kept: list[int] = []
     for i, row in enumerate(rows):
-        if not _among(trial, row, rows[kept], TWICE):
+        if not among(trial, row, rows[kept], TWICE):
             kept.append(i)
     return np.asarray(rows[kept])
 
 
-def _among(trial: Trial, one: FloatArray, others: FloatArray, near: float) -> bool:
+def among(trial: Trial, one: FloatArray, others: FloatArray, near: float) -> bool:
+    """Whether a solution is one of several."""
     return bool(trial.apart(others, one).min(initial=np.inf) <= near)
 
 

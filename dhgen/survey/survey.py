@@ -14,10 +14,12 @@ from dhgen.compiler import Compilation, compile_loaded
 from dhgen.errors import DhgenError, RobotFileError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
-from dhgen.robot_files import RobotFile
+from dhgen.parallel.compile import compile_parallel
+from dhgen.robot_files import ParallelFile, read_file
 from dhgen.runtime import c_runtime_files
 from dhgen.survey.ask import ask_random, ask_singular
 from dhgen.survey.oracle.arm import arm, arm_size
+from dhgen.survey.parallel import parallel_answers
 from dhgen.survey.recall import ask_recall
 from dhgen.survey.sources import arm_class, joint_letters, robot_files
 from dhgen.survey.table import Answers, Line
@@ -67,7 +69,9 @@ def survey_arm(source: Source, poses: int, recall: int = 0) -> Line:
     name, joints, structure = source.name, "", ""
     remarks: tuple[str, ...] = ()
     try:
-        file = RobotFile.read(source.path)
+        file = read_file(source.path)
+        if isinstance(file, ParallelFile):
+            return _parallel_line(file, source, poses)
         robot = file.robot
         name = robot.name
         remarks = tuple(f"note: {source.tell(notice)}" for notice in robot.notices)
@@ -86,6 +90,21 @@ def survey_arm(source: Source, poses: int, recall: int = 0) -> Line:
         first = str(error).splitlines()[0]
         return Line(name, joints, structure, None, first, remarks=remarks)
     return Line(name, joints, structure, answers, remarks=remarks)
+
+
+def _parallel_line(file: ParallelFile, source: Source, poses: int) -> Line:
+    """The line of a parallel robot; joints are those of its legs, each once."""
+    robot = file.robot
+    remarks = tuple(f"note: {source.tell(notice)}" for notice in robot.notices)
+    chains = [build_chain(leg.chain) for leg in robot.legs]
+    types = dict.fromkeys(joint_letters(chain) for chain in chains)
+    joints = f"{len(chains)}-{'/'.join(types)}"
+    structure = f"parallel, {robot.task.text.strip('[]')}"
+    start = time.process_time()
+    made = compile_parallel(file)
+    cpu = time.process_time() - start
+    answers = parallel_answers(made, poses, cpu)
+    return Line(robot.name, joints, structure, answers, remarks=remarks)
 
 
 def _alone(line: Line, others: Sequence[Line]) -> Line:

@@ -131,12 +131,24 @@ def named_entries(chain: Chain) -> list[NamedEntry]:
 
 def made_text(module: SolverModule, template: str, indent: str) -> str:
     """Where a file comes from; the lines after the first are indented."""
-    source = plain_path(module.source)
+    return origin_text(module.source, module.robot, template, indent)
+
+
+def origin_text(path: str, robot: str, template: str, indent: str) -> str:
+    """Where a file comes from; the lines after the first are indented.
+
+    Args:
+        path: How the robot file is called; may hold any character.
+        robot: The identifier of the robot whose formulas these are.
+        template: What the file was printed by.
+        indent: What stands before lines.
+    """
+    source = plain_path(path)
     made = f"Inverse kinematics, generated from {source} and templates/{template}."
     # a path that can't be written here is for nobody to type from here
-    command = shlex.join(["dhgen", source]) if source == module.source else "dhgen on that file"
+    command = shlex.join(["dhgen", source]) if source == path else "dhgen on that file"
     mended = f"Do not edit: run {command}."
-    told = f"The formulas and where they come from: {module.robot}.md."
+    told = f"The formulas and where they come from: {robot}.md."
     return f"\n{indent}".join([paragraph(made, indent), paragraph(f"{mended} {told}", indent)])
 
 

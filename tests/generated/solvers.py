@@ -13,6 +13,7 @@ from dhgen.robot.load import load
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.verify.native import PORTABLE, CompiledSolver, compile_solver
 from tests.compiling import shared
+from tests.serial import SERIAL
 from tests.structures import COMPILED
 from tests.targets.made import without_numba
 
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 ROOT = Path(__file__).resolve().parents[2]
 GENERATED = ROOT / "generated"
 ROBOTS = ROOT / "robots"
-NAMES = sorted(path.stem for path in ROBOTS.glob("*.yaml"))
+NAMES = SERIAL
 _KEPT: list[tempfile.TemporaryDirectory[str]] = []
 
 

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from dhgen.robot.load import load
 from dhgen.robot.schema import main, schema_text
+from dhgen.robot_files import read_file
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 FILES = sorted(ROBOTS.glob("*.yaml"))
@@ -27,7 +27,7 @@ def test_the_command_writes_it(tmp_path: Path) -> None:
 def test_every_key_is_described() -> None:
     schema = json.loads(schema_text())
     frame = schema["$defs"]["FrameEntry"]["anyOf"][0]
-    rows = [schema["$defs"][name] for name in ("JointRow", "AxisRow", "Units")]
+    rows = [schema["$defs"][name] for name in ("JointRow", "AxisRow", "LegEntry", "Units")]
     for model in (schema, frame, *rows):
         assert model["additionalProperties"] is False
         for key, entry in model["properties"].items():
@@ -45,7 +45,7 @@ NEARLY_RIGHT = {"kuka_kr6_r900_calibrated", "puma560_calibrated"}
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_the_robots_of_the_project_load(path: Path) -> None:
-    robot = load(path)
+    robot = read_file(path).robot
     assert robot.name == path.stem
     assert robot.source
     assert bool(robot.notices) == (path.stem in NEARLY_RIGHT)

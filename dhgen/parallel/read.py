@@ -1,0 +1,259 @@
+"""A file with `legs` to a ParallelRobot: each leg is read by what reads serial robots."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from dhgen.parallel.mobility import counted, faults
+from dhgen.parallel.robot import Leg, ParallelRobot
+from dhgen.robot.assemble import Assembly, task_of
+from dhgen.robot.cell_notes import names
+from dhgen.robot.cells import Cells
+from dhgen.robot.expression import ZERO
+from dhgen.robot.frames import IDENTITY_FRAME, from_rpy, read_lengths
+from dhgen.robot.names import MAX_ROBOT_NAME
+from dhgen.robot.report import LEGS
+from dhgen.robot.robot import DhTable, Frame, Robot
+from dhgen.robot.schema import LegEntry, RobotFile
+from dhgen.robot.shape import Shape
+from dhgen.robot.task import Task, TaskKind
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.parallel.robot import Rows
+    from dhgen.robot.expression import Expression
+    from dhgen.robot.reader import Path
+    from dhgen.robot.report import Report
+    from dhgen.robot.robot import Parameter, ReferenceAxes
+
+XY, YAW = ("x", "y"), ("yaw",)
+PLANE, TURNED_PLANE = Task(TaskKind.LIST, XY), Task(TaskKind.LIST, XY, YAW)
+POSE, POSITION = Task(TaskKind.POSE), Task(TaskKind.POSITION)
+# What a leg does in its own frame that carries a point, or a frame, of a platform with a task.
+OF_A_POINT = {POSE: POSITION, POSITION: POSITION, TURNED_PLANE: PLANE, PLANE: PLANE}
+OF_A_FRAME = {POSE: POSE, TURNED_PLANE: TURNED_PLANE}
+FOR_LEGS = ("name", "title", "source", "convention", "parameters", LEGS, "task", "units")
+SUFFIX = "_leg"
+LONGEST_NAME = MAX_ROBOT_NAME - len(SUFFIX) - 2
+LEVEL = 1e-12  # sine of the angle between a leg's z and the platform's plane's
+
+
+def assemble_parallel(report: Report) -> ParallelRobot | None:
+    """The robot of a document that has legs.
+
+    Args:
+        report: Where mistakes and notices go.
+
+    Returns:
+        The robot; None, or a robot of no use, after a mistake.
+    """
+    return _Reading(report).robot()
+
+
+@dataclass(frozen=True, slots=True)
+class _Read:
+    """A leg as written, which may stand for several.
+
+    Attributes:
+        path: Its place.
+        geometry: Its table or axes.
+        base: Its place on the base.
+        end: What it carries.
+        actuated: Its driven joints.
+        carries_frame: Whether that is a frame.
+        turns: The angles by which it is turned.
+    """
+
+    path: Path
+    geometry: DhTable | ReferenceAxes
+    base: Frame
+    end: Frame
+    actuated: tuple[int, ...]
+    carries_frame: bool
+    turns: tuple[Frame, ...]
+
+
+class _Reading:
+    def __init__(self, report: Report) -> None:
+        self.report = report
+        self.shape, self.cells = Shape(report), Cells(report)
+
+    def robot(self) -> ParallelRobot | None:
+        self._refuse_keys()
+        whole = Assembly(self.report, self.shape, self.cells)
+        units, parameters = whole.beginning()
+        plain = self.report.document.plain((LEGS,))
+        paths = [(LEGS, i) for i in range(len(plain) if isinstance(plain, list) else 0)]
+        read = [leg for path in paths if (leg := self._leg(path)) is not None]
+        whole.note_cells(units)
+        file = self.shape.file
+        if file is None or len(read) < len(paths) or self.report.errors:
+            return None
+        task = task_of(file.task)
+        if not self._is_movable(task, read):
+            return None
+        drawn = [self._chain(file, parameters, units.length, leg, task) for leg in read]
+        return ParallelRobot(
+            name=file.name,
+            title=file.title or file.name,
+            source=file.source,
+            legs=_named(file.name, [leg for chain in drawn for leg in chain]),
+            task=task,
+            length_unit=units.length,
+            notices=self.report.notices,
+            doubts=tuple(self.report.doubts),
+        )
+
+    def _refuse_keys(self) -> None:
+        """Reports keys of a serial robot."""
+        for key in RobotFile.model_fields:
+            if key not in FOR_LEGS and self.report.document.has(key):
+                message = f"'{key}' is for serial robots: this one has legs"
+                self.report.error_at_key((key,), message)
+
+    def _leg(self, path: Path) -> _Read | None:
+        entry = self.shape.section(path, LegEntry)
+        own = Assembly(self.report, self.shape, self.cells, path)
+        geometry, base, frame = own.geometry(), own.frame("base"), own.frame("frame")
+        if entry is None or geometry is None:
+            return None
+        plain = self.report.document.plain(path)
+        given = [key for key in ("point", "frame") if isinstance(plain, dict) and key in plain]
+        if len(given) != 1 and self.shape.right(path):
+            message = "a leg carries a point or a frame of the platform: write one of the two"
+            self.report.error_at_key((*path, given[1]) if given else path, message)
+        point = read_lengths(self.cells, (*path, "point"), entry.point)
+        joints = len(geometry.driven if isinstance(geometry, DhTable) else geometry.axes)
+        angles = [
+            self.cells.angle((*path, "turned", i), cell) for i, cell in enumerate(entry.turned)
+        ]
+        return _Read(
+            path=path,
+            geometry=geometry,
+            base=base,
+            end=Frame(point, IDENTITY_FRAME.rotation) if "point" in given else frame,
+            actuated=self._actuated(path, entry.actuated, joints),
+            carries_frame="point" not in given,
+            turns=tuple(map(self._turn, angles)) or (IDENTITY_FRAME,),
+        )
+
+    def _actuated(self, path: Path, numbers: Sequence[int], joints: int) -> tuple[int, ...]:
+        for i, number in enumerate(numbers):
+            place = (*path, "actuated", i)
+            if not 1 <= number <= joints:
+                message = f"there is no joint {number}: joints are numbered from 1 to {joints}"
+                self.report.error(place, message)
+            elif i and number <= numbers[i - 1]:
+                self.report.error(place, "list driven joints in ascending order, each once")
+        return tuple(numbers)
+
+    def _turn(self, angle: Expression) -> Frame:
+        rotation = from_rpy((ZERO, ZERO, angle), (0.0, 0.0, self.cells.value(angle)))
+        return Frame((ZERO, ZERO, ZERO), rotation)
+
+    def _is_movable(self, task: Task, legs: Sequence[_Read]) -> bool:
+        """Whether legs can move a platform as a task says; if not, why is reported."""
+        if task not in OF_A_POINT:
+            allowed = ", ".join(each.text for each in OF_A_POINT)
+            self.report.error(("task",), f"the task of a robot with legs is one of {allowed}")
+            return False
+        each = [leg for leg in legs for _ in leg.turns]
+        if len(each) < 2:
+            message = "a parallel robot has two legs at least; one alone is a serial robot"
+            self.report.error_at_key((LEGS,), message)
+            return False
+        for leg in legs:
+            if leg.carries_frame and task not in OF_A_FRAME:
+                message = f"the task {task.text} names no orientation: the leg carries a point"
+                self.report.error_at_key((*leg.path, "frame"), message)
+            if task in (PLANE, TURNED_PLANE):
+                self._demand_level(leg)
+        joints = [
+            len(leg.geometry.driven if isinstance(leg.geometry, DhTable) else leg.geometry.axes)
+            for leg in each
+        ]
+        driven = sum(len(leg.actuated) for leg in each)
+        for fault in faults(counted(task, joints, [not leg.carries_frame for leg in each], driven)):
+            self.report.error_at_key((LEGS,), fault)
+        return not self.report.errors
+
+    def _demand_level(self, leg: _Read) -> None:
+        """Reports a leg of a planar platform whose base is tilted out of the plane."""
+        for key, frame in (("base", leg.base), ("frame", leg.end)):
+            row = [self.cells.value(cell) for cell in frame.rotation[6:]]
+            if abs(row[0]) > LEVEL or abs(row[1]) > LEVEL or row[2] < 0.0:
+                message = f"the task is in the plane of x and y: z of this {key} has to be theirs"
+                self.report.error_at_key((*leg.path, key), message)
+
+    def _chain(
+        self,
+        file: RobotFile,
+        parameters: Sequence[Parameter],
+        unit: str,
+        leg: _Read,
+        task: Task,
+    ) -> list[Leg]:
+        """The legs that a leg as written stands for; their chain has no name yet."""
+        robot = Robot(
+            name="",
+            title=f"{file.title or file.name}: a leg",
+            source=file.source,
+            parameters=_used(parameters, leg.geometry),
+            geometry=leg.geometry,
+            base=IDENTITY_FRAME,
+            tool=IDENTITY_FRAME,
+            task=(OF_A_FRAME if leg.carries_frame else OF_A_POINT)[task],
+            length_unit=unit,
+        )
+        base, end = self._numbers(leg.base), self._numbers(leg.end)
+        turns = [self._numbers(turn) for turn in leg.turns]
+        return [
+            Leg(robot, product(turn, base), product(turn, end), leg.actuated, leg.carries_frame)
+            for turn in turns
+        ]
+
+    def _numbers(self, frame: Frame) -> Rows:
+        rows = [(*frame.rotation[3 * i : 3 * i + 3], frame.xyz[i]) for i in range(3)]
+        return tuple(self.cells.value(cell) for row in rows for cell in row)
+
+
+def product(one: Rows, other: Rows) -> Rows:
+    """The product of two frames."""
+    return tuple(
+        sum(one[4 * i + k] * other[4 * k + j] for k in range(3)) + (one[4 * i + 3] if j == 3 else 0)
+        for i in range(3)
+        for j in range(4)
+    )
+
+
+def _named(name: str, legs: Sequence[Leg]) -> tuple[Leg, ...]:
+    """Legs whose chains have names: the same where they are alike, numbers where there are more."""
+    kinds = list(dict.fromkeys(leg.chain for leg in legs))
+    ends = [""] if len(kinds) == 1 else list(map(str, range(1, len(kinds) + 1)))
+    named = {
+        chain: replace(chain, name=f"{name[:LONGEST_NAME]}{SUFFIX}{end}")
+        for chain, end in zip(kinds, ends, strict=True)
+    }
+    return tuple(replace(leg, chain=named[leg.chain]) for leg in legs)
+
+
+def _used(
+    parameters: Sequence[Parameter], geometry: DhTable | ReferenceAxes
+) -> tuple[Parameter, ...]:
+    """The parameters that a leg's cells name, also by way of others."""
+    used = set().union(*(names(cell) for cell in _cells(geometry)))
+    for parameter in reversed(parameters):
+        if parameter.name in used:
+            used |= names(parameter.expression)
+    return tuple(parameter for parameter in parameters if parameter.name in used)
+
+
+def _cells(geometry: DhTable | ReferenceAxes) -> list[Expression]:
+    if isinstance(geometry, DhTable):
+        rows = geometry.rows
+        shares = [coupling.factor for row in rows for coupling in row.couplings]
+        return [cell for row in rows for cell in (row.theta, row.d, row.a, row.alpha)] + shares
+    axes = [cell for axis in geometry.axes for cell in (*axis.direction, *axis.point)]
+    return [*axes, *geometry.home.xyz, *geometry.home.rotation]

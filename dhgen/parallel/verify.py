@@ -1,0 +1,380 @@
+"""Proves that the written files of a parallel robot do what they promise, or refuses them.
+
+The legs' chains are proven as serial arms before. Here every row closes its leg by an independent
+forward model, C and Python agree, the direct model leads back to the pose from a pose nearby, and A
+and B are what differences of the inverse model say.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dhgen.errors import VerificationError
+from dhgen.survey.oracle.forward import forward
+from dhgen.verify.compiled import import_temporary
+from dhgen.verify.native import C_FLAGS, c_compiler
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from pathlib import Path
+    from types import ModuleType
+
+    from numpy.typing import NDArray
+
+    from dhgen.arrays import FloatArray
+    from dhgen.parallel.module import ParallelModule
+    from dhgen.verify.verify import Report
+
+    Statuses = NDArray[np.uint8]
+
+POSES = 60  # that are looked at
+DRAWN = 4000  # of which those are taken that all legs reach
+TURNED = 0.5  # a platform whose legs carry points is turned by so much at most about an axis [rad]
+CLOSED = 1e-11  # what a leg may miss the platform by [robot sizes, rad]
+AGREED = 1e-9  # what C and Python may differ by where legs are regular [rad, robot sizes]
+BESIDE = 1e-3  # where the direct model starts, beside the pose [rad, robot sizes]
+REGULAR = 0.02  # smallest singular value of A and B above which a pose is taken for regular
+STEP, SLOPE = 1e-5, 1e-6  # of differences [rad, robot sizes]; what these may be away, to their size
+
+
+@dataclass(frozen=True, slots=True)
+class ParallelReport:
+    """What verification saw.
+
+    Attributes:
+        chains: Of each kind of leg.
+        poses: Poses of the platform that were solved.
+        modes: Working modes that were found on them.
+        residual: The largest miss of a leg, in robot sizes.
+        compiled: Whether a C compiler was there.
+        code: What numba compiled of each leg's module.
+    """
+
+    chains: tuple[Report, ...]
+    poses: int
+    modes: int
+    residual: float
+    compiled: bool
+    code: Mapping[str, Mapping[str, bytes]]
+
+
+def verify_parallel(
+    module: ParallelModule, folder: Path, chains: Sequence[Report]
+) -> ParallelReport:
+    """Checks the files of a parallel robot as they lie in a folder.
+
+    Raises:
+        VerificationError: Something is not as promised.
+    """
+    python = import_temporary(folder / f"{module.name}.py")
+    native = compiled(module, folder)
+    poses = reachable(module, python, POSES)
+    checker = _Checker(module, python, native)
+    for T in poses:
+        checker.pose(T)
+    checker.batch(poses)
+    checker.no_pose(poses[0])
+    code = {name: own for report in chains for name, own in report.code.items()}
+    seen = checker.modes, checker.residual, native is not None
+    return ParallelReport(tuple(chains), len(poses), *seen, code)
+
+
+def reachable(module: ParallelModule, python: ModuleType, count: int, seed: int = 5) -> FloatArray:
+    """Poses of the platform that all legs reach within their limits.
+
+    Raises:
+        VerificationError: There is hardly any.
+    """
+    source = np.random.default_rng(seed)
+    found = np.empty((0, 4, 4))
+    for _ in range(20):
+        poses = drawn_poses(module, source)
+        status = python.ik_batch(poses)[1]
+        good = (status == python.OK).any(axis=2).all(axis=1)
+        found = np.concatenate([found, poses[good]])
+        if len(found) >= count:
+            return found[:count]
+    raise VerificationError(
+        f"{module.name}: of {20 * DRAWN} poses that leg 1 reaches the others reach {len(found)}: "
+        "do the legs' limits, and their places, let the platform move?"
+    )
+
+
+def drawn_poses(module: ParallelModule, source: np.random.Generator) -> FloatArray:
+    """Poses that the first leg reaches."""
+    leg = module.legs[0].leg
+    none = (-np.pi, np.pi)
+    limits = np.array([joint.limits or none for joint in leg.chain.joints])
+    low, high = limits.T
+    ends = forward(leg.chain, source.uniform(low, high, (DRAWN, len(limits))))
+    base, end = square(leg.base), square(leg.end)
+    poses = np.broadcast_to(np.eye(4), (DRAWN, 4, 4)).copy()
+    if leg.carries_frame:
+        poses = base @ ends @ np.linalg.inv(end)
+    else:
+        names = [each - 3 for each in module.freedoms if each > 2]
+        turns = source.uniform(-TURNED, TURNED, (DRAWN, len(names)))
+        for axis, angles in zip(names, turns.T, strict=True):
+            i, j = (axis + 1) % 3, (axis + 2) % 3
+            turn = np.broadcast_to(np.eye(3), (DRAWN, 3, 3)).copy()
+            turn[:, i, i] = turn[:, j, j] = np.cos(angles)
+            turn[:, j, i] = np.sin(angles)
+            turn[:, i, j] = -turn[:, j, i]
+            poses[:, :3, :3] = poses[:, :3, :3] @ turn
+        poses[:, :3, 3] = (base @ ends)[:, :3, 3] - poses[:, :3, :3] @ end[:3, 3]
+    return poses
+
+
+def square(rows: Sequence[float]) -> FloatArray:
+    """A frame as a matrix (4, 4)."""
+    return np.array([*rows, 0.0, 0.0, 0.0, 1.0]).reshape(4, 4)
+
+
+class Native:
+    """The compiled functions of a parallel robot, with arrays as Python's have them."""
+
+    def __init__(self, module: ParallelModule, library: Any) -> None:  # noqa: ANN401
+        self._library = library
+        self._name = module.name
+        self._shape = len(module.legs), module.rows, module.joints
+        self._drives = module.robot.drives
+
+    def _call(self, function: str, *arrays: FloatArray | None) -> int:
+        pointers = [None if a is None else a.ctypes.data_as(ctypes.c_void_p) for a in arrays]
+        return int(self._library[f"{self._name}_{function}"](*pointers))
+
+    def ik(self, T: FloatArray) -> tuple[int, FloatArray, Statuses]:
+        """How many working modes there are, q and status."""
+        q, status = np.empty(self._shape), np.empty(self._shape[:2], np.uint8)
+        return self._call("ik", np.ascontiguousarray(T), None, q, status), q, status
+
+    def nearest(self, T: FloatArray, seed: FloatArray) -> tuple[int, FloatArray]:
+        """What ik_nearest returns, and q."""
+        q = np.empty((self._shape[0], self._shape[2]))
+        pose = np.ascontiguousarray(T)
+        return self._call("ik_nearest", pose, np.ascontiguousarray(seed), q), q
+
+    def batch(self, T: FloatArray) -> tuple[FloatArray, Statuses]:
+        """All q and statuses."""
+        q = np.empty((len(T), *self._shape))
+        status = np.empty((len(T), *self._shape[:2]), np.uint8)
+        poses = np.ascontiguousarray(T)
+        arrays = [each.ctypes.data_as(ctypes.c_void_p) for each in (poses, q, status)]
+        self._library[f"{self._name}_ik_batch"](ctypes.c_size_t(len(T)), *arrays)
+        return q, status
+
+    def fk(self, drives: FloatArray, seed: FloatArray) -> tuple[int, FloatArray, FloatArray]:
+        """What fk returns, the pose and q."""
+        T, q = np.empty((4, 4)), np.empty((self._shape[0], self._shape[2]))
+        return self._call("fk", drives, np.ascontiguousarray(seed), T, q), T, q
+
+    def assemblies(self, drives: FloatArray) -> FloatArray:
+        """All poses of drives' values."""
+        T = np.empty((6, 4, 4))
+        return T[: self._call("assemblies", drives, T)]
+
+    def velocities(self, T: FloatArray, q: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """A and B."""
+        A, B = np.empty((2, self._drives, self._drives))
+        self._call("velocities", np.ascontiguousarray(T), np.ascontiguousarray(q), A, B)
+        return A, B
+
+    def singularities(self, T: FloatArray, q: FloatArray) -> FloatArray:
+        """The smallest singular values of B and A."""
+        least = np.empty(2)
+        self._call("singularities", np.ascontiguousarray(T), np.ascontiguousarray(q), least)
+        return least
+
+
+def compiled(
+    module: ParallelModule,
+    folder: Path,
+    flags: Sequence[str] = ("-O1",),
+    compiler: str | None = None,
+) -> Native | None:
+    """The C of a robot and its legs, warnings as errors; None without a compiler.
+
+    Args:
+        module: The robot.
+        folder: Where its files are, and the library goes.
+        flags: For the compiler.
+        compiler: Its path, if it is not the first one found.
+
+    Raises:
+        VerificationError: The compiler refuses the files.
+    """
+    compiler = compiler or c_compiler()
+    if compiler is None:
+        return None
+    names = [module.name, *(chain.name for chain in module.robot.chains)]
+    sources = [str(folder / f"{name}.c") for name in names]
+    library = folder / f"{module.name}.so"
+    command = [compiler, *C_FLAGS, *flags, "-shared", "-fPIC", *sources, "-o", str(library), "-lm"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
+    if done.returncode:
+        raise VerificationError(f"{module.name}.c does not compile:\n{done.stderr.strip()}")
+    return Native(module, ctypes.CDLL(str(library)))
+
+
+class _Checker:
+    def __init__(self, module: ParallelModule, python: ModuleType, native: Native | None) -> None:
+        self._module = module
+        self._python = python
+        self._native = native
+        self.modes, self.residual = 0, 0.0
+
+    def pose(self, T: FloatArray) -> None:
+        """Everything about a pose that all legs reach."""
+        where = f"{self._module.name}, T = {T[:3].tolist()}"
+        q, status = self._python.ik_all(T)
+        good = status == self._python.OK
+        self.modes += int(good.sum(axis=1).prod())
+        miss = max(self._miss(T, q, i) for i in range(len(q)))
+        self.residual = max(self.residual, miss)
+        if not miss <= CLOSED:
+            raise VerificationError(f"{where}: a leg misses the platform by {miss:.1e}")
+        mode = np.array([rows[told][0] for rows, told in zip(q, good, strict=True)])
+        self._languages(T, q, status, mode, where)
+        least = self._python.singularities(T, mode)
+        if min(least.first, least.second) > REGULAR:
+            self._slopes(T, mode, where)
+            self._direct(T, mode, where)
+
+    def _miss(self, T: FloatArray, q: FloatArray, number: int) -> float:
+        """By how much a leg's rows miss what the platform carries there."""
+        leg = self._module.legs[number]
+        dof = leg.solver.chain.dof
+        rows = q[number][~np.isnan(q[number][:, :dof]).any(axis=1), :dof]
+        if not len(rows):
+            return 0.0
+        off = square(leg.leg.base) @ forward(leg.leg.chain, rows) - T @ square(leg.leg.end)
+        lengths = np.abs(off[:, [row for row in self._module.freedoms if row < 3], 3])
+        turned = np.abs(off[:, :3, :3]).max() if leg.leg.carries_frame else 0.0
+        return float(max(lengths.max() / self._module.size, turned))
+
+    def _languages(
+        self, T: FloatArray, q: FloatArray, status: Statuses, mode: FloatArray, where: str
+    ) -> None:
+        """C says what Python says."""
+        found = self._python.ik(T, mode)
+        if not self._near(found, mode):
+            raise VerificationError(f"{where}: the solution nearest to one is not that one")
+        if self._native is None:
+            return
+        count, rows, told = self._native.ik(T)
+        good = (told == self._python.OK) | (told == self._python.FREE_JOINT)
+        if not (told == status).all() or count != good.sum(axis=1).prod():
+            raise VerificationError(f"{where}: C has other statuses: {told.tolist()}")
+        if not self._near(rows, q):
+            raise VerificationError(f"{where}: C has other rows: {rows.tolist()}")
+        told_nearest, nearest = self._native.nearest(T, mode)
+        if told_nearest != self._python.OK or not self._near(nearest, mode):
+            raise VerificationError(f"{where}: C has another nearest solution")
+
+    def _near(self, one: FloatArray, other: FloatArray) -> bool:
+        """Whether joint values are the same, whole turns aside."""
+        off = np.where(np.isnan(one) & np.isnan(other), 0.0, one - other)
+        off = off.reshape(len(self._module.legs), -1, self._module.joints)
+        for leg, rows in zip(self._module.legs, off, strict=True):
+            for joint, turns in enumerate(leg.solver.chain.turning):
+                values = rows[:, joint]
+                if turns:
+                    rows[:, joint] = values - 2.0 * np.pi * np.round(values / (2.0 * np.pi))
+        return bool((np.abs(off) <= AGREED * max(1.0, self._module.size)).all())
+
+    def _slopes(self, T: FloatArray, mode: FloatArray, where: str) -> None:
+        """A and B are what differences of the inverse model say."""
+        A, B = self._python.velocities(T, mode)
+        units = [self._module.size if each < 3 else 1.0 for each in self._module.freedoms]
+        wanted = np.linalg.solve(B, A)
+        found = np.empty_like(wanted)
+        for column, (freedom, unit) in enumerate(zip(self._module.freedoms, units, strict=True)):
+            ends = []
+            for step in (-STEP * unit, STEP * unit):
+                moved = moved_pose(T, freedom, step)
+                q = self._python.ik(moved, mode, limits=False)
+                ends.append(self._python.drives(q))
+            found[:, column] = (ends[1] - ends[0]) / (2.0 * STEP * unit)
+        if not np.abs(found - wanted).max() <= SLOPE * (1.0 + np.abs(wanted).max()) / REGULAR:
+            raise VerificationError(f"{where}: A and B are {wanted}, differences {found}")
+        if self._native is not None:
+            # either language may choose the signs of rows
+            C = np.linalg.solve(*self._native.velocities(T, mode)[::-1])
+            if not np.abs(C - wanted).max() <= AGREED / REGULAR * (1.0 + np.abs(wanted).max()):
+                raise VerificationError(f"{where}: C has other velocities")
+
+    def _direct(self, T: FloatArray, mode: FloatArray, where: str) -> None:
+        """The direct model leads back, and the pose is among all assemblies."""
+        drives = self._python.drives(mode)
+        seed = moved_pose(T, self._module.freedoms[0], BESIDE * self._module.size)
+        told, found, q = (self._python.fk(drives, seed)[i] for i in (2, 0, 1))
+        if told != self._python.OK or not self._same_pose(found, T) or not self._near(q, mode):
+            raise VerificationError(f"{where}: the direct model leads to {found.tolist()}")
+        if self._native is not None:
+            told, found, q = self._native.fk(drives, seed)
+            if told != self._python.OK or not self._same_pose(found, T) or not self._near(q, mode):
+                raise VerificationError(f"{where}: in C the direct model leads elsewhere")
+        if self._module.elimination is not None:
+            self._assemblies(T, drives, where)
+
+    def _assemblies(self, T: FloatArray, drives: FloatArray, where: str) -> None:
+        poses = self._python.assemblies(drives)
+        if not any(self._same_pose(T, pose) for pose in poses):
+            raise VerificationError(f"{where}: is not among its {len(poses)} assemblies")
+        if self._native is not None:
+            others = self._native.assemblies(drives)
+            if len(others) != len(poses) or not all(
+                any(self._same_pose(one, other) for other in others) for one in poses
+            ):
+                raise VerificationError(f"{where}: C has {len(others)} assemblies: {len(poses)}")
+
+    def _same_pose(self, one: FloatArray, other: FloatArray) -> bool:
+        units = np.array([1.0, 1.0, 1.0, self._module.size])
+        return bool((np.abs((one - other)[:3] / units) <= AGREED / REGULAR).all())
+
+    def batch(self, poses: FloatArray) -> None:
+        """Batches say what single poses say."""
+        q, status = self._python.ik_batch(poses)
+        alone = [self._python.ik_all(T) for T in poses]
+        if not all(self._near(rows, one) for rows, (one, _) in zip(q, alone, strict=True)):
+            raise VerificationError(f"{self._module.name}: ik_batch differs from ik_all")
+        if self._native is not None:
+            rows, told = self._native.batch(poses)
+            near = all(self._near(one, other) for one, other in zip(rows, q, strict=True))
+            if not near or not (told == status).all():
+                raise VerificationError(f"{self._module.name}: in C, ik_batch differs")
+
+    def no_pose(self, T: FloatArray) -> None:
+        """What is no pose is refused, what is far away out of reach."""
+        spoiled, far = T.copy(), T.copy()
+        spoiled[0, 3], far[0, 3] = np.nan, far[0, 3] + 100.0 * self._module.size
+        wanted = (
+            (spoiled, {self._python.INVALID_POSE}),
+            (far, {self._python.UNREACHABLE, self._python.OUT_OF_LIMITS}),
+        )
+        for pose, statuses in wanted:
+            told = [self._python.ik_all(pose)[1]]
+            told += [] if self._native is None else [self._native.ik(pose)[2]]
+            for each in told:
+                if not set(each.ravel().tolist()) <= statuses:
+                    raise VerificationError(f"{self._module.name}: takes {pose.tolist()}")
+
+
+def moved_pose(T: FloatArray, freedom: int, step: float) -> FloatArray:
+    """A pose moved along an axis of the base, or turned about one through its origin."""
+    moved = T.copy()
+    if freedom < 3:
+        moved[freedom, 3] += step
+        return moved
+    i, j = (freedom + 1) % 3, (freedom + 2) % 3
+    turn = np.eye(3)
+    turn[i, i] = turn[j, j] = np.cos(step)
+    turn[j, i] = np.sin(step)
+    turn[i, j] = -turn[j, i]
+    moved[:3, :3] = turn @ T[:3, :3]
+    return moved

@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Parallel robots: legs, each a serial arm between its place on the base and what it carries of the
+ * platform. The inverse model is that of the legs. */
+#ifndef DHGEN_PARALLEL_H
+#define DHGEN_PARALLEL_H
+
+#include "arm.h"
+#include "pose.h"
+#include "rigid.h"
+
+#define DHGEN_MOST_LEGS 12
+
+/* A leg: how its chain is called, and where it stands. */
+struct dhgen_leg {
+    int joints, rows;
+    int drives;         /* how many of its joints are driven */
+    const int *driven;  /* which, from 0 */
+    const int *slides;  /* which of those slide */
+    const char *types;  /* of its joints: R turns, P slides */
+    const int *counted; /* which of the six velocities of its end the platform gives it: as many as
+                         * it has joints */
+    double base[12];    /* from the robot's base to its own: the inverse of its place */
+    double end[12];     /* what it carries, in the platform's frame */
+    int (*ik)(const double *T, const double *q_seed, double *q, unsigned char *status);
+    int (*nearest)(const double *T, const double *q_seed, double *q);
+    void (*batch)(size_t n, const double *T, double *q, unsigned char *status);
+    void (*fk)(const double *q, double *T);
+    void (*jacobian)(const double *q, double *J);
+};
+
+struct dhgen_parallel {
+    int legs;
+    int joints, rows;    /* of the leg with the most */
+    int drives;          /* of all legs: as many as the platform has freedoms */
+    int alike;           /* whether all legs are of one chain: they are solved side by side */
+    const int *freedoms; /* which of the six velocities the platform has */
+    double size;         /* of the robot [length] */
+    int task;            /* what counts of its orientation: DHGEN_POSE, _YAW or _COORDINATES */
+    int is_planar;       /* whether it moves in the plane of x and y */
+    const struct dhgen_leg *leg;
+};
+
+/* The platform's pose as far as the task names it, in full: what it does not name is zero, or the
+ * identity. Returns whether it is one. */
+DHGEN_FN int dhgen_read_platform(const struct dhgen_parallel *robot, const double *T, double *X)
+{
+    double read[16];
+    int valid = 1;
+    for (int i = 0; i < 16; i++)
+        read[i] = T[i];
+    if (robot->task == DHGEN_POSE) {
+        valid = fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= DHGEN_LAST_ROW
+            && dhgen_read_rotation(read);
+    } else {
+        const int turns = robot->task == DHGEN_YAW;
+        valid = !turns || dhgen_read_yaw(read);
+        const double c = turns ? read[0] : 1.0, s = turns ? read[4] : 0.0;
+        valid = valid && c * c + s * s > 0.5; /* straight up it has no yaw */
+        read[0] = read[5] = c;
+        read[1] = -s;
+        read[4] = s;
+        read[2] = read[6] = read[8] = read[9] = 0.0;
+        read[10] = 1.0;
+        read[11] = robot->is_planar ? 0.0 : read[11];
+    }
+    for (int i = 0; i < 12; i++)
+        X[i] = read[i];
+    return valid && isfinite(read[3]) && isfinite(read[7]) && isfinite(read[11]);
+}
+
+/* What a leg carries at a pose of the platform, in the leg's own base. */
+DHGEN_INLINE void dhgen_leg_pose(const struct dhgen_leg *leg, const double *X, double *T)
+{
+    double carried[12];
+    dhgen_compose(X, leg->end, carried);
+    dhgen_compose(leg->base, carried, T);
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+/* A leg's place in arrays of rows of all legs. */
+DHGEN_INLINE int dhgen_leg_rows(const struct dhgen_parallel *robot, int leg)
+{
+    return leg * robot->rows * robot->joints;
+}
+
+/* Fills the rows of a leg; rows and joints that it has not are none. Returns how many are good. */
+DHGEN_FN int dhgen_solve_leg(const struct dhgen_parallel *robot, int number, const double *T,
+    const double *q_seed, double *q, unsigned char *status)
+{
+    const struct dhgen_leg *const leg = robot->leg + number;
+    const double *const seed = q_seed ? q_seed + number * robot->joints : NULL;
+    double *const rows = q + dhgen_leg_rows(robot, number);
+    unsigned char *const statuses = status + number * robot->rows;
+    for (int row = leg->rows; row < robot->rows; row++)
+        statuses[row] = DHGEN_UNREACHABLE;
+    const int count = leg->ik(T, seed, rows, statuses);
+    /* from the last row on: a leg with fewer joints has its rows closer together */
+    for (int row = robot->rows - 1; row >= 0; row--)
+        for (int i = robot->joints - 1; i >= 0; i--)
+            rows[row * robot->joints + i] =
+                row < leg->rows && i < leg->joints ? rows[row * leg->joints + i] : DHGEN_NAN;
+    return count;
+}
+
+/* Empties the rows of all legs: the pose is none. */
+DHGEN_FN void dhgen_no_platform(
+    const struct dhgen_parallel *robot, double *q, unsigned char *status)
+{
+    for (int i = 0; i < robot->legs * robot->rows; i++)
+        status[i] = DHGEN_INVALID_POSE;
+    for (int i = 0; i < robot->legs * robot->rows * robot->joints; i++)
+        q[i] = DHGEN_NAN;
+}
+
+/* All solutions of all legs. Returns how many working modes there are, the product of the good rows
+ * of the legs, or -DHGEN_INVALID_POSE. */
+DHGEN_FN int dhgen_parallel_ik(const struct dhgen_parallel *robot, const double *T,
+    const double *q_seed, double *q, unsigned char *status)
+{
+    double X[12], poses[DHGEN_MOST_LEGS][16];
+    int modes = 1;
+    if (!dhgen_read_platform(robot, T, X)) {
+        dhgen_no_platform(robot, q, status);
+        return -DHGEN_INVALID_POSE;
+    }
+    for (int i = 0; i < robot->legs; i++)
+        dhgen_leg_pose(robot->leg + i, X, poses[i]);
+    if (robot->alike && !q_seed) {
+        robot->leg->batch((size_t)robot->legs, poses[0], q, status);
+        for (int i = 0; i < robot->legs; i++) {
+            int count = 0;
+            for (int row = i * robot->rows; row < (i + 1) * robot->rows; row++)
+                count += status[row] == DHGEN_OK || status[row] == DHGEN_FREE_JOINT;
+            modes *= count;
+        }
+        return modes;
+    }
+    for (int i = 0; i < robot->legs; i++) {
+        const int count = dhgen_solve_leg(robot, i, poses[i], q_seed, q, status);
+        if (count < 0) {
+            dhgen_no_platform(robot, q, status);
+            return count;
+        }
+        modes *= count;
+    }
+    return modes;
+}
+
+/* Of every leg the solution nearest to the seed. Returns the worst status of a leg's, or minus what
+ * is wrong with the first that has none; q is NaN then. */
+DHGEN_FN int dhgen_parallel_nearest(
+    const struct dhgen_parallel *robot, const double *T, const double *q_seed, double *q)
+{
+    double X[12], pose[16], found[DHGEN_MOST_LEGS * DHGEN_MOST_JOINTS];
+    int worst = dhgen_read_platform(robot, T, X) ? DHGEN_OK : -DHGEN_INVALID_POSE;
+    for (int i = 0; i < robot->legs * robot->joints; i++)
+        found[i] = DHGEN_NAN;
+    for (int i = 0; i < robot->legs && worst >= 0; i++) {
+        dhgen_leg_pose(robot->leg + i, X, pose);
+        const int place = i * robot->joints;
+        const int told = robot->leg[i].nearest(pose, q_seed + place, found + place);
+        worst = told < 0 || told > worst ? told : worst;
+    }
+    for (int i = 0; i < robot->legs * robot->joints; i++)
+        q[i] = worst < 0 ? DHGEN_NAN : found[i];
+    return worst;
+}
+
+/* dhgen_parallel_ik without a seed for n poses. */
+DHGEN_FN void dhgen_parallel_batch(
+    const struct dhgen_parallel *robot, size_t n, const double *T, double *q, unsigned char *status)
+{
+    const size_t rows = (size_t)(robot->legs * robot->rows), size = rows * (size_t)robot->joints;
+    for (size_t k = 0; k < n; k++)
+        (void)dhgen_parallel_ik(robot, T + 16 * k, NULL, q + size * k, status + rows * k);
+}
+
+/* The values of the driven joints, out of those of all joints of all legs. */
+DHGEN_FN void dhgen_take_drives(const struct dhgen_parallel *robot, const double *q, double *drives)
+{
+    for (int i = 0, place = 0; i < robot->legs; i++)
+        for (int k = 0; k < robot->leg[i].drives; k++)
+            drives[place++] = q[i * robot->joints + robot->leg[i].driven[k]];
+}
+
+#endif

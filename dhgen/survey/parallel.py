@@ -1,0 +1,140 @@
+"""What the legs of a parallel robot are asked: every solution on poses of the platform.
+
+The oracle of serial arms finds the solutions of each leg by search, from the robot file alone.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.atomic_write import write_files
+from dhgen.errors import DhgenError
+from dhgen.parallel.verify import compiled, drawn_poses, square
+from dhgen.survey.ask import SAME, Singular, among, ask_singular, distinct, missed
+from dhgen.survey.oracle.arm import arm, arm_size
+from dhgen.survey.table import Answers
+from dhgen.survey.trial import Trial
+from dhgen.verify.demands import RESIDUAL
+from dhgen.verify.native import PORTABLE, compile_solver
+
+if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
+    from dhgen.compiler import Compilation
+    from dhgen.parallel.compile import ParallelCompilation
+    from dhgen.parallel.module import ParallelModule
+    from dhgen.parallel.verify import Native
+
+SINGULAR_SHARE = 4  # random poses for one of each singular kind of a leg
+
+
+def parallel_answers(made: ParallelCompilation, poses: int, cpu: float) -> Answers:
+    """How the solver of a parallel robot does.
+
+    Args:
+        made: The robot.
+        poses: How many random poses of the platform it is asked.
+        cpu: What it took to make it [s].
+    """
+    with tempfile.TemporaryDirectory(prefix="dhgen-") as name:
+        folder = Path(name)
+        write_files(folder, made.files)
+        native = compiled(made.module, folder)
+        if native is None:
+            raise DhgenError("a survey needs a C compiler: cc, gcc, clang or $CC")
+        trials = {each.robot.name: _trial(each, folder) for each in made.chains}
+        random = _Random(made.module, native, trials)
+        for number, T in enumerate(_reached(made.module, native, poses)):
+            random.ask(T, number)
+        count = -(-poses // SINGULAR_SHARE)
+        singular = [ask_singular(trial, count, RESIDUAL) for trial in trials.values()]
+    return _counted(made, random, singular, poses, cpu)
+
+
+def _counted(
+    made: ParallelCompilation,
+    random: _Random,
+    singular: list[Singular],
+    poses: int,
+    cpu: float,
+) -> Answers:
+    answered = sum(each.answered for each in singular)
+    return Answers(
+        method=made.chains[0].module.method,
+        degree=max(step.roots for each in made.chains for step in each.derivation.steps),
+        rows=made.module.rows,
+        cpu=cpu,
+        poses=poses,
+        expected=random.expected,
+        found=random.found,
+        spurious=random.spurious,
+        unmet=random.unmet,
+        residual=max(random.residual, *(each.residual for each in singular)),
+        bound=RESIDUAL,
+        singular=sum(each.poses for each in singular),
+        answered=answered,
+        tried=0,
+        recalled=0,
+        faults=(*random.faults, *(fault for each in singular for fault in each.faults)),
+    )
+
+
+def _trial(chain: Compilation, folder: Path) -> Trial:
+    module, robot = chain.module, chain.robot
+    of = folder / f"{robot.name}.c", folder, robot.name, module.chain.dof, module.solver.rows, 0
+    solver = compile_solver(*of, build=PORTABLE)
+    assert solver is not None
+    return Trial(robot, arm(robot), arm_size(robot), solver)
+
+
+def _reached(module: ParallelModule, native: Native, count: int) -> FloatArray:
+    """Poses of the platform that all legs reach, whatever their limits."""
+    source = np.random.default_rng(1)
+    found = np.empty((0, 4, 4))
+    while len(found) < count:
+        poses = drawn_poses(module, source)
+        rows = native.batch(poses)[0]
+        unreached = np.isnan(rows).reshape(*rows.shape[:2], -1).all(axis=-1)
+        found = np.concatenate([found, poses[~unreached.any(axis=-1)]])
+    return found[:count]
+
+
+class _Random:
+    """What random poses of the platform are answered."""
+
+    def __init__(self, module: ParallelModule, native: Native, trials: dict[str, Trial]) -> None:
+        self._module = module
+        self._native = native
+        self._trials = trials
+        self.expected = self.found = self.spurious = self.unmet = 0
+        self.residual = 0.0
+        self.faults: list[str] = []
+
+    def ask(self, T: FloatArray, number: int) -> None:
+        """All legs at a pose."""
+        rows = self._native.ik(T)[1]
+        for leg, of_leg in zip(self._module.legs, rows, strict=True):
+            trial = self._trials[leg.solver.name]
+            dof = leg.solver.chain.dof
+            held = of_leg[~np.isnan(of_leg[:, :dof]).any(axis=1), :dof]
+            pose = np.linalg.inv(square(leg.leg.base)) @ T @ square(leg.leg.end)
+            self._count(trial, pose, held, number)
+
+    def _count(self, trial: Trial, pose: FloatArray, rows: FloatArray, number: int) -> None:
+        residuals = trial.residuals(rows, pose)
+        self.residual = max(self.residual, float(residuals.max(initial=0.0)))
+        true = distinct(trial, rows[residuals <= RESIDUAL])
+        self.spurious += len(rows) - len(true)
+        none = np.zeros(rows.shape[1])
+        held = trial.search(pose, none, seed=number, at_least=len(true))
+        lost = missed(trial, held.regular, true, SAME)
+        met = np.concatenate([held.regular, held.singular])
+        self.expected += len(held.regular)
+        self.found += len(held.regular) - lost
+        self.unmet += sum(not among(trial, row, met, SAME) for row in true)
+        if lost or len(rows) > len(true):
+            fault = f"{lost} of {len(held.regular)} missed, {len(rows) - len(true)} spurious"
+            self.faults.append(f"{fault}, leg at {pose[:3, 3].tolist()}")

@@ -1,0 +1,94 @@
+/* delta: Delta, three cranks with parallelograms
+ *
+ * Inverse kinematics, generated from robots/delta.yaml and templates/c/parallel.h.jinja.
+ * Do not edit: run dhgen robots/delta.yaml. The formulas and where they come from: delta.md.
+ *
+ * A platform on 3 legs, each of which is a serial arm: compile delta.c delta_leg.c together. Poses
+ * are row-major 4 x 4 matrices of the platform in the base frame, lengths in m, angles in rad. Of a
+ * pose its place alone counts.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 5c7395f6581d009b
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef DELTA_H
+#define DELTA_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    DELTA_LEGS = 3,
+    DELTA_JOINTS = 3, /* of a leg, passive ones among them */
+    DELTA_ROWS = 4, /* branches of a leg */
+    DELTA_DRIVES = 3 /* driven joints, as many as the platform has freedoms */
+};
+
+/* What a row of delta_ik holds. */
+enum {
+    /* joint values */
+    DELTA_OK = 0,
+    /* NaN: no solution in this branch, or one that an earlier row holds */
+    DELTA_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
+    DELTA_FREE_JOINT = 2,
+    /* joint values, at least one beyond its limits */
+    DELTA_OUT_OF_LIMITS = 3,
+    /* NaN: T is not a valid pose */
+    DELTA_INVALID_POSE = 4
+};
+
+/* The name of every row of every leg. A working mode is a row of each leg. */
+extern const char *const *const delta_branches[3];
+
+/* The leg and the joint of every drive, from 0. */
+extern const int delta_drives[3][2];
+
+/* All solutions of all legs. Row b of a leg is always its branch b. q_seed gives the values of
+ * joints that are indeterminate at this pose (NULL: zeros).
+ * Returns how many working modes there are, the product of the legs' rows that are OK or
+ * FREE_JOINT, or -DELTA_INVALID_POSE, also for a seed that is not finite where it may be
+ * needed. */
+int delta_ik(const double T[16], const double *q_seed, double q[3][4][3], unsigned char
+    status[3][4]);
+
+/* Of every leg the solution nearest to q_seed, with angles moved by whole turns into their limits.
+ * Returns DELTA_OK or DELTA_FREE_JOINT, or, with NaN in q, minus what is wrong with a
+ * leg: DELTA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that
+ * is not finite. */
+int delta_ik_nearest(const double T[16], const double q_seed[3][3], double q[3][3]);
+
+/* delta_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 3 x 4 x 3, status n x 3 x 4. */
+void delta_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+/* The values of the driven joints. */
+void delta_take_drives(const double q[3][3], double drives[3]);
+
+/* The pose of the platform that drives' values make, and the joint values of all legs, refined from
+ * T_seed: a pose nearby that the legs reach.
+ * Returns DELTA_OK; DELTA_FREE_JOINT where the platform is singular there, so that other
+ * poses meet this one, or it can move; or, with NaN in T and q, -DELTA_UNREACHABLE where the
+ * legs did not meet the platform or do not reach the seed, or -DELTA_INVALID_POSE. */
+int delta_fk(const double drives[3], const double T_seed[16], double T[16], double q[3][3]);
+
+/* All poses of the platform that drives' values allow, at most 2. Returns how many there are. */
+int delta_assemblies(const double drives[3], double T[2][16]);
+
+/* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities
+ * (vx, vy, vz), qdot those of the drives. Returns DELTA_OK or -DELTA_INVALID_POSE. */
+int delta_velocities(const double T[16], const double q[3][3], double A[9], double B[9]);
+
+/* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
+ * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
+ * drives do not hold): the smallest singular values, lengths in robot sizes.
+ * Returns DELTA_OK or -DELTA_INVALID_POSE. */
+int delta_singularities(const double T[16], const double q[3][3], double least[2]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,382 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The velocities of a platform and of its drives, A xdot = B qdot (C. Gosselin and J. Angeles,
+ * Singularity analysis of closed-loop kinematic chains, 1990), and the direct model by them. */
+#ifndef DHGEN_PLATFORM_H
+#define DHGEN_PLATFORM_H
+
+#include "parallel.h"
+
+/* Steps of the direct model; the longest one [rad, robot sizes]; what legs may miss the platform by
+ * [robot sizes, rad]; and what a step is damped by, as a share of the squares that it divides. */
+#define DHGEN_DIRECT_STEPS 60
+#define DHGEN_DIRECT_STEP 0.25
+#define DHGEN_CLOSED 1e-12
+#define DHGEN_DIRECT_DAMPING 1e-14
+
+/* A's smallest singular value below which a platform is singular, lengths in robot sizes: a root of
+ * what legs may miss. */
+#define DHGEN_SINGULAR_PLATFORM 1e-6
+
+/* How a leg's end moves: of m rows the first belong to passive joints after the reflections below,
+ * the others to driven ones. Lengths count in robot sizes, also those of the platform's motion. */
+struct dhgen_leg_motion {
+    int rows, passive;
+    double V[6][6]; /* of the platform's freedoms */
+    double J[6][6]; /* of the leg's joints: passive ones first, then driven ones */
+    double miss[6]; /* from where the leg ends to where the platform has it */
+    int order[6];   /* the joint of each column of J */
+};
+
+/* What a leg's end is away from where the platform carries it: three lengths, then the rotation
+ * vector for small turns, in the leg's base. */
+DHGEN_FN void dhgen_leg_miss(const double *wanted, const double *is, double size, double *miss)
+{
+    for (int i = 0; i < 3; i++)
+        miss[i] = (wanted[4 * i + 3] - is[4 * i + 3]) / size;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        double sum = 0.0;
+        for (int c = 0; c < 3; c++)
+            sum += is[4 * j + c] * wanted[4 * k + c] - is[4 * k + c] * wanted[4 * j + c];
+        miss[3 + i] = 0.5 * sum;
+    }
+}
+
+/* The motion of a leg at a pose of the platform and its joint values. */
+DHGEN_FN void dhgen_leg_motion_at(const struct dhgen_parallel *robot, int number, const double *X,
+    const double *q, struct dhgen_leg_motion *motion)
+{
+    const struct dhgen_leg *const leg = robot->leg + number;
+    double wanted[16], is[16], all[6 * DHGEN_MOST_JOINTS], miss[6];
+    dhgen_leg_pose(leg, X, wanted);
+    leg->fk(q, is);
+    leg->jacobian(q, all);
+    dhgen_leg_miss(wanted, is, robot->size, miss);
+    motion->rows = leg->joints;
+    motion->passive = leg->joints - leg->drives;
+    int place = 0;
+    for (int driven = 0; driven < 2; driven++)
+        for (int joint = 0, next = 0; joint < leg->joints; joint++) {
+            const int is_driven = next < leg->drives && leg->driven[next] == joint;
+            next += is_driven;
+            if (is_driven == driven)
+                motion->order[place++] = joint;
+        }
+    /* the point that the leg carries, from the platform's origin, in the robot's base */
+    double arm[3];
+    for (int i = 0; i < 3; i++)
+        arm[i] = X[4 * i] * leg->end[3] + X[4 * i + 1] * leg->end[7] + X[4 * i + 2] * leg->end[11];
+    for (int i = 0; i < leg->joints; i++) {
+        const int row = leg->counted[i], axis = row % 3;
+        const double unit = row < 3 ? 1.0 / robot->size : 1.0;
+        const double *const along = leg->base + 4 * axis;
+        motion->miss[i] = miss[row];
+        for (int k = 0; k < leg->joints; k++)
+            motion->J[i][k] = unit * all[row * leg->joints + motion->order[k]];
+        for (int k = 0; k < robot->drives; k++) {
+            const int freedom = robot->freedoms[k], e = freedom % 3;
+            const int f = (e + 1) % 3, g = (e + 2) % 3;
+            /* turning about axis e moves the point by e x arm */
+            if (freedom < 3)
+                motion->V[i][k] = row < 3 ? along[e] : 0.0;
+            else
+                motion->V[i][k] =
+                    row < 3 ? unit * (along[g] * arm[f] - along[f] * arm[g]) : along[e];
+        }
+    }
+}
+
+/* Reflects the rows of a motion so that passive joints move the first ones alone (Householder):
+ * what is below is what the platform and the drives have to agree in. */
+DHGEN_FN void dhgen_without_passive(
+    const struct dhgen_parallel *robot, struct dhgen_leg_motion *motion)
+{
+    const int m = motion->rows;
+    for (int c = 0; c < motion->passive; c++) {
+        double square = 0.0;
+        for (int i = c; i < m; i++)
+            square += motion->J[i][c] * motion->J[i][c];
+        const double length = motion->J[c][c] > 0.0 ? -sqrt(square) : sqrt(square);
+        double v[6] = { 0.0 }, norm = 0.0;
+        for (int i = c; i < m; i++) {
+            v[i] = motion->J[i][c] - (i == c ? length : 0.0);
+            norm += v[i] * v[i];
+        }
+        if (!(norm > 0.0))
+            continue;
+        for (int column = 0; column < m + robot->drives + 1; column++) {
+            double sum = 0.0;
+            for (int i = c; i < m; i++)
+                sum += v[i]
+                    * (column < m                        ? motion->J[i][column]
+                            : column - m < robot->drives ? motion->V[i][column - m]
+                                                         : motion->miss[i]);
+            for (int i = c; i < m; i++) {
+                double *const entry = column < m ? &motion->J[i][column]
+                    : column - m < robot->drives ? &motion->V[i][column - m]
+                                                 : &motion->miss[i];
+                *entry -= 2.0 * sum / norm * v[i];
+            }
+        }
+    }
+}
+
+/* The least squares of a square system, M x = y, damped a little: it has an answer where M is
+ * singular, too. M, n x n in rows of six, and y are used up. */
+DHGEN_FN void dhgen_damped(int n, double M[6][6], double *y, double *x)
+{
+    double S[6][6], trace = 0.0;
+    for (int i = 0; i < n; i++) {
+        x[i] = 0.0;
+        for (int j = 0; j < n; j++) {
+            S[i][j] = 0.0;
+            for (int k = 0; k < n; k++)
+                S[i][j] += M[k][i] * M[k][j];
+        }
+        for (int k = 0; k < n; k++)
+            x[i] += M[k][i] * y[k];
+        trace += S[i][i];
+    }
+    for (int i = 0; i < n; i++)
+        S[i][i] += DHGEN_DIRECT_DAMPING * trace + 1e-300;
+    for (int c = 0; c < n; c++)
+        for (int i = c + 1; i < n; i++) {
+            const double factor = S[i][c] / S[c][c];
+            for (int j = c; j < n; j++)
+                S[i][j] -= factor * S[c][j];
+            x[i] -= factor * x[c];
+        }
+    for (int i = n - 1; i >= 0; i--) {
+        for (int j = i + 1; j < n; j++)
+            x[i] -= S[i][j] * x[j];
+        x[i] /= S[i][i];
+    }
+}
+
+/* The two matrices of A xdot = B qdot, n x n: as many rows and columns as drives. The platform's
+ * freedoms are in the order of velocities, then angular velocities; B has a block for each leg. */
+DHGEN_FN void dhgen_platform_rates(
+    const struct dhgen_parallel *robot, const double *X, const double *q, double *A, double *B)
+{
+    const int n = robot->drives;
+    for (int i = 0; i < n * n; i++)
+        A[i] = B[i] = 0.0;
+    for (int i = 0, row = 0; i < robot->legs; i++) {
+        struct dhgen_leg_motion motion;
+        dhgen_leg_motion_at(robot, i, X, q + i * robot->joints, &motion);
+        dhgen_without_passive(robot, &motion);
+        const int first = row;
+        for (int k = motion.passive; k < motion.rows; k++, row++) {
+            for (int j = 0; j < n; j++)
+                A[n * row + j] = motion.V[k][j] * (robot->freedoms[j] < 3 ? 1.0 : robot->size);
+            for (int j = 0; j < robot->leg[i].drives; j++)
+                B[n * row + first + j] = motion.J[k][motion.passive + j] * robot->size;
+        }
+    }
+}
+
+/* Moves the platform by its freedoms, lengths in robot sizes. */
+DHGEN_FN void dhgen_move_platform(const struct dhgen_parallel *robot, const double *step, double *X)
+{
+    double w[3] = { 0.0, 0.0, 0.0 };
+    for (int k = 0; k < robot->drives; k++) {
+        const int freedom = robot->freedoms[k];
+        if (freedom < 3)
+            X[4 * freedom + 3] += robot->size * step[k];
+        else
+            w[freedom - 3] = step[k];
+    }
+    const double angle = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    if (!(angle > 0.0))
+        return;
+    const double s = sin(angle) / angle, half = sin(0.5 * angle) / angle, c = 2.0 * half * half;
+    double R[9];
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        R[4 * i] = 1.0 - c * (w[j] * w[j] + w[k] * w[k]);
+        R[3 * i + j] = c * w[i] * w[j] - s * w[k];
+        R[3 * j + i] = c * w[i] * w[j] + s * w[k];
+    }
+    for (int column = 0; column < 3; column++) {
+        const double x = X[column], y = X[4 + column], z = X[8 + column];
+        for (int i = 0; i < 3; i++)
+            X[4 * i + column] = R[3 * i] * x + R[3 * i + 1] * y + R[3 * i + 2] * z;
+    }
+}
+
+/* One step of the direct model: the platform and the passive joints, so that the legs meet it.
+ * Returns by how much they missed it before. */
+DHGEN_FN double dhgen_direct_step(const struct dhgen_parallel *robot, double *X, double *q)
+{
+    struct dhgen_leg_motion motions[DHGEN_MOST_LEGS];
+    double M[6][6], y[6], step[6], worst = 0.0, longest = 0.0;
+    for (int i = 0, row = 0; i < robot->legs; i++) {
+        struct dhgen_leg_motion *const motion = motions + i;
+        dhgen_leg_motion_at(robot, i, X, q + i * robot->joints, motion);
+        for (int k = 0; k < motion->rows; k++)
+            worst = fmax(worst, fabs(motion->miss[k]));
+        dhgen_without_passive(robot, motion);
+        for (int k = motion->passive; k < motion->rows && row < 6; k++, row++) {
+            for (int j = 0; j < robot->drives; j++)
+                M[row][j] = motion->V[k][j];
+            y[row] = -motion->miss[k];
+        }
+    }
+    dhgen_damped(robot->drives, M, y, step);
+    for (int j = 0; j < robot->drives; j++)
+        longest = fmax(longest, fabs(step[j]));
+    const double share = longest > DHGEN_DIRECT_STEP ? DHGEN_DIRECT_STEP / longest : 1.0;
+    for (int j = 0; j < robot->drives; j++)
+        step[j] *= share;
+    for (int i = 0; i < robot->legs; i++) {
+        const struct dhgen_leg_motion *const motion = motions + i;
+        double P[6][6], r[6], moved[6], most = 0.0;
+        for (int k = 0; k < motion->passive; k++) {
+            r[k] = share * motion->miss[k];
+            for (int j = 0; j < robot->drives; j++)
+                r[k] += motion->V[k][j] * step[j];
+            for (int j = 0; j < motion->passive; j++)
+                P[k][j] = motion->J[k][j];
+        }
+        dhgen_damped(motion->passive, P, r, moved);
+        for (int k = 0; k < motion->passive; k++)
+            most = fmax(most, fabs(moved[k]));
+        const double longest_turn = 2.0 * DHGEN_DIRECT_STEP;
+        const double less = most > longest_turn ? longest_turn / most : 1.0;
+        for (int k = 0; k < motion->passive; k++)
+            q[i * robot->joints + motion->order[k]] += less * moved[k];
+    }
+    dhgen_move_platform(robot, step, X);
+    return worst;
+}
+
+/* The smallest singular value of a matrix, n x n: by turning its columns until they are orthogonal
+ * (M. R. Hestenes, 1958). M is used up. */
+DHGEN_FN double dhgen_least_singular(int n, double *M)
+{
+    for (int round = 0; round < 30; round++)
+        for (int i = 0; i < n; i++)
+            for (int j = i + 1; j < n; j++) {
+                double a = 0.0, b = 0.0, c = 0.0;
+                for (int k = 0; k < n; k++) {
+                    a += M[n * k + i] * M[n * k + i];
+                    b += M[n * k + j] * M[n * k + j];
+                    c += M[n * k + i] * M[n * k + j];
+                }
+                if (!(fabs(c) > 1e-16 * sqrt(a * b)))
+                    continue;
+                const double half = 0.5 * (b - a) / c;
+                const double t = (half < 0.0 ? -1.0 : 1.0) / (fabs(half) + sqrt(1.0 + half * half));
+                const double cosine = 1.0 / sqrt(1.0 + t * t), sine = cosine * t;
+                for (int k = 0; k < n; k++) {
+                    const double x = M[n * k + i];
+                    M[n * k + i] = cosine * x - sine * M[n * k + j];
+                    M[n * k + j] = sine * x + cosine * M[n * k + j];
+                }
+            }
+    double least = HUGE_VAL;
+    for (int i = 0; i < n; i++) {
+        double square = 0.0;
+        for (int k = 0; k < n; k++)
+            square += M[n * k + i] * M[n * k + i];
+        least = fmin(least, square);
+    }
+    return sqrt(least);
+}
+
+/* How near a robot is to a singularity of the first kind (B loses a rank: the platform loses a
+ * motion) and of the second (A does: the platform has a motion that the drives do not hold): their
+ * smallest singular values, lengths in robot sizes. */
+DHGEN_FN void dhgen_least_values(
+    const struct dhgen_parallel *robot, const double *X, const double *q, double least[2])
+{
+    double A[36], B[36];
+    const int n = robot->drives;
+    dhgen_platform_rates(robot, X, q, A, B);
+    for (int row = 0; row < n; row++)
+        for (int j = 0; j < n; j++)
+            A[n * row + j] *= robot->freedoms[j] < 3 ? robot->size : 1.0;
+    for (int leg = 0, j = 0; leg < robot->legs; leg++)
+        for (int k = 0; k < robot->leg[leg].drives; k++, j++)
+            for (int row = 0; row < n; row++)
+                B[n * row + j] *= robot->leg[leg].slides[k] ? robot->size : 1.0;
+    least[0] = dhgen_least_singular(n, B) / robot->size;
+    least[1] = dhgen_least_singular(n, A) / robot->size;
+}
+
+/* What a joint's value is away from another one: angles by the short way. */
+DHGEN_INLINE double dhgen_drive_miss(int slides, double size, double one, double other)
+{
+    return slides ? fabs(one - other) / size : fabs(dhgen_wrap(one - other));
+}
+
+/* The joint values of a leg at a pose of the platform whose drives are nearest to given ones.
+ * Returns 0 where it does not reach it. */
+DHGEN_FN int dhgen_nearest_drives(const struct dhgen_parallel *robot, int number, const double *X,
+    const double *drives, double *q)
+{
+    const struct dhgen_leg *const leg = robot->leg + number;
+    double pose[16], rows[DHGEN_MOST_ROWS * DHGEN_MOST_JOINTS], nearest = HUGE_VAL;
+    unsigned char status[DHGEN_MOST_ROWS];
+    dhgen_leg_pose(leg, X, pose);
+    (void)leg->ik(pose, NULL, rows, status);
+    for (int row = 0; row < leg->rows; row++) {
+        const double *const one = rows + row * leg->joints;
+        double miss = 0.0;
+        for (int k = 0; k < leg->drives; k++)
+            miss += dhgen_drive_miss(leg->slides[k], robot->size, one[leg->driven[k]], drives[k]);
+        if (miss < nearest) {
+            nearest = miss;
+            for (int i = 0; i < leg->joints; i++)
+                q[i] = one[i];
+        }
+    }
+    for (int k = 0; k < leg->drives; k++)
+        q[leg->driven[k]] = drives[k];
+    return nearest < HUGE_VAL;
+}
+
+/* The pose of the platform that drives' values make, and the joint values of all legs, refined from
+ * a seed: the pose of the platform nearby. Returns DHGEN_OK; DHGEN_FREE_JOINT where the platform is
+ * singular there: other poses meet this one, or it can move; or, with NaN, minus
+ * DHGEN_UNREACHABLE where the legs did not meet the platform in so many steps, or one does not
+ * reach the seed, or minus DHGEN_INVALID_POSE. */
+DHGEN_FN int dhgen_parallel_fk(const struct dhgen_parallel *robot, const double *drives,
+    const double *T_seed, double *T, double *q)
+{
+    double X[12], last = HUGE_VAL, least[2] = { 0.0, 0.0 };
+    int told = dhgen_read_platform(robot, T_seed, X) ? DHGEN_OK : -DHGEN_INVALID_POSE;
+    for (int i = 0; i < robot->drives; i++)
+        told = isfinite(drives[i]) ? told : -DHGEN_INVALID_POSE;
+    for (int i = 0; i < robot->legs * robot->joints; i++)
+        q[i] = DHGEN_NAN;
+    for (int i = 0, first = 0; i < robot->legs && told >= 0; i++) {
+        if (!dhgen_nearest_drives(robot, i, X, drives + first, q + i * robot->joints))
+            told = -DHGEN_UNREACHABLE;
+        first += robot->leg[i].drives;
+    }
+    for (int k = 0; k < DHGEN_DIRECT_STEPS && told >= 0 && !(last <= DHGEN_CLOSED); k++)
+        last = dhgen_direct_step(robot, X, q);
+    if (told >= 0 && last <= DHGEN_CLOSED) {
+        dhgen_least_values(robot, X, q, least);
+        told = least[1] > DHGEN_SINGULAR_PLATFORM ? DHGEN_OK : DHGEN_FREE_JOINT;
+    } else if (told >= 0)
+        told = -DHGEN_UNREACHABLE;
+    for (int i = 0; i < 12; i++)
+        T[i] = told < 0 ? DHGEN_NAN : X[i];
+    T[12] = T[13] = T[14] = told < 0 ? DHGEN_NAN : 0.0;
+    T[15] = told < 0 ? DHGEN_NAN : 1.0;
+    for (int i = 0; i < robot->legs; i++)
+        for (int joint = 0; joint < robot->joints; joint++) {
+            double *const value = q + i * robot->joints + joint;
+            const int turns = joint < robot->leg[i].joints && robot->leg[i].types[joint] == 'R';
+            *value = told < 0 ? DHGEN_NAN : turns ? dhgen_wrap(*value) : *value;
+        }
+    for (int i = 0, place = 0; i < robot->legs && told >= 0; i++)
+        for (int k = 0; k < robot->leg[i].drives; k++)
+            q[i * robot->joints + robot->leg[i].driven[k]] = drives[place++];
+    return told;
+}
+
+#endif

@@ -1,0 +1,243 @@
+# SPDX-License-Identifier: MIT
+"""Parallel robots: the public functions of a platform on legs, each of them a serial arm.
+
+The inverse model is that of the legs. Joint values are (LEGS, JOINTS), solutions (LEGS, ROWS,
+JOINTS); a leg with fewer joints or rows has NaN in the rest.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from .arguments import array_of
+from .direct import assemblies, direct, drive_scale
+from .entry import poses_of
+from .platform import Leg, Platform, motion_of, rates
+from .status import FREE_JOINT, INVALID_POSE, UNREACHABLE
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import ArrayLike, NDArray
+
+    Floats = NDArray[np.float64]
+    Statuses = NDArray[np.uint8]
+
+
+class Singularities(NamedTuple):
+    """How near a robot is to its singularities, and what is lost or gained there.
+
+    Attributes:
+        first: The smallest singular value of B: 0 where the platform loses a motion.
+        second: The same of A: 0 where the platform has a motion that the drives do not hold.
+        lost: The combination of the platform's velocities (6,) that vanishes at the first kind.
+        gained: The twist (6,) that the platform has at the second kind with all drives at rest.
+    """
+
+    first: float
+    second: float
+    lost: Floats
+    gained: Floats
+
+
+class Functions:
+    """The functions of a parallel robot.
+
+    Args:
+        platform: The robot.
+        unreachable: The exception for poses that are out of reach.
+        elimination: How all assemblies are found; nothing where that is not known.
+    """
+
+    def __init__(
+        self, platform: Platform, unreachable: type[ValueError], elimination: str = ""
+    ) -> None:
+        self._platform = platform
+        self._unreachable = unreachable
+        self._elimination = elimination
+        self._legs = platform.legs
+        self._joints = max(leg.module.DOF for leg in self._legs)
+        self._rows = max(leg.module.MAX_SOLUTIONS for leg in self._legs)
+        self._drives = len(platform.freedoms)
+
+    def ik_all(self, T: ArrayLike, q_seed: ArrayLike | None = None) -> tuple[Floats, Statuses]:
+        """All solutions of all legs: q (LEGS, ROWS, JOINTS) and status (LEGS, ROWS).
+
+        Row b of a leg is always branch BRANCHES[leg][b]; a working mode is a row of every leg.
+
+        Args:
+            T: Pose of the platform (4, 4).
+            q_seed: Values for joints that are indeterminate at this pose (LEGS, JOINTS).
+
+        Raises:
+            ValueError: An argument has the wrong shape, or the seed is not finite.
+        """
+        pose = array_of(T, (4, 4), "T")
+        seed = None if q_seed is None else self._of_legs(q_seed, "q_seed")
+        q, status = self._nothing(1)
+        valid, X = self._platform.read(pose)
+        if not valid:
+            status[:] = INVALID_POSE
+            return q[0], status[0]
+        for number, leg in enumerate(self._legs):
+            own = None if seed is None else seed[number, : leg.module.DOF]
+            rows, told = leg.module.ik_all(leg.pose(X), own)
+            q[0, number, : len(rows), : rows.shape[1]] = rows
+            status[0, number, : len(told)] = told
+        return q[0], status[0]
+
+    def ik_batch(self, T: ArrayLike) -> tuple[Floats, Statuses]:
+        """ik_all for N poses (N, 4, 4): q (N, LEGS, ROWS, JOINTS) and status (N, LEGS, ROWS).
+
+        Raises:
+            ValueError: T has the wrong shape.
+        """
+        poses = poses_of(T, None)
+        read = [self._platform.read(pose) for pose in poses]
+        valid = np.array([each for each, _ in read], bool)
+        X = np.array([pose if is_pose else np.eye(4) for is_pose, pose in read]).reshape(-1, 4, 4)
+        q, status = self._nothing(len(X))
+        for number, leg in enumerate(self._legs):
+            rows, told = leg.module.ik_batch(leg.pose(X))
+            q[:, number, : rows.shape[1], : rows.shape[2]] = rows
+            status[:, number, : told.shape[1]] = told
+        q[~valid], status[~valid] = np.nan, INVALID_POSE
+        return q, status
+
+    def ik(
+        self,
+        T: ArrayLike,
+        q_seed: ArrayLike | None = None,
+        *,
+        branch: Sequence[str | int] | None = None,
+        limits: bool = True,
+    ) -> Floats:
+        """One solution (LEGS, JOINTS): of every leg the nearest to the seed.
+
+        Args:
+            T: Pose of the platform (4, 4).
+            q_seed: Where the legs are (LEGS, JOINTS); zeros without it.
+            branch: Only this working mode: for every leg a name from BRANCHES, or its row.
+            limits: Whether joint limits count.
+
+        Raises:
+            Unreachable: A leg has no such solution; the message says which and why.
+            ValueError: T is not a valid pose, a branch does not exist, or an argument has the wrong
+                shape.
+        """
+        pose = array_of(T, (4, 4), "T")
+        seed = self._of_legs(np.zeros(self._shape) if q_seed is None else q_seed, "q_seed")
+        if branch is not None and len(branch) != len(self._legs):
+            raise ValueError(f"branch names a row of each of the {len(self._legs)} legs")
+        valid, X = self._platform.read(pose)
+        if not valid:
+            raise ValueError("T is not a valid pose of the platform")
+        q = np.full(self._shape, np.nan)
+        for number, leg in enumerate(self._legs):
+            own, mode = seed[number, : leg.module.DOF], None if branch is None else branch[number]
+            try:
+                solved = leg.module.ik(leg.pose(X), own, branch=mode, limits=limits)
+            except leg.module.Unreachable as error:
+                raise self._unreachable(f"leg {number + 1}: {error}") from None
+            q[number, : leg.module.DOF] = solved
+        return q
+
+    def drives(self, q: ArrayLike) -> Floats:
+        """The driven ones, in the order of DRIVES, of all joint values (LEGS, JOINTS)."""
+        own = self._of_legs(q, "q", finite=False)
+        return np.array([own[i, j] for i, leg in enumerate(self._legs) for j in leg.driven])
+
+    def fk(self, drives: ArrayLike, T_seed: ArrayLike) -> tuple[Floats, Floats, int]:
+        """The platform's pose that drives' values make, refined from a pose nearby.
+
+        Args:
+            drives: Values of the driven joints, in the order of DRIVES.
+            T_seed: A pose of the platform (4, 4) that the legs reach, near the one that is sought.
+
+        Returns:
+            The pose (4, 4), the joint values (LEGS, JOINTS) and a status: OK; FREE_JOINT where
+            the platform is singular there, so that other poses meet this one, or it can move;
+            with NaN UNREACHABLE where the legs did not meet the platform, or do not reach the seed,
+            and INVALID_POSE.
+
+        Raises:
+            ValueError: An argument has the wrong shape.
+        """
+        values = array_of(drives, (self._drives,), "drives")
+        return direct(self._platform, values, array_of(T_seed, (4, 4), "T_seed"), self._joints)
+
+    def assemblies(self, drives: ArrayLike) -> Floats:
+        """All poses (k, 4, 4) of the platform that drives' values allow.
+
+        Raises:
+            ValueError: drives has the wrong shape.
+            NotImplementedError: For this robot no elimination is known: see ASSEMBLIES.
+        """
+        values = array_of(drives, (self._drives,), "drives")
+        if not self._elimination:
+            raise NotImplementedError("all assemblies of this robot are not known: take fk")
+        return assemblies(self._platform, self._elimination, values, self._joints)
+
+    def velocities(self, T: ArrayLike, q: ArrayLike) -> tuple[Floats, Floats]:
+        """A and B, with A xdot = B qdot at a pose and its joint values.
+
+        xdot are the platform's velocities that the task names, of its origin and then angular, qdot
+        those of the drives.
+
+        Raises:
+            ValueError: T is not a valid pose, or an argument has the wrong shape.
+        """
+        A, B = self._rates(T, q)
+        size = self._platform.size
+        return A * size / self._platform.scale, B * size
+
+    def singularities(self, T: ArrayLike, q: ArrayLike) -> Singularities:
+        """How near a pose and its joint values are to singularities, lengths in robot sizes.
+
+        Raises:
+            ValueError: T is not a valid pose, or an argument has the wrong shape.
+        """
+        A, B = self._rates(T, q)
+        left, of_B, _ = np.linalg.svd(B * drive_scale(self._platform))
+        _, of_A, right = np.linalg.svd(A)
+        scale, freedoms = self._platform.scale, list(self._platform.freedoms)
+        lost, gained = np.zeros(6), np.zeros(6)
+        lost[freedoms] = left[:, -1] @ A / scale
+        gained[freedoms] = right[-1] * scale
+        return Singularities(float(of_B[-1]), float(of_A[-1]), lost, gained)
+
+    def _rates(self, T: ArrayLike, q: ArrayLike) -> tuple[Floats, Floats]:
+        valid, X = self._platform.read(array_of(T, (4, 4), "T"))
+        if not valid:
+            raise ValueError("T is not a valid pose of the platform")
+        own = self._of_legs(q, "q")
+        return rates(
+            self._platform,
+            [motion_of(self._platform, leg, X, own[i]) for i, leg in enumerate(self._legs)],
+        )
+
+    @property
+    def _shape(self) -> tuple[int, int]:
+        return len(self._legs), self._joints
+
+    def _nothing(self, count: int) -> tuple[Floats, Statuses]:
+        """Rows of no leg."""
+        shape = (count, len(self._legs), self._rows)
+        return np.full((*shape, self._joints), np.nan), np.full(shape, UNREACHABLE, np.uint8)
+
+    def _of_legs(self, values: ArrayLike, name: str, *, finite: bool = True) -> Floats:
+        """Joint values of all legs; what a leg has not may be anything.
+
+        Raises:
+            ValueError: The shape is wrong, or a value that counts is not finite.
+        """
+        own = array_of(values, self._shape, name)
+        for number, leg in enumerate(self._legs):
+            if finite and not np.isfinite(own[number, : leg.module.DOF]).all():
+                raise ValueError(f"{name} of leg {number + 1} is not finite")
+        return own
+
+
+__all__ = ["FREE_JOINT", "Functions", "Leg", "Platform", "Singularities"]

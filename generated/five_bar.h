@@ -1,0 +1,94 @@
+/* five_bar: Planar five-bar linkage (RR legs)
+ *
+ * Inverse kinematics, generated from robots/five_bar.yaml and templates/c/parallel.h.jinja.
+ * Do not edit: run dhgen robots/five_bar.yaml. The formulas and where they come from: five_bar.md.
+ *
+ * A platform on 2 legs, each of which is a serial arm: compile five_bar.c five_bar_leg.c together.
+ * Poses are row-major 4 x 4 matrices of the platform in the base frame, lengths in m, angles in
+ * rad. Of a pose its place in the plane of x and y alone counts.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: 40b6e59fdafffcd2
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef FIVE_BAR_H
+#define FIVE_BAR_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    FIVE_BAR_LEGS = 2,
+    FIVE_BAR_JOINTS = 2, /* of a leg, passive ones among them */
+    FIVE_BAR_ROWS = 2, /* branches of a leg */
+    FIVE_BAR_DRIVES = 2 /* driven joints, as many as the platform has freedoms */
+};
+
+/* What a row of five_bar_ik holds. */
+enum {
+    /* joint values */
+    FIVE_BAR_OK = 0,
+    /* NaN: no solution in this branch, or one that an earlier row holds */
+    FIVE_BAR_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
+    FIVE_BAR_FREE_JOINT = 2,
+    /* joint values, at least one beyond its limits */
+    FIVE_BAR_OUT_OF_LIMITS = 3,
+    /* NaN: T is not a valid pose */
+    FIVE_BAR_INVALID_POSE = 4
+};
+
+/* The name of every row of every leg. A working mode is a row of each leg. */
+extern const char *const *const five_bar_branches[2];
+
+/* The leg and the joint of every drive, from 0. */
+extern const int five_bar_drives[2][2];
+
+/* All solutions of all legs. Row b of a leg is always its branch b. q_seed gives the values of
+ * joints that are indeterminate at this pose (NULL: zeros).
+ * Returns how many working modes there are, the product of the legs' rows that are OK or
+ * FREE_JOINT, or -FIVE_BAR_INVALID_POSE, also for a seed that is not finite where it may be
+ * needed. */
+int five_bar_ik(const double T[16], const double *q_seed, double q[2][2][2], unsigned char
+    status[2][2]);
+
+/* Of every leg the solution nearest to q_seed, with angles moved by whole turns into their limits.
+ * Returns FIVE_BAR_OK or FIVE_BAR_FREE_JOINT, or, with NaN in q, minus what is wrong with a
+ * leg: FIVE_BAR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that
+ * is not finite. */
+int five_bar_ik_nearest(const double T[16], const double q_seed[2][2], double q[2][2]);
+
+/* five_bar_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 2 x 2, status n x 2 x 2. */
+void five_bar_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+/* The values of the driven joints. */
+void five_bar_take_drives(const double q[2][2], double drives[2]);
+
+/* The pose of the platform that drives' values make, and the joint values of all legs, refined from
+ * T_seed: a pose nearby that the legs reach.
+ * Returns FIVE_BAR_OK; FIVE_BAR_FREE_JOINT where the platform is singular there, so that other
+ * poses meet this one, or it can move; or, with NaN in T and q, -FIVE_BAR_UNREACHABLE where the
+ * legs did not meet the platform or do not reach the seed, or -FIVE_BAR_INVALID_POSE. */
+int five_bar_fk(const double drives[2], const double T_seed[16], double T[16], double q[2][2]);
+
+/* All poses of the platform that drives' values allow, at most 2. Returns how many there are. */
+int five_bar_assemblies(const double drives[2], double T[2][16]);
+
+/* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities
+ * (vx, vy), qdot those of the drives. Returns FIVE_BAR_OK or -FIVE_BAR_INVALID_POSE. */
+int five_bar_velocities(const double T[16], const double q[2][2], double A[4], double B[4]);
+
+/* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
+ * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
+ * drives do not hold): the smallest singular values, lengths in robot sizes.
+ * Returns FIVE_BAR_OK or -FIVE_BAR_INVALID_POSE. */
+int five_bar_singularities(const double T[16], const double q[2][2], double least[2]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

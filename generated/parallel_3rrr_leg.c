@@ -1,0 +1,266 @@
+/* parallel_3rrr_leg: Planar platform on three cranks (3-RRR): a leg
+ *
+ * Inverse kinematics, generated from robots/parallel_3rrr.yaml and templates/c/solver.c.jinja.
+ * Do not edit: run dhgen robots/parallel_3rrr.yaml. The formulas and where they come from:
+ * parallel_3rrr_leg.md.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: c812fc155a290060
+ * SPDX-License-Identifier: MIT
+ */
+#include "parallel_3rrr_leg.h"
+
+#if defined(PARALLEL_3RRR_LEG_SCALAR) && !defined(DHGEN_SCALAR)
+#define DHGEN_SCALAR
+#endif
+#if defined(PARALLEL_3RRR_LEG_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
+#define DHGEN_DOF 2
+#define DHGEN_ROWS 2
+#include "dhgen/ik.h"
+#include "dhgen/velocities.h"
+#include "dhgen/frames.h"
+#ifndef PARALLEL_3RRR_LEG_PLAIN
+#include "dhgen/tile.h"
+#endif
+
+#if DHGEN_INTERFACE != 1
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
+#endif
+
+static const double
+    crank = 0.35, /* link length 1 [m] */
+    rod = 0.35, /* link length 2 [m] */
+    longest2 = 0.48999999999999994, /* square of the longest reach [m^2] */
+    shortest2 = 0.0, /* square of the shortest reach [m^2] */
+    longest2_reach = 0.490000000000098, /* the longest, with what rounding adds [m^2] */
+    shortest2_reach = 0.0, /* the shortest, with what rounding adds [m^2] */
+    longest2_apart = 0.48999999999999017, /* the longest, where branches merge [m^2] */
+    shortest2_apart = 4.8999999999999993e-29, /* the shortest, where branches merge [m^2] */
+    free_limit_squared2 = 4.899999999999999e-25, /* square of a length that fixes no angle [m^2] */
+    k1 = 0.24499999999999997, /* 2 * rod * crank [m^2] */
+    k2 = 4.081632653061225; /* 1 / k1 [m^-2] */
+
+/* Entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T14 = T[3]; \
+    const number T24 = T[7]
+
+const char *const parallel_3rrr_leg_branches[2] = {
+    "right", "left",
+};
+
+static const struct dhgen_joint joints[2] = {
+    /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+};
+
+/* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
+static const double table[2][4] = {
+    { 0.0, 0.0, 0.35, 0.0 },
+    { 0.0, 0.0, 0.35, 0.0 },
+};
+
+void parallel_3rrr_leg_frames(const double q[2], double frames[4][16])
+{
+    static const struct dhgen_links links = { 2, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
+        NULL };
+    dhgen_frames(&links, q, frames);
+}
+
+void parallel_3rrr_leg_fk(const double q[2], double T[16])
+{
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    T[0] = x2_x; T[1] = -x2_y; T[2] = 0.0; T[3] = c1 * crank + x2_x * rod;
+    T[4] = x2_y; T[5] = x2_x; T[6] = 0.0; T[7] = s1 * crank + x2_y * rod;
+    T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void parallel_3rrr_leg_jacobian(const double q[2], double J[12])
+{
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * crank, p1_y = s1 * crank;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), p2_x = p1_x + (c1 * c2 - s1 * s2) * rod,
+        p2_y = p1_y + (s1 * c2 + c1 * s2) * rod;
+    J[0] = -p2_y; J[1] = p1_y - p2_y;
+    J[2] = p2_x; J[3] = p2_x - p1_x;
+    J[4] = 0.0; J[5] = 0.0;
+    J[6] = 0.0; J[7] = 0.0;
+    J[8] = 0.0; J[9] = 0.0;
+    J[10] = 1.0; J[11] = 1.0;
+}
+
+/* Fills the rows of the branches that have a solution, and no others. */
+static void solve(
+    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
+    unsigned char *status)
+{
+    double (*const q)[2] = (double (*)[2])rows;
+    (void)free_joints;
+    (void)moved;
+    ENTRIES(double);
+
+    /* theta2, type 8: U0[1, 4] and U0[2, 4] */
+    const double N2 = T14 * T14 + T24 * T24;
+    const double K2 = N2 - k1;
+    const double D2 = (longest2 - N2) * (N2 - shortest2);
+    const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
+    if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) return; /* out of reach */
+    const double w2 = sqrt(apart2 ? D2 : 0.0);
+    const double c2 = K2 * k2;
+
+    /* theta1, type 3: U0[2, 4] and U0[1, 4] */
+    const double X1_1 = crank + rod * c2;
+    const double v1 = T24 * X1_1, v2 = T14 * X1_1;
+
+    for (int i1 = 0; i1 < 2; i1++) { /* right, left */
+        const double e2 = i1 == 0 ? 1.0 : -1.0;
+        /* theta2 */
+        if (e2 < 0.0 && !apart2) continue; /* both signs give the same */
+        const double s2 = w2 * e2 * k2;
+        const double q2 = atan2(s2, c2);
+
+        /* theta1 */
+        const double Y1_1 = rod * s2;
+        const double S1 = v1 - T14 * Y1_1;
+        const double C1 = v2 + T24 * Y1_1;
+        const double w1 = sqrt(S1 * S1 + C1 * C1);
+        const int free1 = w1 <= free_limit_squared2;
+        const double factor1 = 1.0 / (free1 ? 1.0 : w1);
+        const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
+            s1 = free1 ? sin(seed[0]) : S1 * factor1;
+        const double q1 = atan2(s1, c1);
+        const int row = i1;
+        q[row][0] = q1; q[row][1] = q2;
+        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
+    }
+}
+
+#ifndef PARALLEL_3RRR_LEG_PLAIN
+/* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+static const double
+    doubt_limit_squared2 = 4.899999999999999e-09, /* square of a length that fixes no angle [m^2] */
+    /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
+    m1 = 4.787281682183579e-12,
+    m2 = 1.4285714285714286; /* rod * k2 [m^-1] */
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+DHGEN_INLINE dhgen_wide_mask solve_wide(
+    const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
+{
+    (void)free_joints;
+    ENTRIES(dhgen_wide);
+
+    /* theta2 */
+    const dhgen_wide N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2),
+        w2 = dhgen_sqrt_wide(D2), angle1 = dhgen_atan2_wide(w2, N2 - k1);
+
+    /* theta1 */
+    const dhgen_wide v1 = m2 * (T24 * N2), v2 = m2 * (T14 * N2), v3 = w2 * (m2 * T14),
+        v4 = w2 * (m2 * T24);
+
+    q[0] = dhgen_atan2_wide(v1 - v3, v2 + v4); q[1] = angle1;
+    kind[0] = dhgen_kind_wide(q[0]);
+    q[2] = dhgen_atan2_wide(v1 + v3, v2 - v4); q[3] = -angle1;
+    kind[1] = dhgen_kind_wide(q[2]);
+    const dhgen_wide_mask exact = 0.0 * (T[3] + T[7]) <= DHGEN_ORTHONORMAL;
+    return (exact == 0) | ((dhgen_abs_wide(D2) <= m1) | (N2 <= doubt_limit_squared2));
+}
+
+#if DHGEN_LANES > 1
+/* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+DHGEN_ALWAYS
+DHGEN_INLINE int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    (void)free_joints;
+    const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    ENTRIES(double);
+
+    /* theta2 */
+    const double N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
+
+    /* theta1 */
+    const double v1 = m2 * (T24 * N2), v2 = m2 * (T14 * N2);
+
+    if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7])) <= DHGEN_ORTHONORMAL) == 0)) |
+        (unsigned)((fabs(D2) <= m1) | (N2 <= doubt_limit_squared2)))
+        return -1;
+
+    const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(v1 - w2 * (m2 * (e2 * T14)),
+        dhgen_all_four(w2), 0, 1, 6, 3), dhgen_shuffle(v2 + w2 * (m2 * (e2 * T24)),
+        dhgen_all_four(N2 - k1), 0, 1, 6, 3));
+    const dhgen_four packed1 = dhgen_angle_four(ratio1),
+        angle2 = dhgen_shuffle(packed1, packed1, 0, 1, 0, 1),
+        angle1 = dhgen_shuffle(packed1, packed1, 2, 2, 2, 2);
+    const dhgen_four q2 = e2 * angle1;
+
+    dhgen_store_2(q, q + 2, q, q + 2, angle2, q2);
+    const unsigned long long none1 = (dhgen_bits_four(angle2 != angle2) * 0x81ull & 0x101ull);
+    const unsigned long long kind1 = none1 * DHGEN_UNREACHABLE;
+    __builtin_memcpy(status, &kind1, 2);
+    return __builtin_popcountll(0x101ull & ~none1);
+}
+#else
+static int solve_regular(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
+}
+#endif
+#endif
+
+static const int entries[2] = { 3, 7 };
+static const int choosable[1] = { 0 };
+static const struct dhgen_arm arm = {
+    2, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
+    { 1.429, 1.429, 0.0, 0.0, 0.0, 0.0 }, 1.4285714285714286, { 1e-14, 1e-14 }, entries, 2,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
+    choosable, 1, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    1, /* follows seed */
+    NULL, NULL,
+    NULL, NULL,
+    parallel_3rrr_leg_fk, parallel_3rrr_leg_jacobian, solve,
+#ifdef PARALLEL_3RRR_LEG_PLAIN
+    NULL,
+#else
+    solve_regular,
+#endif
+};
+
+void parallel_3rrr_leg_joint_velocities(const double q[2], const double twist[6], double
+    velocities[2])
+{
+    dhgen_joint_velocities(&arm, q, twist, velocities);
+}
+
+int parallel_3rrr_leg_ik(
+    const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
+{
+#ifndef PARALLEL_3RRR_LEG_PLAIN
+    const int count = solve_regular(T, NULL, &q[0][0], status);
+    if (count >= 0)
+        return count;
+#endif
+    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
+}
+
+int parallel_3rrr_leg_ik_nearest(const double T[16], const double q_seed[2], double q[2])
+{
+    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
+}
+
+void parallel_3rrr_leg_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+{
+#ifndef PARALLEL_3RRR_LEG_PLAIN
+    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+#else
+    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+#endif
+}

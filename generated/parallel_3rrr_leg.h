@@ -1,0 +1,90 @@
+/* parallel_3rrr_leg: Planar platform on three cranks (3-RRR): a leg
+ *
+ * Inverse kinematics, generated from robots/parallel_3rrr.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/parallel_3rrr.yaml. The formulas and where they come from:
+ * parallel_3rrr_leg.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, x = T[0, 3] and y = T[1, 3] counts; other entries are ignored.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: c812fc155a290060
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef PARALLEL_3RRR_LEG_H
+#define PARALLEL_3RRR_LEG_H
+
+#include <math.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define PARALLEL_3RRR_LEG_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
+#define PARALLEL_3RRR_LEG_JOINT_TYPES "RR"
+#define PARALLEL_3RRR_LEG_JOINT_NAMES "joint1", "joint2"
+#define PARALLEL_3RRR_LEG_JOINT_LIMITS { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }
+
+enum {
+    PARALLEL_3RRR_LEG_DOF = 2, /* joints */
+    PARALLEL_3RRR_LEG_ROWS = 2 /* branches */
+};
+
+/* What a row of parallel_3rrr_leg_ik holds. */
+enum {
+    /* joint values */
+    PARALLEL_3RRR_LEG_OK = 0,
+    /* NaN: no solution in this branch, or one that an earlier row holds */
+    PARALLEL_3RRR_LEG_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
+    PARALLEL_3RRR_LEG_FREE_JOINT = 2,
+    /* joint values, at least one beyond its limits */
+    PARALLEL_3RRR_LEG_OUT_OF_LIMITS = 3,
+    /* NaN: T is not a valid pose */
+    PARALLEL_3RRR_LEG_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const parallel_3rrr_leg_branches[2];
+
+/* The pose T of the joint values q. */
+void parallel_3rrr_leg_fk(const double q[2], double T[16]);
+
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void parallel_3rrr_leg_frames(const double q[2], double frames[4][16]);
+
+/* The geometric Jacobian, 6 x 2 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void parallel_3rrr_leg_jacobian(const double q[2], double J[12]);
+
+/* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
+ * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
+ * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
+ * the twist, lengths in arm sizes. */
+void parallel_3rrr_leg_joint_velocities(const double q[2], const double twist[6], double
+    velocities[2]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros). Returns how many rows are OK or FREE_JOINT, or
+ * -PARALLEL_3RRR_LEG_INVALID_POSE, also for a seed that is not finite where it may be needed. */
+int parallel_3rrr_leg_ik(
+    const double T[16], const double *q_seed, double q[2][2], unsigned char status[2]);
+
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
+ * q_seed. Returns PARALLEL_3RRR_LEG_OK or PARALLEL_3RRR_LEG_FREE_JOINT, or, with NaN in q, minus
+ * PARALLEL_3RRR_LEG_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that
+ * is not finite. */
+int parallel_3rrr_leg_ik_nearest(const double T[16], const double q_seed[2], double q[2]);
+
+/* parallel_3rrr_leg_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 2, status n x 2. */
+void parallel_3rrr_leg_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

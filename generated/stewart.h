@@ -1,0 +1,92 @@
+/* stewart: Stewart platform, six cylinders (6-UPS)
+ *
+ * Inverse kinematics, generated from robots/stewart.yaml and templates/c/parallel.h.jinja.
+ * Do not edit: run dhgen robots/stewart.yaml. The formulas and where they come from: stewart.md.
+ *
+ * A platform on 6 legs, each of which is a serial arm: compile stewart.c stewart_leg.c together.
+ * Poses are row-major 4 x 4 matrices of the platform in the base frame, lengths in m, angles in
+ * rad. Every entry of a pose counts.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: c0c1552918eb38b7
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef STEWART_H
+#define STEWART_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    STEWART_LEGS = 6,
+    STEWART_JOINTS = 3, /* of a leg, passive ones among them */
+    STEWART_ROWS = 4, /* branches of a leg */
+    STEWART_DRIVES = 6 /* driven joints, as many as the platform has freedoms */
+};
+
+/* What a row of stewart_ik holds. */
+enum {
+    /* joint values */
+    STEWART_OK = 0,
+    /* NaN: no solution in this branch, or one that an earlier row holds */
+    STEWART_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
+    STEWART_FREE_JOINT = 2,
+    /* joint values, at least one beyond its limits */
+    STEWART_OUT_OF_LIMITS = 3,
+    /* NaN: T is not a valid pose */
+    STEWART_INVALID_POSE = 4
+};
+
+/* The name of every row of every leg. A working mode is a row of each leg. */
+extern const char *const *const stewart_branches[6];
+
+/* The leg and the joint of every drive, from 0. */
+extern const int stewart_drives[6][2];
+
+/* All solutions of all legs. Row b of a leg is always its branch b. q_seed gives the values of
+ * joints that are indeterminate at this pose (NULL: zeros).
+ * Returns how many working modes there are, the product of the legs' rows that are OK or
+ * FREE_JOINT, or -STEWART_INVALID_POSE, also for a seed that is not finite where it may be
+ * needed. */
+int stewart_ik(const double T[16], const double *q_seed, double q[6][4][3], unsigned char
+    status[6][4]);
+
+/* Of every leg the solution nearest to q_seed, with angles moved by whole turns into their limits.
+ * Returns STEWART_OK or STEWART_FREE_JOINT, or, with NaN in q, minus what is wrong with a
+ * leg: STEWART_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that
+ * is not finite. */
+int stewart_ik_nearest(const double T[16], const double q_seed[6][3], double q[6][3]);
+
+/* stewart_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 6 x 4 x 3, status n x 6 x 4. */
+void stewart_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+/* The values of the driven joints. */
+void stewart_take_drives(const double q[6][3], double drives[6]);
+
+/* The pose of the platform that drives' values make, and the joint values of all legs, refined from
+ * T_seed: a pose nearby that the legs reach.
+ * Returns STEWART_OK; STEWART_FREE_JOINT where the platform is singular there, so that other
+ * poses meet this one, or it can move; or, with NaN in T and q, -STEWART_UNREACHABLE where the
+ * legs did not meet the platform or do not reach the seed, or -STEWART_INVALID_POSE. */
+int stewart_fk(const double drives[6], const double T_seed[16], double T[16], double q[6][3]);
+
+/* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities
+ * (vx, vy, vz, wx, wy, wz), qdot those of the drives. Returns STEWART_OK or
+ * -STEWART_INVALID_POSE. */
+int stewart_velocities(const double T[16], const double q[6][3], double A[36], double B[36]);
+
+/* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
+ * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
+ * drives do not hold): the smallest singular values, lengths in robot sizes.
+ * Returns STEWART_OK or -STEWART_INVALID_POSE. */
+int stewart_singularities(const double T[16], const double q[6][3], double least[2]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,91 @@
+/* stewart_leg: Stewart platform, six cylinders (6-UPS): a leg
+ *
+ * Inverse kinematics, generated from robots/stewart.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/stewart.yaml. The formulas and where they come from:
+ * stewart_leg.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, the position T[0:3, 3] counts; other entries are ignored.
+ *
+ * dhgen 0.1.0; SHA-256 of the robot file: c0c1552918eb38b7
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef STEWART_LEG_H
+#define STEWART_LEG_H
+
+#include <math.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define STEWART_LEG_METHOD "closed form"
+
+/* Of the joints, from base to tool: R turns, P slides; what they are called; lowest and highest
+ * value [rad or m], infinite (HUGE_VAL) where there is no limit. */
+#define STEWART_LEG_JOINT_TYPES "RRP"
+#define STEWART_LEG_JOINT_NAMES "joint1", "joint2", "joint3"
+#define STEWART_LEG_JOINT_LIMITS { -HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, HUGE_VAL }, { 0.35, 0.75 }
+
+enum {
+    STEWART_LEG_DOF = 3, /* joints */
+    STEWART_LEG_ROWS = 4 /* branches */
+};
+
+/* What a row of stewart_leg_ik holds. */
+enum {
+    /* joint values */
+    STEWART_LEG_OK = 0,
+    /* NaN: no solution in this branch, or one that an earlier row holds */
+    STEWART_LEG_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
+    STEWART_LEG_FREE_JOINT = 2,
+    /* joint values, at least one beyond its limits */
+    STEWART_LEG_OUT_OF_LIMITS = 3,
+    /* NaN: T is not a valid pose */
+    STEWART_LEG_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const stewart_leg_branches[4];
+
+/* The pose T of the joint values q. */
+void stewart_leg_fk(const double q[3], double T[16]);
+
+/* The frames of the base, of the links as the robot file has them, and of the tool. */
+void stewart_leg_frames(const double q[3], double frames[5][16]);
+
+/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void stewart_leg_jacobian(const double q[3], double J[18]);
+
+/* The joint velocities with which the tool moves by a twist, what the task names of it (velocity of
+ * its origin, angular velocity): least squares of least norm, exact where the arm is regular. Near
+ * a singular pose what the arm hardly can do is damped: no joint velocity exceeds a hundred times
+ * the twist, lengths in arm sizes. */
+void stewart_leg_joint_velocities(const double q[3], const double twist[6], double velocities[3]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -STEWART_LEG_INVALID_POSE, also for a seed that is
+ * not finite where it may be needed. */
+int stewart_leg_ik(
+    const double T[16], const double *q_seed, double q[4][3], unsigned char status[4]);
+
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
+ * q_seed.
+ * Returns STEWART_LEG_OK or STEWART_LEG_FREE_JOINT, or, with NaN in q,
+ * minus STEWART_LEG_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
+int stewart_leg_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
+
+/* stewart_leg_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 4 x 3, status n x 4. */
+void stewart_leg_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,299 @@
+"""stewart_leg: Stewart platform, six cylinders (6-UPS): a leg.
+
+Inverse kinematics, generated from robots/stewart.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/stewart.yaml. The formulas and where they come from: stewart_leg.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, the
+position T[0:3, 3] counts; other entries are ignored.
+"""
+
+import math
+import sys
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+
+# The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
+# in a package named after the folder. A dot in a name would be one between packages.
+_BESIDE = str(Path(__file__).resolve().parent)
+_FOLDER = _BESIDE.replace("%", "%25").replace(".", "%2E")
+sys.modules.setdefault(_FOLDER, ModuleType(_FOLDER)).__path__ = [_BESIDE]
+
+
+def _runtime(name):
+    return import_module(f"{_FOLDER}.dhgen_runtime.{name}")
+
+
+_HOW = _runtime("jit").of_file(__file__, interface=1)
+_arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
+_atan2 = _runtime("angles").atan2
+_of_joints = _runtime("entry").of_joints(_HOW, 3)
+
+NAME = "stewart_leg"
+METHOD = "closed form"
+DOF = 3
+JOINT_TYPES = "RRP"
+JOINT_NAMES = ("joint1", "joint2", "joint3")
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (0.35, 0.75),
+)
+BRANCHES = (
+    "back-forward",
+    "back-backward",
+    "front-forward",
+    "front-backward",
+)
+MAX_SOLUTIONS = 4
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
+OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
+INVALID_POSE = 4  # NaN: T is not a valid pose
+
+# In formulas below, doubt_limit1 = 7.500000000000001e-05 [m].
+free_limit1 = 7.5e-13  # a length that fixes no angle [m]
+low3 = 0.34999999924999997
+high3 = 0.75000000075
+per_size = 1.3333333333333333
+graze = 5e-07  # half of what rounding may take a joint beyond its limit
+m1 = 5.625000000000001e-09  # doubt_limit1^2 [m^2]
+turn = 2.0 * math.pi  # [rad]
+half_turn = 0.5 * turn
+
+_ARM = _arms.arm_numbers(
+    _arms.Arm(
+        types=JOINT_TYPES,
+        limits=JOINT_LIMITS,
+        slacks=(1e-09, 1e-09, 7.5e-10),
+        weights=(1.0, 1.0, 1.7777777777777777),
+        paces=(1.0, 1.0, 0.75),
+        fan_steps=(0.09817477042468103, 0.09817477042468103, 0.0125),
+        rows=4,
+        directions='none',
+        miss_weights=(1.333, 1.333, 1.333, 0.0, 0.0, 0.0),
+        size=0.75,
+        clamped=1e-14,
+        clamped_again=1e-14,
+        steps=('keeps limits', 'clamps', 'clamps far', 'follows seed'),
+        choosable=(1, 0),
+        cuts=52,
+    ),
+)
+
+
+# The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
+TABLE = (
+    (0.0, 0.0, 0.0, -1.5707963267948966),
+    (0.0, 0.0, 0.0, 1.5707963267948966),
+    (0.0, 0.0, 0.0, 0.0),
+)
+frames = _runtime("frames").frames_of(
+    types=JOINT_TYPES,
+    table=TABLE,
+    convention="standard",
+)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the message says which."""
+
+
+@_of_joints
+def fk(q):
+    """The pose (4, 4) of the joint values q (3,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 3 joint values")
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    z2_x = c1 * s2
+    z2_y = s1 * s2
+    T[0, 0] = c1 * c2
+    T[0, 1] = -s1
+    T[0, 2] = z2_x
+    T[0, 3] = z2_x * q[2]
+    T[1, 0] = s1 * c2
+    T[1, 1] = c1
+    T[1, 2] = z2_y
+    T[1, 3] = z2_y * q[2]
+    T[2, 0] = -s2
+    T[2, 2] = c2
+    T[2, 3] = c2 * q[2]
+    T[3, 3] = 1.0
+    return T
+
+
+@_of_joints
+def jacobian(q):
+    """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 3 joint values")
+    J = np.zeros((6, 3))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    z2_x = c1 * s2
+    z2_y = s1 * s2
+    p3_x = z2_x * q[2]
+    p3_y = z2_y * q[2]
+    p3_z = c2 * q[2]
+    J[0, 0] = -p3_y
+    J[0, 1] = c1 * p3_z
+    J[0, 2] = z2_x
+    J[1, 0] = p3_x
+    J[1, 1] = s1 * p3_z
+    J[1, 2] = z2_y
+    J[2, 1] = -(s1 * p3_y + c1 * p3_x)
+    J[2, 2] = c2
+    J[3, 1] = -s1
+    J[4, 1] = c1
+    J[5, 0] = 1.0
+    return J
+
+
+@_HOW.apart(_arms.SOLVES)
+def _solve(pose, q_free, seed, moved, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    w1 = math.sqrt(T14 * T14 + T24 * T24)
+    free1 = w1 <= free_limit1
+    divisor1 = 1.0 if free1 else w1
+
+    # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
+    v1 = T34 * T34
+
+    for i1 in range(2):  # back, front
+        e1 = 1.0 - 2.0 * i1
+        # theta1
+        if e1 < 0.0 and free1:
+            continue  # both signs give the same
+        factor1 = e1 / divisor1
+        c1 = math.cos(seed[0]) if free1 else -(T14 * factor1)
+        s1 = math.sin(seed[0]) if free1 else -(T24 * factor1)
+        q1 = _atan2(s1, c1)
+        root1 = w1 * e1
+
+        # theta2, r3
+        w3 = math.sqrt(root1 * root1 + v1)
+        free2 = w3 <= free_limit1
+        divisor2 = 1.0 if free2 else w3
+
+        for i2 in range(2):  # forward, backward
+            e2 = 1.0 - 2.0 * i2
+            # theta2, r3
+            if e2 < 0.0 and free2:
+                continue  # both signs give the same
+            factor2 = e2 / divisor2
+            c2 = math.cos(seed[1]) if free2 else T34 * factor2
+            s2 = math.sin(seed[1]) if free2 else -(root1 * factor2)
+            q2 = _atan2(s2, c2)
+            r3 = w3 * e2
+            row = 2 * i1 + i2
+            q[row, 0] = q1
+            q[row, 1] = q2
+            q[row, 2] = r3
+            status[row] = FREE_JOINT if free1 or free2 else OK
+
+
+@_HOW.merged
+def _formulas(kept, turns, rows, w):
+    """Regular poses, w of them side by side, every branch: what is derived, without special cases.
+
+    kept[n * w + k] is a value of pose k, first the entries of T. What can't be reached is NaN by
+    itself: it has the root of a negative number in it.
+    """
+    for k in range(w):
+        T14, T24, T34 = kept[3 * w + k], kept[7 * w + k], kept[11 * w + k]
+
+        # theta1, type 2: U1[3, 4]
+        v1 = T14 * T14 + T24 * T24
+
+        # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
+        v2 = v1 + T34 * T34
+        q3_pp = math.sqrt(v2)
+
+        # joint values
+        excess_p = per_size * max(low3 - q3_pp, q3_pp - high3)
+        excess_m = per_size * max(low3 + q3_pp, -(high3 + q3_pp))
+        outside_pp = 0.0 < excess_p
+        outside_pm = 0.0 < excess_m
+
+        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        kept[16 * w + k] = 1.0 if v1 <= m1 or v2 <= m1 else kept[16 * w + k]
+        kept[16 * w + k] = (
+            1.0 if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze else kept[16 * w
+            + k]
+        )
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, q3_pp, outside_pp
+        kept[20 * w + k], turns[0 * w + k], turns[1 * w + k] = outside_pm, -T24, -math.sqrt(v1)
+        turns[8 * w + k], turns[9 * w + k] = -T14, T34
+    if w == 1 and kept[16] != 0.0:
+        return
+    end = 8 if w == 1 else 2 * w
+    # one pose's vectors are filled up: any numbers would do, but some are slow
+    for k in range(2 * w, end):
+        turns[k] = turns[k + 8 * w] = 1.0
+    for k in range(0 * w, end):
+        turns[k] = _atan2(turns[k], turns[k + 8 * w])
+    for k in range(w):
+        T24, v1, q3_pp = kept[7 * w + k], kept[17 * w + k], kept[18 * w + k]
+        outside_pp, outside_pm = kept[19 * w + k] != 0.0, kept[20 * w + k] != 0.0
+        angle1, angle2 = turns[0 * w + k], turns[1 * w + k]
+
+        # theta1, type 2: U1[3, 4]
+        q1_mp = angle1 - math.copysign(half_turn, -T24)
+
+        # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
+        q2_pm = angle2 - math.copysign(half_turn, -math.sqrt(v1))
+
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = angle1, angle2, q3_pp
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q2_pm, -q3_pp, q1_mp
+        rows[6 * w + k], rows[7 * w + k] = -angle2, -q2_pm
+        rows[8 * w + k] = UNREACHABLE if angle1 != angle1 else (OUT_OF_LIMITS if outside_pp else OK)
+        rows[9 * w + k] = UNREACHABLE if angle1 != angle1 else (OUT_OF_LIMITS if outside_pm else OK)
+        rows[10 * w + k] = UNREACHABLE if q1_mp != q1_mp else (OUT_OF_LIMITS if outside_pp else OK)
+        rows[11 * w + k] = UNREACHABLE if q1_mp != q1_mp else (OUT_OF_LIMITS if outside_pm else OK)
+
+
+# Where in rows the joint values of each row are.
+_PLACES = np.array([
+    [0, 1, 2],
+    [0, 3, 4],
+    [5, 6, 2],
+    [5, 7, 4],
+])
+
+
+_CALLS = _functions.of_robot(
+    globals(),
+    _HOW,
+    _functions.Solver(
+        arm=_ARM,
+        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
+        task="position",
+        counted=(True, True, True),
+        formulas=_functions.Formulas(_formulas, 21, 16, _PLACES),
+        kinematics=(fk, jacobian),
+        given=0,
+        apart=(),
+        words={
+            "no_pose": "not finite or beyond 5e102",
+            "no_row": "the pose is out of reach",
+            "allocates": "only where a pose is singular or rounded",
+        },
+    ),
+)
+ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
+ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
+joint_velocities = _CALLS["joint_velocities"]
