@@ -218,16 +218,15 @@ def _format(options: argparse.Namespace) -> str:
 
 def explain(options: argparse.Namespace) -> int:
     """Prints a derivation, or writes it; the exit code."""
-    from dhgen.atomic_write import write_files  # noqa: PLC0415
     from dhgen.derivation import alternatives_text, task_remarks  # noqa: PLC0415
     from dhgen.derivation.formats import derivation_as  # noqa: PLC0415
     from dhgen.derivation.languages import language_of  # noqa: PLC0415
     from dhgen.program.text import program_text  # noqa: PLC0415
-    from dhgen.robot_files import RobotFile  # noqa: PLC0415
+    from dhgen.robot_files import ParallelFile, read_file  # noqa: PLC0415
     from dhgen.solved import solved  # noqa: PLC0415
 
     wished = _format(options)
-    file = RobotFile.read(options.file)
+    file = read_file(options.file)
     if options.out is None:
         _refuse_mute()
     else:
@@ -235,6 +234,9 @@ def explain(options: argparse.Namespace) -> int:
         _refuse_occupied([options.out])
     file = file.with_numerical() if options.numerical else file
     _tell_notes(file.robot.notices)
+    if isinstance(file, ParallelFile):
+        _finish(*_parallel_derivation(file, options, wished), options.out)
+        return 0
     with about(file.path):
         story = solved(file, _tell)
     for remark in task_remarks(story.derivation.problem.algebra.chain):
@@ -248,12 +250,38 @@ def explain(options: argparse.Namespace) -> int:
         language = language_of(options.language)
         text, beside = derivation_as(wished, story, str(options.file), language)
         _tell_untranslated(language.untranslated)
-    if options.out is None:
+    _finish(text, beside, options.out)
+    return 0
+
+
+def _finish(text: str, beside: Mapping[str, str], out: Path | None) -> None:
+    """Prints a document, or writes it with the files beside it."""
+    from dhgen.atomic_write import write_files  # noqa: PLC0415
+
+    if out is None:
         print(text, end="")
     else:
-        write_files(options.out.parent, {options.out.name: text, **beside})
-        print(f"wrote {options.out}")
-    return 0
+        write_files(out.parent, {out.name: text, **beside})
+        print(f"wrote {out}")
+
+
+def _parallel_derivation(
+    file: ParallelFile, options: argparse.Namespace, wished: str
+) -> tuple[str, Mapping[str, str]]:
+    """The derivation of a parallel robot in the format and the language that are asked for."""
+    from dhgen.derivation.languages import language_of  # noqa: PLC0415
+    from dhgen.parallel.compile import parallel_module  # noqa: PLC0415
+    from dhgen.parallel.printing import parallel_derivation_as  # noqa: PLC0415
+
+    if options.alternatives or options.program:
+        what = "--alternatives" if options.alternatives else "--program"
+        raise CommandError(f"dhgen: {what} is for serial arms: {options.file} has legs")
+    with about(file.path):
+        module = parallel_module(file, _tell)
+    language = language_of(options.language)
+    made = parallel_derivation_as(wished, module, language)
+    _tell_untranslated(language.untranslated)
+    return made
 
 
 def survey(options: argparse.Namespace) -> int:

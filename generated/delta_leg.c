@@ -43,11 +43,13 @@ static const double
     const number T24 = T[7]; \
     const number T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const delta_leg_branches[4] = {
     "shoulder+-elbow+", "shoulder+-elbow-", "shoulder--elbow+", "shoulder--elbow-",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -1.0471975511965976, 1.5707963267948966, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -55,20 +57,20 @@ static const struct dhgen_joint joints[3] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.0, 0.524, 0.0 },
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 1.244, 0.0 },
 };
 
-void delta_leg_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void delta_leg_frames(const double q[3], double frames[5][16])
 {
     static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void delta_leg_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void delta_leg_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
@@ -80,7 +82,7 @@ void delta_leg_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void delta_leg_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void delta_leg_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * crank, p1_y = s1 * crank;
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
@@ -95,7 +97,7 @@ void delta_leg_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -159,6 +161,7 @@ static void solve(
 
 #ifndef DELTA_LEG_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.0001768 [m]. */
 static const double
     doubt_limit_squared4 = 9.770775678976e-08, /* square of a length that fixes no angle [m^4] */
@@ -177,7 +180,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta1 */
     const dhgen_wide X1 = crank * T24 * 2.0, Y1 = 2.0 * (crank * T14), N1 = X1 * X1 + Y1 * Y1,
         Z1 = T14 * T14 + (T24 * T24 + (k1 + T34 * T34)), D1 = N1 - Z1 * Z1,
-        w1 = dhgen_sqrt_wide(D1), inverse1 = 1.0 / N1, v1 = X1 * Z1, v2 = Y1 * Z1,
+        w1 = dhgen_sqrt_wide(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = X1 * Z1, v2 = Y1 * Z1,
         v3 = inverse1 * v2, v4 = w1 * (X1 * inverse1), c1_p = v3 - v4, c1_m = v3 + v4,
         v5 = inverse1 * v1, v6 = w1 * (Y1 * inverse1), s1_p = v5 + v6, s1_m = v5 - v6,
         angle1 = dhgen_atan2_wide(s1_p, c1_p), angle2 = dhgen_atan2_wide(s1_m, c1_m);
@@ -191,11 +194,13 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide s3 = k2 * (rod * T34),
-        angle5 = dhgen_atan2_wide(s3, dhgen_sqrt_wide(v9) * (1.0 / v9) * (k2 * (rod * (T24 * (c1_p *
-            Y2_p - s1_p * X2_p) - T14 * (c1_p * X2_p + s1_p * Y2_p) + crank * X2_p)))),
-        angle6 = dhgen_atan2_wide(s3, dhgen_sqrt_wide(v10) * (1.0 / v10) * (k2 * (rod * (T24 * (c1_m
-            * Y2_m - s1_m * X2_m) - T14 * (c1_m * X2_m + s1_m * Y2_m) + crank * X2_m)))),
-        v11 = dhgen_signed_wide(DHGEN_HALF_TURN, s3), q3_pm = v11 - angle5, q3_mm = v11 - angle6;
+        angle5 = dhgen_atan2_wide(s3, dhgen_sqrt_wide(v9) * DHGEN_QUOTIENT(1.0, v9) * (k2 * (rod *
+            (T24 * (c1_p * Y2_p - s1_p * X2_p) - T14 * (c1_p * X2_p + s1_p * Y2_p) + crank *
+            X2_p)))),
+        angle6 = dhgen_atan2_wide(s3, dhgen_sqrt_wide(v10) * DHGEN_QUOTIENT(1.0, v10) * (k2 * (rod *
+            (T24 * (c1_m * Y2_m - s1_m * X2_m) - T14 * (c1_m * X2_m + s1_m * Y2_m) + crank *
+            X2_m)))), v11 = dhgen_signed_wide(DHGEN_HALF_TURN, s3), q3_pm = v11 - angle5,
+        q3_mm = v11 - angle6;
 
     /* joint values */
     const dhgen_wide v12 = dhgen_beyond_wide(angle1, joints),
@@ -236,7 +241,7 @@ DHGEN_INLINE int solve_regular(
     /* theta1 */
     const double X1 = crank * T24 * 2.0, Y1 = 2.0 * (crank * T14), N1 = X1 * X1 + Y1 * Y1,
         Z1 = T14 * T14 + (T24 * T24 + (k1 + T34 * T34)), D1 = N1 - Z1 * Z1, w1 = sqrt(D1),
-        inverse1 = 1.0 / N1, v1 = X1 * Z1, v2 = Y1 * Z1, v3 = inverse1 * v2;
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = X1 * Z1, v2 = Y1 * Z1, v3 = inverse1 * v2;
     const dhgen_four c1 = v3 - w1 * (inverse1 * (e1 * X1));
     const double v4 = inverse1 * v1;
     const dhgen_four s1 = v4 + w1 * (inverse1 * (e1 * Y1));
@@ -258,8 +263,9 @@ DHGEN_INLINE int solve_regular(
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, Y2, 0, 5, 2, 7),
         dhgen_shuffle(c1, -X2, 0, 5, 2, 7)),
-        ratio2 = dhgen_ratio_four(dhgen_four_of(s3, s3, s3, s3), dhgen_sqrt_four(v7) * (1.0 / v7) *
-            (k2 * (rod * (T24 * (c1 * Y2 - s1 * X2) - T14 * (c1 * X2 + s1 * Y2) + crank * X2))));
+        ratio2 = dhgen_ratio_four(dhgen_four_of(s3, s3, s3, s3), dhgen_sqrt_four(v7) *
+            DHGEN_QUOTIENT(1.0, v7) * (k2 * (rod * (T24 * (c1 * Y2 - s1 * X2) - T14 * (c1 * X2 + s1
+            * Y2) + crank * X2))));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 2, 2),
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 3, 3), packed2 = dhgen_angle_four(ratio2),
@@ -282,7 +288,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -290,9 +296,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[3] = { 3, 7, 11 };
-static const int choosable[2] = { 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[3] = { 3, 7, 11 };
+DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.5656, 0.5656, 0.5656, 0.0, 0.0, 0.0 }, 0.5656108597285068, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -309,12 +315,14 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void delta_leg_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+DHGEN_PUBLIC void delta_leg_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int delta_leg_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
+DHGEN_PUBLIC int delta_leg_ik(
+    const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
 #ifndef DELTA_LEG_PLAIN
     const int count = solve_regular(T, NULL, &q[0][0], status);
@@ -324,12 +332,12 @@ int delta_leg_ik(const double T[16], const double *q_seed, double q[4][3], unsig
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int delta_leg_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int delta_leg_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void delta_leg_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void delta_leg_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef DELTA_LEG_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

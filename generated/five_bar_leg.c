@@ -46,30 +46,32 @@ static const double
     const number T14 = T[3]; \
     const number T24 = T[7]
 
+#ifndef __CUDACC_RTC__
 const char *const five_bar_leg_branches[2] = {
     "right", "left",
 };
+#endif
 
-static const struct dhgen_joint joints[2] = {
+DHGEN_TABLE struct dhgen_joint joints[2] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[2][4] = {
+DHGEN_TABLE double table[2][4] = {
     { 0.0, 0.0, 0.2, 0.0 },
     { 0.0, 0.0, 0.3, 0.0 },
 };
 
-void five_bar_leg_frames(const double q[2], double frames[4][16])
+DHGEN_PUBLIC void five_bar_leg_frames(const double q[2], double frames[4][16])
 {
     static const struct dhgen_links links = { 2, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void five_bar_leg_fk(const double q[2], double T[16])
+DHGEN_PUBLIC void five_bar_leg_fk(const double q[2], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
@@ -80,7 +82,7 @@ void five_bar_leg_fk(const double q[2], double T[16])
     T[15] = 1.0;
 }
 
-void five_bar_leg_jacobian(const double q[2], double J[12])
+DHGEN_PUBLIC void five_bar_leg_jacobian(const double q[2], double J[12])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * crank, p1_y = s1 * crank;
     const double c2 = cos(q[1]), s2 = sin(q[1]), p2_x = p1_x + (c1 * c2 - s1 * s2) * rod,
@@ -94,7 +96,7 @@ void five_bar_leg_jacobian(const double q[2], double J[12])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -141,6 +143,7 @@ static void solve(
 
 #ifndef FIVE_BAR_LEG_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 static const double
     /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
     m1 = 1.1990408665951442e-12,
@@ -207,7 +210,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~none1);
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -215,9 +218,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[2] = { 3, 7 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[2] = { 3, 7 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     2, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 2.0, 2.0, 0.0, 0.0, 0.0, 0.0 }, 2.0, { 1e-14, 1e-14 }, entries, 2,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
@@ -234,12 +237,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void five_bar_leg_joint_velocities(const double q[2], const double twist[6], double velocities[2])
+DHGEN_PUBLIC void five_bar_leg_joint_velocities(
+    const double q[2], const double twist[6], double velocities[2])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int five_bar_leg_ik(
+DHGEN_PUBLIC int five_bar_leg_ik(
     const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
 {
 #ifndef FIVE_BAR_LEG_PLAIN
@@ -250,12 +254,13 @@ int five_bar_leg_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int five_bar_leg_ik_nearest(const double T[16], const double q_seed[2], double q[2])
+DHGEN_PUBLIC int five_bar_leg_ik_nearest(const double T[16], const double q_seed[2], double q[2])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void five_bar_leg_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void five_bar_leg_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef FIVE_BAR_LEG_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

@@ -36,30 +36,32 @@ static const double
     const number T14 = T[3]; \
     const number T24 = T[7]
 
+#ifndef __CUDACC_RTC__
 const char *const parallel_3rpr_leg_branches[2] = {
     "forward", "backward",
 };
+#endif
 
-static const struct dhgen_joint joints[2] = {
+DHGEN_TABLE struct dhgen_joint joints[2] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { 0.3, 1.6, 1.6e-09, 0.39062499999999994, 1.6, 0.040625, 0 },
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[2][4] = {
+DHGEN_TABLE double table[2][4] = {
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void parallel_3rpr_leg_frames(const double q[2], double frames[4][16])
+DHGEN_PUBLIC void parallel_3rpr_leg_frames(const double q[2], double frames[4][16])
 {
     static const struct dhgen_links links = { 2, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void parallel_3rpr_leg_fk(const double q[2], double T[16])
+DHGEN_PUBLIC void parallel_3rpr_leg_fk(const double q[2], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     T[0] = c1; T[1] = 0.0; T[2] = s1; T[3] = s1 * q[1];
@@ -69,7 +71,7 @@ void parallel_3rpr_leg_fk(const double q[2], double T[16])
     T[15] = 1.0;
 }
 
-void parallel_3rpr_leg_jacobian(const double q[2], double J[12])
+DHGEN_PUBLIC void parallel_3rpr_leg_jacobian(const double q[2], double J[12])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     J[0] = c1 * q[1]; J[1] = s1;
@@ -81,7 +83,7 @@ void parallel_3rpr_leg_jacobian(const double q[2], double J[12])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -112,6 +114,7 @@ static void solve(
 
 #ifndef PARALLEL_3RPR_LEG_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.00016 [m]. */
 static const double
     m1 = 2.5600000000000004e-08; /* doubt_limit1^2 [m^2] */
@@ -182,7 +185,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -190,9 +193,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[2] = { 3, 7 };
-static const int choosable[1] = { 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[2] = { 3, 7 };
+DHGEN_TABLE int choosable[1] = { 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     2, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.625, 0.625, 0.0, 0.0, 0.0, 0.0 }, 0.625, { 1e-14, 1e-14 }, entries, 2,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -209,13 +212,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void parallel_3rpr_leg_joint_velocities(const double q[2], const double twist[6], double
-    velocities[2])
+DHGEN_PUBLIC void parallel_3rpr_leg_joint_velocities(
+    const double q[2], const double twist[6], double velocities[2])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int parallel_3rpr_leg_ik(
+DHGEN_PUBLIC int parallel_3rpr_leg_ik(
     const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
 {
 #ifndef PARALLEL_3RPR_LEG_PLAIN
@@ -226,12 +229,14 @@ int parallel_3rpr_leg_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int parallel_3rpr_leg_ik_nearest(const double T[16], const double q_seed[2], double q[2])
+DHGEN_PUBLIC int parallel_3rpr_leg_ik_nearest(
+    const double T[16], const double q_seed[2], double q[2])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void parallel_3rpr_leg_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void parallel_3rpr_leg_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef PARALLEL_3RPR_LEG_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

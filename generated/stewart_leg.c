@@ -37,11 +37,13 @@ static const double
     const number T24 = T[7]; \
     const number T34 = T[11]
 
+#ifndef __CUDACC_RTC__
 const char *const stewart_leg_branches[4] = {
     "back-forward", "back-backward", "front-forward", "front-backward",
 };
+#endif
 
-static const struct dhgen_joint joints[3] = {
+DHGEN_TABLE struct dhgen_joint joints[3] = {
     /* lowest, highest, slack of limits; weight; pace; fan step; whether it turns */
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
     { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -49,20 +51,20 @@ static const struct dhgen_joint joints[3] = {
 };
 
 /* The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad]. */
-static const double table[3][4] = {
+DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
 
-void stewart_leg_frames(const double q[3], double frames[5][16])
+DHGEN_PUBLIC void stewart_leg_frames(const double q[3], double frames[5][16])
 {
     static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
         NULL };
     dhgen_frames(&links, q, frames);
 }
 
-void stewart_leg_fk(const double q[3], double T[16])
+DHGEN_PUBLIC void stewart_leg_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), z2_x = c1 * s2, z2_y = s1 * s2;
@@ -73,7 +75,7 @@ void stewart_leg_fk(const double q[3], double T[16])
     T[15] = 1.0;
 }
 
-void stewart_leg_jacobian(const double q[3], double J[18])
+DHGEN_PUBLIC void stewart_leg_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]), z2_x = c1 * s2, z2_y = s1 * s2, p3_x = z2_x * q[2],
@@ -87,7 +89,7 @@ void stewart_leg_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(
+DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
@@ -137,6 +139,7 @@ static void solve(
 
 #ifndef STEWART_LEG_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
+#define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 7.500000000000001e-05 [m]. */
 static const double
     m1 = 5.625000000000001e-09; /* doubt_limit1^2 [m^2] */
@@ -226,7 +229,7 @@ DHGEN_INLINE int solve_regular(
     return __builtin_popcountll(0x1010101ull & ~(none1 | outside1));
 }
 #else
-static int solve_regular(
+DHGEN_FN int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_one(solve_wide, T, free_joints, q, status);
@@ -234,9 +237,9 @@ static int solve_regular(
 #endif
 #endif
 
-static const int entries[3] = { 3, 7, 11 };
-static const int choosable[2] = { 1, 0 };
-static const struct dhgen_arm arm = {
+DHGEN_TABLE int entries[3] = { 3, 7, 11 };
+DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 1.333, 1.333, 1.333, 0.0, 0.0, 0.0 }, 1.3333333333333333, { 1e-14, 1e-14 }, entries, 3,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
@@ -253,12 +256,13 @@ static const struct dhgen_arm arm = {
 #endif
 };
 
-void stewart_leg_joint_velocities(const double q[3], const double twist[6], double velocities[3])
+DHGEN_PUBLIC void stewart_leg_joint_velocities(
+    const double q[3], const double twist[6], double velocities[3])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-int stewart_leg_ik(
+DHGEN_PUBLIC int stewart_leg_ik(
     const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
 #ifndef STEWART_LEG_PLAIN
@@ -269,12 +273,12 @@ int stewart_leg_ik(
     return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
-int stewart_leg_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+DHGEN_PUBLIC int stewart_leg_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
     return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
 }
 
-void stewart_leg_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void stewart_leg_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
 #ifndef STEWART_LEG_PLAIN
     dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);

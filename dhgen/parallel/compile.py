@@ -9,18 +9,19 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from dhgen.atomic_write import write_files
-from dhgen.compiler import Compilation, compile_loaded, source_name, verified
-from dhgen.parallel.document import parallel_document
+from dhgen.compiler import Compilation, compile_loaded, source_name, verified, worked_out
 from dhgen.parallel.module import LegModule, ParallelModule, elimination_of
+from dhgen.parallel.printing import parallel_document
 from dhgen.parallel.targets import parallel_files
 from dhgen.robot_files import ParallelFile
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Mapping, Sequence
 
     from dhgen.parallel.robot import ParallelRobot
     from dhgen.parallel.verify import ParallelReport
     from dhgen.robot_files import AnyFile
+    from dhgen.targets.module import SolverModule
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,25 +73,42 @@ def compile_parallel(
     single_file: bool = False,
 ) -> ParallelCompilation:
     """The same of a parallel robot."""
-    robot = file.robot
     chains = tuple(
         compile_loaded(chain, tell, out=out, single_file=single_file) for chain in file.chains
     )
-    solvers = {each.robot.name: each.module for each in chains}
-    of_legs = [solvers[leg.chain.name] for leg in robot.legs]
-    module = ParallelModule(
-        robot=robot,
-        legs=tuple(map(LegModule, robot.legs, of_legs)),
-        source=source_name(file.path, out),
-        digest=file.digest,
-        elimination=elimination_of(robot, of_legs),
-    )
+    module = _joined(file, [each.module for each in chains], out)
     files: dict[str, str] = {}
     for each in chains:
         files |= each.files
     files |= parallel_files(module, single_file=single_file)
     files |= parallel_document(module)
-    return ParallelCompilation(robot, chains, module, MappingProxyType(files))
+    return ParallelCompilation(file.robot, chains, module, MappingProxyType(files))
+
+
+def parallel_module(
+    file: ParallelFile, tell: Callable[[str], None] = lambda _: None
+) -> ParallelModule:
+    """What is printed of a parallel robot, without its files.
+
+    Raises:
+        UnsolvedError: No derivation solves a leg.
+    """
+    return _joined(file, [worked_out(chain, tell)[1] for chain in file.chains], None)
+
+
+def _joined(
+    file: ParallelFile, solvers: Sequence[SolverModule], out: Path | None
+) -> ParallelModule:
+    """A robot with its legs' solvers."""
+    by_name = {solver.name: solver for solver in solvers}
+    of_legs = [by_name[leg.chain.name] for leg in file.robot.legs]
+    return ParallelModule(
+        robot=file.robot,
+        legs=tuple(map(LegModule, file.robot.legs, of_legs)),
+        source=source_name(file.path, out),
+        digest=file.digest,
+        elimination=elimination_of(file.robot, of_legs),
+    )
 
 
 def verified_parallel(

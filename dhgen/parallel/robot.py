@@ -71,3 +71,12 @@ class ParallelRobot:
         """The same with chains that the numerical solver may take."""
         legs = (replace(leg, chain=replace(leg.chain, numerical=True)) for leg in self.legs)
         return replace(self, legs=tuple(legs))
+
+
+def inverse(frame: Rows) -> Rows:
+    """The inverse of a frame; no entry is a negative zero."""
+    entries: list[float] = []
+    for i in range(3):
+        column = [frame[4 * k + i] for k in range(3)]
+        entries += [*column, -sum(column[k] * frame[4 * k + 3] for k in range(3))]
+    return tuple(entry + 0.0 for entry in entries)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen import __version__
 from dhgen.parallel.module import Elimination
+from dhgen.parallel.robot import inverse
 from dhgen.printing.comments import plain
 from dhgen.printing.templates import render
 from dhgen.robot.task import Directions, TaskKind
@@ -19,7 +21,7 @@ from dhgen.targets.module import origin_text
 from dhgen.targets.python.single_file import in_one_file as python_in_one_file
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from dhgen.parallel.module import LegModule, ParallelModule
     from dhgen.parallel.robot import Rows
@@ -41,6 +43,69 @@ MOST = {
 """How many assemblies there are at most."""
 
 
+@dataclass(frozen=True, slots=True)
+class ParallelTexts:
+    """What the files say of themselves.
+
+    Attributes:
+        about: What they are, in a comment of C.
+        plain: The same elsewhere.
+        made_h: Where the header comes from.
+        made_c: Where the source comes from.
+        made_python: Where the module comes from.
+        frames_c: What poses are, in a comment of C.
+        frames_python: The same in Python.
+        velocities: The platform's freedoms.
+        stamp: By what they were made, and of what.
+    """
+
+    about: str
+    plain: str
+    made_h: str
+    made_c: str
+    made_python: str
+    frames_c: str
+    frames_python: str
+    velocities: str
+    stamp: str
+
+
+@dataclass(frozen=True, slots=True)
+class ChainTexts:
+    """What legs of one chain share in C.
+
+    Attributes:
+        name: Of their solver.
+        upper: The same in capitals.
+        tables: Definitions of what is driven and counted.
+        names: The definition of their rows' names.
+    """
+
+    name: str
+    upper: str
+    tables: Sequence[str]
+    names: str
+
+
+@dataclass(frozen=True, slots=True)
+class LegTexts:
+    """A leg.
+
+    Attributes:
+        chain: The name of its solver.
+        c: The lines of its table in C.
+        base: The rows of the frame from the robot's base to its own, in Python.
+        end: Those of what it carries.
+        counted: Which velocities of its end the platform gives it.
+    """
+
+    chain: str
+    c: Sequence[str]
+    base: Sequence[str]
+    end: Sequence[str]
+    counted: str
+
+
 def parallel_files(module: ParallelModule, *, single_file: bool = False) -> dict[str, str]:
     """The header, the source and the module by their names.
 
@@ -50,35 +115,84 @@ def parallel_files(module: ParallelModule, *, single_file: bool = False) -> dict
     """
     values = _common(module)
     header = fitted(render("c/parallel.h.jinja", **values))
-    source = fitted(render("c/parallel.c.jinja", **values, **_c(module)))
-    python = render("python/parallel.py.jinja", **values, **_python(module))
+    source = fitted(render("c/parallel.c.jinja", **values, c=_c(module)))
+    python = render("python/parallel.py.jinja", **values, python=_python(module))
     if single_file:
         source, python = in_one_file(source, vectors=True), python_in_one_file(python)
     return {f"{module.name}.h": header, f"{module.name}.c": source, f"{module.name}.py": python}
 
 
 def _common(module: ParallelModule) -> dict[str, object]:
-    legs = module.legs
-    names = tuple(dict.fromkeys(leg.solver.name for leg in legs))
+    drives = module.robot.drives
+    distinct = {leg.solver.name: leg for leg in module.legs}
     return {
-        "module": module,
+        "name": module.name,
         "upper": module.name.upper(),
-        "drives": module.robot.drives,
-        "legs": legs,
-        "chains": names,
-        "status": {each.name: each.value for each in Status},
-        "length_unit": module.robot.length_unit,
-        "about": f"{module.name}: {plain(module.robot.title)}",
-        "meaning": meaning(module.robot.task),
-        "velocities": velocities(module),
+        "count": len(module.legs),
+        "joints": module.joints,
+        "rows": module.rows,
+        "drives": drives,
+        "squares": drives * drives,
+        "size": module.size,
+        "task": module.robot.task.text,
         "assemblies": MOST[module.elimination] if module.elimination else 0,
-        "stamp": f"dhgen {__version__}; SHA-256 of the robot file: {module.digest}",
-        "sources": " ".join(f"{name}.c" for name in (module.name, *names)),
-        "paragraph": paragraph,
-        "origin": lambda template, indent: origin_text(
-            module.source, module.name, template, indent
-        ),
+        "chains": [_chain(name, leg) for name, leg in distinct.items()],
+        "legs": [_leg(leg) for leg in module.legs],
+        "status": {each.name: each.value for each in Status},
+        "texts": _texts(module),
     }
+
+
+def _texts(module: ParallelModule) -> ParallelTexts:
+    about = f"{module.name}: {plain(module.robot.title)}"
+    sources = " ".join(
+        f"{name}.c" for name in (module.name, *(c.name for c in module.robot.chains))
+    )
+    legs = f"A platform on {len(module.legs)} legs, each of which is a serial arm"
+    poses = f"lengths in {module.robot.length_unit}, angles in rad. {meaning(module.robot.task)}"
+    matrices = "4 x 4 matrices of the platform in the base frame"
+    in_c = f"{legs}: compile {sources} together. Poses are row-major {matrices}, {poses}"
+
+    def made(template: str, indent: str) -> str:
+        return origin_text(module.source, module.name, template, indent)
+
+    return ParallelTexts(
+        about=paragraph(about, " * "),
+        plain=about,
+        made_h=made("c/parallel.h.jinja", " * "),
+        made_c=made("c/parallel.c.jinja", " * "),
+        made_python=made("python/parallel.py.jinja", ""),
+        frames_c=paragraph(in_c, " * "),
+        frames_python=paragraph(f"{legs}. Poses are {matrices}, {poses}", ""),
+        velocities=velocities(module),
+        stamp=f"dhgen {__version__}; SHA-256 of the robot file: {module.digest}",
+    )
+
+
+def _chain(name: str, leg: LegModule) -> ChainTexts:
+    types = leg.solver.chain.joint_types
+    slides = [int(types[joint] == "P") for joint in leg.driven]
+    head = f"static const char *const {name}_names[{leg.solver.solver.rows}]"
+    return ChainTexts(
+        name=name,
+        upper=name.upper(),
+        tables=[
+            f"static const int {name}_driven[{len(leg.driven)}] = {{ {_whole(leg.driven)} }};",
+            f"static const int {name}_slides[{len(slides)}] = {{ {_whole(slides)} }};",
+            f"static const int {name}_counted[{len(leg.counted)}] = {{ {_whole(leg.counted)} }};",
+        ],
+        names=c_array(head, [f'"{branch}"' for branch in leg.solver.branches]),
+    )
+
+
+def _leg(leg: LegModule) -> LegTexts:
+    return LegTexts(
+        chain=leg.solver.name,
+        c=_c_leg(leg),
+        base=_python_frame(inverse(leg.leg.base)),
+        end=_python_frame(leg.leg.end),
+        counted=repr(leg.counted),
+    )
 
 
 def meaning(task: Task) -> str:
@@ -100,21 +214,14 @@ def velocities(module: ParallelModule) -> str:
 
 def _c(module: ParallelModule) -> dict[str, object]:
     task = module.robot.task.directions
-    distinct = {leg.solver.name: leg for leg in module.legs}
     return {
         "interface": C_INTERFACE,
+        "header": "assemblies" if module.elimination else "platform",
         "task": C_TASKS.get(task, NO_TURNS[0]),
         "freedoms": _whole(module.freedoms),
+        "is_alike": int(module.is_alike),
+        "is_planar": int(module.is_planar),
         "elimination": C_ELIMINATIONS[module.elimination] if module.elimination else "",
-        "tables": [_tables(name, leg) for name, leg in distinct.items()],
-        "rows_of": [_c_leg(leg) for leg in module.legs],
-        "names": [
-            c_array(
-                f"static const char *const {name}_names[{leg.solver.solver.rows}]",
-                [f'"{branch}"' for branch in leg.solver.branches],
-            )
-            for name, leg in distinct.items()
-        ],
         "places": c_array(
             f"const int {module.name}_drives[{module.robot.drives}][2]",
             [
@@ -124,17 +231,6 @@ def _c(module: ParallelModule) -> dict[str, object]:
             ],
         ),
     }
-
-
-def _tables(name: str, leg: LegModule) -> list[str]:
-    """What legs of one chain share."""
-    types = leg.solver.chain.joint_types
-    slides = [int(types[joint] == "P") for joint in leg.driven]
-    return [
-        f"static const int {name}_driven[{len(leg.driven)}] = {{ {_whole(leg.driven)} }};",
-        f"static const int {name}_slides[{len(slides)}] = {{ {_whole(slides)} }};",
-        f"static const int {name}_counted[{len(leg.counted)}] = {{ {_whole(leg.counted)} }};",
-    ]
 
 
 def _c_leg(leg: LegModule) -> list[str]:
@@ -155,11 +251,9 @@ def _python(module: ParallelModule) -> dict[str, object]:
     return {
         "interface": INTERFACE,
         "task": PYTHON_TASKS.get(task, NO_TURNS[1]),
+        "is_planar": module.is_planar,
+        "freedoms": module.freedoms,
         "elimination": module.elimination or "",
-        "frames": [
-            (_python_frame(inverse(leg.leg.base)), _python_frame(leg.leg.end))
-            for leg in module.legs
-        ],
         "places": [
             (number, joint) for number, leg in enumerate(module.legs) for joint in leg.driven
         ],
@@ -169,15 +263,6 @@ def _python(module: ParallelModule) -> dict[str, object]:
 def _python_frame(frame: Rows) -> list[str]:
     rows = [frame[4 * i : 4 * i + 4] for i in range(3)]
     return [repr(list(row)) for row in rows] + ["[0.0, 0.0, 0.0, 1.0]"]
-
-
-def inverse(frame: Rows) -> Rows:
-    """The inverse of a frame; no entry is a negative zero."""
-    entries: list[float] = []
-    for i in range(3):
-        column = [frame[4 * k + i] for k in range(3)]
-        entries += [*column, -sum(column[k] * frame[4 * k + 3] for k in range(3))]
-    return tuple(entry + 0.0 for entry in entries)
 
 
 def _whole(numbers: Iterable[int]) -> str:

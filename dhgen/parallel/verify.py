@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.errors import VerificationError
+from dhgen.parallel.worked import DRAWN, drawn_poses, square
 from dhgen.survey.oracle.forward import forward
 from dhgen.verify.compiled import import_temporary
 from dhgen.verify.native import C_FLAGS, c_compiler
@@ -33,8 +34,7 @@ if TYPE_CHECKING:
     Statuses = NDArray[np.uint8]
 
 POSES = 60  # that are looked at
-DRAWN = 4000  # of which those are taken that all legs reach
-TURNED = 0.5  # a platform whose legs carry points is turned by so much at most about an axis [rad]
+TRIES = 20  # times that poses are drawn
 CLOSED = 1e-11  # what a leg may miss the platform by [robot sizes, rad]
 AGREED = 1e-9  # what C and Python may differ by where legs are regular [rad, robot sizes]
 BESIDE = 1e-3  # where the direct model starts, beside the pose [rad, robot sizes]
@@ -92,7 +92,7 @@ def reachable(module: ParallelModule, python: ModuleType, count: int, seed: int 
     """
     source = np.random.default_rng(seed)
     found = np.empty((0, 4, 4))
-    for _ in range(20):
+    for _ in range(TRIES):
         poses = drawn_poses(module, source)
         status = python.ik_batch(poses)[1]
         good = (status == python.OK).any(axis=2).all(axis=1)
@@ -100,39 +100,9 @@ def reachable(module: ParallelModule, python: ModuleType, count: int, seed: int 
         if len(found) >= count:
             return found[:count]
     raise VerificationError(
-        f"{module.name}: of {20 * DRAWN} poses that leg 1 reaches the others reach {len(found)}: "
-        "do the legs' limits, and their places, let the platform move?"
+        f"{module.name}: of {TRIES * DRAWN} poses that leg 1 reaches the others reach "
+        f"{len(found)}: do the legs' limits, and their places, let the platform move?"
     )
-
-
-def drawn_poses(module: ParallelModule, source: np.random.Generator) -> FloatArray:
-    """Poses that the first leg reaches."""
-    leg = module.legs[0].leg
-    none = (-np.pi, np.pi)
-    limits = np.array([joint.limits or none for joint in leg.chain.joints])
-    low, high = limits.T
-    ends = forward(leg.chain, source.uniform(low, high, (DRAWN, len(limits))))
-    base, end = square(leg.base), square(leg.end)
-    poses = np.broadcast_to(np.eye(4), (DRAWN, 4, 4)).copy()
-    if leg.carries_frame:
-        poses = base @ ends @ np.linalg.inv(end)
-    else:
-        names = [each - 3 for each in module.freedoms if each > 2]
-        turns = source.uniform(-TURNED, TURNED, (DRAWN, len(names)))
-        for axis, angles in zip(names, turns.T, strict=True):
-            i, j = (axis + 1) % 3, (axis + 2) % 3
-            turn = np.broadcast_to(np.eye(3), (DRAWN, 3, 3)).copy()
-            turn[:, i, i] = turn[:, j, j] = np.cos(angles)
-            turn[:, j, i] = np.sin(angles)
-            turn[:, i, j] = -turn[:, j, i]
-            poses[:, :3, :3] = poses[:, :3, :3] @ turn
-        poses[:, :3, 3] = (base @ ends)[:, :3, 3] - poses[:, :3, :3] @ end[:3, 3]
-    return poses
-
-
-def square(rows: Sequence[float]) -> FloatArray:
-    """A frame as a matrix (4, 4)."""
-    return np.array([*rows, 0.0, 0.0, 0.0, 1.0]).reshape(4, 4)
 
 
 class Native:

@@ -13,7 +13,8 @@ import numpy as np
 
 from dhgen.atomic_write import write_files
 from dhgen.errors import DhgenError
-from dhgen.parallel.verify import compiled, drawn_poses, square
+from dhgen.parallel.verify import compiled
+from dhgen.parallel.worked import drawn_poses, square
 from dhgen.survey.ask import SAME, Singular, among, ask_singular, distinct, missed
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.table import Answers

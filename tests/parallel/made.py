@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.parallel.compile import ParallelCompilation, compile_file
-from dhgen.parallel.verify import Native, compiled, drawn_poses, square
+from dhgen.parallel.verify import Native, compiled
+from dhgen.parallel.worked import drawn_poses, square
 from dhgen.robot_files import read_file
 from dhgen.survey.oracle.forward import forward
 from tests.serial import PARALLEL, ROBOTS

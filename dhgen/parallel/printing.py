@@ -1,0 +1,65 @@
+"""The derivation of a parallel robot in the format and the language that are asked for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.figures.tikz import tikz
+from dhgen.derivation.handouts import html_handout, latex_handout
+from dhgen.derivation.languages import ENGLISH
+from dhgen.derivation.text.markdown import markdown
+from dhgen.derivation.text.plain import plain
+from dhgen.parallel.document import parallel_blocks
+from dhgen.printing.comments import plain_path
+from dhgen.printing.templates import render
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from dhgen.derivation.languages import Language
+    from dhgen.parallel.module import ParallelModule
+
+
+def parallel_document(module: ParallelModule, language: Language = ENGLISH) -> dict[str, str]:
+    """The Markdown and its figures, by their paths.
+
+    Args:
+        module: The robot.
+        language: That of the document and of its figures.
+    """
+    blocks, figures = parallel_blocks(module)
+    name, source = module.name, plain_path(module.source)
+    written = tuple(markdown(language.block(block)) for block in blocks)
+    text = render("derivation/document.md.jinja", name=name, source=source, blocks=written)
+    drawn = map(language.figure, figures)
+    return {f"{name}.md": text} | {each.path: each.file(name, module.source) for each in drawn}
+
+
+def parallel_derivation_as(
+    wished: str, module: ParallelModule, language: Language = ENGLISH
+) -> tuple[str, Mapping[str, str]]:
+    """The document, and texts of files beside it by their paths.
+
+    Args:
+        wished: `text`, `markdown`, `latex` or `html`.
+        module: The robot.
+        language: That of the document.
+
+    Raises:
+        CommandError: A package is missing that the format needs.
+    """
+    if wished == "markdown":
+        files = parallel_document(module, language)
+        return files.pop(f"{module.name}.md"), files
+    english, figures = parallel_blocks(module)
+    blocks = list(map(language.block, english))
+    drawn = list(map(language.figure, figures))
+    if wished == "latex":
+        drawings = {each.path: "\n".join(map(tikz, each.sheet.shapes)) for each in drawn}
+        return latex_handout(module.name, module.source, blocks, drawings, language), {}
+    if wished == "html":
+        files = {each.path: each.file(module.name, module.source) for each in drawn}
+        title = module.robot.title
+        return html_handout(module.name, title, module.source, blocks, files, language), {}
+    first, *others = map(plain, blocks)
+    return render("derivation/terminal.txt.jinja", first=first, others=others) + "\n", {}

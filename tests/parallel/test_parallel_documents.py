@@ -1,0 +1,85 @@
+"""Derivations of parallel robots: formats, French, and what they print against other numbers."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.cli import main
+from dhgen.derivation.french.language import French
+from dhgen.parallel.printing import parallel_derivation_as
+from tests.derivation.test_figures import parsed
+from tests.parallel.made import GENERATED, NAMES, compilation, native
+from tests.serial import ROBOTS
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_nothing_stays_english(name: str) -> None:
+    language = French()
+    text, beside = parallel_derivation_as("markdown", compilation(name).module, language)
+    assert language.missing == []
+    assert "modèle géométrique inverse" in text
+    assert list(beside) == [f"figures/{name}_platform_fr.svg"]
+
+
+@pytest.mark.parametrize("name", ["parallel_3rpr", "stewart"])
+def test_every_format_has_the_text(name: str) -> None:
+    module = compilation(name).module
+    latex = parallel_derivation_as("latex", module)[0]
+    assert r"\begin{document}" in latex
+    assert r"A \dot{x} = B \dot{q}" in latex.replace("&", "").replace("  ", " ")
+    assert "A ẋ = B q̇" in parallel_derivation_as("text", module)[0]
+    assert "<math" in parallel_derivation_as("html", module)[0]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_figure_is_whole(name: str) -> None:
+    text = (GENERATED / "figures" / f"{name}_platform.svg").read_text(encoding="utf-8")
+    assert parsed(text).tag.endswith("svg")
+    assert f"(figures/{name}_platform.svg)" in (GENERATED / f"{name}.md").read_text("utf-8")
+
+
+def test_the_example_is_what_other_code_gives() -> None:
+    """The pose and all rows of the document, read and put into the committed C."""
+    text = (GENERATED / "parallel_3rpr.md").read_text(encoding="utf-8")
+    entries = re.search(r"X = \\begin\{bmatrix\}(.*?)\\end", text)
+    assert entries
+    T = np.array([[float(e) for e in row.split("&")] for row in entries[1].split(r"\\")])
+    T[:2, :2] /= np.hypot(T[0, 0], T[1, 0])
+    _, q, _ = native("parallel_3rpr").ik(T)
+    table = [
+        [float(cell.strip("$ ")) for cell in line.strip("|").split("|")[:4]]
+        for line in text.splitlines()
+        if re.match(r"\| \d \| \d \|", line)
+    ]
+    assert len(table) == 6
+    for leg, row, *values in table:
+        np.testing.assert_allclose(q[int(leg) - 1, int(row)], values, rtol=0, atol=3e-4)
+    lengths = np.array([values[1] for leg, row, *values in table if row == 0])
+    found = native("parallel_3rpr").assemblies(lengths)
+    rows = re.findall(
+        r"^\| \$([-\d.]+)\$ \| \$([-\d.]+)\$ \| \$([-\d.]+)\$ \|$", text, re.MULTILINE
+    )
+    told = np.array(rows, float)
+    have = [[P[0, 3], P[1, 3], np.arctan2(P[1, 0], P[0, 0])] for P in found]
+    assert len(told) == len(have) == 4
+    assert all(np.abs(np.array(have) - each).max(axis=1).min() < 5e-3 for each in told)
+
+
+def test_the_command_explains(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = str(ROBOTS / "five_bar.yaml")
+    assert main(["explain", file]) == 0
+    assert "There are at most two assemblies." in capsys.readouterr().out
+    out = tmp_path / "five.md"
+    assert (
+        main(["explain", file, "--format", "markdown", "--language", "fr", "--out", str(out)]) == 0
+    )
+    assert "deux assemblages" in out.read_text(encoding="utf-8")
+    assert main(["explain", file, "--program"]) != 0
+    assert "is for serial arms" in capsys.readouterr().err
