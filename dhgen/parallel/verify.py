@@ -134,9 +134,14 @@ class Native:
         q = np.empty((len(T), *self._shape))
         status = np.empty((len(T), *self._shape[:2]), np.uint8)
         poses = np.ascontiguousarray(T)
-        arrays = [each.ctypes.data_as(ctypes.c_void_p) for each in (poses, q, status)]
-        self._library[f"{self._name}_ik_batch"](ctypes.c_size_t(len(T)), *arrays)
+        self.call_batch(
+            len(T), *(each.ctypes.data_as(ctypes.c_void_p) for each in (poses, q, status))
+        )
         return q, status
+
+    def call_batch(self, count: int, *arrays: ctypes.c_void_p) -> None:
+        """ik_batch of poses, q and status by their addresses."""
+        self._library[f"{self._name}_ik_batch"](ctypes.c_size_t(count), *arrays)
 
     def fk(self, drives: FloatArray, seed: FloatArray) -> tuple[int, FloatArray, FloatArray]:
         """What fk returns, the pose and q."""
@@ -183,7 +188,7 @@ def compiled(
         return None
     names = [module.name, *(chain.name for chain in module.robot.chains)]
     sources = [str(folder / f"{name}.c") for name in names]
-    library = folder / f"{module.name}.so"
+    library = folder / f"{module.name}{len(list(folder.glob('*.so')))}.so"
     command = [compiler, *C_FLAGS, *flags, "-shared", "-fPIC", *sources, "-o", str(library), "-lm"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
     if done.returncode:

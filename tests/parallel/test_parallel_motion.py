@@ -18,7 +18,7 @@ FREE, UNREACHABLE, OUT, INVALID = 2, 1, 3, 4
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_row_closes_its_leg(name: str) -> None:
-    for T in poses(name):
+    for T in poses(name)[:30]:
         count, q, status = native(name).ik(T)
         assert count == np.prod([(told == OK).sum() for told in status])
         assert count >= 1

@@ -28,7 +28,7 @@ DHGEN_FN double dhgen_leg_center(
 {
     const struct dhgen_leg *const leg = robot->leg + number;
     double q[DHGEN_MOST_JOINTS] = { 0.0 }, T[16], J[6 * DHGEN_MOST_JOINTS];
-    double points[2][3], lines[2][3], own[3] = { 0.0, 0.0, 0.0 };
+    double points[2][3] = { { 0.0 } }, lines[2][3] = { { 0.0 } }, own[3];
     int found = 0;
     for (int k = 0; k < leg->drives; k++)
         q[leg->driven[k]] = drives[k];

@@ -10,6 +10,7 @@
 #include "rigid.h"
 
 #define DHGEN_MOST_LEGS 12
+#define DHGEN_LEG_POSES 48 /* of legs that are solved side by side; 32 robots at most */
 
 /* A leg: how its chain is called, and where it stands. */
 struct dhgen_leg {
@@ -69,14 +70,29 @@ DHGEN_FN int dhgen_read_platform(const struct dhgen_parallel *robot, const doubl
     return valid && isfinite(read[3]) && isfinite(read[7]) && isfinite(read[11]);
 }
 
-/* What a leg carries at a pose of the platform, in the leg's own base. */
+/* What a leg carries at a pose of the platform, in the leg's own base. Of a point the orientation
+ * is none: the leg's chain does not ask for it. */
 DHGEN_INLINE void dhgen_leg_pose(const struct dhgen_leg *leg, const double *X, double *T)
 {
-    double carried[12];
-    dhgen_compose(X, leg->end, carried);
-    dhgen_compose(leg->base, carried, T);
+    const double *const end = leg->end, *const base = leg->base;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
+    if (leg->counted[leg->joints - 1] < 3) {
+        double p[3];
+        for (int i = 0; i < 3; i++)
+            p[i] =
+                X[4 * i] * end[3] + X[4 * i + 1] * end[7] + X[4 * i + 2] * end[11] + X[4 * i + 3];
+        for (int i = 0; i < 3; i++) {
+            T[4 * i] = T[4 * i + 1] = T[4 * i + 2] = 0.0;
+            T[5 * i] = 1.0;
+            T[4 * i + 3] = base[4 * i] * p[0] + base[4 * i + 1] * p[1] + base[4 * i + 2] * p[2]
+                + base[4 * i + 3];
+        }
+        return;
+    }
+    double carried[12];
+    dhgen_compose(X, end, carried);
+    dhgen_compose(base, carried, T);
 }
 
 /* A leg's place in arrays of rows of all legs. */
@@ -168,13 +184,33 @@ DHGEN_FN int dhgen_parallel_nearest(
     return worst;
 }
 
-/* dhgen_parallel_ik without a seed for n poses. */
+/* dhgen_parallel_ik without a seed for n poses: legs that are of one chain side by side, of as many
+ * poses as there is room for. */
 DHGEN_FN void dhgen_parallel_batch(
     const struct dhgen_parallel *robot, size_t n, const double *T, double *q, unsigned char *status)
 {
+    double poses[DHGEN_LEG_POSES][16], X[12];
     const size_t rows = (size_t)(robot->legs * robot->rows), size = rows * (size_t)robot->joints;
-    for (size_t k = 0; k < n; k++)
-        (void)dhgen_parallel_ik(robot, T + 16 * k, NULL, q + size * k, status + rows * k);
+    const size_t together = robot->alike ? (size_t)(DHGEN_LEG_POSES / robot->legs) : 1;
+    for (size_t k = 0; k < n; k += together) {
+        const size_t count = n - k < together ? n - k : together;
+        double *const q_k = q + size * k;
+        unsigned char *const status_k = status + rows * k;
+        unsigned invalid = 0;
+        for (size_t i = 0; i < count && robot->alike; i++) {
+            if (!dhgen_read_platform(robot, T + 16 * (k + i), X))
+                invalid |= 1u << i;
+            for (int leg = 0; leg < robot->legs; leg++)
+                dhgen_leg_pose(robot->leg + leg, X, poses[i * (size_t)robot->legs + (size_t)leg]);
+        }
+        if (robot->alike)
+            robot->leg->batch(count * (size_t)robot->legs, poses[0], q_k, status_k);
+        else
+            (void)dhgen_parallel_ik(robot, T + 16 * k, NULL, q_k, status_k);
+        for (size_t i = 0; i < count && invalid; i++)
+            if (invalid >> i & 1u)
+                dhgen_no_platform(robot, q_k + size * i, status_k + rows * i);
+    }
 }
 
 /* The values of the driven joints, out of those of all joints of all legs. */

@@ -1,0 +1,130 @@
+"""Parallel robots: closure of all legs on many poses, both models in a circle, and what they take.
+
+    python -m benchmarks.parallel [--arms NAME ...] [--poses N]
+
+Times are CPU time of the committed C, the best of some rounds, for one pose and in a batch.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from benchmarks.arms import CHECKOUT
+from benchmarks.options import parallel_names, parser
+from benchmarks.report import table
+from dhgen.atomic_write import write_files
+from dhgen.parallel.compile import ParallelCompilation, compile_file
+from dhgen.parallel.verify import Native, compiled
+from dhgen.parallel.worked import drawn_poses, square
+from dhgen.robot_files import read_file
+from dhgen.status import Status
+from dhgen.survey.oracle.arm import arm
+from dhgen.survey.oracle.forward import forward
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.arrays import FloatArray
+    from dhgen.parallel.module import ParallelModule
+
+FLAGS = {"-O2": ("-O2",), "AVX2": ("-O2", "-march=x86-64-v3"), "native": ("-O3", "-march=native")}
+HEAD = ("robot", "poses", "modes", "closure", "fk back", *(f"{each} [ns]" for each in FLAGS))
+ROUNDS = 30
+SOME = 960  # poses of a timing
+BESIDE = 1e-3  # where the direct model starts [robot sizes]
+
+
+def main(arguments: list[str]) -> None:
+    """Prints a line for every robot."""
+    options_of = parser("benchmarks.parallel", __doc__, parallel_names())
+    options_of.add_argument("--poses", type=int, default=10_000, metavar="N")
+    options = options_of.parse_args(arguments)
+    print(table(HEAD, [line(name, options.poses) for name in options.arms]))
+
+
+def line(name: str, count: int) -> tuple[str, ...]:
+    """A robot's line."""
+    made = compile_file(read_file(CHECKOUT / "robots" / f"{name}.yaml"))
+    assert isinstance(made, ParallelCompilation)
+    with tempfile.TemporaryDirectory(prefix="dhgen-") as place:
+        folder = Path(place)
+        write_files(folder, made.files)
+        builds = [built(made.module, folder, flags) for flags in FLAGS.values()]
+        times = [f"{batch_time(made.module, native):.0f}" for native in builds]
+        native = built(made.module, folder, FLAGS["AVX2"])
+        poses = reached(made.module, native, count)
+        modes, closure = closed(made.module, native, poses)
+        back = led_back(made.module, native, poses)
+    return name, str(count), str(modes), f"{closure:.0e}", f"{back}/{count}", *times
+
+
+def built(module: ParallelModule, folder: Path, flags: Sequence[str]) -> Native:
+    """The C of a robot, compiled."""
+    native = compiled(module, folder, flags)
+    assert native is not None, "no C compiler"
+    return native
+
+
+def reached(module: ParallelModule, native: Native, count: int) -> FloatArray:
+    """Poses that all legs reach within limits."""
+    source = np.random.default_rng(11)
+    found = np.empty((0, 4, 4))
+    while len(found) < count:
+        poses = drawn_poses(module, source)
+        status = native.batch(poses)[1]
+        found = np.concatenate([found, poses[(status == Status.OK).any(axis=2).all(axis=1)]])
+    return np.ascontiguousarray(found[:count])
+
+
+def closed(module: ParallelModule, native: Native, poses: FloatArray) -> tuple[int, float]:
+    """How many working modes there are, and the largest miss of any row, by the oracle's model."""
+    q, status = native.batch(poses)
+    worst = 0.0
+    lengths = [row for row in module.freedoms if row < 3]
+    for number, leg in enumerate(module.legs):
+        dof = leg.solver.chain.dof
+        rows = q[:, number, :, :dof]
+        ends = square(leg.leg.base) @ forward(arm(leg.leg.chain), np.nan_to_num(rows))
+        off = np.abs(ends - (poses @ square(leg.leg.end))[:, None])[:, :, lengths, 3]
+        worst = max(worst, float(off[~np.isnan(rows).any(axis=2)].max()))
+    modes = int((status == Status.OK).sum(axis=2).prod(axis=1).sum())
+    return modes, worst / module.size
+
+
+def led_back(module: ParallelModule, native: Native, poses: FloatArray) -> int:
+    """On how many poses the direct model leads back from beside them, or says that it does not."""
+    back = 0
+    for T in poses:
+        _, q, status = native.ik(T)
+        mode = np.array([rows[told == Status.OK][0] for rows, told in zip(q, status, strict=True)])
+        drives = np.array([mode[i, j] for i, leg in enumerate(module.legs) for j in leg.driven])
+        seed = T.copy()
+        seed[0, 3] += BESIDE * module.size
+        told, found, _ = native.fk(drives, seed)
+        back += told >= 0 and bool(np.abs(found - T).max() < 1e-6)
+    return back
+
+
+def batch_time(module: ParallelModule, native: Native) -> float:
+    """CPU time of a pose in a batch [ns]."""
+    poses = reached(module, native, SOME)
+    shape = SOME, len(module.legs), module.rows
+    q, status = np.empty((*shape, module.joints)), np.empty(shape, np.uint8)
+    pointers = [each.ctypes.data_as(ctypes.c_void_p) for each in (poses, q, status)]
+    best = np.inf
+    for _ in range(ROUNDS):
+        start = time.process_time_ns()
+        native.call_batch(SOME, *pointers)
+        best = min(best, (time.process_time_ns() - start) / SOME)
+    return best
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,63 @@
+"""The modules of parallel robots beside their C, and what callers get wrong."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from tests.parallel.made import NAMES
+from tests.serial import ROBOTS
+from tests.structures import first_of
+
+# All that verification asks of both languages, of few poses, since nothing is compiled for numba.
+VERIFIED = """
+import sys, tempfile
+from pathlib import Path
+
+import numpy as np
+
+import dhgen.parallel.verify as verify
+import dhgen.parallel.worked as worked
+from dhgen.atomic_write import write_files
+from dhgen.parallel.compile import compile_file
+from dhgen.robot_files import read_file
+from dhgen.verify.native import import_module
+
+verify.POSES, worked.DRAWN = 5, 150
+for path in sys.argv[1:]:
+    made = compile_file(read_file(Path(path)))
+    with tempfile.TemporaryDirectory() as folder:
+        write_files(Path(folder), made.files)
+        report = verify.verify_parallel(made.module, Path(folder), [])
+        robot = import_module(Path(folder) / f"{made.robot.name}.py")
+    assert report.poses == 5 and report.compiled, path
+    legs, joints = robot.LEGS, robot.JOINTS
+    far = np.eye(4)
+    far[:3, 3] = 1e3
+    for wrong, told in (
+        (lambda: robot.ik(far), "leg 1: "),
+        (lambda: robot.ik(np.full((4, 4), np.nan)), "T is not a valid pose of the platform"),
+        (lambda: robot.ik_all(np.eye(3)), "T must have shape (4, 4)"),
+        (lambda: robot.ik_all(np.eye(4), [0.0]), f"q_seed must have shape ({legs}, {joints})"),
+        (lambda: robot.fk([0.0], np.eye(4)), "drives must have shape"),
+        (lambda: robot.ik(np.eye(4), branch=[0]), f"branch names a row of each of the {legs} legs"),
+    ):
+        try:
+            wrong()
+        except ValueError as error:
+            assert told in str(error), (path, str(error))
+        else:
+            raise AssertionError(told)
+    assert robot.fk(np.full(len(robot.DRIVES), np.nan), np.eye(4))[2] == robot.INVALID_POSE
+"""
+
+
+@pytest.mark.parametrize("name", first_of(["parallel_3rpr", *sorted({*NAMES} - {"parallel_3rpr"})]))
+def test_both_languages_in_plain_python(name: str) -> None:
+    plain = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
+    command = [sys.executable, "-c", VERIFIED, str(ROBOTS / f"{name}.yaml")]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, env=plain)
+    assert done.returncode == 0, done.stderr[-2000:]
