@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import gc
 import io
 import os
 import re
@@ -65,9 +64,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(words: list[str]) -> int:
-    # What a command works out lives as long as it: to look again and again for what of it is left
-    # over takes an eighth of the time.
-    gc.set_threshold(100_000, 50, 100)
     if words[:1] == ["explain"]:
         return explain(_parsed(explain_parser(), words[1:]))
     if words[:1] == ["survey"]:
