@@ -73,13 +73,13 @@ def cuda(module: ModuleType) -> Solver:
         module: The robot's Python; its C and header are looked for in the same folder.
 
     Raises:
-        TypeError: The argument is not a robot's module.
+        TypeError: The argument is not a serial arm's module.
         FileNotFoundError: The C or its header is missing.
         NoDriver: There is no driver.
         NoCompiler: There is no NVRTC.
     """
-    if not hasattr(module, "ik_all"):
-        wanted = "a robot's module, as in 'import scara; dhgen_cuda.cuda(scara)'"
+    if not hasattr(module, "ik_all") or not hasattr(module, "DOF"):
+        wanted = "a serial arm's module, as in 'import scara; dhgen_cuda.cuda(scara)'"
         raise TypeError(f"cuda takes {wanted}, not {module!r}")
     source = Path(str(module.__file__)).with_suffix(".c")
     for path in (source, source.with_suffix(".h"), source.with_name("dhgen_kernels.cuh")):

@@ -276,8 +276,13 @@ def test_what_is_missing(
     driver: ctypes.CDLL, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     assert driver
-    with pytest.raises(TypeError, match=r"cuda takes a robot's module, .* not <module 'math'"):
+    told = r"cuda takes a serial arm's module, .* not <module 'math'"
+    with pytest.raises(TypeError, match=told):
         dhgen_cuda.cuda(math)
+    parallel = ModuleType("delta")
+    vars(parallel).update(NAME="delta", ik_all=None)  # of its legs each has joints
+    with pytest.raises(TypeError, match="cuda takes a serial arm's module"):
+        dhgen_cuda.cuda(parallel)
     elsewhere = robot()
     elsewhere.__file__ = str(tmp_path / "scara.py")
     with pytest.raises(FileNotFoundError, match=r"scara.c not found: cuda needs it next to"):

@@ -26,7 +26,12 @@ if TYPE_CHECKING:
 
 FLEET, SINGLE = "_fleet", "_f32"
 SHARED = {"dhgen_native", "dhgen_pose"}
-ALL = sorted(path.stem for path in GENERATED.glob("*.c") if path.stem not in SHARED)
+# Parallel robots have legs, which are arms, and no joints of their own.
+ALL = sorted(
+    path.stem
+    for path in GENERATED.glob("*.c")
+    if path.stem not in SHARED and "_DOF = " in path.with_suffix(".h").read_text("utf-8")
+)
 ARMS = [name for name in ALL if not name.endswith((FLEET, SINGLE))]
 OTHERS = [name for name in ALL if name.endswith((FLEET, SINGLE))]
 CLOSED = [name for name in ARMS if is_regular(name)]
