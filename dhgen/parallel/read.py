@@ -114,6 +114,8 @@ class _Reading:
                 self.report.error_at_key((key,), message)
 
     def _leg(self, path: Path) -> _Read | None:
+        if not isinstance(self.report.document.plain(path), dict):
+            return None  # which is told already
         entry = self.shape.section(path, LegEntry)
         own = Assembly(self.report, self.shape, self.cells, path)
         geometry, base, frame = own.geometry(), own.frame("base"), own.frame("frame")
