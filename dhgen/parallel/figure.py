@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import atan2
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -39,8 +40,8 @@ def example_figure(module: ParallelModule, example: Example) -> Figure:
         return float(x), float(SIDE - y)
 
     sheet = Sheet()
-    platform = [at(leg[-1]) for leg in drawn]
-    sheet.line([*platform, platform[0]], "held")
+    corners = [at(drawn[number][-1]) for number in _around(module)]
+    sheet.line([*corners, corners[0]], "held")
     for number, leg in enumerate(drawn, start=1):
         points = [at(point) for point in leg]
         sheet.line(points, "link")
@@ -55,6 +56,13 @@ def example_figure(module: ParallelModule, example: Example) -> Figure:
         say(f"The legs and the platform at the example, {seen}."),
         sheet,
     )
+
+
+def _around(module: ParallelModule) -> list[int]:
+    """The legs in the order in which a line around the platform meets what they carry."""
+    ends = [(leg.leg.end[3], leg.leg.end[7]) for leg in module.legs]
+    x, y = np.mean(ends, axis=0)
+    return sorted(range(len(ends)), key=lambda i: atan2(ends[i][1] - y, ends[i][0] - x))
 
 
 def _points(module: ParallelModule, example: Example, number: int) -> FloatArray:

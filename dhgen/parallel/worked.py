@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 DRAWN = 4000  # poses that the first leg reaches
 TURNED = 0.5  # a platform whose legs carry points is turned by so much at most about an axis [rad]
 TASKS = {Directions.ROTATION: POSE, Directions.YAW: YAW}
+TRIED = 600  # poses that are looked at for an example
 LENGTHS = 3  # of six velocities the first are lengths
 
 
@@ -125,7 +126,9 @@ def drawn_poses(module: ParallelModule, source: np.random.Generator) -> FloatArr
 def example_of(module: ParallelModule) -> Example | None:
     """A pose with short numbers that all legs reach within limits; None where none is found."""
     platform, source = platform_of(module), np.random.default_rng(3)
-    for T in drawn_poses(module, source)[:400]:
+    poses = drawn_poses(module, source)
+    upright = poses[:, 2, 3] > 0.0 if platform.task == POSE else np.ones(len(poses), bool)
+    for T in poses[upright][:TRIED]:  # a platform that moves in all ways stands on its legs
         X = _rounded(platform, T)
         q = [np.asarray(leg.module.ik_all(leg.pose(X))[0]) for leg in platform.legs]
         inside = [_inside(rows, leg.solver) for rows, leg in zip(q, module.legs, strict=True)]

@@ -50,7 +50,16 @@ def test_totals_are_those_of_the_lines() -> None:
     assert f"<!-- {MARK} -->\n{report(written(TEXT))}\n<!-- /{MARK} -->" in TEXT
 
 
-@pytest.mark.parametrize("name", ROWS)
+@pytest.mark.parametrize("name", parallel_names())
+def test_a_line_of_a_parallel_robot_is_its(name: str) -> None:
+    row, header = ROWS[name], (GENERATED / f"{name}.h").read_text(encoding="utf-8")
+    legs, _, types = row["joints"].partition("-")
+    assert f"_LEGS = {legs}," in header
+    assert f"_JOINTS = {len(types)}," in header
+    assert f"_ROWS = {row['rows']}," in header
+
+
+@pytest.mark.parametrize("name", robot_names())
 def test_a_line_is_that_of_its_arm(name: str) -> None:
     row, header = ROWS[name], (GENERATED / f"{name}.h").read_text(encoding="utf-8")
     chain = build_chain(robot(name))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -55,9 +56,16 @@ for path in sys.argv[1:]:
 """
 
 
-@pytest.mark.parametrize("name", first_of(["parallel_3rpr", *sorted({*NAMES} - {"parallel_3rpr"})]))
-def test_both_languages_in_plain_python(name: str) -> None:
+OWN = Path(__file__).with_name("robots") / "mixed_legs.yaml"
+FILES = [OWN, *(ROBOTS / f"{name}.yaml" for name in ["parallel_3rpr", *NAMES])]
+
+
+@pytest.mark.parametrize(
+    "path", first_of(dict.fromkeys(FILES), count=2), ids=lambda path: path.stem
+)
+def test_both_languages_in_plain_python(path: Path) -> None:
+    """Also of legs of several kinds, which have different numbers of joints."""
     plain = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
-    command = [sys.executable, "-c", VERIFIED, str(ROBOTS / f"{name}.yaml")]
+    command = [sys.executable, "-c", VERIFIED, str(path)]
     done = subprocess.run(command, capture_output=True, text=True, check=False, env=plain)
     assert done.returncode == 0, done.stderr[-2000:]
