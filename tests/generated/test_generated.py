@@ -25,6 +25,7 @@ from dhgen.survey.oracle.problem import task_entries
 from dhgen.survey.singular import is_redundant
 from tests.generated.solvers import GENERATED, NAMES, ROBOTS, given, library, module, robot
 from tests.oracle.sets import joint_sets
+from tests.serial import PARALLEL
 from tests.structures import BREADTH, COMPILED, COMPILED_SLOWLY, STRUCTURES, first_of, says
 from tests.targets.made import MADE_UP
 
@@ -113,13 +114,16 @@ def test_every_robot_has_its_files() -> None:
     wanted |= {f"{name}_f32.{end}" for name in single for end in ("c", "h")}
     fleets = [name for name in NAMES if robot(name).calibration]
     wanted |= {f"{name}_fleet.{end}" for name in fleets for end in ("py", "c", "h")}
+    parts = [each for name in PARALLEL for each in (name, f"{name}_leg")]
+    wanted |= {f"{each}.{end}" for each in parts for end in ("py", "c", "h", "md")}
     wanted |= {f"dhgen_pose.{end}" for end in ("py", "c", "h")}
     wanted |= {f"dhgen_native.{end}" for end in ("py", "c")}
+    wanted |= {"dhgen_cuda.py", "dhgen_kernels.cuh"}
     assert {path.name for path in GENERATED.iterdir() if path.is_file()} == wanted
 
 
 def test_lines_by_which_tests_choose_arms_are_what_dhgen_reads() -> None:
-    for path in [*ROBOTS.glob("*.yaml"), *MADE_UP.glob("*.yaml")]:
+    for path in [*(ROBOTS / f"{name}.yaml" for name in NAMES), *MADE_UP.glob("*.yaml")]:
         read = load(path)
         assert says(path, "free: arm_angle") == read.arm_angle, path
         assert says(path, "float32: true") == read.float32, path
