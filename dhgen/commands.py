@@ -262,7 +262,8 @@ def _finish(text: str, beside: Mapping[str, str], out: Path | None) -> None:
         print(text, end="")
     else:
         write_files(out.parent, {out.name: text, **beside})
-        print(f"wrote {out}")
+        documents = [out, *(out.parent / name for name in beside if not name.endswith(".svg"))]
+        print(f"wrote {', '.join(map(str, documents))}")
 
 
 def _parallel_derivation(
@@ -270,16 +271,19 @@ def _parallel_derivation(
 ) -> tuple[str, Mapping[str, str]]:
     """The derivation of a parallel robot in the format and the language that are asked for."""
     from dhgen.derivation.languages import language_of  # noqa: PLC0415
-    from dhgen.parallel.compile import parallel_module  # noqa: PLC0415
-    from dhgen.parallel.printing import parallel_derivation_as  # noqa: PLC0415
+    from dhgen.parallel.compile import parallel_stories  # noqa: PLC0415
+    from dhgen.parallel.printing import derivations_as  # noqa: PLC0415
 
     if options.alternatives or options.program:
         what = "--alternatives" if options.alternatives else "--program"
         raise CommandError(f"dhgen: {what} is for serial arms: {options.file} has legs")
     with about(file.path):
-        module = parallel_module(file, _tell)
+        module, legs = parallel_stories(file, _tell)
     language = language_of(options.language)
-    made = parallel_derivation_as(wished, module, language)
+    ending = None if options.out is None else options.out.suffix
+    if ending is None and wished != FORMATS[0]:
+        print("note: the derivations of the legs are written beside --out FILE", file=sys.stderr)
+    made = derivations_as(wished, module, legs, ending, language)
     _tell_untranslated(language.untranslated)
     return made
 
@@ -402,7 +406,7 @@ def _refuse_taken(file: AnyFile, out: Path) -> None:
     for stem in file.stems:
         paths = (out / f"{stem}{suffix}" for suffix in SUFFIXES)
         owners = (robot_of(path) for path in paths if path.is_file())
-        other = next((owner for owner in owners if owner not in {None, *file.stems}), None)
+        other = next((owner for owner in owners if owner not in {None, *file.robots}), None)
         if other is not None:
             raise CommandError(
                 f"{file.path}: {out / stem}.* are files of the robot '{other}': rename one of the "

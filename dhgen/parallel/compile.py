@@ -18,6 +18,7 @@ from dhgen.robot_files import ParallelFile
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
+    from dhgen.derivation.story import Story
     from dhgen.parallel.robot import ParallelRobot
     from dhgen.parallel.verify import ParallelReport
     from dhgen.robot_files import AnyFile
@@ -85,15 +86,16 @@ def compile_parallel(
     return ParallelCompilation(file.robot, chains, module, MappingProxyType(files))
 
 
-def parallel_module(
+def parallel_stories(
     file: ParallelFile, tell: Callable[[str], None] = lambda _: None
-) -> ParallelModule:
-    """What is printed of a parallel robot, without its files.
+) -> tuple[ParallelModule, tuple[Story, ...]]:
+    """What is printed of a parallel robot, without its files, and of each kind of leg.
 
     Raises:
         UnsolvedError: No derivation solves a leg.
     """
-    return _joined(file, [worked_out(chain, tell)[1] for chain in file.chains], None)
+    made = [worked_out(chain, tell) for chain in file.chains]
+    return _joined(file, [solver for _, solver in made], None), tuple(story for story, _ in made)
 
 
 def _joined(

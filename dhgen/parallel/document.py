@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.derivation.notation.expressions import number_symbol
+from dhgen.derivation.notation.names import letter
 from dhgen.derivation.text.blocks import Given, Table, display, joined, paragraph, say
 from dhgen.derivation.text.formula import Matrix, Symbol, equal
 from dhgen.derivation.text.template import blocks_of
@@ -91,7 +92,7 @@ def _short(value: float) -> Symbol:
 
 
 def _place(name: str, index: int) -> Symbol:
-    return Symbol(f"{name}_{{{index}}}", f"{name}{index}")
+    return letter(name, name, str(index))
 
 
 def _matrix(latex: str, text: str, T: FloatArray) -> Formula:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.figures.tikz import tikz
+from dhgen.derivation.formats import derivation_as
 from dhgen.derivation.handouts import html_handout, latex_handout
 from dhgen.derivation.languages import ENGLISH
 from dhgen.derivation.text.markdown import markdown
@@ -14,9 +15,10 @@ from dhgen.printing.comments import plain_path
 from dhgen.printing.templates import render
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from dhgen.derivation.languages import Language
+    from dhgen.derivation.story import Story
     from dhgen.parallel.module import ParallelModule
 
 
@@ -33,6 +35,38 @@ def parallel_document(module: ParallelModule, language: Language = ENGLISH) -> d
     text = render("derivation/document.md.jinja", name=name, source=source, blocks=written)
     drawn = map(language.figure, figures)
     return {f"{name}.md": text} | {each.path: each.file(name, module.source) for each in drawn}
+
+
+def derivations_as(
+    wished: str,
+    module: ParallelModule,
+    legs: Sequence[Story],
+    ending: str | None,
+    language: Language = ENGLISH,
+) -> tuple[str, Mapping[str, str]]:
+    """The document with those of the legs, and texts of files beside it by their paths.
+
+    As text they follow in the same document; in other formats they are documents of their own.
+
+    Args:
+        wished: `text`, `markdown`, `latex` or `html`.
+        module: The robot.
+        legs: Its kinds of legs.
+        ending: Of the names of the legs' documents; None where these have no place.
+        language: That of all documents.
+
+    Raises:
+        CommandError: A package is missing that the format needs.
+    """
+    text, beside = parallel_derivation_as(wished, module, language)
+    files = dict(beside)
+    for story in legs:
+        own, figures = derivation_as(wished, story, module.source, language)
+        if wished == "text":
+            text += f"\n\n{own}"
+        elif ending is not None:
+            files |= {f"{story.robot.name}{ending}": own, **figures}
+    return text, files
 
 
 def parallel_derivation_as(

@@ -15,7 +15,8 @@ Run = Callable[..., subprocess.CompletedProcess[str]]
 
 ROOT = Path(__file__).resolve().parents[2]
 PLANAR = ROOT / "robots" / "planar_rr.yaml"
-FILES = [f"dhgen_{name}" for name in ("native.c", "native.py", "pose.c", "pose.h", "pose.py")] + [
+HELPERS = ("cuda.py", "kernels.cuh", "native.c", "native.py", "pose.c", "pose.h", "pose.py")
+FILES = [f"dhgen_{name}" for name in HELPERS] + [
     f"planar_rr.{end}" for end in ("c", "h", "md", "py")
 ]
 WRONG = """\

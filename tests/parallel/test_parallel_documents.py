@@ -75,11 +75,18 @@ def test_the_example_is_what_other_code_gives() -> None:
 def test_the_command_explains(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = str(ROBOTS / "five_bar.yaml")
     assert main(["explain", file]) == 0
-    assert "There are at most two assemblies." in capsys.readouterr().out
+    text = capsys.readouterr().out
+    assert "There are at most two assemblies." in text
+    assert text.count("\n1. θ₂") == text.count("\n2. θ₁") == 1  # of the legs, which are alike
     out = tmp_path / "five.md"
-    assert (
-        main(["explain", file, "--format", "markdown", "--language", "fr", "--out", str(out)]) == 0
-    )
+    assert main(["explain", file, "--language", "fr", "--out", str(out)]) == 0
     assert "deux assemblages" in out.read_text(encoding="utf-8")
+    leg = (tmp_path / "five_bar_leg.md").read_text(encoding="utf-8")
+    assert "modèle géométrique inverse" in leg
+    linked = set(re.findall(r"\]\((figures/\w+\.svg)\)", out.read_text("utf-8") + leg))
+    assert {str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*.svg")} == linked
+    assert capsys.readouterr().out == f"wrote {out}, {tmp_path / 'five_bar_leg.md'}\n"
+    assert main(["explain", file, "--format", "html"]) == 0
+    assert "of the legs are written beside --out FILE" in capsys.readouterr().err
     assert main(["explain", file, "--program"]) != 0
     assert "is for serial arms" in capsys.readouterr().err

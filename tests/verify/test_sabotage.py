@@ -77,7 +77,7 @@ def flipped(text: str, place: tuple[int, int]) -> str:
 
 
 PYTHON = {"fk": "def fk(", "jacobian": "def jacobian(", "solve": "def _solve("}
-C = {"fk": f"void {NAME}_fk", "jacobian": f"void {NAME}_jacobian", "solve": "static void solve"}
+C = {"fk": f"void {NAME}_fk", "jacobian": f"void {NAME}_jacobian", "solve": "DHGEN_FN void solve"}
 FEWEST = {"fk": 4, "jacobian": 4, "solve": 12}
 
 
