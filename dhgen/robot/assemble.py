@@ -145,8 +145,7 @@ class Assembly:
 
     def _has(self, key: str) -> bool:
         """Whether the file, or the leg, has a key."""
-        section = self.document.plain(self.at)
-        return isinstance(section, dict) and key in section
+        return self.document.has(key, self.at)
 
     def _table(self) -> DhTable:
         if self._has("home") and not self._has("axes"):
@@ -259,8 +258,7 @@ class Assembly:
         return self.document.plain(("free",)) if self.document.has("free") else []
 
     def _count(self, key: str) -> int:
-        value = self.document.plain((*self.at, key)) if self._has(key) else []
-        return len(value) if isinstance(value, list) else 0
+        return self.document.count((*self.at, key)) if self._has(key) else 0
 
 
 def task_of(entry: str | list[str]) -> Task:

@@ -79,9 +79,15 @@ class Document:
                 key, node = None, node.value[step]
         return key, node
 
-    def has(self, key: str) -> bool:
-        """Whether the file has a key of its outermost level."""
-        return key in self.pairs[id(self.root)]
+    def has(self, key: str, at: Path = ()) -> bool:
+        """Whether there is a key at a path: on the outermost level, or in a part."""
+        node = self.find(at)[1]
+        return isinstance(node, MappingNode) and key in self.pairs[id(node)]
+
+    def count(self, path: Path) -> int:
+        """How many elements the list at a path has; none where there is something else."""
+        node = self.find(path)[1]
+        return len(node.value) if isinstance(node, SequenceNode) else 0
 
     def plain(self, path: Path = ()) -> object:
         """The value at a path as dicts, lists, texts and None."""
