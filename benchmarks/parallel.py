@@ -21,8 +21,8 @@ from benchmarks.options import parallel_names, parser
 from benchmarks.report import table
 from dhgen.atomic_write import write_files
 from dhgen.parallel.compile import ParallelCompilation, compile_file
-from dhgen.parallel.verify import Native, compiled
-from dhgen.parallel.worked import drawn_poses, square
+from dhgen.parallel.verify import Native, are_inside, compiled
+from dhgen.parallel.worked import reached, square
 from dhgen.robot_files import read_file
 from dhgen.status import Status
 from dhgen.survey.oracle.arm import arm
@@ -59,7 +59,7 @@ def line(name: str, count: int) -> tuple[str, ...]:
         builds = [built(made.module, folder, flags) for flags in FLAGS.values()]
         times = [f"{batch_time(made.module, native):.0f}" for native in builds]
         native = built(made.module, folder, FLAGS["AVX2"])
-        poses = reached(made.module, native, count)
+        poses = within_limits(made.module, native, count)
         modes, closure = closed(made.module, native, poses)
         back = led_back(made.module, native, poses)
     return name, str(count), str(modes), f"{closure:.0e}", f"{back}/{count}", *times
@@ -72,15 +72,10 @@ def built(module: ParallelModule, folder: Path, flags: Sequence[str]) -> Native:
     return native
 
 
-def reached(module: ParallelModule, native: Native, count: int) -> FloatArray:
+def within_limits(module: ParallelModule, native: Native, count: int) -> FloatArray:
     """Poses that all legs reach within limits."""
-    source = np.random.default_rng(11)
-    found = np.empty((0, 4, 4))
-    while len(found) < count:
-        poses = drawn_poses(module, source)
-        status = native.batch(poses)[1]
-        found = np.concatenate([found, poses[(status == Status.OK).any(axis=2).all(axis=1)]])
-    return np.ascontiguousarray(found[:count])
+    poses = reached(module, lambda T: are_inside(native.batch(T)[1]), count, seed=11)
+    return np.ascontiguousarray(poses)
 
 
 def closed(module: ParallelModule, native: Native, poses: FloatArray) -> tuple[int, float]:
@@ -114,7 +109,7 @@ def led_back(module: ParallelModule, native: Native, poses: FloatArray) -> int:
 
 def batch_time(module: ParallelModule, native: Native) -> float:
     """CPU time of a pose in a batch [ns]."""
-    poses = reached(module, native, SOME)
+    poses = within_limits(module, native, SOME)
     shape = SOME, len(module.legs), module.rows
     q, status = np.empty((*shape, module.joints)), np.empty(shape, np.uint8)
     pointers = [each.ctypes.data_as(ctypes.c_void_p) for each in (poses, q, status)]

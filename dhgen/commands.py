@@ -10,7 +10,7 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 from shlex import quote
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from dhgen.arguments import ENDINGS, FORMATS, LANGUAGES, OUT
 from dhgen.errors import CommandError, DhgenError, VerificationError, about
@@ -19,13 +19,16 @@ from dhgen.method import Method
 
 if TYPE_CHECKING:
     import argparse
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
 
     from dhgen.compiler import Compilation
     from dhgen.errors import Diagnostic
+    from dhgen.parallel.verify import ParallelReport
     from dhgen.robot_files import AnyFile, ParallelFile, RobotFile, RobotFiles
     from dhgen.targets.module import SolverModule
+    from dhgen.verify.verify import Report
 
+Verified = TypeVar("Verified", "Report", "ParallelReport")
 
 FAULT = """\
 {whose}; nothing was written
@@ -88,11 +91,9 @@ def write(options: argparse.Namespace) -> int:
 
 
 def _write_one(file: AnyFile, options: argparse.Namespace) -> None:
-    from dhgen.atomic_write import replace_files  # noqa: PLC0415
     from dhgen.compiler import verified  # noqa: PLC0415
     from dhgen.derivation import derivation_summary, tool_at_zero  # noqa: PLC0415
     from dhgen.robot_files import ParallelFile  # noqa: PLC0415
-    from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
     _refuse_taken(file, options.out)
     if isinstance(file, ParallelFile):
@@ -104,15 +105,7 @@ def _write_one(file: AnyFile, options: argparse.Namespace) -> None:
         print("note: --numerical was not needed", file=sys.stderr)
     print(f"{compilation.robot.name}: {compilation.robot.title}")
     print(derivation_summary(compilation.story))
-    _refuse_occupied([options.out / name for name in compilation.files])
-    if not sys.stderr.isatty():  # where each stage is told
-        print("verifying what is to be written: this may take a minute ...", flush=True)
-    report = verified(compilation, _tell)
-    options.out.mkdir(parents=True, exist_ok=True)
-    contents = {name: text.encode() for name, text in compilation.files.items()}
-    replace_files(options.out, contents)
-    for name, code in report.code.items():
-        keep_compiled(code, options.out / f"{name}.py")
+    report = _written(compilation.files, lambda: verified(compilation, _tell), options.out)
     compiled = _compared(module) if report.compiled else "no C compiler found: C not tested"
     print(
         f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "
@@ -125,26 +118,33 @@ def _write_one(file: AnyFile, options: argparse.Namespace) -> None:
     print(f"wrote {', '.join(str(options.out / name) for name in _own(file, compilation))}\n")
 
 
+def _written(files: Mapping[str, str], verified: Callable[[], Verified], out: Path) -> Verified:
+    """What verification says of files, which are written once it has passed."""
+    from dhgen.atomic_write import replace_files  # noqa: PLC0415
+    from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
+
+    _refuse_occupied([out / name for name in files])
+    if not sys.stderr.isatty():  # where each stage is told
+        print("verifying what is to be written: this may take a minute ...", flush=True)
+    report = verified()
+    out.mkdir(parents=True, exist_ok=True)
+    replace_files(out, {name: text.encode() for name, text in files.items()})
+    for name, code in report.code.items():
+        keep_compiled(code, out / f"{name}.py")
+    return report
+
+
 def _write_parallel(file: ParallelFile, options: argparse.Namespace) -> None:
     """Derives, verifies and writes a parallel robot with its legs."""
-    from dhgen.atomic_write import replace_files  # noqa: PLC0415
     from dhgen.parallel.compile import compile_parallel, verified_parallel  # noqa: PLC0415
     from dhgen.parallel.document import parallel_summary  # noqa: PLC0415
-    from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
     _tell_notes(file.robot.notices)
     with about(file.path):
         made = compile_parallel(file, _tell, out=options.out, single_file=options.single_file)
     print(f"{made.robot.name}: {made.robot.title}")
     print(parallel_summary(made.module))
-    _refuse_occupied([options.out / name for name in made.files])
-    if not sys.stderr.isatty():
-        print("verifying what is to be written: this may take a minute ...", flush=True)
-    report = verified_parallel(made, _tell)
-    options.out.mkdir(parents=True, exist_ok=True)
-    replace_files(options.out, {name: text.encode() for name, text in made.files.items()})
-    for name, code in report.code.items():
-        keep_compiled(code, options.out / f"{name}.py")
+    report = _written(made.files, lambda: verified_parallel(made, _tell), options.out)
     compared = "Python and C agree" if report.compiled else "no C compiler found: C not tested"
     print(
         f"verified on {report.poses} poses of the platform: {report.modes} working modes, largest "
@@ -204,8 +204,7 @@ def _format(options: argparse.Namespace) -> str:
     Raises:
         CommandError: It is something else than the derivation, which has no other format.
     """
-    others = (f"--{each}" for each in ("alternatives", "program") if getattr(options, each))
-    what = next(others, None)
+    what = _other_than_derivation(options)
     if what is None:
         ending = "" if options.out is None else options.out.suffix.lower()
         return str(options.format or ENDINGS.get(ending, FORMATS[0]))
@@ -214,6 +213,12 @@ def _format(options: argparse.Namespace) -> str:
     if options.language != LANGUAGES[0]:
         raise CommandError(f"dhgen: {what} is printed in English alone, not with --language")
     return FORMATS[0]
+
+
+def _other_than_derivation(options: argparse.Namespace) -> str | None:
+    """What is to be printed in place of a derivation, as an option."""
+    others = (f"--{each}" for each in ("alternatives", "program") if getattr(options, each))
+    return next(others, None)
 
 
 def explain(options: argparse.Namespace) -> int:
@@ -274,8 +279,7 @@ def _parallel_derivation(
     from dhgen.parallel.compile import parallel_stories  # noqa: PLC0415
     from dhgen.parallel.printing import derivations_as  # noqa: PLC0415
 
-    if options.alternatives or options.program:
-        what = "--alternatives" if options.alternatives else "--program"
+    if what := _other_than_derivation(options):
         raise CommandError(f"dhgen: {what} is for serial arms: {options.file} has legs")
     with about(file.path):
         module, legs = parallel_stories(file, _tell)

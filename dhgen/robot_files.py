@@ -14,11 +14,10 @@ from dhgen.descriptions.wishes import Wishes
 from dhgen.errors import Diagnostic, RobotFileError
 from dhgen.parallel.read import assemble_parallel
 from dhgen.robot.assemble import assemble
-from dhgen.robot.load import demand_right, load_text, read_text
+from dhgen.robot.load import demand_right, load_text, read_text, source_of
 from dhgen.robot.reader import read_document
 from dhgen.robot.report import LEGS, Report
 from dhgen.robot.robot import FLEET
-from dhgen.robot.source import SourceText
 from dhgen.tolerances import DOUBLE, SINGLE
 
 if TYPE_CHECKING:
@@ -146,7 +145,7 @@ def read_file(path: Path, wishes: Wishes = AS_USUAL, outside: Outside = NOTHING_
     if is_description(path):
         return RobotFile.read(path, wishes, outside)
     text = read_text(path)
-    report = Report(read_document(SourceText.of(text.removeprefix("\ufeff"), str(path))))
+    report = Report(read_document(source_of(text, str(path))))
     if report.document.has(LEGS):
         return ParallelFile(path, demand_right(report, assemble_parallel(report)), text)
     return RobotFile(path, demand_right(report, assemble(report)), text)

@@ -18,6 +18,7 @@ from dhgen.parallel.figure import example_figure
 from dhgen.parallel.mobility import Count, counted
 from dhgen.parallel.module import Elimination
 from dhgen.parallel.worked import example_of, square
+from dhgen.runtime.python.platform import LENGTHS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
     from dhgen.parallel.module import ParallelModule
     from dhgen.parallel.worked import Example
-    from dhgen.robot.task import Task
 
 DIGITS = 4  # decimals of examples
 WORDS = {
@@ -48,7 +48,7 @@ def parallel_blocks(module: ParallelModule) -> tuple[list[Block], list[Figure]]:
     values = {
         "title": Given(module.robot.title),
         "legs": numeral(len(module.legs)),
-        "freedoms": freedoms_text(module.robot.task, is_planar=module.is_planar),
+        "freedoms": _freedoms_text(module),
         "cited": Given(module.robot.source.removesuffix(".")) if module.robot.source else "",
         "table": [_table(module)],
         "is_turned": any(leg.leg.base[:3] != (1.0, 0.0, 0.0) for leg in module.legs),
@@ -69,10 +69,10 @@ def parallel_blocks(module: ParallelModule) -> tuple[list[Block], list[Figure]]:
     return blocks_of("parallel", **values), figures
 
 
-def freedoms_text(task: Task, *, is_planar: bool) -> str:
+def _freedoms_text(module: ParallelModule) -> str:
     """How the platform moves."""
-    turns = {3: (3, 4, 5), 1: (5,)}.get(task.directions.dimension)
-    return WORDS[turns] if turns else NO_TURNS[is_planar]
+    turns = tuple(each for each in module.freedoms if each >= LENGTHS)
+    return WORDS[turns] if turns else NO_TURNS[module.is_planar]
 
 
 def count_of(module: ParallelModule) -> Count:
@@ -96,8 +96,7 @@ def _place(name: str, index: int) -> Symbol:
 
 
 def _matrix(latex: str, text: str, T: FloatArray) -> Formula:
-    rows = tuple(tuple(_short(entry) for entry in row) for row in T)
-    return equal(Symbol(latex, text), Matrix(rows))
+    return equal(Symbol(latex, text), _numbers(T))
 
 
 def _bases(module: ParallelModule) -> list[Formula]:
@@ -199,12 +198,9 @@ def _assemblies(module: ParallelModule, example: Example) -> list[Block]:
 def _compared(module: ParallelModule) -> Block:
     """The comparison with the serial case that document 001 makes."""
     modes = prod(leg.solver.solver.rows for leg in module.legs)
-    several = {
-        Elimination.TWO_CIRCLES: "has two answers at most",
-        Elimination.THREE_CIRCLES: "has six answers at most",
-        Elimination.THREE_SPHERES: "has two answers at most",
-    }
-    direct = several[module.elimination] if module.elimination else "is solved near a pose"
+    direct = "is solved near a pose"
+    if module.elimination is not None:
+        direct = f"has {numeral(module.elimination.most)} answers at most"
     return paragraph(
         "Of a serial arm the forward model has one answer, a product of matrices, and the inverse "
         "model several. Here the inverse model falls apart into the legs, which have {} working "

@@ -10,6 +10,8 @@ import numpy as np
 
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.task import Directions, TaskKind
+from dhgen.runtime.python import direct
+from dhgen.runtime.python.platform import COORDINATES, POSE, YAW
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -25,9 +27,14 @@ SAMPLES = 3  # joint values at which they are looked at
 class Elimination(StrEnum):
     """How all poses of a platform follow from its drives, where that is known and small."""
 
-    TWO_CIRCLES = "two circles"
-    THREE_CIRCLES = "three circles"
-    THREE_SPHERES = "three spheres"
+    TWO_CIRCLES = direct.TWO_CIRCLES
+    THREE_CIRCLES = direct.THREE_CIRCLES
+    THREE_SPHERES = direct.THREE_SPHERES
+
+    @property
+    def most(self) -> int:
+        """How many poses there are at most."""
+        return direct.MOST if self is Elimination.THREE_CIRCLES else 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +102,12 @@ class ParallelModule:
     def freedoms(self) -> tuple[int, ...]:
         """Which of the six velocities the platform has."""
         return counted_velocities(self.robot.task)
+
+    @property
+    def counts(self) -> str:
+        """What counts of the platform's orientation, in the runtime's words."""
+        words = {Directions.ROTATION: POSE, Directions.YAW: YAW}
+        return words.get(self.robot.task.directions, COORDINATES)
 
     @property
     def is_planar(self) -> bool:

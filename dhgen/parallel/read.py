@@ -14,7 +14,7 @@ from dhgen.robot.expression import ZERO
 from dhgen.robot.frames import IDENTITY_FRAME, from_rpy, read_lengths
 from dhgen.robot.names import MAX_ROBOT_NAME
 from dhgen.robot.report import LEGS
-from dhgen.robot.robot import DhTable, Frame, Robot
+from dhgen.robot.robot import DhTable, Frame, Robot, joints_of
 from dhgen.robot.schema import LegEntry, RobotFile
 from dhgen.robot.shape import Shape
 from dhgen.robot.task import Task, TaskKind
@@ -84,8 +84,7 @@ class _Reading:
         self._refuse_keys()
         whole = Assembly(self.report, self.shape, self.cells)
         units, parameters = whole.beginning()
-        plain = self.report.document.plain((LEGS,))
-        paths = [(LEGS, i) for i in range(len(plain) if isinstance(plain, list) else 0)]
+        paths = [(LEGS, i) for i in range(self.report.document.count((LEGS,)))]
         read = [leg for path in paths if (leg := self._leg(path)) is not None]
         whole.note_cells(units)
         file = self.shape.file
@@ -121,13 +120,12 @@ class _Reading:
         geometry, base, frame = own.geometry(), own.frame("base"), own.frame("frame")
         if entry is None or geometry is None:
             return None
-        plain = self.report.document.plain(path)
-        given = [key for key in ("point", "frame") if isinstance(plain, dict) and key in plain]
+        given = [key for key in ("point", "frame") if self.report.document.has(key, path)]
         if len(given) != 1 and self.shape.right(path):
             message = "a leg carries a point or a frame of the platform: write one of the two"
             self.report.error_at_key((*path, given[1]) if given else path, message)
         point = read_lengths(self.cells, (*path, "point"), entry.point)
-        joints = len(geometry.driven if isinstance(geometry, DhTable) else geometry.axes)
+        joints = len(joints_of(geometry))
         angles = [
             self.cells.angle((*path, "turned", i), cell) for i, cell in enumerate(entry.turned)
         ]
@@ -172,10 +170,7 @@ class _Reading:
                 self.report.error_at_key((*leg.path, "frame"), message)
             if task in (PLANE, TURNED_PLANE):
                 self._demand_level(leg)
-        joints = [
-            len(leg.geometry.driven if isinstance(leg.geometry, DhTable) else leg.geometry.axes)
-            for leg in each
-        ]
+        joints = [len(joints_of(leg.geometry)) for leg in each]
         driven = sum(len(leg.actuated) for leg in each)
         for fault in faults(counted(task, joints, [not leg.carries_frame for leg in each], driven)):
             self.report.error_at_key((LEGS,), fault)

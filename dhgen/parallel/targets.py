@@ -6,11 +6,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen import __version__
-from dhgen.parallel.module import Elimination
 from dhgen.parallel.robot import inverse
 from dhgen.printing.comments import plain
 from dhgen.printing.templates import render
-from dhgen.robot.task import Directions, TaskKind
+from dhgen.robot.task import TaskKind
 from dhgen.runtime.python import INTERFACE
 from dhgen.status import Status
 from dhgen.targets.c.files import INTERFACE as C_INTERFACE
@@ -26,21 +25,6 @@ if TYPE_CHECKING:
     from dhgen.parallel.module import LegModule, ParallelModule
     from dhgen.parallel.robot import Rows
     from dhgen.robot.task import Task
-
-C_TASKS = {Directions.ROTATION: "DHGEN_POSE", Directions.YAW: "DHGEN_YAW"}
-PYTHON_TASKS = {Directions.ROTATION: "pose", Directions.YAW: "yaw"}
-NO_TURNS = "DHGEN_COORDINATES", "coordinates"
-C_ELIMINATIONS = {
-    Elimination.TWO_CIRCLES: "DHGEN_TWO_CIRCLES",
-    Elimination.THREE_CIRCLES: "DHGEN_THREE_CIRCLES",
-    Elimination.THREE_SPHERES: "DHGEN_THREE_SPHERES",
-}
-MOST = {
-    Elimination.TWO_CIRCLES: 2,
-    Elimination.THREE_CIRCLES: 6,
-    Elimination.THREE_SPHERES: 2,
-}
-"""How many assemblies there are at most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,7 +119,7 @@ def _common(module: ParallelModule) -> dict[str, object]:
         "squares": drives * drives,
         "size": module.size,
         "task": module.robot.task.text,
-        "assemblies": MOST[module.elimination] if module.elimination else 0,
+        "assemblies": module.elimination.most if module.elimination else 0,
         "chains": [_chain(name, leg) for name, leg in distinct.items()],
         "legs": [_leg(leg) for leg in module.legs],
         "status": {each.name: each.value for each in Status},
@@ -213,15 +197,14 @@ def velocities(module: ParallelModule) -> str:
 
 
 def _c(module: ParallelModule) -> dict[str, object]:
-    task = module.robot.task.directions
     return {
         "interface": C_INTERFACE,
         "header": "assemblies" if module.elimination else "platform",
-        "task": C_TASKS.get(task, NO_TURNS[0]),
+        "task": _c_name(module.counts),
         "freedoms": _whole(module.freedoms),
         "is_alike": int(module.is_alike),
         "is_planar": int(module.is_planar),
-        "elimination": C_ELIMINATIONS[module.elimination] if module.elimination else "",
+        "elimination": _c_name(module.elimination) if module.elimination else "",
         "places": c_array(
             f"const int {module.name}_drives[{module.robot.drives}][2]",
             [
@@ -247,10 +230,9 @@ def _c_leg(leg: LegModule) -> list[str]:
 
 
 def _python(module: ParallelModule) -> dict[str, object]:
-    task = module.robot.task.directions
     return {
         "interface": INTERFACE,
-        "task": PYTHON_TASKS.get(task, NO_TURNS[1]),
+        "task": module.counts,
         "is_planar": module.is_planar,
         "freedoms": module.freedoms,
         "elimination": module.elimination or "",
@@ -263,6 +245,11 @@ def _python(module: ParallelModule) -> dict[str, object]:
 def _python_frame(frame: Rows) -> list[str]:
     rows = [frame[4 * i : 4 * i + 4] for i in range(3)]
     return [repr(list(row)) for row in rows] + ["[0.0, 0.0, 0.0, 1.0]"]
+
+
+def _c_name(words: str) -> str:
+    """What the runtime in C calls what that in Python has as words."""
+    return f"DHGEN_{words.upper().replace(' ', '_')}"
 
 
 def _whole(numbers: Iterable[int]) -> str:

@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.errors import VerificationError
-from dhgen.parallel.worked import DRAWN, drawn_poses, square
+from dhgen.parallel.worked import DRAWN, reached, square, turn_about
+from dhgen.status import Status
 from dhgen.survey.oracle.forward import forward
 from dhgen.verify.compiled import import_temporary
 from dhgen.verify.native import C_FLAGS, c_compiler
@@ -90,19 +91,18 @@ def reachable(module: ParallelModule, python: ModuleType, count: int, seed: int 
     Raises:
         VerificationError: There is hardly any.
     """
-    source = np.random.default_rng(seed)
-    found = np.empty((0, 4, 4))
-    for _ in range(TRIES):
-        poses = drawn_poses(module, source)
-        status = python.ik_batch(poses)[1]
-        good = (status == python.OK).any(axis=2).all(axis=1)
-        found = np.concatenate([found, poses[good]])
-        if len(found) >= count:
-            return found[:count]
+    found = reached(module, lambda T: are_inside(python.ik_batch(T)[1]), count, seed, TRIES)
+    if len(found) == count:
+        return found
     raise VerificationError(
         f"{module.name}: of {TRIES * DRAWN} poses that leg 1 reaches the others reach "
         f"{len(found)}: do the legs' limits, and their places, let the platform move?"
     )
+
+
+def are_inside(status: Statuses) -> NDArray[np.bool_]:
+    """Whether every leg reaches poses within its limits, from the statuses of all rows."""
+    return np.asarray((status == Status.OK).any(axis=2).all(axis=1))
 
 
 class Native:
@@ -346,10 +346,5 @@ def moved_pose(T: FloatArray, freedom: int, step: float) -> FloatArray:
     if freedom < 3:
         moved[freedom, 3] += step
         return moved
-    i, j = (freedom + 1) % 3, (freedom + 2) % 3
-    turn = np.eye(3)
-    turn[i, i] = turn[j, j] = np.cos(step)
-    turn[j, i] = np.sin(step)
-    turn[i, j] = -turn[j, i]
-    moved[:3, :3] = turn @ T[:3, :3]
+    moved[:3, :3] = turn_about(freedom - 3, step) @ T[:3, :3]
     return moved

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -10,12 +11,13 @@ import numpy as np
 from dhgen.kinematics.numeric import NumericArm, numeric_arm
 from dhgen.parallel.robot import inverse
 from dhgen.program.interpret import interpret
-from dhgen.robot.task import Directions
 from dhgen.runtime.python.direct import assemblies, least_values
-from dhgen.runtime.python.platform import COORDINATES, POSE, YAW, Leg, Platform
+from dhgen.runtime.python.platform import LENGTHS, POSE, YAW, Leg, Platform
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
+
+    from numpy.typing import NDArray
 
     from dhgen.arrays import FloatArray
     from dhgen.parallel.module import ParallelModule
@@ -23,9 +25,7 @@ if TYPE_CHECKING:
 
 DRAWN = 4000  # poses that the first leg reaches
 TURNED = 0.5  # a platform whose legs carry points is turned by so much at most about an axis [rad]
-TASKS = {Directions.ROTATION: POSE, Directions.YAW: YAW}
 TRIED = 600  # poses that are looked at for an example
-LENGTHS = 3  # of six velocities the first are lengths
 
 
 class Interpreted:
@@ -92,7 +92,7 @@ def platform_of(module: ParallelModule) -> Platform:
     )
     return Platform(
         tuple(legs),
-        TASKS.get(module.robot.task.directions, COORDINATES),
+        module.counts,
         module.is_planar,
         module.freedoms,
         module.size,
@@ -113,14 +113,44 @@ def drawn_poses(module: ParallelModule, source: np.random.Generator) -> FloatArr
     axes = [each - LENGTHS for each in module.freedoms if each >= LENGTHS]
     turns = source.uniform(-TURNED, TURNED, (DRAWN, len(axes)))
     for axis, angles in zip(axes, turns.T, strict=True):
-        i, j = (axis + 1) % 3, (axis + 2) % 3
-        turn = np.broadcast_to(np.eye(3), (DRAWN, 3, 3)).copy()
-        turn[:, i, i] = turn[:, j, j] = np.cos(angles)
-        turn[:, j, i] = np.sin(angles)
-        turn[:, i, j] = -turn[:, j, i]
-        poses[:, :3, :3] = poses[:, :3, :3] @ turn
+        poses[:, :3, :3] = poses[:, :3, :3] @ turn_about(axis, angles)
     poses[:, :3, 3] = (base @ ends)[:, :3, 3] - poses[:, :3, :3] @ end[:3, 3]
     return poses
+
+
+def reached(
+    module: ParallelModule,
+    keeps: Callable[[FloatArray], NDArray[np.bool_]],
+    count: int,
+    seed: int,
+    tries: int | None = None,
+) -> FloatArray:
+    """The first of the drawn poses that are kept.
+
+    Args:
+        module: The robot.
+        keeps: Which poses (n, 4, 4) are.
+        count: How many are wanted.
+        seed: Of the draws.
+        tries: After so many draws there are fewer; None for no end.
+    """
+    source, found = np.random.default_rng(seed), np.empty((0, 4, 4))
+    for _ in itertools.count() if tries is None else range(tries):
+        poses = drawn_poses(module, source)
+        found = np.concatenate([found, poses[keeps(poses)]])
+        if len(found) >= count:
+            break
+    return found[:count]
+
+
+def turn_about(axis: int, angles: FloatArray | float) -> FloatArray:
+    """Turns (..., 3, 3) by angles about an axis, x, y or z by its number."""
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    turn = np.broadcast_to(np.eye(3), (*np.shape(angles), 3, 3)).copy()
+    turn[..., i, i] = turn[..., j, j] = np.cos(angles)
+    turn[..., j, i] = np.sin(angles)
+    turn[..., i, j] = -turn[..., j, i]
+    return turn
 
 
 def example_of(module: ParallelModule) -> Example | None:

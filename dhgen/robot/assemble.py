@@ -13,7 +13,7 @@ from dhgen.robot.lengths import note_distance, note_spread
 from dhgen.robot.names import why_no_parameter_name
 from dhgen.robot.passive import check_passive, is_passive
 from dhgen.robot.report import LEGS
-from dhgen.robot.robot import Convention, DhTable, Parameter, ReferenceAxes, Robot
+from dhgen.robot.robot import Convention, DhTable, Parameter, ReferenceAxes, Robot, joints_of
 from dhgen.robot.schema import AxisRow, FrameEntry, JointRow, SumEntry, Units
 from dhgen.robot.shape import Shape
 from dhgen.robot.source import quoted
@@ -184,7 +184,7 @@ class Assembly:
     def _sums(self, geometry: DhTable | ReferenceAxes | None) -> tuple[SumLimit, ...]:
         if geometry is None:
             return ()
-        rows = geometry.driven if isinstance(geometry, DhTable) else geometry.axes
+        rows = joints_of(geometry)
         kinds, numbers = [row.kind for row in rows], self._numbers()
         if len(kinds) < len(numbers):
             return ()  # a row that could not be read is told already

@@ -81,7 +81,12 @@ def load_text(text: str, file_name: str) -> Robot:
     Raises:
         RobotFileError: The text describes no robot: all its mistakes at once.
     """
-    return load_source(SourceText.of(text.removeprefix("\ufeff"), file_name))
+    return load_source(source_of(text, file_name))
+
+
+def source_of(text: str, file_name: str) -> SourceText:
+    """A file's text, without the mark that some editors begin it with."""
+    return SourceText.of(text.removeprefix("\ufeff"), file_name)
 
 
 def load_source(source: SourceText) -> Robot:

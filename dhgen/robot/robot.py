@@ -172,6 +172,11 @@ class ReferenceAxes:
     home: Frame
 
 
+def joints_of(geometry: DhTable | ReferenceAxes) -> tuple[DhRow | AxisJoint, ...]:
+    """The joints from base to tool, each with a variable of its own."""
+    return geometry.driven if isinstance(geometry, DhTable) else geometry.axes
+
+
 @dataclass(frozen=True, slots=True)
 class Frame:
     """A constant frame as written: a translation and a rotation matrix, row by row.
@@ -258,4 +263,4 @@ class Robot:
     @property
     def joints(self) -> tuple[DhRow | AxisJoint, ...]:
         """The joints from base to tool, each with a variable of its own."""
-        return self.geometry.driven if isinstance(self.geometry, DhTable) else self.geometry.axes
+        return joints_of(self.geometry)

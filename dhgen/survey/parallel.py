@@ -14,7 +14,7 @@ import numpy as np
 from dhgen.atomic_write import write_files
 from dhgen.errors import DhgenError
 from dhgen.parallel.verify import compiled
-from dhgen.parallel.worked import drawn_poses, square
+from dhgen.parallel.worked import reached, square
 from dhgen.survey.ask import SAME, Singular, among, ask_singular, distinct, missed
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.table import Answers
@@ -23,6 +23,8 @@ from dhgen.verify.demands import RESIDUAL
 from dhgen.verify.native import PORTABLE, compile_solver
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from dhgen.arrays import FloatArray
     from dhgen.compiler import Compilation
     from dhgen.parallel.compile import ParallelCompilation
@@ -93,14 +95,13 @@ def _trial(chain: Compilation, folder: Path) -> Trial:
 
 def _reached(module: ParallelModule, native: Native, count: int) -> FloatArray:
     """Poses of the platform that all legs reach, whatever their limits."""
-    source = np.random.default_rng(1)
-    found = np.empty((0, 4, 4))
-    while len(found) < count:
-        poses = drawn_poses(module, source)
+
+    def keeps(poses: FloatArray) -> NDArray[np.bool_]:
         rows = native.batch(poses)[0]
         unreached = np.isnan(rows).reshape(*rows.shape[:2], -1).all(axis=-1)
-        found = np.concatenate([found, poses[~unreached.any(axis=-1)]])
-    return found[:count]
+        return np.asarray(~unreached.any(axis=-1))
+
+    return reached(module, keeps, count, seed=1)
 
 
 class _Random:

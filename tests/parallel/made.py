@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.parallel.compile import ParallelCompilation, compile_file
-from dhgen.parallel.verify import Native, compiled
-from dhgen.parallel.worked import drawn_poses, square
+from dhgen.parallel.verify import Native, are_inside, compiled
+from dhgen.parallel.worked import reached, square
 from dhgen.robot_files import read_file
 from dhgen.survey.oracle.forward import forward
 from tests.serial import PARALLEL, ROBOTS
@@ -59,13 +59,8 @@ def native(name: str) -> Native:
 @cache
 def poses(name: str) -> FloatArray:
     """Poses of the platform that all legs reach within their limits."""
-    module, source = compilation(name).module, np.random.default_rng(7)
-    found = np.empty((0, 4, 4))
-    while len(found) < COUNT:
-        drawn = drawn_poses(module, source)
-        status = native(name).batch(drawn)[1]
-        found = np.concatenate([found, drawn[(status == OK).any(axis=2).all(axis=1)]])
-    return found[:COUNT]
+    module, batch = compilation(name).module, native(name).batch
+    return reached(module, lambda T: are_inside(batch(T)[1]), COUNT, seed=7)
 
 
 def mode(name: str, T: FloatArray, row: int = 0) -> FloatArray:
