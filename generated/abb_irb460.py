@@ -45,10 +45,7 @@ JOINT_LIMITS = (
     (-5.235987755982989, 5.235987755982989),
 )
 BRANCHES = (
-    "back-down",
-    "back-up",
-    "front-up",
-    "front-down",
+    "back-down", "back-up", "front-up", "front-down",
 )
 MAX_SOLUTIONS = 4
 

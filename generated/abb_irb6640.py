@@ -47,14 +47,8 @@ JOINT_LIMITS = (
     (-6.283, 6.283),
 )
 BRANCHES = (
-    "back-down-noflip",
-    "back-down-flip",
-    "back-up-noflip",
-    "back-up-flip",
-    "front-up-noflip",
-    "front-up-flip",
-    "front-down-noflip",
-    "front-down-flip",
+    "back-down-noflip", "back-down-flip", "back-up-noflip", "back-up-flip", "front-up-noflip",
+    "front-up-flip", "front-down-noflip", "front-down-flip",
 )
 MAX_SOLUTIONS = 8
 

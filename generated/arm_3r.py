@@ -42,10 +42,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "back-down",
-    "back-up",
-    "front-up",
-    "front-down",
+    "back-down", "back-up", "front-up", "front-down",
 )
 MAX_SOLUTIONS = 4
 

@@ -45,8 +45,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "shoulder+",
-    "shoulder-",
+    "shoulder+", "shoulder-",
 )
 MAX_SOLUTIONS = 2
 

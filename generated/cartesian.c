@@ -120,8 +120,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 }
 
 #if DHGEN_LANES > 1
-/* One regular pose, 0 signs in lanes. Returns how many rows are OK, or -1 if the pose has
- * to be left to `solve`. */
+/* One regular pose. Returns how many rows are OK, or -1 if the pose has to be left to `solve`. */
 DHGEN_ALWAYS
 DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)

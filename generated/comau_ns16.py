@@ -46,14 +46,8 @@ JOINT_LIMITS = (
     (-6.2831853, 6.2831853),
 )
 BRANCHES = (
-    "front-down-noflip",
-    "front-down-flip",
-    "front-up-noflip",
-    "front-up-flip",
-    "back-up-noflip",
-    "back-up-flip",
-    "back-down-noflip",
-    "back-down-flip",
+    "front-down-noflip", "front-down-flip", "front-up-noflip", "front-up-flip", "back-up-noflip",
+    "back-up-flip", "back-down-noflip", "back-down-flip",
 )
 MAX_SOLUTIONS = 8
 

@@ -48,14 +48,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "root1-elbow+",
-    "root1-elbow-",
-    "root2-elbow+",
-    "root2-elbow-",
-    "root3-elbow+",
-    "root3-elbow-",
-    "root4-elbow+",
-    "root4-elbow-",
+    "root1-elbow+", "root1-elbow-", "root2-elbow+", "root2-elbow-", "root3-elbow+", "root3-elbow-",
+    "root4-elbow+", "root4-elbow-",
 )
 MAX_SOLUTIONS = 8
 

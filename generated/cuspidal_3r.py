@@ -45,10 +45,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "root1",
-    "root2",
-    "root3",
-    "root4",
+    "root1", "root2", "root3", "root4",
 )
 MAX_SOLUTIONS = 4
 

@@ -47,10 +47,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "forward-noflip",
-    "forward-flip",
-    "backward-noflip",
-    "backward-flip",
+    "forward-noflip", "forward-flip", "backward-noflip", "backward-flip",
 )
 MAX_SOLUTIONS = 4
 

@@ -42,10 +42,7 @@ JOINT_LIMITS = (
     (-1.0471975511965976, 1.0471975511965976),
 )
 BRANCHES = (
-    "shoulder+-elbow+",
-    "shoulder+-elbow-",
-    "shoulder--elbow+",
-    "shoulder--elbow-",
+    "shoulder+-elbow+", "shoulder+-elbow-", "shoulder--elbow+", "shoulder--elbow-",
 )
 MAX_SOLUTIONS = 4
 

@@ -47,14 +47,8 @@ JOINT_LIMITS = (
     (-6.283185, 6.283185),
 )
 BRANCHES = (
-    "front-down-noflip",
-    "front-down-flip",
-    "front-up-noflip",
-    "front-up-flip",
-    "back-up-noflip",
-    "back-up-flip",
-    "back-down-noflip",
-    "back-down-flip",
+    "front-down-noflip", "front-down-flip", "front-up-noflip", "front-up-flip", "back-up-noflip",
+    "back-up-flip", "back-down-noflip", "back-down-flip",
 )
 MAX_SOLUTIONS = 8
 

@@ -44,10 +44,7 @@ JOINT_LIMITS = (
     (-0.17453292519943295, 1.6580627893946132),
 )
 BRANCHES = (
-    "back-down",
-    "back-up",
-    "front-up",
-    "front-down",
+    "back-down", "back-up", "front-up", "front-down",
 )
 MAX_SOLUTIONS = 4
 

@@ -44,8 +44,7 @@ JOINT_LIMITS = (
     (-6.283185307179586, 6.283185307179586),
 )
 BRANCHES = (
-    "right",
-    "left",
+    "right", "left",
 )
 MAX_SOLUTIONS = 2
 

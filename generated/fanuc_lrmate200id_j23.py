@@ -48,14 +48,8 @@ JOINT_LIMITS = (
     (-6.283185307179586, 6.283185307179586),
 )
 BRANCHES = (
-    "back-up-noflip",
-    "back-up-flip",
-    "back-down-noflip",
-    "back-down-flip",
-    "front-down-noflip",
-    "front-down-flip",
-    "front-up-noflip",
-    "front-up-flip",
+    "back-up-noflip", "back-up-flip", "back-down-noflip", "back-down-flip", "front-down-noflip",
+    "front-down-flip", "front-up-noflip", "front-up-flip",
 )
 MAX_SOLUTIONS = 8
 

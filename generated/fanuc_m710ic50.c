@@ -434,8 +434,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 #if DHGEN_LANES > 1
 static const double
     m2 = 0.5; /* 1 / 2 */
-/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
- * to be left to `solve`. */
+/* One regular pose, two signs in lanes. Returns how many rows are OK, or -1 if the pose has to be
+ * left to `solve`. */
 DHGEN_ALWAYS
 DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)

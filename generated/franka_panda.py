@@ -50,14 +50,9 @@ JOINT_LIMITS = (
     (-2.8973, 2.8973),
 )
 BRANCHES = (
-    "elbow4+-noflip-elbow3+",
-    "elbow4+-noflip-elbow3-",
-    "elbow4+-flip-elbow3+",
-    "elbow4+-flip-elbow3-",
-    "elbow4--noflip-elbow3+",
-    "elbow4--noflip-elbow3-",
-    "elbow4--flip-elbow3+",
-    "elbow4--flip-elbow3-",
+    "elbow4+-noflip-elbow3+", "elbow4+-noflip-elbow3-", "elbow4+-flip-elbow3+",
+    "elbow4+-flip-elbow3-", "elbow4--noflip-elbow3+", "elbow4--noflip-elbow3-",
+    "elbow4--flip-elbow3+", "elbow4--flip-elbow3-",
 )
 MAX_SOLUTIONS = 8
 FREE_JOINTS = (7,)  # from 1: the caller gives their values

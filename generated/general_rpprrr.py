@@ -45,14 +45,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "root1",
-    "root2",
-    "root3",
-    "root4",
-    "root5",
-    "root6",
-    "root7",
-    "root8",
+    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8",
 )
 MAX_SOLUTIONS = 8
 

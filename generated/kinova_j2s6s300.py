@@ -47,14 +47,8 @@ JOINT_LIMITS = (
     (-6.283185307179586, 6.283185307179586),
 )
 BRANCHES = (
-    "left-down-noflip",
-    "left-down-flip",
-    "left-up-noflip",
-    "left-up-flip",
-    "right-up-noflip",
-    "right-up-flip",
-    "right-down-noflip",
-    "right-down-flip",
+    "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-up-noflip",
+    "right-up-flip", "right-down-noflip", "right-down-flip",
 )
 MAX_SOLUTIONS = 8
 

@@ -45,22 +45,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "root1",
-    "root2",
-    "root3",
-    "root4",
-    "root5",
-    "root6",
-    "root7",
-    "root8",
-    "root9",
-    "root10",
-    "root11",
-    "root12",
-    "root13",
-    "root14",
-    "root15",
-    "root16",
+    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
+    "root11", "root12", "root13", "root14", "root15", "root16",
 )
 MAX_SOLUTIONS = 16
 

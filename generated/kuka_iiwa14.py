@@ -48,14 +48,9 @@ JOINT_LIMITS = (
     (-3.0543261909900767, 3.0543261909900767),
 )
 BRANCHES = (
-    "elbow+-shoulder+-noflip",
-    "elbow+-shoulder+-flip",
-    "elbow+-shoulder--noflip",
-    "elbow+-shoulder--flip",
-    "elbow--shoulder+-noflip",
-    "elbow--shoulder+-flip",
-    "elbow--shoulder--noflip",
-    "elbow--shoulder--flip",
+    "elbow+-shoulder+-noflip", "elbow+-shoulder+-flip", "elbow+-shoulder--noflip",
+    "elbow+-shoulder--flip", "elbow--shoulder+-noflip", "elbow--shoulder+-flip",
+    "elbow--shoulder--noflip", "elbow--shoulder--flip",
 )
 MAX_SOLUTIONS = 8
 FREE_JOINTS = (3,)  # from 1: the caller gives their values

@@ -49,14 +49,8 @@ JOINT_LIMITS = (
     (-3.0543261909900767, 3.0543261909900767),
 )
 BRANCHES = (
-    "elbow+-back-noflip",
-    "elbow+-back-flip",
-    "elbow+-front-noflip",
-    "elbow+-front-flip",
-    "elbow--back-noflip",
-    "elbow--back-flip",
-    "elbow--front-noflip",
-    "elbow--front-flip",
+    "elbow+-back-noflip", "elbow+-back-flip", "elbow+-front-noflip", "elbow+-front-flip",
+    "elbow--back-noflip", "elbow--back-flip", "elbow--front-noflip", "elbow--front-flip",
 )
 MAX_SOLUTIONS = 8
 

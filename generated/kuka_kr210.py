@@ -46,14 +46,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "back-down-noflip",
-    "back-down-flip",
-    "back-up-noflip",
-    "back-up-flip",
-    "front-up-noflip",
-    "front-up-flip",
-    "front-down-noflip",
-    "front-down-flip",
+    "back-down-noflip", "back-down-flip", "back-up-noflip", "back-up-flip", "front-up-noflip",
+    "front-up-flip", "front-down-noflip", "front-down-flip",
 )
 MAX_SOLUTIONS = 8
 

@@ -45,8 +45,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "elbow+",
-    "elbow-",
+    "elbow+", "elbow-",
 )
 MAX_SOLUTIONS = 2
 

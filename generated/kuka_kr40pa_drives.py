@@ -45,10 +45,7 @@ JOINT_LIMITS = (
     (-0.3490658503988659, 2.2689280275926285),
 )
 BRANCHES = (
-    "back-down",
-    "back-up",
-    "front-up",
-    "front-down",
+    "back-down", "back-up", "front-up", "front-down",
 )
 MAX_SOLUTIONS = 4
 

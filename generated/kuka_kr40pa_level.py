@@ -47,10 +47,7 @@ JOINT_LIMITS = (
     (-6.1086523819801535, 6.1086523819801535),
 )
 BRANCHES = (
-    "back-down",
-    "back-up",
-    "front-up",
-    "front-down",
+    "back-down", "back-up", "front-up", "front-down",
 )
 MAX_SOLUTIONS = 4
 

@@ -46,10 +46,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "front-down",
-    "front-up",
-    "back-up",
-    "back-down",
+    "front-down", "front-up", "back-up", "back-down",
 )
 MAX_SOLUTIONS = 4
 

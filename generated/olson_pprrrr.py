@@ -47,10 +47,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "elbow3+-elbow4+",
-    "elbow3+-elbow4-",
-    "elbow3--elbow4+",
-    "elbow3--elbow4-",
+    "elbow3+-elbow4+", "elbow3+-elbow4-", "elbow3--elbow4+", "elbow3--elbow4-",
 )
 MAX_SOLUTIONS = 4
 

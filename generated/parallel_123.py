@@ -49,14 +49,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "root1-right",
-    "root1-left",
-    "root2-right",
-    "root2-left",
-    "root3-right",
-    "root3-left",
-    "root4-right",
-    "root4-left",
+    "root1-right", "root1-left", "root2-right", "root2-left", "root3-right", "root3-left",
+    "root4-right", "root4-left",
 )
 MAX_SOLUTIONS = 8
 

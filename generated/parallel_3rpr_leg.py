@@ -42,8 +42,7 @@ JOINT_LIMITS = (
     (0.3, 1.6),
 )
 BRANCHES = (
-    "forward",
-    "backward",
+    "forward", "backward",
 )
 MAX_SOLUTIONS = 2
 

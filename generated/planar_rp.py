@@ -42,8 +42,7 @@ JOINT_LIMITS = (
     (0.0, 1.0),
 )
 BRANCHES = (
-    "forward",
-    "backward",
+    "forward", "backward",
 )
 MAX_SOLUTIONS = 2
 

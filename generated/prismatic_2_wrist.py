@@ -47,14 +47,9 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "shoulder+-elbow+-noflip",
-    "shoulder+-elbow+-flip",
-    "shoulder+-elbow--noflip",
-    "shoulder+-elbow--flip",
-    "shoulder--elbow+-noflip",
-    "shoulder--elbow+-flip",
-    "shoulder--elbow--noflip",
-    "shoulder--elbow--flip",
+    "shoulder+-elbow+-noflip", "shoulder+-elbow+-flip", "shoulder+-elbow--noflip",
+    "shoulder+-elbow--flip", "shoulder--elbow+-noflip", "shoulder--elbow+-flip",
+    "shoulder--elbow--noflip", "shoulder--elbow--flip",
 )
 MAX_SOLUTIONS = 8
 

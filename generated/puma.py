@@ -45,14 +45,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "right-down-noflip",
-    "right-down-flip",
-    "right-up-noflip",
-    "right-up-flip",
-    "left-up-noflip",
-    "left-up-flip",
-    "left-down-noflip",
-    "left-down-flip",
+    "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
+    "left-up-flip", "left-down-noflip", "left-down-flip",
 )
 MAX_SOLUTIONS = 8
 

@@ -45,14 +45,8 @@ JOINT_LIMITS = (
     (-4.642575810304916, 4.642575810304916),
 )
 BRANCHES = (
-    "right-down-noflip",
-    "right-down-flip",
-    "right-up-noflip",
-    "right-up-flip",
-    "left-up-noflip",
-    "left-up-flip",
-    "left-down-noflip",
-    "left-down-flip",
+    "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
+    "left-up-flip", "left-down-noflip", "left-down-flip",
 )
 MAX_SOLUTIONS = 8
 

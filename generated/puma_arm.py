@@ -42,10 +42,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "right-down",
-    "right-up",
-    "left-up",
-    "left-down",
+    "right-down", "right-up", "left-up", "left-down",
 )
 MAX_SOLUTIONS = 4
 

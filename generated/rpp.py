@@ -42,8 +42,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "forward",
-    "backward",
+    "forward", "backward",
 )
 MAX_SOLUTIONS = 2
 

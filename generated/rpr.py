@@ -42,10 +42,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "shoulder+-elbow+",
-    "shoulder+-elbow-",
-    "shoulder--elbow+",
-    "shoulder--elbow-",
+    "shoulder+-elbow+", "shoulder+-elbow-", "shoulder--elbow+", "shoulder--elbow-",
 )
 MAX_SOLUTIONS = 4
 

@@ -45,14 +45,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "back-forward-noflip",
-    "back-forward-flip",
-    "back-backward-noflip",
-    "back-backward-flip",
-    "front-forward-noflip",
-    "front-forward-flip",
-    "front-backward-noflip",
-    "front-backward-flip",
+    "back-forward-noflip", "back-forward-flip", "back-backward-noflip", "back-backward-flip",
+    "front-forward-noflip", "front-forward-flip", "front-backward-noflip", "front-backward-flip",
 )
 MAX_SOLUTIONS = 8
 

@@ -44,8 +44,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "right",
-    "left",
+    "right", "left",
 )
 MAX_SOLUTIONS = 2
 

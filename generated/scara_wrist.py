@@ -47,10 +47,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "right-noflip",
-    "right-flip",
-    "left-noflip",
-    "left-flip",
+    "right-noflip", "right-flip", "left-noflip", "left-flip",
 )
 MAX_SOLUTIONS = 4
 

@@ -42,10 +42,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "front-forward",
-    "front-backward",
-    "back-forward",
-    "back-backward",
+    "front-forward", "front-backward", "back-forward", "back-backward",
 )
 MAX_SOLUTIONS = 4
 

@@ -44,10 +44,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "right-forward",
-    "right-backward",
-    "left-forward",
-    "left-backward",
+    "right-forward", "right-backward", "left-forward", "left-backward",
 )
 MAX_SOLUTIONS = 4
 

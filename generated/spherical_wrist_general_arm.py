@@ -49,14 +49,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "root1-noflip",
-    "root1-flip",
-    "root2-noflip",
-    "root2-flip",
-    "root3-noflip",
-    "root3-flip",
-    "root4-noflip",
-    "root4-flip",
+    "root1-noflip", "root1-flip", "root2-noflip", "root2-flip", "root3-noflip", "root3-flip",
+    "root4-noflip", "root4-flip",
 )
 MAX_SOLUTIONS = 8
 

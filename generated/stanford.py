@@ -45,14 +45,8 @@ JOINT_LIMITS = (
     (-2.9670597283903604, 2.9670597283903604),
 )
 BRANCHES = (
-    "right-forward-noflip",
-    "right-forward-flip",
-    "right-backward-noflip",
-    "right-backward-flip",
-    "left-forward-noflip",
-    "left-forward-flip",
-    "left-backward-noflip",
-    "left-backward-flip",
+    "right-forward-noflip", "right-forward-flip", "right-backward-noflip", "right-backward-flip",
+    "left-forward-noflip", "left-forward-flip", "left-backward-noflip", "left-backward-flip",
 )
 MAX_SOLUTIONS = 8
 

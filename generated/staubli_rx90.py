@@ -46,14 +46,8 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "back-up-noflip",
-    "back-up-flip",
-    "back-down-noflip",
-    "back-down-flip",
-    "front-down-noflip",
-    "front-down-flip",
-    "front-up-noflip",
-    "front-up-flip",
+    "back-up-noflip", "back-up-flip", "back-down-noflip", "back-down-flip", "front-down-noflip",
+    "front-down-flip", "front-up-noflip", "front-up-flip",
 )
 MAX_SOLUTIONS = 8
 

@@ -42,10 +42,7 @@ JOINT_LIMITS = (
     (0.35, 0.75),
 )
 BRANCHES = (
-    "back-forward",
-    "back-backward",
-    "front-forward",
-    "front-backward",
+    "back-forward", "back-backward", "front-forward", "front-backward",
 )
 MAX_SOLUTIONS = 4
 

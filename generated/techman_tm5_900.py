@@ -47,14 +47,8 @@ JOINT_LIMITS = (
     (-4.71238898038469, 4.71238898038469),
 )
 BRANCHES = (
-    "left-noflip-down",
-    "left-noflip-up",
-    "left-flip-down",
-    "left-flip-up",
-    "right-noflip-up",
-    "right-noflip-down",
-    "right-flip-up",
-    "right-flip-down",
+    "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-up",
+    "right-noflip-down", "right-flip-up", "right-flip-down",
 )
 MAX_SOLUTIONS = 8
 

@@ -46,14 +46,8 @@ JOINT_LIMITS = (
     (-6.283185307179586, 6.283185307179586),
 )
 BRANCHES = (
-    "right-noflip-down",
-    "right-noflip-up",
-    "right-flip-down",
-    "right-flip-up",
-    "left-noflip-up",
-    "left-noflip-down",
-    "left-flip-up",
-    "left-flip-down",
+    "right-noflip-down", "right-noflip-up", "right-flip-down", "right-flip-up", "left-noflip-up",
+    "left-noflip-down", "left-flip-up", "left-flip-down",
 )
 MAX_SOLUTIONS = 8
 

@@ -43,8 +43,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "shoulder+",
-    "shoulder-",
+    "shoulder+", "shoulder-",
 )
 MAX_SOLUTIONS = 2
 

@@ -42,8 +42,7 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "noflip",
-    "flip",
+    "noflip", "flip",
 )
 MAX_SOLUTIONS = 2
 

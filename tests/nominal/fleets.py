@@ -17,6 +17,7 @@ from dhgen.targets.reserved import RESERVED
 from dhgen.verify.native import Build, compile_solver
 from tests.compiling import shared, worked_out_once
 from tests.nominal.twins import ROBOTS
+from tests.structures import first_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -30,7 +31,10 @@ BASE = "base: {xyz: [0.3, -0.2, 0.5], rpy: [0.4, -0.3, 2.0]}"
 TOOL = "tool: {xyz: [0.02, -0.05, 0.15], rpy: [0.5, 0.3, -1.2]}"
 THOUSAND = "_thousand"
 TURNED = (f"puma560{PLACED}", f"kuka_kr210{PLACED}")  # a standard table, and a modified one
-NAMES = ("ur5e", "puma560", "kuka_kr6_r900", "abb_irb120", *TURNED)  # limits, and a tool
+# Parallel axes, a wrist, and a wrist of a modified table that is placed; then those of the same
+# structures with limits, with a tool, and of a standard table that is placed.
+NAMES = ("ur5e", "puma560", TURNED[1], "kuka_kr6_r900", "abb_irb120", TURNED[0])
+EACH = first_of(NAMES, count=3)
 
 
 @cache

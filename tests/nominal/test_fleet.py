@@ -28,6 +28,7 @@ from dhgen.verify.calibrated import Calibration, FleetArm, poses_of, verify_kind
 from dhgen.verify.native import C_FLAGS, PORTABLE, c_compiler, compile_solver
 from tests.compiling import compile_file, library, module_of, written
 from tests.nominal.fleets import (
+    EACH,
     NAMES,
     THOUSAND,
     TURNED,
@@ -55,7 +56,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize("noise", [1e-6, 1e-4, 1e-3])
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_rows_are_all_solutions_of_the_table(name: str, noise: float, folder: Path) -> None:
     """Without the nominal arm's rows the general algorithm answers alone, with a certificate."""
     table, q = table_of(name, noise), random_joints(300)
@@ -78,7 +79,7 @@ def test_rows_are_all_solutions_of_the_table(name: str, noise: float, folder: Pa
         assert np.abs(missed).max() < 1e-10 * max(1.0, kind(name).nominal.chain.size)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_forward_kinematics_and_jacobian(name: str, folder: Path) -> None:
     table, step = table_of(name, 1e-3), 1e-6
     arm = FleetArm(compiled(folder, name), kind(name), table)
@@ -100,7 +101,7 @@ def test_forward_kinematics_and_jacobian(name: str, folder: Path) -> None:
             np.testing.assert_allclose(found, [0.1, -0.2, 0.3, 0.2, -0.1, 0.4], atol=1e-8)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_seeds_and_single_poses(name: str, folder: Path) -> None:
     table = table_of(name, 1e-4)
     arm, q = FleetArm(compiled(folder, name), kind(name), table), random_joints(40)
@@ -147,7 +148,7 @@ def singular_joints(arm: FleetArm, count: int) -> np.ndarray:
     return np.array(found)
 
 
-@pytest.mark.parametrize("name", ["ur5e", "puma560", "kuka_kr6_r900", *TURNED])
+@pytest.mark.parametrize("name", EACH)
 def test_singular_poses_keep_their_solution(name: str, folder: Path) -> None:
     """Where branches meet one row holds the solution, as far as the pose tells joint values."""
     table = table_of(name, 1e-4)
@@ -163,7 +164,7 @@ def test_singular_poses_keep_their_solution(name: str, folder: Path) -> None:
 
 
 @pytest.mark.parametrize("noise", [1e-5, 1e-3])
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_the_nominal_arm_is_no_farther_than_said(name: str, noise: float, folder: Path) -> None:
     table, nominal = table_of(name, noise), np.array(kind(name).table.rows)
     arm = FleetArm(compiled(folder, name), kind(name), table)

@@ -25,7 +25,7 @@ from dhgen.verify.calibrated import FleetArm, PythonArm, poses_of, verify_kind
 from dhgen.verify.native import import_module
 from dhgen.verify.verify import imported
 from tests.nominal.fleets import (
-    NAMES,
+    EACH,
     TURNED,
     assert_alike,
     compiled,
@@ -36,18 +36,18 @@ from tests.nominal.fleets import (
 )
 from tests.nominal.test_fleet import singular_joints
 from tests.nominal.twins import ROBOTS
-from tests.structures import BREADTH
+from tests.structures import BREADTH, those_in
 
 if TYPE_CHECKING:
     from pathlib import Path
     from types import ModuleType
 
-# numba takes ten seconds for a kind beside what all share. Compiled are a wrist, parallel axes, and
-# a wrist whose base and tool turn all axes, of a modified table: what others have of a nominal arm
-# are fewer of the same formulas. They run in plain Python, where the general algorithm answers
-# alone, a few poses a second.
+# numba takes ten seconds for a kind beside what all share. Compiled are a wrist and parallel axes,
+# before a release also a wrist whose base and tool turn all axes, of a modified table: what others
+# have of a nominal arm are fewer of the same formulas. They run in plain Python, where the general
+# algorithm answers alone, a few poses a second.
 OTHERS = ("ur5e", "kuka_kr6_r900", *TURNED)
-COMPILED_SLOWLY = ("ur5e", "kuka_kr210_placed")
+COMPILED_SLOWLY = ("ur5e",)
 COMPILED_TOO = [
     "puma560",
     *(
@@ -89,7 +89,7 @@ def both(
     )
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", EACH)
 def test_what_a_table_makes_of_an_arm_is_what_c_makes_of_it(name: str, folder: Path) -> None:
     size = max(1.0, kind(name).nominal.chain.size)
     for noise in (1e-6, 1e-4, 1e-3):
@@ -114,7 +114,7 @@ def test_rows_are_those_of_c(name: str, noise: float, folder: Path) -> None:
         assert np.abs(missed).max() < 1e-10 * max(1.0, kind(name).nominal.chain.size)
 
 
-@pytest.mark.parametrize("name", OTHERS)
+@pytest.mark.parametrize("name", those_in(TURNED[1:], OTHERS))
 def test_rows_are_those_of_c_without_numba(name: str, folder: Path) -> None:
     table, q = table_of(name, 1e-4), random_joints(2)
     python, c = both(folder, name, table, plain=True)

@@ -19,7 +19,7 @@ from dhgen.targets.c.rows import status_lines, stores
 from dhgen.targets.c.shared import NOTHING_SHARED, shared_values
 from dhgen.targets.c.wide import lets, row_of, wide_lines
 from dhgen.targets.dialect import ATOM
-from dhgen.targets.layout import INDENT, wrapped
+from dhgen.targets.layout import INDENT, paragraph, wrapped
 from dhgen.tolerances import SINGLE
 
 if TYPE_CHECKING:
@@ -34,6 +34,9 @@ if TYPE_CHECKING:
 MOST_UNROLLED = 300  # values of unrolled loops: of more, compiling takes long and gains little
 COSTS = {"atan2": 30, "div": 4, "sqrt": 6}  # of an operator in lanes; of any other 1
 
+IN_LANES = ("", ", one sign in lanes", ", two signs in lanes")  # by how many there are
+RETURNS = "Returns how many rows are OK, or -1 if the pose has to be left to `solve`."
+
 
 @dataclass(frozen=True, slots=True)
 class CRegular:
@@ -42,7 +45,7 @@ class CRegular:
     Attributes:
         wide: One lane a pose.
         one: Branches in lanes; none where they never are.
-        about: What is in lanes then.
+        about: What they do.
         shared: What both compute in the same words, as lines.
         one_pose: The beginning of a call for one pose where no branches are in lanes.
     """
@@ -65,7 +68,7 @@ def regular_values(module: SolverModule, flats: Flats) -> CRegular:
     return CRegular(
         wide=wide_lines(module, flat, entries, shared, unrolled=flats.unrolled),
         one=one if in_lanes else (),
-        about=f"{len(lanes.lanes)} signs",
+        about=paragraph(f"One regular pose{IN_LANES[len(lanes.lanes)]}. {RETURNS}", " * "),
         shared=shared.macros,
     )
 

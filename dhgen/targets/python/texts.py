@@ -58,7 +58,7 @@ class PythonTables:
     Attributes:
         joint_names: A tuple with the name of each joint.
         limits: Of each joint.
-        branches: The name of every row.
+        branch_names: The name of every row, as lines.
         free_joints: Whose values the caller gives; empty without any.
         links: The arm as descents work on it; empty where none do.
         turned_together: Fields of what is chosen together of its drives; empty without.
@@ -71,7 +71,7 @@ class PythonTables:
 
     joint_names: str
     limits: Sequence[str]
-    branches: Sequence[str]
+    branch_names: Sequence[str]
     free_joints: str
     links: str
     turned_together: Sequence[str]
@@ -157,7 +157,7 @@ def python_tables(module: SolverModule, flat: Flat | None) -> PythonTables:
     return PythonTables(
         joint_names=_joint_names(module),
         limits=[f"({pair[0]!r}, {pair[1]!r})" if pair else none for pair in limits],
-        branches=module.branches,
+        branch_names=listed([f'"{text}"' for text in module.branches], INDENT),
         free_joints=f"({', '.join(map(str, free))},)" if free else "",
         links=python_links(module.solver),
         turned_together=coupling_fields(module),
