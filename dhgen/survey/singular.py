@@ -71,7 +71,7 @@ def in_a_family(robot: Robot, q: FloatArray) -> bool:
     beside a double root that leads back, along a family it leads to another member.
     """
     problem = state(robot, forward(robot, q), tuple(given_values(robot, q)))
-    start = (q / problem.units)[None]
+    start = problem.numbers_of(q)[None]
     if problem.elbow is not None:  # where it is, which a stretched arm's arm angle says coarsely
         upper, _ = problem.elbow
         place = forward(upper, start[0, : len(upper.before)])[:3, 3]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from dhgen.survey.oracle.forward import jacobian
-from dhgen.survey.singular import singular_sets
+from dhgen.survey.singular import in_a_family, singular_sets
 from tests.robots.cases import robot
 from tests.structures import first_of
 
@@ -58,3 +58,11 @@ def test_a_planar_arm_is_singular_where_it_is_straight() -> None:
 def test_free_joints_are_left_alone() -> None:
     assert "singular by joint 3" not in singular_sets(robot("kuka_iiwa14"), 5)
     assert "singular by joint 4" in singular_sets(robot("kuka_iiwa14"), 5)
+
+
+@pytest.mark.parametrize("name", ["ur5", "fanuc_lrmate200id_j23"])
+def test_a_straight_wrist_has_a_family_and_a_bent_one_has_none(name: str) -> None:
+    """Also where drives move other joints than their own."""
+    straight, bent = ([0.3, 0.4, 0.5, 0.6, angle, 0.7] for angle in (0.0, 0.1))
+    assert in_a_family(robot(name), np.array(straight))
+    assert not in_a_family(robot(name), np.array(bent))

@@ -57,6 +57,11 @@ class Problem:
         """(n,), what one of each joint is in the file's unit or in radians."""
         return np.where(self.model.revolute, 1.0, self.unit_length)
 
+    def numbers_of(self, q: FloatArray) -> FloatArray:
+        """What `residual` takes for the drives' values q (n,) [rad or the file's unit]."""
+        joints = q if self.drives is None else np.linalg.solve(self.drives, q)
+        return np.asarray(joints / self.units)
+
     def starts(self, count: int, random: np.random.Generator) -> FloatArray:
         """Random joint vectors, (count, n)."""
         reach = np.where(self.model.revolute, np.pi, PRISMATIC_REACH)[self.moving]
