@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 Pointer = ctypes.c_void_p
 GPUArray: TypeAlias = Any  # of a library that is not known here
 DRIVER = "libcuda.so.1"
+WRITABLE = "set DHGEN_CACHE_DIR to a writable folder"
 SKIPPED = 5  # NaN: the pose needs the careful functions, and these were not asked for
 KINDS = {"<f8": ("float64", "double", 8), "<f4": ("float32", "float", 4)}
 ARRAYS = ("T", "free_joints", "values", "q", "status", "left")  # of a batch
@@ -129,8 +130,7 @@ class Program:
                 return lowered, code
         lowered, code = compiled(compiler, self.text, name, options)
         content = lowered + b"\n" + code
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=folder) as room:
+        with _room(folder) as room:
             made = Path(room) / "made.cubin"
             made.write_bytes(content)
             made.replace(folder / f"{start}{_digest(content)}.cubin")  # nobody sees half of it
@@ -503,9 +503,22 @@ def _digest(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()[:24]
 
 
+def _room(folder: Path) -> tempfile.TemporaryDirectory[str]:
+    """A passing folder in the one where kernels are kept."""
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        return tempfile.TemporaryDirectory(dir=folder)
+    except OSError as error:
+        told = f"kernels can't be written there ({error.strerror}): {WRITABLE}"
+        raise OSError(error.errno, told, str(folder)) from None
+
+
 def cache_folder() -> Path:
     """Where kernels are kept; it need not be there yet."""
     if chosen := os.environ.get("DHGEN_CACHE_DIR"):
         return Path(chosen)
-    user = os.environ.get("XDG_CACHE_HOME")
-    return (Path(user) if user else Path.home() / ".cache") / "dhgen"
+    user = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
+    try:
+        return (Path(user) if user else Path.home() / ".cache") / "dhgen"
+    except RuntimeError:
+        raise RuntimeError(f"the user has no home folder: {WRITABLE}") from None
