@@ -10,10 +10,12 @@
 /* Room for candidates: roots, the middles of close pairs, double roots, and what may be on both
  * sides of them. */
 #define DHGEN_CANDIDATES 144
-/* Parabolas one after the other that separate two roots. */
-#define DHGEN_PARABOLAS 3
-/* As near to a double root two simple ones are looked for [rad]. */
+/* As near to a double root simple ones are looked for [rad], at eight places at a time, and how
+ * often: each parabola shows where to look next. */
 #define DHGEN_BESIDE 0.0001
+#define DHGEN_PARABOLAS 4
+/* From 3e-5 rad to the digits that the determinant has. */
+#define DHGEN_BRACKET_STEPS 8
 /* Of the largest diagonal: none is taken as smaller. */
 #define DHGEN_SMALLEST 1e-15
 /* Below this determinant the rows of a shift don't span a plane. */
@@ -32,9 +34,6 @@ DHGEN_TABLE double dhgen_starts[2][6] = {
     { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
     { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
 };
-
-/* The three places of a parabola, behind them nothing. */
-DHGEN_TABLE double dhgen_sides[8] DHGEN_ALIGNED = { -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 
 /* The rows of the two shifts: by x3 and by x2. */
 DHGEN_TABLE int dhgen_up_3[3] = { 0, 1, 2 };
@@ -126,40 +125,119 @@ DHGEN_FN void dhgen_null_vectors(const double *E, const dhgen_roots *roots, dhge
     out->groups++;
 }
 
-/* The determinant itself, turned on by small angles: middle - apart, middle, middle + apart. */
+/* The determinant itself, turned on from an angle by small ones. */
 DHGEN_FN void dhgen_determinant_near(
-    const double *E, double c, double s, double middle, double apart, double f[8])
+    const double *E, double c, double s, const double angle[8], double f[8])
 {
-    for (int k = 0; k < 3; k += DHGEN_GENERAL_LANES) {
+    for (int k = 0; k < 8; k += DHGEN_GENERAL_LANES) {
         dhgen_lane cosine = dhgen_lane_all(c), sine = dhgen_lane_all(s), factor[6][6];
-        dhgen_turn_slightly(middle + apart * DHGEN_LOAD(dhgen_sides + k), &cosine, &sine);
+        dhgen_turn_slightly(DHGEN_LOAD(angle + k), &cosine, &sine);
         DHGEN_STORE(f + k, dhgen_determinant(E, cosine, sine, factor));
     }
 }
 
-/* Two simple roots beside a place where roots may have met, if there are: the determinant itself
- * has digits there that its fit lacks. Each parabola is as wide as the one before says that they
- * are apart. */
-DHGEN_FN void dhgen_separate(const double *E, double c, double s, dhgen_roots *out)
+/* The roots in brackets, by the line between their ends; of an end that stays twice the line counts
+ * half. */
+DHGEN_FN void dhgen_close_brackets(
+    const double *E, double c, double s, double x[2][8], double f[2][8], double root[8])
 {
-    double middle = 0.0, apart = DHGEN_BESIDE;
-    for (int round = 0; round < DHGEN_PARABOLAS; round++) {
-        double f[8], slope, bend, square;
-        dhgen_determinant_near(E, c, s, middle, apart, f);
-        slope = 0.5 * (f[2] - f[0]);
-        bend = 0.5 * (f[2] + f[0]) - f[1];
-        square = slope * slope - 4.0 * bend * f[1];
-        middle -= 0.5 * slope / bend * apart;
-        apart *= sqrt(square) / fabs(bend);
-        if (!(apart > 0.0 && fabs(middle) + apart < DHGEN_BESIDE)) {
-            return; /* none, or apart so far that they are known */
+    double value[8] DHGEN_ALIGNED;
+    int moved[8] = { -1, -1, -1, -1, -1, -1, -1, -1 };
+    for (int step = 0; step < DHGEN_BRACKET_STEPS; step++) {
+        for (int k = 0; k < 8; k++) {
+            const double part = f[0][k] / (f[0][k] - f[1][k]);
+            root[k] = x[0][k] + (part > 0.0 && part < 1.0 ? part : 0.5) * (x[1][k] - x[0][k]);
+        }
+        dhgen_determinant_near(E, c, s, root, value);
+        for (int k = 0; k < 8; k++) {
+            const int end = (value[k] < 0.0) != (f[0][k] < 0.0);
+            x[end][k] = root[k];
+            f[end][k] = value[k];
+            f[!end][k] *= moved[k] == end ? 0.5 : 1.0;
+            moved[k] = end;
         }
     }
-    for (int sign = -1; sign <= 1 && out->simple < DHGEN_ROOTS; sign += 2) {
-        const double x = middle + 0.5 * sign * apart;
-        out->c[out->simple] = c * cos(x) - s * sin(x);
-        out->s[out->simple++] = s * cos(x) + c * sin(x);
+}
+
+/* Adds a bracket wherever neighbouring values have unlike signs; returns how many there are. */
+DHGEN_FN int dhgen_add_brackets(
+    const double x[8], const double f[8], double ends[2][8], double values[2][8], int count)
+{
+    for (int k = 0; k < 7 && count < 8; k++) {
+        if ((f[k] < 0.0) != (f[k + 1] < 0.0)) {
+            for (int end = 0; end < 2; end++) {
+                ends[end][count] = x[k + end];
+                values[end][count] = f[k + end];
+            }
+            count++;
+        }
     }
+    return count;
+}
+
+/* Of eight values the one that is nearest to zero among those whose neighbours are farther from it
+ * on the same side; 0 where there is none. */
+DHGEN_FN int dhgen_turning_back(const double f[8])
+{
+    int least = 0;
+    for (int k = 1; k < 7; k++) {
+        const double size = fabs(f[k]), before = f[k] < 0.0 ? -f[k - 1] : f[k - 1],
+                     behind = f[k] < 0.0 ? -f[k + 1] : f[k + 1];
+        if (size <= before && size <= behind && (!least || size < fabs(f[least]))) {
+            least = k;
+        }
+    }
+    return least;
+}
+
+/* Simple roots beside a place where roots may have met, if there are: the determinant itself has
+ * digits there that its fit lacks, and between values of unlike signs there is a root. Where it
+ * turns back, between values that are alike, the next ones are taken about where a parabola has its
+ * roots, or turns. Returns how many there are. */
+DHGEN_FN int dhgen_separate(const double *E, double c, double s, dhgen_roots *out)
+{
+    double x[8] DHGEN_ALIGNED, f[8] DHGEN_ALIGNED, root[8] DHGEN_ALIGNED;
+    double ends[2][8] = { { 0.0 } }, values[2][8] = { { 0.0 } };
+    int count = 0, known = 0;
+    for (int k = 0; k < 8; k++) {
+        x[k] = DHGEN_BESIDE * (2 * k - 7) / 7.0;
+    }
+    for (int round = 0; round < DHGEN_PARABOLAS && count == known; round++) {
+        dhgen_determinant_near(E, c, s, x, f);
+        count = dhgen_add_brackets(x, f, ends, values, count);
+        known = round ? known : count;
+        const int least = dhgen_turning_back(f);
+        const double low = x[least ? least - 1 : 0], high = x[least + 1];
+        if (!least || !(low < x[least] && x[least] < high)) {
+            break;
+        }
+        const double a = (f[least] - f[least - 1]) / (x[least] - low),
+                     b = (f[least + 1] - f[least]) / (high - x[least]);
+        const double bend = (b - a) / (high - low), slope = a + bend * (x[least] - low);
+        if (!(fabs(bend) > 0.0)) {
+            break;
+        }
+        const double square = slope * slope - 4.0 * bend * f[least];
+        const double middle = x[least] - 0.5 * slope / bend;
+        double reach = 0.75 * fmin(middle - low, high - middle);
+        if (square > 0.0) {
+            reach = fmin(reach, sqrt(square) / fabs(bend));
+        }
+        x[0] = low;
+        x[7] = high;
+        for (int k = 1; k < 7; k++) {
+            x[k] = middle + reach * (2 * k - 7) / 5.0;
+        }
+    }
+    if (count) {
+        dhgen_close_brackets(E, c, s, ends, values, root);
+    }
+    count = count < DHGEN_ROOTS - out->simple ? count : DHGEN_ROOTS - out->simple;
+    for (int k = 0; k < count; k++) {
+        out->c[out->simple] = c * cos(root[k]) - s * sin(root[k]);
+        out->s[out->simple++] = s * cos(root[k]) + c * sin(root[k]);
+    }
+    return count;
 }
 
 /* Adds a candidate while there is room. */

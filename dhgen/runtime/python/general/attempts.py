@@ -29,45 +29,131 @@ apart, inner = OWN.apart, OWN.inner
 
 CLOSE = 1e-3  # roots closer than this are also tried as a double root [rad]
 CLOSE_SQUARE = 4.0 - CLOSE**2  # of the sum of two such unit vectors
-BESIDE = 1e-4  # as near to a double root two simple ones are looked for [rad]
-PARABOLAS = 3  # one after the other that tell them apart
+# As near to a double root simple ones are looked for [rad], at a few places at a time, and how
+# often: each parabola shows where to look next.
+BESIDE, AT_A_TIME, PARABOLAS = 1e-4, 8, 4
+BRACKET_STEPS = 8  # from 3e-5 rad to the digits that the determinant has
 ROOTS_AND_PAIRS = 3 * ROOTS  # simple roots with the middles of close pairs
+ROOTS_BESIDE = ROOTS_AND_PAIRS + ROOTS  # and what may stand beside double roots
 ANGLES = 6 * ROOTS  # those, the double roots, and what may stand on both sides of them
 FAR = 2  # what four_turns_joints returns where slides would have to reach too far
 
 
-@apart("int64(float64[:, ::1], float64, float64[::1], int64)")
-def _separate(E: Floats, angle: float, places: Floats, total: int) -> int:
-    """Adds two simple roots beside an angle where roots may have met; returns the count.
-
-    The determinant itself has digits there that its fit lacks. Each parabola is as wide as the one
-    before says that they are apart.
-    """
+@apart("float64[::1](float64[:, ::1], float64[::1])")
+def _determinants(E: Floats, angles_of: Floats) -> Floats:
+    """Returns the determinant at a few angles."""
     c, s, f = np.empty(SAMPLES), np.empty(SAMPLES), np.empty(SAMPLES)
-    middle, apart_by = angle, BESIDE
-    for _ in range(PARABOLAS):
-        for k in range(SAMPLES):
-            turned = middle + (k % 3 - 1) * apart_by
-            c[k], s[k] = math.cos(turned), math.sin(turned)
-        fold(E, c, s, f)
-        slope, bend = 0.5 * (f[2] - f[0]), 0.5 * (f[2] + f[0]) - f[1]
-        square = slope * slope - 4.0 * bend * f[1]
-        if not (square > 0.0 and bend != 0.0):
-            return total
-        middle -= 0.5 * slope / bend * apart_by
-        apart_by *= math.sqrt(square) / abs(bend)
-        if abs(middle - angle) + apart_by >= BESIDE:
-            return total  # so far apart that they are known
-    places[total], places[total + 1] = middle - 0.5 * apart_by, middle + 0.5 * apart_by
-    return total + 2
+    for k in range(SAMPLES):
+        angle = angles_of[k % len(angles_of)]
+        c[k], s[k] = math.cos(angle), math.sin(angle)
+    fold(E, c, s, f)
+    return f
+
+
+@apart("(float64[:, ::1], float64[:, ::1], float64[:, ::1], float64[::1])")
+def _close_brackets(E: Floats, ends: Floats, values: Floats, root: Floats) -> None:
+    """Computes the roots in brackets, by the line between their ends.
+
+    Of an end that stays twice the line counts half.
+    """
+    moved = np.full(AT_A_TIME, -1)
+    for _ in range(BRACKET_STEPS):
+        for k in range(AT_A_TIME):
+            part, fall = 0.5, values[0, k] - values[1, k]
+            if fall != 0.0:
+                part = values[0, k] / fall
+            if not 0.0 < part < 1.0:
+                part = 0.5
+            root[k] = ends[0, k] + part * (ends[1, k] - ends[0, k])
+        f = _determinants(E, root)
+        for k in range(AT_A_TIME):
+            end = 1 if (f[k] < 0.0) != (values[0, k] < 0.0) else 0
+            ends[end, k], values[end, k] = root[k], f[k]
+            if moved[k] == end:
+                values[1 - end, k] *= 0.5
+            moved[k] = end
 
 
 @inner
-def _angles_to_try(E: Floats, roots: Floats, counts: Ints, places: Floats) -> tuple[int, int]:
+def _add_brackets(x: Floats, f: Floats, ends: Floats, values: Floats, count: int) -> int:
+    """Adds a bracket wherever neighbouring values have unlike signs; returns how many there are."""
+    for k in range(AT_A_TIME - 1):
+        if (f[k] < 0.0) != (f[k + 1] < 0.0) and count < AT_A_TIME:
+            for end in range(2):
+                ends[end, count], values[end, count] = x[k + end], f[k + end]
+            count += 1
+    return count
+
+
+@inner
+def _turning_back(f: Floats) -> int:
+    """Returns which value is nearest to zero among those whose neighbours are farther from it.
+
+    These are on the same side of zero. Returns 0 where there is none.
+    """
+    least = 0
+    for k in range(1, AT_A_TIME - 1):
+        side = -1.0 if f[k] < 0.0 else 1.0
+        size = abs(f[k])
+        turns = size <= side * f[k - 1] and size <= side * f[k + 1]
+        if turns and (least == 0 or size < abs(f[least])):
+            least = k
+    return least
+
+
+@apart("int64(float64[:, ::1], float64, float64[::1], int64)")
+def _separate(E: Floats, angle: float, places: Floats, total: int) -> int:
+    """Adds simple roots beside an angle where roots may have met; returns the count.
+
+    The determinant itself has digits there that its fit lacks, and between values of unlike signs
+    there is a root. Where it turns back, between values that are alike, the next ones are taken
+    about where a parabola has its roots, or turns.
+    """
+    ends, values = np.zeros((2, AT_A_TIME)), np.zeros((2, AT_A_TIME))
+    x, root = np.empty(AT_A_TIME), np.empty(AT_A_TIME)
+    count = known = 0
+    for k in range(AT_A_TIME):
+        x[k] = angle + BESIDE * (2 * k - 7) / 7.0
+    for turn in range(PARABOLAS):
+        f = _determinants(E, x)
+        count = _add_brackets(x, f, ends, values, count)
+        known = count if turn == 0 else known
+        least = _turning_back(f)
+        if least == 0 or count > known:
+            break
+        low, high = x[least - 1], x[least + 1]
+        if not low < x[least] < high:
+            break
+        a = (f[least] - f[least - 1]) / (x[least] - low)
+        b = (f[least + 1] - f[least]) / (high - x[least])
+        bend = (b - a) / (high - low)
+        if bend == 0.0:
+            break
+        slope = a + bend * (x[least] - low)
+        square = slope * slope - 4.0 * bend * f[least]
+        middle = x[least] - 0.5 * slope / bend
+        reach = 0.75 * min(middle - low, high - middle)
+        if square > 0.0:
+            reach = min(reach, math.sqrt(square) / abs(bend))
+        x[0], x[AT_A_TIME - 1] = low, high
+        for k in range(1, AT_A_TIME - 1):
+            x[k] = middle + reach * (2 * k - 7) / 5.0
+    if count:
+        _close_brackets(E, ends, values, root)
+    for k in range(min(count, ROOTS_BESIDE - total)):
+        places[total] = root[k]
+        total += 1
+    return total
+
+
+@inner
+def _angles_to_try(
+    E: Floats, roots: Floats, counts: Ints, places: Floats, beside: Ints
+) -> tuple[int, int]:
     """Fills the hidden angles to try; returns their count, and which is the first double root.
 
-    Simple roots, the middles of pairs of them that nearly meet, what stands beside double roots,
-    double roots.
+    Simple roots, the middles of pairs of them that nearly meet, simple roots beside double roots,
+    double roots. `beside` takes how many simple ones are beside each of these.
     """
     simple, touching = counts[0], counts[1] + counts[UNSEEN]
     total = simple
@@ -80,7 +166,9 @@ def _angles_to_try(E: Floats, roots: Floats, counts: Ints, places: Floats) -> tu
                 places[total] = middle if gap > 0.0 else middle + math.pi
                 total += 1
     for i in range(touching):
+        before = total
         total = _separate(E, roots[1, i], places, total)
+        beside[i] = total - before
     first_double = total
     for i in range(touching):
         places[total] = roots[1, i]
@@ -104,8 +192,9 @@ def try_formulation(
 ) -> tuple[bool, int]:
     """Returns whether what a formulation finds is certainly everything, and the count.
 
-    The certificate: every simple root leads to a solution, there is another one for each of them
-    and two more for each double root, or a singular one; and regular solutions come in pairs. Where
+    The certificate: every simple root leads to a solution, also those beside a double one, there is
+    another one for each of them and two more for each double root that is not known to be several,
+    or a singular one; and regular solutions come in pairs. Where
     the determinant only comes near to zero there is no root; where it nearly vanishes all around,
     rounding of the equations may lift it off a double root, which nothing but they show. What an
     attempt before took for double roots is none then; whether the arm is singular there is looked
@@ -119,7 +208,9 @@ def try_formulation(
         return False, count
     simple, complete = counts[0], counts[COMPLETE] == 1
     places = np.empty(ANGLES)
-    total, first_double = _angles_to_try(E, roots, counts, places)
+    beside = np.zeros(2 * ROOTS, dtype=np.int64)
+    total, first_double = _angles_to_try(E, roots, counts, places, beside)
+    first_beside = first_double - beside.sum()
     met = np.zeros(PLACES, dtype=np.int64)
     cosines, sines, determinant = np.empty(SAMPLES), np.empty(SAMPLES), np.empty(SAMPLES)
     c, s = carray(room(6), 6), carray(room(6), 6)
@@ -152,11 +243,14 @@ def try_formulation(
                 met[place] = 1
                 met_here = True
                 singular_here = singular_here or marks[place] & 1 == 1
-            elif i < simple:
-                complete = False
-        if i >= first_double and (met_here or not regular):
-            expected += 1 if singular_here else 2
-            true_doubles += 1
+        if i < simple or first_beside <= i < first_double:
+            complete = complete and met_here
+        elif i >= first_double:
+            known = beside[i - first_double]
+            if met_here or not regular:
+                true_doubles += 1
+                known = 1 if singular_here else max(2, known)
+            expected += known
     regular_count = count - count_singular(marks)
     complete = complete and count_singular(met) >= expected and regular_count % 2 == 0
     doubles_met[0] = true_doubles if complete else doubles_met[0] + counts[1]

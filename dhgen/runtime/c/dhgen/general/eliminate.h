@@ -36,20 +36,25 @@ DHGEN_FN void dhgen_close_pairs(const double *E, const dhgen_roots *roots, dhgen
 }
 
 /* Refines all candidates of a formulation; returns whether the solutions are certainly complete.
- * The certificate: every simple root leads to a solution, there is another one for each of them and
- * two more for each double root, or a singular one; and regular solutions come in pairs. Where the
+ * The certificate: every simple root leads to a solution, also those beside a double one, `beside`
+ * for each of these, there is another one for each of them and two more for each double root that
+ * is not known to be several, or a singular one; and regular solutions come in pairs. Where the
  * determinant only comes near to zero there is no root; where it nearly vanishes all around,
  * rounding of the equations may lift it off a double root, which nothing but they show. What an
  * attempt before took for double roots is none then; whether the arm is singular there is looked
  * at. */
 DHGEN_FN int dhgen_refine_candidates(const dhgen_formulation *form, const dhgen_loop *loop,
-    double link[6][12], const dhgen_candidates *all, const dhgen_roots *roots, dhgen_found *found)
+    double link[6][12], const dhgen_candidates *all, const dhgen_roots *roots, const int *beside,
+    dhgen_found *found)
 {
     double w[5], solve[2][5];
     dhgen_solution_set met = 0, of_group[DHGEN_CANDIDATES] = { 0 };
     const int simple = roots->simple, touching = roots->doubles + roots->unseen;
     const int doubted = found->doubles > 0;
-    int complete = roots->complete, expected = simple, true_doubles = 0;
+    int complete = roots->complete, expected = simple, true_doubles = 0, certain = simple;
+    for (int i = 0; i < touching; i++) {
+        certain += beside[i];
+    }
     dhgen_invariants(loop->arm, form->joint, link, w, solve);
     for (int from = 0; from < all->count; from += DHGEN_GENERAL_LANES) {
         const int count =
@@ -74,17 +79,20 @@ DHGEN_FN int dhgen_refine_candidates(const dhgen_formulation *form, const dhgen_
         met |= dhgen_refine_and_keep(
             loop, tc, ts, count, DHGEN_LOOP_STEPS, doubted || from + count > simple, found, place);
         for (int k = 0; k < count; k++) {
-            if (from + k < simple) {
+            if (from + k < certain) {
                 complete &= place[k] >= 0;
             } else if (place[k] >= 0) {
                 of_group[all->group[from + k]] |= (dhgen_solution_set)1 << place[k];
             }
         }
     }
-    for (int i = all->groups - touching; i < all->groups; i++) {
+    for (int k = 0; k < touching; k++) {
+        const int i = all->groups - touching + k, most = beside[k] > 2 ? beside[k] : 2;
         if (of_group[i] || !all->regular[i]) {
             true_doubles++;
-            expected += of_group[i] & found->singular ? 1 : 2;
+            expected += of_group[i] & found->singular ? 1 : most;
+        } else {
+            expected += beside[k];
         }
     }
     complete = complete && dhgen_count_bits(met) >= expected && dhgen_is_paired(found);
@@ -150,6 +158,7 @@ DHGEN_FN int dhgen_eliminate(
     const dhgen_source source = { dhgen_sample_determinant, dhgen_keep_vanishing, &elimination };
     dhgen_roots roots, beside;
     dhgen_candidates all;
+    int separate[2 * DHGEN_ROOTS];
     dhgen_formulation_links(form, loop, link);
     if (form->left) {
         dhgen_equations(loop->arm, form, link, form->left, E);
@@ -162,7 +171,7 @@ DHGEN_FN int dhgen_eliminate(
     }
     beside.simple = all.count = all.groups = 0;
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
-        dhgen_separate(E, roots.double_c[i], roots.double_s[i], &beside);
+        separate[i] = dhgen_separate(E, roots.double_c[i], roots.double_s[i], &beside);
     }
     dhgen_null_vectors(E, &roots, &all);
     dhgen_null_vectors(E, &beside, &all);
@@ -178,7 +187,7 @@ DHGEN_FN int dhgen_eliminate(
             all.n[i][k] = all.n[i][0];
         }
     }
-    return dhgen_refine_candidates(form, loop, link, &all, &roots, found);
+    return dhgen_refine_candidates(form, loop, link, &all, &roots, separate, found);
 }
 
 #endif
