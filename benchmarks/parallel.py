@@ -35,7 +35,11 @@ if TYPE_CHECKING:
     from dhgen.parallel.module import ParallelModule
 
 FLAGS = {"-O2": ("-O2",), "AVX2": ("-O2", "-march=x86-64-v3"), "native": ("-O3", "-march=native")}
-HEAD = ("robot", "poses", "modes", "closure", "fk back", *(f"{each} [ns]" for each in FLAGS))
+TIMED = ("all joints", "driven")
+HEAD = (
+    *("robot", "poses", "modes", "closure", "fk back"),
+    *(f"{joints}, {each} [ns]" for joints in TIMED for each in FLAGS),
+)
 ROUNDS = 30
 SOME = 960  # poses of a timing
 BESIDE = 1e-3  # where the direct model starts [robot sizes]
@@ -57,7 +61,11 @@ def line(name: str, count: int) -> tuple[str, ...]:
         folder = Path(place)
         write_files(folder, made.files)
         builds = [built(made.module, folder, flags) for flags in FLAGS.values()]
-        times = [f"{batch_time(made.module, native):.0f}" for native in builds]
+        times = [
+            f"{batch_time(made.module, native, joints):.0f}"
+            for joints in TIMED
+            for native in builds
+        ]
         native = built(made.module, folder, FLAGS["AVX2"])
         poses = within_limits(made.module, native, count)
         modes, closure = closed(made.module, native, poses)
@@ -107,16 +115,19 @@ def led_back(module: ParallelModule, native: Native, poses: FloatArray) -> int:
     return back
 
 
-def batch_time(module: ParallelModule, native: Native) -> float:
-    """CPU time of a pose in a batch [ns]."""
+def batch_time(module: ParallelModule, native: Native, joints: str) -> float:
+    """CPU time of a pose in a batch [ns], of all joints or of those that are driven."""
     poses = within_limits(module, native, SOME)
     shape = SOME, len(module.legs), module.rows
-    q, status = np.empty((*shape, module.joints)), np.empty(shape, np.uint8)
+    is_whole = joints == TIMED[0]
+    solve = native.call_batch if is_whole else native.call_drives_batch
+    size = module.joints if is_whole else module.driven
+    q, status = np.empty((*shape, size)), np.empty(shape, np.uint8)
     pointers = [each.ctypes.data_as(ctypes.c_void_p) for each in (poses, q, status)]
     best = np.inf
     for _ in range(ROUNDS):
         start = time.process_time_ns()
-        native.call_batch(SOME, *pointers)
+        solve(SOME, *pointers)
         best = min(best, (time.process_time_ns() - start) / SOME)
     return best
 

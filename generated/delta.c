@@ -10,11 +10,113 @@
 
 #include "delta_leg.h"
 
+#if defined(DELTA_SCALAR) && !defined(DHGEN_SCALAR)
+#define DHGEN_SCALAR
+#endif
+#if defined(DELTA_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
+#define DHGEN_LEGS 3
+#define DHGEN_LEG_ROWS 4
+#define DHGEN_LEG_DRIVES 1
 #include "dhgen/assemblies.h"
+#include "dhgen/drives.h"
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
+
+/* The driven joints alone at regular poses, as the legs' own solvers take them: values, NaN without
+ * a solution, statuses, and whether a pose has to be left to those. */
+DHGEN_ALWAYS
+DHGEN_INLINE dhgen_wide_mask delta_leg_drives(
+    const dhgen_wide *T, dhgen_wide *q, dhgen_wide_mask *kind)
+{
+    static const struct dhgen_joint joints[3] = {
+        { -1.0471975511965976, 1.5707963267948966, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+        { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+        { -1.0471975511965976, 1.0471975511965976, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+    };
+    /* In formulas below, doubt_limit1 = 0.0001768 [m]. */
+    static const double
+        crank = 0.524, /* link length 1 [m] */
+        rod = 1.244, /* link length 3 [m] */
+        doubt_limit_squared4 = 9.770775678976e-08, /* square of a length that fixes no angle [m^4]
+            */
+        merge_slack2 = 3.125824e-14, /* nearer to that boundary two branches are one [m^2] */
+        k1 = -1.2729599999999999, /* crank^2 - rod^2 [m^2] */
+        k2 = 0.6461885216240527, /* 1 / (rod^2) [m^-2] */
+        m1 = 3.1258239999999996e-11, /* 1000 * merge_slack2 [m^2] */
+        m2 = 0.524, /* crank [m] */
+        m3 = 3.125824e-08; /* doubt_limit1^2 [m^2] */
+    static const double range_cosine3 = 0.49999999913397464, range_sine3 = 0.8660254042844386,
+    near3 = 1e-06;
+    const dhgen_wide T14 = T[3];
+    const dhgen_wide T24 = T[7];
+    const dhgen_wide T34 = T[11];
+
+    /* theta1 */
+    const dhgen_wide X1 = crank * T24 * 2.0, Y1 = 2.0 * (crank * T14), N1 = X1 * X1 + Y1 * Y1,
+        Z1 = T14 * T14 + (T24 * T24 + (k1 + T34 * T34)), D1 = N1 - Z1 * Z1,
+        w1 = dhgen_sqrt_wide(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = X1 * Z1, v2 = Y1 * Z1,
+        v3 = inverse1 * v2, v4 = w1 * (X1 * inverse1), c1_p = v3 - v4, c1_m = v3 + v4,
+        v5 = inverse1 * v1, v6 = w1 * (Y1 * inverse1), s1_p = v5 + v6, s1_m = v5 - v6,
+        angle1 = dhgen_atan2_wide(s1_p, c1_p), angle2 = dhgen_atan2_wide(s1_m, c1_m);
+
+    /* theta2 */
+    const dhgen_wide v7 = X1 * T14 - T24 * Y1, v8 = m2 - inverse1 * (T24 * v1 + T14 * v2),
+        X2_p = v8 + w1 * (inverse1 * v7), X2_m = v8 + w1 * (inverse1 * -v7),
+        Y2_p = T24 * c1_p - T14 * s1_p, Y2_m = T24 * c1_m - T14 * s1_m,
+        v9 = X2_p * X2_p + Y2_p * Y2_p, v10 = X2_m * X2_m + Y2_m * Y2_m;
+
+    /* theta3 */
+    const dhgen_wide s3 = k2 * (rod * T34),
+        c3_p = k2 * (rod * (T24 * (c1_p * Y2_p - s1_p * X2_p) - T14 * (c1_p * X2_p + s1_p * Y2_p) +
+            crank * X2_p)),
+        c3_m = k2 * (rod * (T24 * (c1_m * Y2_m - s1_m * X2_m) - T14 * (c1_m * X2_m + s1_m * Y2_m) +
+            crank * X2_m));
+
+    /* joint values */
+    const dhgen_wide excess_p = dhgen_beyond_wide(angle1, joints),
+        excess_m = dhgen_beyond_wide(angle2, joints);
+    const dhgen_wide_mask v11 = 0.0 < excess_p, v12 = 0.0 < excess_m;
+    const dhgen_wide v13 = dhgen_abs_wide(dhgen_sqrt_wide(v9) * s3),
+        v14 = dhgen_abs_wide(dhgen_sqrt_wide(v10) * s3), v15 = range_cosine3 * v13,
+        v16 = range_cosine3 * v14, v17 = range_sine3 * c3_p, v18 = v15 - v17, v19 = v15 + v17,
+        v20 = range_sine3 * c3_m, v21 = v16 - v20, v22 = v16 + v20,
+        v23 = near3 * (v13 + dhgen_abs_wide(c3_p)), v24 = near3 * (v14 + dhgen_abs_wide(c3_m));
+
+    q[0] = angle1;
+    kind[0] = dhgen_kind_within_wide(q[0], v11 | (0.0 < v18));
+    q[1] = angle1;
+    kind[1] = dhgen_kind_within_wide(q[1], v11 | (0.0 < v19));
+    q[2] = angle2;
+    kind[2] = dhgen_kind_within_wide(q[2], v12 | (0.0 < v21));
+    q[3] = angle2;
+    kind[3] = dhgen_kind_within_wide(q[3], v12 | (0.0 < v22));
+    const dhgen_wide_mask exact = 0.0 * (T[3] + T[7] + T[11]) <= DHGEN_ORTHONORMAL;
+    return (exact == 0) | ((dhgen_abs_wide(D1) <= m1 * (merge_slack2 + 2.0 * dhgen_abs_wide(Z1))) |
+        (N1 <= doubt_limit_squared4) | (dhgen_abs_wide(v22) <= v24) | (dhgen_abs_wide(v21) <= v24) |
+        (dhgen_abs_wide(v19) <= v23) | (dhgen_abs_wide(v18) <= v23) | (v9 <= m3) | (v10 <= m3)) |
+        (dhgen_grazes_wide(excess_p) | dhgen_grazes_wide(excess_m));
+}
+
+DHGEN_ALWAYS
+DHGEN_INLINE dhgen_wide_mask solve_driven(
+    int chain, const dhgen_wide *T, dhgen_wide *q, dhgen_wide_mask *kind)
+{
+    switch (chain) {
+    case 0:
+        return delta_leg_drives(T, q, kind);
+    default: /* no program for regular poses */
+        (void)T;
+        for (int i = 0; i < DHGEN_LEG_SIZE; i++)
+            q[i] = dhgen_all_wide(DHGEN_NAN);
+        for (int row = 0; row < DHGEN_LEG_ROWS; row++)
+            kind[row] = dhgen_kind_wide(q[0]);
+        return dhgen_where_wide(1);
+    }
+}
 
 static const int delta_leg_driven[1] = { 0 };
 static const int delta_leg_slides[1] = { 0 };
@@ -78,6 +180,101 @@ static const struct dhgen_parallel robot = {
     legs
 };
 
+/* The legs chain by chain, side by side. */
+static const int first_leg[2] = { 0, 3 };
+static const size_t legs_by_chain[3] = { 0, 1, 2 };
+static const double bases[12][DHGEN_LEG_COLUMNS] = {
+    {
+        1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
+    },
+    {
+        0.0, 0.8660254037844386, -0.8660254037844386, -0.8660254037844386, -0.8660254037844386,
+        -0.8660254037844386, -0.8660254037844386, -0.8660254037844386, -0.8660254037844386,
+        -0.8660254037844386,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        -0.164, -0.16399999999999998, -0.16399999999999998, -0.16399999999999998,
+        -0.16399999999999998, -0.16399999999999998, -0.16399999999999998, -0.16399999999999998,
+        -0.16399999999999998, -0.16399999999999998,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, -0.8660254037844386, 0.8660254037844386, 0.8660254037844386, 0.8660254037844386,
+        0.8660254037844386, 0.8660254037844386, 0.8660254037844386, 0.8660254037844386,
+        0.8660254037844386,
+    },
+    {
+        1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+};
+static const double carried[12][DHGEN_LEG_COLUMNS] = {
+    {
+        1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
+    },
+    {
+        0.0, -0.8660254037844386, 0.8660254037844386, 0.8660254037844386, 0.8660254037844386,
+        0.8660254037844386, 0.8660254037844386, 0.8660254037844386, 0.8660254037844386,
+        0.8660254037844386,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.044, -0.022, -0.022, -0.022, -0.022, -0.022, -0.022, -0.022, -0.022, -0.022,
+    },
+    {
+        0.0, 0.8660254037844386, -0.8660254037844386, -0.8660254037844386, -0.8660254037844386,
+        -0.8660254037844386, -0.8660254037844386, -0.8660254037844386, -0.8660254037844386,
+        -0.8660254037844386,
+    },
+    {
+        1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.038105117766515297, -0.038105117766515297, -0.038105117766515297,
+        -0.038105117766515297, -0.038105117766515297, -0.038105117766515297, -0.038105117766515297,
+        -0.038105117766515297, -0.038105117766515297,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+};
+static const struct dhgen_leg_lanes lanes = {
+    1, first_leg, legs_by_chain, bases, carried
+};
+
 const char *const *const delta_branches[3] = {
     delta_leg_names,
     delta_leg_names,
@@ -100,6 +297,21 @@ int delta_ik_nearest(const double T[16], const double q_seed[3][3], double q[3][
 void delta_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_parallel_batch(&robot, n, T, q, status);
+}
+
+static int one_pose(const double *T, double *q, unsigned char *status)
+{
+    return dhgen_parallel_drives(&robot, &lanes, solve_driven, T, q, status);
+}
+
+int delta_ik_drives(const double T[16], double q[3][4][1], unsigned char status[3][4])
+{
+    return one_pose(T, &q[0][0][0], &status[0][0]);
+}
+
+void delta_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status)
+{
+    dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
 }
 
 void delta_take_drives(const double q[3][3], double drives[3])

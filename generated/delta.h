@@ -64,6 +64,13 @@ int delta_ik_nearest(const double T[16], const double q_seed[3][3], double q[3][
  * q n x 3 x 4 x 3, status n x 3 x 4. */
 void delta_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
+/* The driven joints alone of what delta_ik gives: as controllers need them, in less time. Row b
+ * of a leg has its driven joints in their order, and the status that it has with passive ones. */
+int delta_ik_drives(const double T[16], double q[3][4][1], unsigned char status[3][4]);
+
+/* delta_ik_drives for n poses: q n x 3 x 4 x 1, status n x 3 x 4. */
+void delta_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status);
+
 /* The values of the driven joints. */
 void delta_take_drives(const double q[3][3], double drives[3]);
 

@@ -10,11 +10,72 @@
 
 #include "five_bar_leg.h"
 
+#if defined(FIVE_BAR_SCALAR) && !defined(DHGEN_SCALAR)
+#define DHGEN_SCALAR
+#endif
+#if defined(FIVE_BAR_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
+#define DHGEN_LEGS 2
+#define DHGEN_LEG_ROWS 2
+#define DHGEN_LEG_DRIVES 1
 #include "dhgen/assemblies.h"
+#include "dhgen/drives.h"
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
+
+/* The driven joints alone at regular poses, as the legs' own solvers take them: values, NaN without
+ * a solution, statuses, and whether a pose has to be left to those. */
+DHGEN_ALWAYS
+DHGEN_INLINE dhgen_wide_mask five_bar_leg_drives(
+    const dhgen_wide *T, dhgen_wide *q, dhgen_wide_mask *kind)
+{
+    /* In formulas below, longest2_apart = 0.249999999999995 [m^2], k2 = 8.333333333333334 [m^-2],
+     * rod = 0.3 [m], crank = 0.2 [m], k1 = 0.13 [m^2]. */
+    static const double
+        longest2 = 0.25, /* square of the longest reach [m^2] */
+        shortest2 = 0.009999999999999995, /* square of the shortest reach [m^2] */
+        /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
+        m1 = 1.1990408665951442e-12,
+        m2 = 2.5, /* rod * k2 [m^-1] */
+        m3 = 0.125; /* rod * k1 * k2 - crank [m] */
+    const dhgen_wide T14 = T[3];
+    const dhgen_wide T24 = T[7];
+
+    /* theta2 */
+    const dhgen_wide N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2),
+        w2 = dhgen_sqrt_wide(D2);
+
+    /* theta1 */
+    const dhgen_wide v1 = m2 * N2 - m3, v2 = T24 * v1, v3 = T14 * v1, v4 = w2 * (m2 * T14),
+        v5 = w2 * (m2 * T24);
+
+    q[0] = dhgen_atan2_wide(v2 - v4, v3 + v5);
+    kind[0] = dhgen_kind_wide(q[0]);
+    q[1] = dhgen_atan2_wide(v2 + v4, v3 - v5);
+    kind[1] = dhgen_kind_wide(q[1]);
+    const dhgen_wide_mask exact = 0.0 * (T[3] + T[7]) <= DHGEN_ORTHONORMAL;
+    return (exact == 0) | (dhgen_abs_wide(D2) <= m1);
+}
+
+DHGEN_ALWAYS
+DHGEN_INLINE dhgen_wide_mask solve_driven(
+    int chain, const dhgen_wide *T, dhgen_wide *q, dhgen_wide_mask *kind)
+{
+    switch (chain) {
+    case 0:
+        return five_bar_leg_drives(T, q, kind);
+    default: /* no program for regular poses */
+        (void)T;
+        for (int i = 0; i < DHGEN_LEG_SIZE; i++)
+            q[i] = dhgen_all_wide(DHGEN_NAN);
+        for (int row = 0; row < DHGEN_LEG_ROWS; row++)
+            kind[row] = dhgen_kind_wide(q[0]);
+        return dhgen_where_wide(1);
+    }
+}
 
 static const int five_bar_leg_driven[1] = { 0 };
 static const int five_bar_leg_slides[1] = { 0 };
@@ -61,6 +122,89 @@ static const struct dhgen_parallel robot = {
     legs
 };
 
+/* The legs chain by chain, side by side. */
+static const int first_leg[2] = { 0, 2 };
+static const size_t legs_by_chain[2] = { 0, 1 };
+static const double bases[12][DHGEN_LEG_COLUMNS] = {
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.1, -0.1, -0.1, -0.1, -0.1, -0.1, -0.1, -0.1, -0.1,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+};
+static const double carried[12][DHGEN_LEG_COLUMNS] = {
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+};
+static const struct dhgen_leg_lanes lanes = {
+    1, first_leg, legs_by_chain, bases, carried
+};
+
 const char *const *const five_bar_branches[2] = {
     five_bar_leg_names,
     five_bar_leg_names,
@@ -82,6 +226,21 @@ int five_bar_ik_nearest(const double T[16], const double q_seed[2][2], double q[
 void five_bar_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_parallel_batch(&robot, n, T, q, status);
+}
+
+static int one_pose(const double *T, double *q, unsigned char *status)
+{
+    return dhgen_parallel_drives(&robot, &lanes, solve_driven, T, q, status);
+}
+
+int five_bar_ik_drives(const double T[16], double q[2][2][1], unsigned char status[2][2])
+{
+    return one_pose(T, &q[0][0][0], &status[0][0]);
+}
+
+void five_bar_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status)
+{
+    dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
 }
 
 void five_bar_take_drives(const double q[2][2], double drives[2])

@@ -64,6 +64,13 @@ int five_bar_ik_nearest(const double T[16], const double q_seed[2][2], double q[
  * q n x 2 x 2 x 2, status n x 2 x 2. */
 void five_bar_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
+/* The driven joints alone of what five_bar_ik gives: as controllers need them, in less time. Row b
+ * of a leg has its driven joints in their order, and the status that it has with passive ones. */
+int five_bar_ik_drives(const double T[16], double q[2][2][1], unsigned char status[2][2]);
+
+/* five_bar_ik_drives for n poses: q n x 2 x 2 x 1, status n x 2 x 2. */
+void five_bar_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status);
+
 /* The values of the driven joints. */
 void five_bar_take_drives(const double q[2][2], double drives[2]);
 

@@ -11,11 +11,72 @@
 
 #include "parallel_3rpr_leg.h"
 
+#if defined(PARALLEL_3RPR_SCALAR) && !defined(DHGEN_SCALAR)
+#define DHGEN_SCALAR
+#endif
+#if defined(PARALLEL_3RPR_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
+#define DHGEN_LEGS 3
+#define DHGEN_LEG_ROWS 2
+#define DHGEN_LEG_DRIVES 1
 #include "dhgen/assemblies.h"
+#include "dhgen/drives.h"
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
+
+/* The driven joints alone at regular poses, as the legs' own solvers take them: values, NaN without
+ * a solution, statuses, and whether a pose has to be left to those. */
+DHGEN_ALWAYS
+DHGEN_INLINE dhgen_wide_mask parallel_3rpr_leg_drives(
+    const dhgen_wide *T, dhgen_wide *q, dhgen_wide_mask *kind)
+{
+    static const struct dhgen_joint joints[2] = {
+        { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+        { 0.3, 1.6, 1.6e-09, 0.39062499999999994, 1.6, 0.040625, 0 },
+    };
+    /* In formulas below, doubt_limit1 = 0.00016 [m]. */
+    static const double
+        m1 = 2.5600000000000004e-08; /* doubt_limit1^2 [m^2] */
+    static const double per_size = 0.625;
+    const dhgen_wide T14 = T[3];
+    const dhgen_wide T24 = T[7];
+
+    /* theta1, r2 */
+    const dhgen_wide v1 = T14 * T14 + T24 * T24, q1_p = dhgen_sqrt_wide(v1);
+
+    /* joint values */
+    const dhgen_wide excess_p = per_size * dhgen_beyond_wide(q1_p, joints + 1),
+        excess_m = per_size * dhgen_maximum_wide(dhgen_low(joints + 1) + q1_p, -(dhgen_high(joints +
+            1) + q1_p));
+
+    q[0] = q1_p;
+    kind[0] = dhgen_kind_within_wide(q[0], 0.0 < excess_p);
+    q[1] = -q1_p;
+    kind[1] = dhgen_kind_within_wide(q[1], 0.0 < excess_m);
+    const dhgen_wide_mask exact = 0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7]) <=
+        DHGEN_ORTHONORMAL;
+    return (exact == 0) | (v1 <= m1) | (dhgen_grazes_wide(excess_p) | dhgen_grazes_wide(excess_m));
+}
+
+DHGEN_ALWAYS
+DHGEN_INLINE dhgen_wide_mask solve_driven(
+    int chain, const dhgen_wide *T, dhgen_wide *q, dhgen_wide_mask *kind)
+{
+    switch (chain) {
+    case 0:
+        return parallel_3rpr_leg_drives(T, q, kind);
+    default: /* no program for regular poses */
+        (void)T;
+        for (int i = 0; i < DHGEN_LEG_SIZE; i++)
+            q[i] = dhgen_all_wide(DHGEN_NAN);
+        for (int row = 0; row < DHGEN_LEG_ROWS; row++)
+            kind[row] = dhgen_kind_wide(q[0]);
+        return dhgen_where_wide(1);
+    }
+}
 
 static const int parallel_3rpr_leg_driven[1] = { 1 };
 static const int parallel_3rpr_leg_slides[1] = { 1 };
@@ -76,6 +137,89 @@ static const struct dhgen_parallel robot = {
     legs
 };
 
+/* The legs chain by chain, side by side. */
+static const int first_leg[2] = { 0, 3 };
+static const size_t legs_by_chain[3] = { 0, 1, 2 };
+static const double bases[12][DHGEN_LEG_COLUMNS] = {
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, -1.2, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, -1.1, -1.1, -1.1, -1.1, -1.1, -1.1, -1.1, -1.1,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+};
+static const double carried[12][DHGEN_LEG_COLUMNS] = {
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        -0.2, 0.25, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        -0.1, -0.1, 0.25, 0.25, 0.25, 0.25, 0.25, 0.25, 0.25, 0.25,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+};
+static const struct dhgen_leg_lanes lanes = {
+    1, first_leg, legs_by_chain, bases, carried
+};
+
 const char *const *const parallel_3rpr_branches[3] = {
     parallel_3rpr_leg_names,
     parallel_3rpr_leg_names,
@@ -98,6 +242,21 @@ int parallel_3rpr_ik_nearest(const double T[16], const double q_seed[3][2], doub
 void parallel_3rpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_parallel_batch(&robot, n, T, q, status);
+}
+
+static int one_pose(const double *T, double *q, unsigned char *status)
+{
+    return dhgen_parallel_drives(&robot, &lanes, solve_driven, T, q, status);
+}
+
+int parallel_3rpr_ik_drives(const double T[16], double q[3][2][1], unsigned char status[3][2])
+{
+    return one_pose(T, &q[0][0][0], &status[0][0]);
+}
+
+void parallel_3rpr_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status)
+{
+    dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
 }
 
 void parallel_3rpr_take_drives(const double q[3][2], double drives[3])

@@ -65,6 +65,14 @@ int parallel_3rrr_ik_nearest(const double T[16], const double q_seed[3][2], doub
  * q n x 3 x 2 x 2, status n x 3 x 2. */
 void parallel_3rrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
+/* The driven joints alone of what parallel_3rrr_ik gives: as controllers need them, in less time.
+ * Row b of a leg has its driven joints in their order, and the status that it has with passive
+ * ones. */
+int parallel_3rrr_ik_drives(const double T[16], double q[3][2][1], unsigned char status[3][2]);
+
+/* parallel_3rrr_ik_drives for n poses: q n x 3 x 2 x 1, status n x 3 x 2. */
+void parallel_3rrr_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status);
+
 /* The values of the driven joints. */
 void parallel_3rrr_take_drives(const double q[3][2], double drives[3]);
 

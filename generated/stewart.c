@@ -10,11 +10,83 @@
 
 #include "stewart_leg.h"
 
+#if defined(STEWART_SCALAR) && !defined(DHGEN_SCALAR)
+#define DHGEN_SCALAR
+#endif
+#if defined(STEWART_LIBM) && !defined(DHGEN_LIBM)
+#define DHGEN_LIBM
+#endif
+#define DHGEN_LEGS 6
+#define DHGEN_LEG_ROWS 4
+#define DHGEN_LEG_DRIVES 1
 #include "dhgen/platform.h"
+#include "dhgen/drives.h"
 
 #if DHGEN_INTERFACE != 1
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
+
+/* The driven joints alone at regular poses, as the legs' own solvers take them: values, NaN without
+ * a solution, statuses, and whether a pose has to be left to those. */
+DHGEN_ALWAYS
+DHGEN_INLINE dhgen_wide_mask stewart_leg_drives(
+    const dhgen_wide *T, dhgen_wide *q, dhgen_wide_mask *kind)
+{
+    static const struct dhgen_joint joints[3] = {
+        { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+        { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
+        { 0.35, 0.75, 7.5e-10, 1.7777777777777777, 0.75, 0.0125, 0 },
+    };
+    /* In formulas below, doubt_limit1 = 7.500000000000001e-05 [m]. */
+    static const double
+        m1 = 5.625000000000001e-09; /* doubt_limit1^2 [m^2] */
+    static const double per_size = 1.3333333333333333;
+    const dhgen_wide T14 = T[3];
+    const dhgen_wide T24 = T[7];
+    const dhgen_wide T34 = T[11];
+
+    /* theta1 */
+    const dhgen_wide v1 = T14 * T14 + T24 * T24;
+
+    /* theta2, r3 */
+    const dhgen_wide v2 = v1 + T34 * T34, q1_pp = dhgen_sqrt_wide(v2);
+
+    /* joint values */
+    const dhgen_wide excess_p = per_size * dhgen_beyond_wide(q1_pp, joints + 2),
+        excess_m = per_size * dhgen_maximum_wide(dhgen_low(joints + 2) + q1_pp, -(dhgen_high(joints
+            + 2) + q1_pp));
+    const dhgen_wide_mask outside_pp = 0.0 < excess_p, outside_pm = 0.0 < excess_m;
+
+    q[0] = q1_pp;
+    kind[0] = dhgen_kind_within_wide(q[0], outside_pp);
+    q[1] = -q1_pp;
+    kind[1] = dhgen_kind_within_wide(q[1], outside_pm);
+    q[2] = q1_pp;
+    kind[2] = dhgen_kind_within_wide(q[2], outside_pp);
+    q[3] = -q1_pp;
+    kind[3] = dhgen_kind_within_wide(q[3], outside_pm);
+    const dhgen_wide_mask exact = 0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7] + T[11] * T[11] *
+        T[11]) <= DHGEN_ORTHONORMAL;
+    return (exact == 0) | ((v1 <= m1) | (v2 <= m1)) | (dhgen_grazes_wide(excess_p) |
+        dhgen_grazes_wide(excess_m));
+}
+
+DHGEN_ALWAYS
+DHGEN_INLINE dhgen_wide_mask solve_driven(
+    int chain, const dhgen_wide *T, dhgen_wide *q, dhgen_wide_mask *kind)
+{
+    switch (chain) {
+    case 0:
+        return stewart_leg_drives(T, q, kind);
+    default: /* no program for regular poses */
+        (void)T;
+        for (int i = 0; i < DHGEN_LEG_SIZE; i++)
+            q[i] = dhgen_all_wide(DHGEN_NAN);
+        for (int row = 0; row < DHGEN_LEG_ROWS; row++)
+            kind[row] = dhgen_kind_wide(q[0]);
+        return dhgen_where_wide(1);
+    }
+}
 
 static const int stewart_leg_driven[1] = { 2 };
 static const int stewart_leg_slides[1] = { 1 };
@@ -118,6 +190,109 @@ static const struct dhgen_parallel robot = {
     legs
 };
 
+/* The legs chain by chain, side by side. */
+static const int first_leg[2] = { 0, 6 };
+static const size_t legs_by_chain[6] = { 0, 1, 2, 3, 4, 5 };
+static const double bases[12][DHGEN_LEG_COLUMNS] = {
+    {
+        1.0, -0.5, -0.5, 1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
+    },
+    {
+        0.0, 0.8660254037844386, -0.8660254037844386, 0.0, 0.8660254037844386, -0.8660254037844386,
+        -0.8660254037844386, -0.8660254037844386, -0.8660254037844386, -0.8660254037844386,
+        -0.8660254037844386, -0.8660254037844386, -0.8660254037844386,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        -0.492403876506104, -0.49240387650610395, -0.492403876506104, -0.492403876506104,
+        -0.492403876506104, -0.49240387650610395, -0.49240387650610395, -0.49240387650610395,
+        -0.49240387650610395, -0.49240387650610395, -0.49240387650610395, -0.49240387650610395,
+        -0.49240387650610395,
+    },
+    {
+        0.0, -0.8660254037844386, 0.8660254037844386, 0.0, -0.8660254037844386, 0.8660254037844386,
+        0.8660254037844386, 0.8660254037844386, 0.8660254037844386, 0.8660254037844386,
+        0.8660254037844386, 0.8660254037844386, 0.8660254037844386,
+    },
+    {
+        1.0, -0.5, -0.5, 1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.08682408883346517, 0.08682408883346515, 0.08682408883346512, -0.08682408883346517,
+        -0.08682408883346512, -0.08682408883346515, -0.08682408883346515, -0.08682408883346515,
+        -0.08682408883346515, -0.08682408883346515, -0.08682408883346515, -0.08682408883346515,
+        -0.08682408883346515,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+};
+static const double carried[12][DHGEN_LEG_COLUMNS] = {
+    {
+        1.0, -0.5, -0.5, 1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
+    },
+    {
+        0.0, -0.8660254037844386, 0.8660254037844386, 0.0, -0.8660254037844386, 0.8660254037844386,
+        0.8660254037844386, 0.8660254037844386, 0.8660254037844386, 0.8660254037844386,
+        0.8660254037844386, 0.8660254037844386, 0.8660254037844386,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.1928362829059618, 0.10260604299770058, -0.2954423259036624, 0.1928362829059618,
+        -0.2954423259036624, 0.10260604299770058, 0.10260604299770058, 0.10260604299770058,
+        0.10260604299770058, 0.10260604299770058, 0.10260604299770058, 0.10260604299770058,
+        0.10260604299770058,
+    },
+    {
+        0.0, 0.8660254037844386, -0.8660254037844386, 0.0, 0.8660254037844386, -0.8660254037844386,
+        -0.8660254037844386, -0.8660254037844386, -0.8660254037844386, -0.8660254037844386,
+        -0.8660254037844386, -0.8660254037844386, -0.8660254037844386,
+    },
+    {
+        1.0, -0.5, -0.5, 1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        -0.2298133329356934, 0.2819077862357725, -0.05209445330007911, 0.2298133329356934,
+        0.05209445330007911, -0.2819077862357725, -0.2819077862357725, -0.2819077862357725,
+        -0.2819077862357725, -0.2819077862357725, -0.2819077862357725, -0.2819077862357725,
+        -0.2819077862357725,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+    {
+        1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    },
+    {
+        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    },
+};
+static const struct dhgen_leg_lanes lanes = {
+    1, first_leg, legs_by_chain, bases, carried
+};
+
 const char *const *const stewart_branches[6] = {
     stewart_leg_names,
     stewart_leg_names,
@@ -143,6 +318,21 @@ int stewart_ik_nearest(const double T[16], const double q_seed[6][3], double q[6
 void stewart_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_parallel_batch(&robot, n, T, q, status);
+}
+
+static int one_pose(const double *T, double *q, unsigned char *status)
+{
+    return dhgen_parallel_drives(&robot, &lanes, solve_driven, T, q, status);
+}
+
+int stewart_ik_drives(const double T[16], double q[6][4][1], unsigned char status[6][4])
+{
+    return one_pose(T, &q[0][0][0], &status[0][0]);
+}
+
+void stewart_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status)
+{
+    dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
 }
 
 void stewart_take_drives(const double q[6][3], double drives[6])

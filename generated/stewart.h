@@ -64,6 +64,13 @@ int stewart_ik_nearest(const double T[16], const double q_seed[6][3], double q[6
  * q n x 6 x 4 x 3, status n x 6 x 4. */
 void stewart_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
+/* The driven joints alone of what stewart_ik gives: as controllers need them, in less time. Row b
+ * of a leg has its driven joints in their order, and the status that it has with passive ones. */
+int stewart_ik_drives(const double T[16], double q[6][4][1], unsigned char status[6][4]);
+
+/* stewart_ik_drives for n poses: q n x 6 x 4 x 1, status n x 6 x 4. */
+void stewart_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status);
+
 /* The values of the driven joints. */
 void stewart_take_drives(const double q[6][3], double drives[6]);
 

@@ -165,5 +165,6 @@ _PLATFORM = _parallel.Platform(
 )
 _FUNCTIONS = _parallel.Functions(_PLATFORM, Unreachable, "")
 ik, ik_all, ik_batch = _FUNCTIONS.ik, _FUNCTIONS.ik_all, _FUNCTIONS.ik_batch
+ik_drives, ik_drives_batch = _FUNCTIONS.ik_drives, _FUNCTIONS.ik_drives_batch
 fk, drives = _FUNCTIONS.fk, _FUNCTIONS.drives
 velocities, singularities = _FUNCTIONS.velocities, _FUNCTIONS.singularities

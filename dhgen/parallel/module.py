@@ -94,6 +94,11 @@ class ParallelModule:
         return max(leg.solver.chain.dof for leg in self.legs)
 
     @property
+    def driven(self) -> int:
+        """Joints of the leg with the most that are driven."""
+        return max(len(leg.driven) for leg in self.legs)
+
+    @property
     def size(self) -> float:
         """Of the largest leg, to few digits: units of tolerances."""
         return float(f"{max(leg.solver.chain.size for leg in self.legs):.4g}")

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen import __version__
+from dhgen.parallel.driven import driven
 from dhgen.parallel.robot import inverse
 from dhgen.printing.comments import plain
 from dhgen.printing.templates import render
@@ -13,6 +14,7 @@ from dhgen.robot.task import TaskKind
 from dhgen.runtime.python import INTERFACE
 from dhgen.status import Status
 from dhgen.targets.c.files import INTERFACE as C_INTERFACE
+from dhgen.targets.c.files import switch
 from dhgen.targets.c.fitting import fitted
 from dhgen.targets.c.runtime import in_one_file
 from dhgen.targets.layout import INDENT, c_array, listed, paragraph
@@ -122,6 +124,7 @@ def _common(module: ParallelModule) -> dict[str, object]:
         "assemblies": module.elimination.most if module.elimination else 0,
         "chains": [_chain(name, leg) for name, leg in distinct.items()],
         "legs": [_leg(leg) for leg in module.legs],
+        "driven": driven(module),
         "status": {each.name: each.value for each in Status},
         "texts": _texts(module),
     }
@@ -199,6 +202,9 @@ def velocities(module: ParallelModule) -> str:
 def _c(module: ParallelModule) -> dict[str, object]:
     return {
         "interface": C_INTERFACE,
+        "switches": [
+            line for each in ("SCALAR", "LIBM") for line in switch(module.name.upper(), each)
+        ],
         "header": "assemblies" if module.elimination else "platform",
         "task": _c_name(module.counts),
         "freedoms": _whole(module.freedoms),

@@ -112,6 +112,7 @@ class Native:
         self._library = library
         self._name = module.name
         self._shape = len(module.legs), module.rows, module.joints
+        self._driven = len(module.legs), module.rows, module.driven
         self._drives = module.robot.drives
 
     def _call(self, function: str, *arrays: FloatArray | None) -> int:
@@ -138,6 +139,25 @@ class Native:
             len(T), *(each.ctypes.data_as(ctypes.c_void_p) for each in (poses, q, status))
         )
         return q, status
+
+    def ik_drives(self, T: FloatArray) -> tuple[int, FloatArray, Statuses]:
+        """How many working modes there are, the driven joints of all rows, and status."""
+        q, status = np.empty(self._driven), np.empty(self._shape[:2], np.uint8)
+        return self._call("ik_drives", np.ascontiguousarray(T), q, status), q, status
+
+    def drives_batch(self, T: FloatArray) -> tuple[FloatArray, Statuses]:
+        """The same of many poses."""
+        q = np.empty((len(T), *self._driven))
+        status = np.empty((len(T), *self._shape[:2]), np.uint8)
+        poses = np.ascontiguousarray(T)
+        self.call_drives_batch(
+            len(T), *(each.ctypes.data_as(ctypes.c_void_p) for each in (poses, q, status))
+        )
+        return q, status
+
+    def call_drives_batch(self, count: int, *arrays: ctypes.c_void_p) -> None:
+        """ik_drives_batch of poses, q and status by their addresses."""
+        self._library[f"{self._name}_ik_drives_batch"](ctypes.c_size_t(count), *arrays)
 
     def call_batch(self, count: int, *arrays: ctypes.c_void_p) -> None:
         """ik_batch of poses, q and status by their addresses."""
@@ -247,9 +267,25 @@ class _Checker:
             raise VerificationError(f"{where}: C has other statuses: {told.tolist()}")
         if not self._near(rows, q):
             raise VerificationError(f"{where}: C has other rows: {rows.tolist()}")
+        self._drives(T[None], rows[None], told[None], where)
         told_nearest, nearest = self._native.nearest(T, mode)
         if told_nearest != self._python.OK or not self._near(nearest, mode):
             raise VerificationError(f"{where}: C has another nearest solution")
+
+    def _drives(self, T: FloatArray, q: FloatArray, status: Statuses, where: str) -> None:
+        """The driven joints alone are those of all, also one pose alone."""
+        assert self._native is not None
+        wanted = drives_of(self._module, q)
+        taken = [self._native.ik_drives(pose) for pose in T]
+        alone = np.array([rows for _, rows, _ in taken]), np.array([told for _, _, told in taken])
+        for found, told in (self._native.drives_batch(T), alone):
+            off = np.where(np.isnan(found) & np.isnan(wanted), 0.0, np.sin(0.5 * (found - wanted)))
+            if not (told == status).all() or not (np.abs(off) <= AGREED).all():
+                raise VerificationError(f"{where}: in C, ik_drives differs: {found.tolist()}")
+        good = (status == self._python.OK) | (status == self._python.FREE_JOINT)
+        counts = np.array([count for count, _, _ in taken])
+        if not (counts == good.sum(axis=2).prod(axis=1)).all():
+            raise VerificationError(f"{where}: in C, ik_drives counts {counts.tolist()} modes")
 
     def _near(self, one: FloatArray, other: FloatArray) -> bool:
         """Whether joint values are the same, whole turns aside."""
@@ -323,6 +359,7 @@ class _Checker:
             near = all(self._near(one, other) for one, other in zip(rows, q, strict=True))
             if not near or not (told == status).all():
                 raise VerificationError(f"{self._module.name}: in C, ik_batch differs")
+            self._drives(poses, rows, told, self._module.name)
 
     def no_pose(self, T: FloatArray) -> None:
         """What is no pose is refused, what is far away out of reach."""
@@ -334,10 +371,20 @@ class _Checker:
         )
         for pose, statuses in wanted:
             told = [self._python.ik_all(pose)[1]]
-            told += [] if self._native is None else [self._native.ik(pose)[2]]
+            if self._native is not None:
+                told += [self._native.ik(pose)[2], self._native.ik_drives(pose)[2]]
             for each in told:
                 if not set(each.ravel().tolist()) <= statuses:
                     raise VerificationError(f"{self._module.name}: takes {pose.tolist()}")
+
+
+def drives_of(module: ParallelModule, q: FloatArray) -> FloatArray:
+    """The driven joints of rows of all legs (..., LEGS, ROWS, JOINTS), NaN where one has fewer."""
+    taken = np.full((*q.shape[:-1], module.driven), np.nan)
+    for number, leg in enumerate(module.legs):
+        rows = q[..., number, :, :]
+        taken[..., number, :, : len(leg.driven)] = rows[..., list(leg.driven)]
+    return taken
 
 
 def moved_pose(T: FloatArray, freedom: int, step: float) -> FloatArray:

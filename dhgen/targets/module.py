@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import shlex
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES
@@ -17,7 +17,7 @@ from dhgen.targets.layout import paragraph
 from dhgen.tolerances import DOUBLE, Precision
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Container, Iterable
 
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.link_table import LinkTable
@@ -175,20 +175,33 @@ def fan_steps(module: SolverModule) -> tuple[float, ...]:
     )
 
 
-def regular_solver(module: SolverModule) -> Regular | None:
-    """The program of regular poses, with limits, where the files have one."""
+def regular_solver(module: SolverModule, asked: Container[int] | None = None) -> Regular | None:
+    """The program of regular poses, with limits, where the files have one.
+
+    Args:
+        module: The robot.
+        asked: The joints whose values are asked for, from 0; all if it is not given. The limits of
+            the others count all the same.
+    """
     if module.plain or coupled_turns(module.chain) is not None:
         return None
     table = module.precision.tolerances
     graze = table.graze if stands_on_limits(module.chain) else None
-    return regular(module.solver, ArmLimits(tuple(_limits(module)), graze), table)
+    limits = tuple(_limits(module, range(module.chain.dof) if asked is None else asked))
+    solver = regular(module.solver, ArmLimits(limits, graze), table)
+    if solver is None or asked is None:
+        return solver
+    values = tuple(value for joint, value in enumerate(solver.joints) if joint in asked)
+    return replace(solver, joints=values)
 
 
-def _limits(module: SolverModule) -> list[Limits | None]:
+def _limits(module: SolverModule, asked: Container[int]) -> list[Limits | None]:
     chain, limits = module.chain, [joint.limits for joint in module.chain.joints]
+    size = chain.size
+    each = zip(limits, slacks(module), chain.turning, strict=True)
     return [
-        Limits(ends[0] - slack, ends[1] + slack, turns, 1.0 if turns else chain.size)
+        Limits(ends[0] - slack, ends[1] + slack, turns, 1.0 if turns else size, joint in asked)
         if ends
         else None
-        for ends, slack, turns in zip(limits, slacks(module), chain.turning, strict=True)
+        for joint, (ends, slack, turns) in enumerate(each)
     ]

@@ -13,10 +13,13 @@
 
 #if defined(__clang__) || defined(__CUDACC__)
 #define DHGEN_UNROLLED _Pragma("unroll")
+#define DHGEN_WRITTEN_OUT _Pragma("unroll")
 #elif defined(__GNUC__) && __GNUC__ >= 8
 #define DHGEN_UNROLLED _Pragma("GCC unroll 2")
+#define DHGEN_WRITTEN_OUT _Pragma("GCC unroll 16") /* short loops also without -O3 */
 #else
 #define DHGEN_UNROLLED
+#define DHGEN_WRITTEN_OUT
 #endif
 
 #ifndef DHGEN_LIBM

@@ -6,6 +6,7 @@
 
 #define DHGEN_LANES 1
 typedef double dhgen_wide;
+typedef dhgen_wide dhgen_wide_at; /* in memory */
 typedef int dhgen_wide_mask;
 
 /* Only what is chosen is computed: a function's arguments all would be. */
@@ -29,6 +30,11 @@ DHGEN_INLINE double dhgen_all_wide(double x)
 DHGEN_INLINE int dhgen_where_wide(int truth)
 {
     return truth;
+}
+
+DHGEN_INLINE unsigned dhgen_bits_wide(int m)
+{
+    return m != 0;
 }
 
 DHGEN_INLINE double dhgen_minimum_wide(double a, double b)

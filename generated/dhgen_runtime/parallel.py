@@ -106,6 +106,31 @@ class Functions:
         q[~valid], status[~valid] = np.nan, INVALID_POSE
         return q, status
 
+    def ik_drives(self, T: ArrayLike) -> tuple[Floats, Statuses]:
+        """The driven joints alone of what ik_all gives: (LEGS, ROWS, most driven joints of a leg).
+
+        Raises:
+            ValueError: T has the wrong shape.
+        """
+        q, status = self.ik_all(T)
+        return self._driven(q), status
+
+    def ik_drives_batch(self, T: ArrayLike) -> tuple[Floats, Statuses]:
+        """ik_drives for N poses (N, 4, 4).
+
+        Raises:
+            ValueError: T has the wrong shape.
+        """
+        q, status = self.ik_batch(T)
+        return self._driven(q), status
+
+    def _driven(self, q: Floats) -> Floats:
+        """The driven joints of rows of all legs (..., LEGS, ROWS, JOINTS)."""
+        taken = np.full((*q.shape[:-1], max(len(leg.driven) for leg in self._legs)), np.nan)
+        for number, leg in enumerate(self._legs):
+            taken[..., number, :, : len(leg.driven)] = q[..., number, :, :][..., list(leg.driven)]
+        return taken
+
     def ik(
         self,
         T: ArrayLike,

@@ -31,6 +31,7 @@ int main(void)
     static double q[{upper}_LEGS][{upper}_ROWS][{upper}_JOINTS];
     static double nearest[{upper}_LEGS][{upper}_JOINTS];
     static unsigned char status[{upper}_LEGS][{upper}_ROWS];
+    static double driven[{upper}_LEGS * {upper}_ROWS * {upper}_DRIVES];
     double drives[{upper}_DRIVES], A[36], B[36], least[2], found[16];
     int modes = 0, closed = 0;
     for (int k = 0; k < 3000; k++) {{
@@ -39,6 +40,7 @@ int main(void)
             T[i] = 2.0 * rand() / RAND_MAX - 1.0;
         T[0] = k == 7 ? NAN : T[0];
         T[3] = k == 8 ? INFINITY : T[3];
+        {name}_ik_drives_batch(1, T, driven, &status[0][0]);
         if ({name}_ik(T, NULL, q, status) <= 0)
             continue;
         modes++;

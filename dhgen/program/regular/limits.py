@@ -16,6 +16,8 @@ from dhgen.program.building.tolerance_constants import tolerance_constant
 from dhgen.program.role import GRAZE, LimitEnd, Source
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
 
@@ -29,12 +31,15 @@ class Limits:
         high: The highest value.
         turns: Whether the joint turns, so that whole turns may be added.
         size: What counts as one [1 rad or the arm's size].
+        is_asked: Whether the joint's value is asked for: of an angle that is not, the sine and the
+            cosine are enough to compare.
     """
 
     low: float
     high: float
     turns: bool
     size: float = 1.0
+    is_asked: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +57,8 @@ class ArmLimits:
 
 
 NO_LIMITS = ArmLimits()
+_SHARES = (("middle_cosine", math.cos), ("middle_sine", math.sin))
+_HALF_SHARES = (("range_cosine", math.cos), ("range_sine", math.sin))
 
 
 class Limiting:
@@ -66,6 +73,7 @@ class Limiting:
         self._builder = builder
         self._limits = limits
         self._beyond: list[Node] = []  # how far each joint is
+        self._outside: list[Node] = []  # whether each joint is that has no value
 
     def _of(self, joint: int) -> Limits | None:
         return self._limits.joints[joint - 1] if self._limits.joints else None
@@ -110,6 +118,42 @@ class Limiting:
         limits = self._of(joint)
         return None if limits is None else self._positive(self._how_far(joint, value, limits))
 
+    def is_compared_by_direction(self, joint: int) -> bool:
+        """Whether a joint's limits take no angle."""
+        limits = self._of(joint)
+        return limits is not None and limits.turns and not limits.is_asked
+
+    def take_direction(self, joint: int, y: Node, x: Node) -> Node | None:
+        """Compares the limits of a joint with the direction (x, y) of its angle, of any length.
+
+        Turned by the middle of the range, the angle's size is beyond half the range where the sine
+        of their difference is positive: both are in [0, pi].
+
+        Returns:
+            Whether the angle is at an end of the range but for rounding; None if it is no matter.
+        """
+        limits, builder = self._of(joint), self._builder
+        if limits is None or limits.high - limits.low >= 2 * math.pi:
+            return None
+        middle, half = (limits.low + limits.high) / 2, (limits.high - limits.low) / 2
+        if middle:
+            c, s = (self._share(joint, part, of, middle) for part, of in _SHARES)
+            y, x = (
+                builder.sub(builder.mul(y, c), builder.mul(x, s)),
+                builder.add(builder.mul(x, c), builder.mul(y, s)),
+            )
+        c, s = (self._share(joint, part, of, half) for part, of in _HALF_SHARES)
+        beyond = builder.sub(builder.mul(c, builder.absolute(y)), builder.mul(s, x))
+        self._outside.append(self._positive(beyond))
+        if self._limits.graze is None:
+            return None
+        length = builder.add(builder.absolute(y), builder.absolute(x))
+        near = builder.constant(f"near{joint}", 2.0 * self._limits.graze, "")
+        return builder.apply("at_most", builder.absolute(beyond), builder.mul(near, length))
+
+    def _share(self, joint: int, name: str, of: Callable[[float], float], angle: float) -> Node:
+        return self._builder.constant(f"{name}{joint}", of(angle), "")
+
     def _how_far(self, joint: int, value: Node, limits: Limits) -> Node:
         """How far a value is beyond its limits [rad, arm sizes]; negative inside."""
         low, high = self._ends(joint, limits)
@@ -132,7 +176,8 @@ class Limiting:
 
     def outside(self) -> Node | None:
         """Whether any joint is outside, of a row that has a solution; None without limits."""
-        return self._positive(self._farthest()) if self._beyond else None
+        found = [*self._outside, *([self._positive(self._farthest())] if self._beyond else [])]
+        return reduce(lambda a, b: self._builder.apply("or", a, b), found) if found else None
 
     def grazed(self) -> Node | None:
         """Whether any joint is outside, but none by more than rounding; None if it is no matter."""

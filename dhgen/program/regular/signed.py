@@ -107,6 +107,40 @@ class SignedArithmetic:
         second = self.plain(Signed(y.node, y.signs - signs, y.factors - factors))
         return first, second, Signed(self._builder.integer(1), signs, factors)
 
+    def direction(self, y: Signed, x: Signed) -> tuple[Node, Node]:
+        """Two values up to a positive factor that both have.
+
+        Instead of dividing one by a length the other is multiplied by it.
+        """
+        lengths: list[list[Node]] = [[], []]  # that y and x are to be multiplied by
+        left: list[Signed] = []
+        for place, (one, other) in enumerate(((y, x), (x, y))):
+            alone = {each: self._inverse_of(each) for each in one.factors - other.factors}
+            lengths[1 - place] += sorted(each for each in alone.values() if each is not None)
+            kept = frozenset(each for each, length in alone.items() if length is None)
+            left.append(Signed(one.node, one.signs, kept))
+        first, second = (
+            self._scaled(self.plain(value), frozenset(by))
+            for value, by in zip(left, lengths, strict=True)
+        )
+        return first, second
+
+    def _inverse_of(self, factor: Node) -> Node | None:
+        """The length of which a factor is the inverse, as `_quotient` makes it; else None."""
+        entries = self._builder.entries
+        match entries[factor].operator, entries[factor].operands:
+            case "div", (one, length) if entries[one].value == 1:
+                return length
+            case "mul", (root, inverse) if (
+                entries[root].operator == "sqrt"
+                and entries[inverse].operator == "div"
+                and entries[entries[inverse].operands[0]].value == 1
+                and entries[inverse].operands[1:] == entries[root].operands
+            ):
+                return root
+            case _:
+                return None
+
     def _quotient(self, x: Node, y: Node) -> Node:
         """x / y; the inverse of a root need not wait for it: it is the root over its square."""
         builder = self._builder

@@ -140,6 +140,15 @@ class Unguarded:
     def _limited(self, limiting: Limiting, joint: int, value: Node) -> Node:
         """A joint's value inside its limits; one that is given beyond them is left to the other."""
         match self._program.outputs[joint - 1]:
+            case Variable(name) if (
+                limiting.is_compared_by_direction(joint)
+                and isinstance(angle := self._named[name], Apply)
+                and angle.operator == "atan2"
+            ):
+                y, x = map(self._value, angle.operands)
+                near = limiting.take_direction(joint, *self._arithmetic.direction(y, x))
+                self._doubts += [] if near is None else [near]
+                return value
             case Joint(role="free"):
                 outside = limiting.is_outside(joint, value)
                 self._doubts += [] if outside is None else [outside]

@@ -177,7 +177,7 @@ def brought_along(
     headers += last
     return [
         *(f"#define DHGEN_{each}" for each in single),
-        *(line for each in switches if regular for line in _switch(upper, each)),
+        *(line for each in switches if regular for line in switch(upper, each)),
         f"#define DHGEN_DOF {module.chain.dof}",
         f"#define DHGEN_ROWS {solver.rows}",
         *([] if kernel is None else general_sizes(upper, kernel)),
@@ -186,7 +186,7 @@ def brought_along(
     ]
 
 
-def _switch(upper: str, name: str) -> list[str]:
+def switch(upper: str, name: str) -> list[str]:
     """A switch of the robot's own throws that of the runtime."""
     head = f"#if defined({upper}_{name}) && !defined(DHGEN_{name})"
     return [head, f"#define DHGEN_{name}", "#endif"]

@@ -9,7 +9,7 @@ from dhgen import __version__
 from dhgen.printing.comments import plain
 from dhgen.program.role import GRAZE, LimitEnd
 from dhgen.targets.c.table import c_ends
-from dhgen.targets.constants import constant_texts, made_of
+from dhgen.targets.constants import constant_texts, made_of, texts_of
 from dhgen.targets.layout import GOES_ON, INDENT, WIDTH, listed, packed, paragraph
 from dhgen.targets.module import made_text
 from dhgen.targets.solver.task import meaning
@@ -88,6 +88,12 @@ def c_tables(module: SolverModule, regular: Sequence[Program]) -> CTables:
         regular_constants=_constant_lines([each for each in common if each not in own], own),
         lane_constants=_constant_lines([each for each in lanes if each not in common], common),
     )
+
+
+def local_constants(module: SolverModule, program: Program) -> list[str]:
+    """The constants of a program alone, for a function of its own."""
+    texts = texts_of(module, [program])
+    return _constant_lines([each for each in texts if not _in_macros(each.role)], [])
 
 
 def _joints(module: SolverModule) -> list[str]:

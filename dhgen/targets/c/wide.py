@@ -32,6 +32,7 @@ def wide_lines(
     shared: Shared = NOTHING_SHARED,
     *,
     unrolled: bool = False,
+    stride: int | None = None,
 ) -> list[str]:
     """The body of the function, its lanes' signs in loops.
 
@@ -41,8 +42,11 @@ def wide_lines(
         entries: Lines that name the pose's entries.
         shared: What it computes as other functions do.
         unrolled: Whether compilers are asked to unroll the loops.
+        stride: How many values there is room for in a row; as many as it has if it is not given.
     """
-    return _Wide(module, flat, shared, "DHGEN_UNROLLED " if unrolled else "").lines(entries)
+    written = _Wide(module, flat, shared, "DHGEN_UNROLLED " if unrolled else "")
+    written.stride = stride or flat.joints
+    return written.lines(entries)
 
 
 def row_of(module: SolverModule, signs: dict[int, int]) -> int:
@@ -76,6 +80,7 @@ class _Wide:
         self._module = module
         self._unrolled = unrolled
         self._flat = flat
+        self.stride = flat.joints
         self._text = LaneText("wide", flat.program, wide=True)
         for axis in flat.program.axes:
             self._text.declare(axis.name, lanes=False)
@@ -153,11 +158,11 @@ class _Wide:
 
     def _rows(self, indent: str) -> list[str]:
         """Joint values, and what they are."""
-        flat, text, dof = self._flat, self._text, self._module.chain.dof
+        flat, text, size = self._flat, self._text, self.stride
         lines: list[str] = []
         for place, (choice, group) in enumerate(zip(flat.choices, flat.groups, strict=True)):
             row = row_of(self._module, dict(zip(flat.unrolled, choice, strict=True)))
-            q = [self._place("q", dof, dof * row + k) for k in range(dof)]
+            q = [self._place("q", size, size * row + k) for k in range(flat.joints)]
             values = map(text.vector, map(self._written, group))
             pieces = [f"{q[k]} = {value};" for k, value in enumerate(values)]
             lines += packed(pieces, indent)

@@ -44,30 +44,27 @@ struct dhgen_parallel {
 
 /* The platform's pose as far as the task names it, in full: what it does not name is zero, or the
  * identity. Returns whether it is one. */
-DHGEN_FN int dhgen_read_platform(const struct dhgen_parallel *robot, const double *T, double *X)
+DHGEN_INLINE int dhgen_read_platform(const struct dhgen_parallel *robot, const double *T, double *X)
 {
-    double read[16];
     int valid = 1;
-    for (int i = 0; i < 16; i++)
-        read[i] = T[i];
+    for (int i = 0; i < 12; i++)
+        X[i] = T[i];
     if (robot->task == DHGEN_POSE) {
         valid = fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= DHGEN_LAST_ROW
-            && dhgen_read_rotation(read);
+            && dhgen_read_rotation(X);
     } else {
         const int turns = robot->task == DHGEN_YAW;
-        valid = !turns || dhgen_read_yaw(read);
-        const double c = turns ? read[0] : 1.0, s = turns ? read[4] : 0.0;
+        valid = !turns || dhgen_read_yaw(X);
+        const double c = turns ? X[0] : 1.0, s = turns ? X[4] : 0.0;
         valid = valid && c * c + s * s > 0.5; /* straight up it has no yaw */
-        read[0] = read[5] = c;
-        read[1] = -s;
-        read[4] = s;
-        read[2] = read[6] = read[8] = read[9] = 0.0;
-        read[10] = 1.0;
-        read[11] = robot->is_planar ? 0.0 : read[11];
+        X[0] = X[5] = c;
+        X[1] = -s;
+        X[4] = s;
+        X[2] = X[6] = X[8] = X[9] = 0.0;
+        X[10] = 1.0;
+        X[11] = robot->is_planar ? 0.0 : T[11];
     }
-    for (int i = 0; i < 12; i++)
-        X[i] = read[i];
-    return valid && isfinite(read[3]) && isfinite(read[7]) && isfinite(read[11]);
+    return valid && isfinite(X[3]) && isfinite(X[7]) && isfinite(X[11]);
 }
 
 /* What a leg carries at a pose of the platform, in the leg's own base. Of a point the orientation
