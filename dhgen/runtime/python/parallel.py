@@ -86,6 +86,7 @@ class Functions:
             rows, told = leg.module.ik_all(leg.pose(X), own)
             q[0, number, : len(rows), : rows.shape[1]] = rows
             status[0, number, : len(told)] = told
+        self._refuse(q, status)
         return q[0], status[0]
 
     def ik_batch(self, T: ArrayLike) -> tuple[Floats, Statuses]:
@@ -103,7 +104,8 @@ class Functions:
             rows, told = leg.module.ik_batch(leg.pose(X))
             q[:, number, : rows.shape[1], : rows.shape[2]] = rows
             status[:, number, : told.shape[1]] = told
-        q[~valid], status[~valid] = np.nan, INVALID_POSE
+        status[~valid] = INVALID_POSE
+        self._refuse(q, status)
         return q, status
 
     def ik_drives(self, T: ArrayLike) -> tuple[Floats, Statuses]:
@@ -242,6 +244,12 @@ class Functions:
             self._platform,
             [motion_of(self._platform, leg, X, own[i]) for i, leg in enumerate(self._legs)],
         )
+
+    @staticmethod
+    def _refuse(q: Floats, status: Statuses) -> None:
+        """Empties all rows of poses that a leg refuses: too far for squares of lengths, or none."""
+        refused = (status == INVALID_POSE).any(axis=(1, 2))
+        q[refused], status[refused] = np.nan, INVALID_POSE
 
     @property
     def _shape(self) -> tuple[int, int]:

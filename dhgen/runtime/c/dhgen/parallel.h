@@ -127,6 +127,16 @@ DHGEN_FN void dhgen_no_platform(
         q[i] = DHGEN_NAN;
 }
 
+/* Whether a leg refuses its pose, as one with slides does that is too far for squares of lengths:
+ * all of its rows say so. */
+DHGEN_INLINE int dhgen_is_refused(const struct dhgen_parallel *robot, const unsigned char *status)
+{
+    int refused = 0;
+    for (int i = 0; i < robot->legs; i++)
+        refused |= status[i * robot->rows] == DHGEN_INVALID_POSE;
+    return refused;
+}
+
 /* All solutions of all legs. Returns how many working modes there are, the product of the good rows
  * of the legs, or -DHGEN_INVALID_POSE. */
 DHGEN_FN int dhgen_parallel_ik(const struct dhgen_parallel *robot, const double *T,
@@ -142,6 +152,10 @@ DHGEN_FN int dhgen_parallel_ik(const struct dhgen_parallel *robot, const double 
         dhgen_leg_pose(robot->leg + i, X, poses[i]);
     if (robot->alike && !q_seed) {
         robot->leg->batch((size_t)robot->legs, poses[0], q, status);
+        if (dhgen_is_refused(robot, status)) {
+            dhgen_no_platform(robot, q, status);
+            return -DHGEN_INVALID_POSE;
+        }
         for (int i = 0; i < robot->legs; i++) {
             int count = 0;
             for (int row = i * robot->rows; row < (i + 1) * robot->rows; row++)
@@ -204,8 +218,8 @@ DHGEN_FN void dhgen_parallel_batch(
             robot->leg->batch(count * (size_t)robot->legs, poses[0], q_k, status_k);
         else
             (void)dhgen_parallel_ik(robot, T + 16 * k, NULL, q_k, status_k);
-        for (size_t i = 0; i < count && invalid; i++)
-            if (invalid >> i & 1u)
+        for (size_t i = 0; i < count && robot->alike; i++)
+            if (invalid >> i & 1u || dhgen_is_refused(robot, status_k + rows * i))
                 dhgen_no_platform(robot, q_k + size * i, status_k + rows * i);
     }
 }
