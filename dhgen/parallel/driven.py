@@ -31,10 +31,12 @@ class DrivenChain:
 
     Attributes:
         name: Of the chain.
+        number: Of the chain, from 0.
         lines: The function's body; none where the chain has no program for regular poses.
     """
 
     name: str
+    number: int
     lines: Sequence[str]
 
 
@@ -45,6 +47,8 @@ class Driven:
     Attributes:
         drives: Of the leg with the most.
         chains: Of every chain its function.
+        count: How many chains there are.
+        ends: How many numbers `first` has: one more.
         first: The place of each chain's first leg among `legs`, and of none behind the last.
         legs: The legs, chain by chain, from 0.
         base: The lines of a table: from the robot's base to those of the legs, an entry a line.
@@ -53,6 +57,8 @@ class Driven:
 
     drives: int
     chains: Sequence[DrivenChain]
+    count: int
+    ends: int
     first: str
     legs: str
     base: Sequence[str]
@@ -72,9 +78,11 @@ def driven(module: ParallelModule) -> Driven:
     return Driven(
         drives=module.driven,
         chains=[
-            DrivenChain(name, _body(module.legs[numbers[0]], module.driven))
-            for name, numbers in by_chain.items()
+            DrivenChain(name, number, _body(module.legs[numbers[0]], module.driven))
+            for number, (name, numbers) in enumerate(by_chain.items())
         ],
+        count=len(by_chain),
+        ends=len(first),
         first=", ".join(map(str, first)),
         legs=", ".join(map(str, legs)),
         base=_columns(inverse(leg.base) for leg in in_lanes),
