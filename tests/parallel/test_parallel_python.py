@@ -45,6 +45,13 @@ for path in sys.argv[1:]:
         (lambda: robot.ik_all(np.eye(4), [0.0]), f"q_seed must have shape ({legs}, {joints})"),
         (lambda: robot.fk([0.0], np.eye(4)), "drives must have shape"),
         (lambda: robot.ik(np.eye(4), branch=[0]), f"branch names a row of each of the {legs} legs"),
+        (lambda: robot.ik(np.eye(4), branch=3), f"branch names a row of each of the {legs} legs"),
+        (lambda: robot.ik(np.eye(4), branch="a" * legs), "branch names a row of each of the"),
+        (lambda: robot.ik(np.eye(4), branch=["no"] * legs), "no branch 'no'"),
+        (lambda: robot.ik_all(np.eye(4) * 1j), "T must hold real numbers"),
+        (lambda: robot.ik_batch(np.eye(4)), "T must have shape (N, 4, 4)"),
+        (lambda: robot.ik(np.eye(4), np.full((legs, joints), np.nan)), "q_seed of leg 1 is not fi"),
+        (lambda: robot.velocities(np.eye(4), np.zeros(joints)), "q must have shape"),
     ):
         try:
             wrong()
@@ -52,7 +59,25 @@ for path in sys.argv[1:]:
             assert told in str(error), (path, str(error))
         else:
             raise AssertionError(told)
-    assert robot.fk(np.full(len(robot.DRIVES), np.nan), np.eye(4))[2] == robot.INVALID_POSE
+    drives = np.full(len(robot.DRIVES), 0.3)
+    with np.errstate(all="raise", under="ignore"):
+        assert robot.fk(drives * np.nan, np.eye(4))[2] == robot.INVALID_POSE
+        assert robot.fk(drives * np.inf, np.eye(4))[2] == robot.INVALID_POSE
+        assert robot.fk(drives, np.full((4, 4), np.nan))[2] == robot.INVALID_POSE
+        assert robot.fk(drives, far)[2] == robot.UNREACHABLE
+        told = robot.fk(drives * 1e300, np.eye(4))[2]  # an angle may be that large, no length
+        assert told == robot.UNREACHABLE or set("".join(robot.JOINT_TYPES)) == {"R"}
+    none, told = robot.ik_batch(np.empty((0, 4, 4)))
+    assert none.shape == (0, legs, robot.MAX_SOLUTIONS, joints) and told.shape == none.shape[:3]
+    turned = np.asfortranarray(np.tile(np.eye(4, dtype=np.float32), (3, 1, 1)))
+    q, told = robot.ik_batch(turned)
+    taken, status = robot.ik_drives_batch(turned)
+    assert (told == status).all()
+    mode = np.nan_to_num(q[0, :, 0])
+    order = [int(place) for place in np.searchsorted([leg for leg, _ in robot.DRIVES], range(legs))]
+    first = np.nan_to_num(taken[0, :, 0, 0])
+    assert (first == robot.drives(mode)[order]).all()
+    assert (robot.ik_drives(np.eye(4))[1] == robot.ik_all(np.eye(4))[1]).all()
 """
 
 

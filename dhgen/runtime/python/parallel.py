@@ -7,14 +7,14 @@ JOINTS); a leg with fewer joints or rows has NaN in the rest.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from .arguments import array_of
 from .direct import assemblies, direct, drive_scale
 from .entry import poses_of
-from .platform import Leg, Platform, motion_of, rates
+from .platform import Leg, Platform, motion_of, place_ends, rates
 from .status import FREE_JOINT, INVALID_POSE, UNREACHABLE
 
 if TYPE_CHECKING:
@@ -61,6 +61,12 @@ class Functions:
         self._joints = max(leg.module.DOF for leg in self._legs)
         self._rows = max(leg.module.MAX_SOLUTIONS for leg in self._legs)
         self._drives = len(platform.freedoms)
+        self._bases = np.array([leg.base for leg in self._legs])
+        self._ends = np.array([leg.end for leg in self._legs])
+        chains: dict[str, tuple[Any, list[int]]] = {}
+        for number, leg in enumerate(self._legs):
+            chains.setdefault(leg.module.__name__, (leg.module, []))[1].append(number)
+        self._chains = list(chains.values())
 
     def ik_all(self, T: ArrayLike, q_seed: ArrayLike | None = None) -> tuple[Floats, Statuses]:
         """All solutions of all legs: q (LEGS, ROWS, JOINTS) and status (LEGS, ROWS).
@@ -75,15 +81,17 @@ class Functions:
             ValueError: An argument has the wrong shape, or the seed is not finite.
         """
         pose = array_of(T, (4, 4), "T")
-        seed = None if q_seed is None else self._of_legs(q_seed, "q_seed")
+        if q_seed is None:
+            q, status = self._solved(pose[None])
+            return q[0], status[0]
+        seed = self._of_legs(q_seed, "q_seed")
         q, status = self._nothing(1)
         valid, X = self._platform.read(pose)
         if not valid:
             status[:] = INVALID_POSE
             return q[0], status[0]
         for number, leg in enumerate(self._legs):
-            own = None if seed is None else seed[number, : leg.module.DOF]
-            rows, told = leg.module.ik_all(leg.pose(X), own)
+            rows, told = leg.module.ik_all(leg.pose(X), seed[number, : leg.module.DOF])
             q[0, number, : len(rows), : rows.shape[1]] = rows
             status[0, number, : len(told)] = told
         self._refuse(q, status)
@@ -95,15 +103,24 @@ class Functions:
         Raises:
             ValueError: T has the wrong shape.
         """
-        poses = poses_of(T, None)
-        read = [self._platform.read(pose) for pose in poses]
-        valid = np.array([each for each, _ in read], bool)
-        X = np.array([pose if is_pose else np.eye(4) for is_pose, pose in read]).reshape(-1, 4, 4)
-        q, status = self._nothing(len(X))
-        for number, leg in enumerate(self._legs):
-            rows, told = leg.module.ik_batch(leg.pose(X))
-            q[:, number, : rows.shape[1], : rows.shape[2]] = rows
-            status[:, number, : told.shape[1]] = told
+        return self._solved(poses_of(T, None))
+
+    def _solved(self, T: Floats) -> tuple[Floats, Statuses]:
+        """All solutions at poses (N, 4, 4): legs of one chain are solved together."""
+        valid, X = self._platform.read_all(T)
+        poses = np.empty((len(X), len(self._legs), 4, 4))
+        place_ends(X, self._bases, self._ends, poses)
+        if len(self._chains) == 1:
+            rows, told = self._chains[0][0].ik_batch(poses.reshape(-1, 4, 4))
+            q = rows.reshape(*poses.shape[:2], *rows.shape[1:])
+            status = told.reshape(q.shape[:3])
+        else:
+            q, status = self._nothing(len(X))
+            for module, numbers in self._chains:
+                rows, told = module.ik_batch(poses[:, numbers].reshape(-1, 4, 4))
+                places = len(X), len(numbers), *rows.shape[1:]
+                q[:, numbers, : places[2], : places[3]] = rows.reshape(places)
+                status[:, numbers, : places[2]] = told.reshape(places[:3])
         status[~valid] = INVALID_POSE
         self._refuse(q, status)
         return q, status
@@ -156,7 +173,9 @@ class Functions:
         """
         pose = array_of(T, (4, 4), "T")
         seed = self._of_legs(np.zeros(self._shape) if q_seed is None else q_seed, "q_seed")
-        if branch is not None and len(branch) != len(self._legs):
+        if branch is not None and (
+            isinstance(branch, str) or np.ndim(branch) != 1 or len(branch) != len(self._legs)
+        ):
             raise ValueError(f"branch names a row of each of the {len(self._legs)} legs")
         valid, X = self._platform.read(pose)
         if not valid:
@@ -193,7 +212,8 @@ class Functions:
             ValueError: An argument has the wrong shape.
         """
         values = array_of(drives, (self._drives,), "drives")
-        return direct(self._platform, values, array_of(T_seed, (4, 4), "T_seed"), self._joints)
+        with np.errstate(over="ignore", invalid="ignore"):  # far away nothing closes
+            return direct(self._platform, values, array_of(T_seed, (4, 4), "T_seed"), self._joints)
 
     def assemblies(self, drives: ArrayLike) -> Floats:
         """All poses (k, 4, 4) of the platform that drives' values allow.

@@ -8,12 +8,14 @@ joints can't make.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .pose import LAST_ROW, NO_YAW, read_orientation
+from .jit import of_file
+from .pose import NO_YAW, read_pose
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,11 +23,74 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
+    Truths = NDArray[np.bool_]
 
 POSE, YAW, COORDINATES = "pose", "yaw", "coordinates"
-# Compiled it is merged with what calls it, and can't be called from here.
-_ORIENTATION = getattr(read_orientation, "py_func", read_orientation)
 LENGTHS = 3  # of six velocities the first are lengths
+_HOW = of_file(__file__)
+
+
+@_HOW.jit
+def read_platforms(
+    T: Floats, is_whole: bool, has_yaw: bool, is_planar: bool, X: Floats, valid: Truths
+) -> None:
+    """Poses (N, 4, 4) of a platform as far as its task names them, in full, and whether they are.
+
+    X comes as identities; what is no pose leaves one.
+
+    Args:
+        T: The poses as they are given.
+        is_whole: Whether all of a pose counts.
+        has_yaw: Whether the place and the yaw count.
+        is_planar: Whether the platform moves in the plane of x and y.
+        X: The poses as they are read.
+        valid: Whether each is one.
+    """
+    for k in range(len(T)):
+        good = True
+        if is_whole:
+            good, rows = read_pose(T[k])
+            if good:
+                for i in range(12):
+                    X[k, i // 4, i % 4] = rows[i]
+        elif has_yaw:
+            length = math.hypot(T[k, 0, 0], T[k, 1, 0])
+            good = NO_YAW <= length < math.inf  # straight up it has no yaw
+            if good:
+                c, s = T[k, 0, 0] / length, T[k, 1, 0] / length
+                X[k, 0, 0], X[k, 0, 1], X[k, 1, 0], X[k, 1, 1] = c, -s, s, c
+        lengths = 2 if is_planar else 3
+        for i in range(lengths):
+            good = good and math.isfinite(T[k, i, 3])
+        for i in range(lengths):
+            X[k, i, 3] = T[k, i, 3] if good else 0.0
+        valid[k] = good
+
+
+@_HOW.jit
+def place_ends(X: Floats, bases: Floats, ends: Floats, poses: Floats) -> None:
+    """What legs carry at poses (N, 4, 4) of the platform, each in its own base.
+
+    Args:
+        X: The poses of the platform.
+        bases: From the robot's base to those of the legs (LEGS, 4, 4).
+        ends: What they carry, in the platform's frame (LEGS, 4, 4).
+        poses: Takes them, (N, LEGS, 4, 4).
+    """
+    for k in range(len(X)):
+        for leg in range(len(bases)):
+            base, end = bases[leg], ends[leg]
+            for j in range(4):
+                last = 1.0 if j == 3 else 0.0
+                x = X[k, 0, 0] * end[0, j] + X[k, 0, 1] * end[1, j] + X[k, 0, 2] * end[2, j]
+                y = X[k, 1, 0] * end[0, j] + X[k, 1, 1] * end[1, j] + X[k, 1, 2] * end[2, j]
+                z = X[k, 2, 0] * end[0, j] + X[k, 2, 1] * end[1, j] + X[k, 2, 2] * end[2, j]
+                x, y, z = x + last * X[k, 0, 3], y + last * X[k, 1, 3], z + last * X[k, 2, 3]
+                for i in range(3):
+                    poses[k, leg, i, j] = (
+                        base[i, 0] * x + base[i, 1] * y + base[i, 2] * z + last * base[i, 3]
+                    )
+                poses[k, leg, 3, j] = last
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,21 +147,16 @@ class Platform:
 
     def read(self, T: Floats) -> tuple[bool, Floats]:
         """Whether a pose (4, 4) is one, and as far as the task names it, in full."""
-        X = np.eye(4)
-        X[:3, 3] = T[:3, 3]
-        valid = True
-        if self.task == POSE:
-            valid, rows = _ORIENTATION(T)
-            X[:3] = np.reshape(rows, (3, 4))
-            valid = valid and np.abs(T[3] - X[3]).sum() <= LAST_ROW
-        elif self.task == YAW:
-            length = float(np.hypot(T[0, 0], T[1, 0]))
-            valid = NO_YAW <= length < np.inf  # straight up it has no yaw
-            c, s = (T[0, 0] / length, T[1, 0] / length) if valid else (1.0, 0.0)
-            X[:2, :2] = [[c, -s], [s, c]]
-        if self.is_planar:
-            X[2, 3] = 0.0
-        return bool(valid and np.isfinite(X).all()), X
+        valid, X = self.read_all(T[None])
+        return bool(valid[0]), X[0]
+
+    def read_all(self, T: Floats) -> tuple[Truths, Floats]:
+        """The same of poses (N, 4, 4)."""
+        valid, X = np.empty(len(T), np.bool_), np.empty((len(T), 4, 4))
+        X[:] = np.eye(4)
+        poses = np.ascontiguousarray(T)
+        read_platforms(poses, self.task == POSE, self.task == YAW, self.is_planar, X, valid)
+        return valid, X
 
 
 @dataclass(frozen=True, slots=True)
