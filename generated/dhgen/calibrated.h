@@ -11,6 +11,11 @@
 #include "limits.h"
 #include "velocities.h"
 
+/* A joint of a row that is certain is not moved to a limit from farther away [rad]: these rows are
+ * exact, some joint is 0.01 apart from that of each other one, and what solves the pose to 1e-10
+ * beside one of them is not even 1e-6 away from it. */
+#define DHGEN_MOVED_TO_LIMIT 1e-4
+
 /* The runtime hands what callers give, the values of given joints, to the solver as it is. Arms of
  * a kind have no such joint: in their place the solver gets the arm, whose first number's address
  * is its own. */
@@ -81,8 +86,9 @@ DHGEN_FN void dhgen_order_rows(double (*q)[6], int count, int *order)
     }
 }
 
-/* Turns the joints of a row inside their limits. Returns its status; -1 where one of them is beyond
- * a limit by so little that it may be moved there. */
+/* Turns the joints of a row inside their limits, or next to the end that they are beyond by little.
+ * Returns its status; -1 where one of them is beyond a limit by so little that it may be moved
+ * there. */
 DHGEN_FN int dhgen_limited_row(const dhgen_kind *kind, double *q)
 {
     const struct dhgen_arm *const arm = kind->arm;
@@ -92,11 +98,13 @@ DHGEN_FN int dhgen_limited_row(const dhgen_kind *kind, double *q)
         if (of->lowest <= q[i] && q[i] <= of->highest)
             continue;
         q[i] = dhgen_turned(arm, i, q[i], 0.0);
-        const double off = fabs(dhgen_overshoot(arm, i, q[i]));
-        if (0.0 < off && off <= DHGEN_DOUBTFUL)
+        const double off = dhgen_overshoot(arm, i, q[i]);
+        if (0.0 < fabs(off) && fabs(off) <= DHGEN_MOVED_TO_LIMIT)
             return -1;
-        if (off > 0.0)
+        if (fabs(off) > 0.0)
             status = DHGEN_OUT_OF_LIMITS;
+        if (0.0 < fabs(off) && fabs(off) <= DHGEN_DOUBTFUL && arm->winds)
+            q[i] = off + (off > 0.0 ? of->highest : of->lowest);
     }
     return status;
 }
