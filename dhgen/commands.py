@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from dhgen.arguments import ENDINGS, FORMATS, LANGUAGES, OUT
 from dhgen.errors import CommandError, DhgenError, VerificationError, about
-from dhgen.generated_header import SUFFIXES, robot_of
+from dhgen.generated_header import SUFFIXES, robot_of, source_of
 from dhgen.method import Method
 
 if TYPE_CHECKING:
@@ -409,12 +409,14 @@ def _refuse_taken(file: AnyFile, out: Path) -> None:
     """
     for stem in file.stems:
         paths = (out / f"{stem}{suffix}" for suffix in SUFFIXES)
-        owners = (robot_of(path) for path in paths if path.is_file())
-        other = next((owner for owner in owners if owner not in {None, *file.robots}), None)
+        owners = ((robot_of(path), path) for path in paths if path.is_file())
+        other = next((each for each in owners if each[0] not in {None, file.robot.name}), None)
         if other is not None:
+            owner, path = other
             raise CommandError(
-                f"{file.path}: {out / stem}.* are files of the robot '{other}': rename one of the "
-                "robots, write to another folder (--out), or remove them if they are left over"
+                f"{file.path}: {out / stem}.* are files of the robot '{owner}', made of "
+                f"{source_of(path)}: rename one of the robots, write to another folder (--out), or "
+                "remove them if they are left over"
             )
 
 

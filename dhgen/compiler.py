@@ -169,6 +169,7 @@ def _module(
         precision=precision,
         plain=robot.plain,
         nominal=story.nominal,
+        owner=robot.owner,
     )
 
 

@@ -15,8 +15,11 @@ _SOURCE = re.compile(
     r"generated from (?:([^/]+)/)?[^/]+\.(?:ya?ml|urdf|xacro|xml|mjcf) and templates/",
     re.IGNORECASE,
 )
+_FILE = re.compile(r"generated from (.+?) and templates/")
 _MADE = re.compile(r"generated from .*templates/.*\. Do not edit", re.IGNORECASE)
-_ROBOT = re.compile(r"The formulas and where they come from: (\w+)\.md", re.ASCII)
+_ROBOT = re.compile(
+    r"The formulas and where they come from: (\w+)\.md(?:, of a leg of (\w+))?", re.ASCII
+)
 
 
 def is_generated(path: Path) -> bool:
@@ -31,8 +34,17 @@ def source_folder(path: Path) -> str | None:
 
 
 def robot_of(path: Path) -> str | None:
-    """The name of the robot that a solver is for, in any precision; None of other files."""
+    """The name of the robot that a solver is for, in any precision; None of other files.
+
+    Of a leg it is that of the parallel robot.
+    """
     found = _ROBOT.search(_head(path))
+    return found.group(2) or found.group(1) if found else None
+
+
+def source_of(path: Path) -> str | None:
+    """The robot file that a generated file names, if it does."""
+    found = _FILE.search(_head(path))
     return found.group(1) if found else None
 
 

@@ -83,11 +83,6 @@ class RobotFile:
         suffixes = [*(precision.suffix for precision in precisions), *fleet]
         return tuple(self.robot.name + suffix for suffix in suffixes)
 
-    @property
-    def robots(self) -> tuple[str, ...]:
-        """The robots that its files say they are of."""
-        return (self.robot.name,)
-
 
 @dataclass(frozen=True, slots=True)
 class ParallelFile:
@@ -120,11 +115,6 @@ class ParallelFile:
     @property
     def stems(self) -> tuple[str, ...]:
         """What the files are called that are made of it, without what follows the point."""
-        return self.robots
-
-    @property
-    def robots(self) -> tuple[str, ...]:
-        """The robots that its files say they are of: the kinds of legs have files of their own."""
         return (self.robot.name, *(chain.name for chain in self.robot.chains))
 
 

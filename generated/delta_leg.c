@@ -1,7 +1,8 @@
 /* delta_leg: Delta, three cranks with parallelograms: a leg
  *
  * Inverse kinematics, generated from robots/delta.yaml and templates/c/solver.c.jinja.
- * Do not edit: run dhgen robots/delta.yaml. The formulas and where they come from: delta_leg.md.
+ * Do not edit: run dhgen robots/delta.yaml. The formulas and where they come from: delta_leg.md, of
+ * a leg of delta.
  *
  * dhgen 0.1.0; SHA-256 of the robot file: 5c7395f6581d009b
  * SPDX-License-Identifier: MIT

@@ -1,7 +1,8 @@
 """delta_leg: Delta, three cranks with parallelograms: a leg.
 
 Inverse kinematics, generated from robots/delta.yaml and templates/python/solver.py.jinja.
-Do not edit: run dhgen robots/delta.yaml. The formulas and where they come from: delta_leg.md.
+Do not edit: run dhgen robots/delta.yaml. The formulas and where they come from: delta_leg.md, of a
+leg of delta.
 
 Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, the
 position T[0:3, 3] counts; other entries are ignored.

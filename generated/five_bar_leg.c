@@ -2,7 +2,7 @@
  *
  * Inverse kinematics, generated from robots/five_bar.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/five_bar.yaml. The formulas and where they come from:
- * five_bar_leg.md.
+ * five_bar_leg.md, of a leg of five_bar.
  *
  * dhgen 0.1.0; SHA-256 of the robot file: 40b6e59fdafffcd2
  * SPDX-License-Identifier: MIT

@@ -2,7 +2,7 @@
  *
  * Inverse kinematics, generated from robots/five_bar.yaml and templates/c/solver.h.jinja.
  * Do not edit: run dhgen robots/five_bar.yaml. The formulas and where they come from:
- * five_bar_leg.md.
+ * five_bar_leg.md, of a leg of five_bar.
  *
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
  * a pose, x = T[0, 3] and y = T[1, 3] counts; other entries are ignored.

@@ -1,7 +1,8 @@
 """five_bar_leg: Planar five-bar linkage (RR legs): a leg.
 
 Inverse kinematics, generated from robots/five_bar.yaml and templates/python/solver.py.jinja.
-Do not edit: run dhgen robots/five_bar.yaml. The formulas and where they come from: five_bar_leg.md.
+Do not edit: run dhgen robots/five_bar.yaml. The formulas and where they come from: five_bar_leg.md,
+of a leg of five_bar.
 
 Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, x =
 T[0, 3] and y = T[1, 3] counts; other entries are ignored.

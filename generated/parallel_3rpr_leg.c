@@ -2,7 +2,7 @@
  *
  * Inverse kinematics, generated from robots/parallel_3rpr.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/parallel_3rpr.yaml. The formulas and where they come from:
- * parallel_3rpr_leg.md.
+ * parallel_3rpr_leg.md, of a leg of parallel_3rpr.
  *
  * dhgen 0.1.0; SHA-256 of the robot file: 579cae9c21aa4644
  * SPDX-License-Identifier: MIT

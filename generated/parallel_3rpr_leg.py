@@ -2,7 +2,7 @@
 
 Inverse kinematics, generated from robots/parallel_3rpr.yaml and templates/python/solver.py.jinja.
 Do not edit: run dhgen robots/parallel_3rpr.yaml. The formulas and where they come from:
-parallel_3rpr_leg.md.
+parallel_3rpr_leg.md, of a leg of parallel_3rpr.
 
 Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, x =
 T[0, 3] and y = T[1, 3] counts; other entries are ignored.

@@ -28,7 +28,10 @@ def _runtime(name):
 
 
 def _leg(name):
-    return import_module(f"{_FOLDER}.{name}")
+    beside = str(Path(__file__).resolve().parent)
+    folder = beside.replace("%", "%25").replace(".", "%2E")
+    sys.modules.setdefault(folder, ModuleType(folder)).__path__ = [beside]
+    return import_module(f"{folder}.{name}")
 
 
 _runtime("jit").of_file(__file__, interface=1)

@@ -2,7 +2,7 @@
  *
  * Inverse kinematics, generated from robots/parallel_3rrr.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/parallel_3rrr.yaml. The formulas and where they come from:
- * parallel_3rrr_leg.md.
+ * parallel_3rrr_leg.md, of a leg of parallel_3rrr.
  *
  * dhgen 0.1.0; SHA-256 of the robot file: c812fc155a290060
  * SPDX-License-Identifier: MIT

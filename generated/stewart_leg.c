@@ -2,7 +2,7 @@
  *
  * Inverse kinematics, generated from robots/stewart.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/stewart.yaml. The formulas and where they come from:
- * stewart_leg.md.
+ * stewart_leg.md, of a leg of stewart.
  *
  * dhgen 0.1.0; SHA-256 of the robot file: c0c1552918eb38b7
  * SPDX-License-Identifier: MIT

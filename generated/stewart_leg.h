@@ -2,7 +2,7 @@
  *
  * Inverse kinematics, generated from robots/stewart.yaml and templates/c/solver.h.jinja.
  * Do not edit: run dhgen robots/stewart.yaml. The formulas and where they come from:
- * stewart_leg.md.
+ * stewart_leg.md, of a leg of stewart.
  *
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
  * a pose, the position T[0:3, 3] counts; other entries are ignored.

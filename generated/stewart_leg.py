@@ -1,7 +1,8 @@
 """stewart_leg: Stewart platform, six cylinders (6-UPS): a leg.
 
 Inverse kinematics, generated from robots/stewart.yaml and templates/python/solver.py.jinja.
-Do not edit: run dhgen robots/stewart.yaml. The formulas and where they come from: stewart_leg.md.
+Do not edit: run dhgen robots/stewart.yaml. The formulas and where they come from: stewart_leg.md,
+of a leg of stewart.
 
 Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, the
 position T[0:3, 3] counts; other entries are ignored.

@@ -230,7 +230,7 @@ def _named(name: str, legs: Sequence[Leg]) -> tuple[Leg, ...]:
     kinds = list(dict.fromkeys(leg.chain for leg in legs))
     ends = [""] if len(kinds) == 1 else list(map(str, range(1, len(kinds) + 1)))
     named = {
-        chain: replace(chain, name=f"{name[:LONGEST_NAME]}{SUFFIX}{end}")
+        chain: replace(chain, name=f"{name[:LONGEST_NAME]}{SUFFIX}{end}", owner=name)
         for chain, end in zip(kinds, ends, strict=True)
     }
     return tuple(replace(leg, chain=named[leg.chain]) for leg in legs)

@@ -231,6 +231,7 @@ class Robot:
         sums: Limits of sums of joints' variables.
         notices: What was snapped to an exact value, looks like a slip, or is of no use.
         doubts: What may be why the arm's solvers do not pass, if they do not.
+        owner: The parallel robot of which this is a kind of leg; empty for a robot of its own.
     """
 
     name: str
@@ -253,6 +254,7 @@ class Robot:
     sums: tuple[SumLimit, ...] = ()
     notices: tuple[Diagnostic, ...] = ()
     doubts: tuple[Diagnostic, ...] = ()
+    owner: str = ""
 
     @property
     def is_coupled(self) -> bool:

@@ -54,6 +54,7 @@ class SolverModule:
         links: The table as the robot file has it.
         plain: Whether there is no fast path for regular poses.
         nominal: The nearest arm with a structure, where its rows are tried first.
+        owner: The parallel robot of which this is a kind of leg; empty for a robot of its own.
     """
 
     name: str
@@ -73,6 +74,7 @@ class SolverModule:
     precision: Precision = DOUBLE
     plain: bool = False
     nominal: Nominal | None = None
+    owner: str = ""
 
     @property
     def robot(self) -> str:
@@ -131,10 +133,10 @@ def named_entries(chain: Chain) -> list[NamedEntry]:
 
 def made_text(module: SolverModule, template: str, indent: str) -> str:
     """Where a file comes from; the lines after the first are indented."""
-    return origin_text(module.source, module.robot, template, indent)
+    return origin_text(module.source, module.robot, template, indent, owner=module.owner)
 
 
-def origin_text(path: str, robot: str, template: str, indent: str) -> str:
+def origin_text(path: str, robot: str, template: str, indent: str, *, owner: str = "") -> str:
     """Where a file comes from; the lines after the first are indented.
 
     Args:
@@ -142,13 +144,15 @@ def origin_text(path: str, robot: str, template: str, indent: str) -> str:
         robot: The identifier of the robot whose formulas these are.
         template: What the file was printed by.
         indent: What stands before lines.
+        owner: The parallel robot of which it is a kind of leg, if it is one.
     """
     source = plain_path(path)
     made = f"Inverse kinematics, generated from {source} and templates/{template}."
     # a path that can't be written here is for nobody to type from here
     command = shlex.join(["dhgen", source]) if source == path else "dhgen on that file"
     mended = f"Do not edit: run {command}."
-    told = f"The formulas and where they come from: {robot}.md."
+    leg = f", of a leg of {owner}" if owner else ""
+    told = f"The formulas and where they come from: {robot}.md{leg}."
     return f"\n{indent}".join([paragraph(made, indent), paragraph(f"{mended} {told}", indent)])
 
 

@@ -134,8 +134,9 @@ def test_what_an_earlier_run_wrote_for_another_robot_stays(
     before = {name: (tmp_path / "x" / name).read_bytes() for name in names(tmp_path / "x")}
     done = run(f"{second}.yaml", "--out", "x", folder=tmp_path)
     told = (
-        f"{second}.yaml: x/arm_f32.* are files of the robot '{first}': rename one of the robots, "
-        "write to another folder (--out), or remove them if they are left over\n"
+        f"{second}.yaml: x/arm_f32.* are files of the robot '{first}', made of {first}.yaml: "
+        "rename one of the robots, write to another folder (--out), or remove them if they are "
+        "left over\n"
     )
     assert (done.returncode, done.stdout, done.stderr) == (2, "", told)
     after = {name: (tmp_path / "x" / name).read_bytes() for name in names(tmp_path / "x")}
