@@ -166,9 +166,14 @@ class _Certificate:
             for operand in entry.operands
             for factor in self._factors(operand, crossing)
         ]
-        yield from map(self._may_begin, crossing)
+        yield from map(self._may_begin, filter(self._changes, crossing))
         whole = [root for root in roots if root not in crossing]
-        yield from map(self._may_vanish, dict.fromkeys([*divisors, *whole, *compared]))
+        vanishing = dict.fromkeys([*divisors, *whole, *compared])
+        yield from map(self._may_vanish, filter(self._changes, vanishing))
+
+    def _changes(self, node: Node) -> bool:
+        """Whether a value may differ in the ball; if not, what the program says of it is enough."""
+        return self._bounds.change(node) is not None
 
     def _may_be_negative(self, nodes: list[Node]) -> list[Node]:
         """Which values pass through zero: they are negative at some poses."""
@@ -214,15 +219,14 @@ class _Certificate:
     def _may_begin(self, node: Node) -> Node:
         """Whether what is under a root is negative here, and may be positive within the ball."""
         builder, radius = self._builder, self._bounds.radius(node)
+        assert radius is not None, "what changes has a radius"
         twice = builder.add(node, node)
-        if radius is None:
-            return builder.apply("at_most", builder.absolute(node), builder.integer(0))
         return builder.apply("at_most", builder.absolute(builder.add(twice, radius)), radius)
 
     def _may_vanish(self, node: Node) -> Node:
         """Whether a value may be zero within the ball."""
         limit = self._bounds.near_zero(node)
-        limit = self._builder.integer(0) if limit is None else limit
+        assert limit is not None, "what changes has a radius"
         return self._builder.apply("at_most", self._builder.absolute(node), limit)
 
     def _entry(self, node: Node) -> Entry:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 import pytest
 
@@ -9,10 +11,16 @@ from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.nominal.nominal import Nominal, nominal_arm
 from dhgen.program.interpret import outputs
-from dhgen.robot.load import load_text
+from dhgen.program.ir import Apply, Integer, Let
+from dhgen.robot.load import load, load_text
 from dhgen.targets.reserved import RESERVED
-from tests.nominal.twins import seven, twin
+from tests.nominal.twins import ROBOTS, seven, twin
 from tests.structures import first_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from dhgen.program.ir import Expression
 
 pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
 
@@ -72,3 +80,23 @@ def test_no_other_branch_has_solutions_near_by(text: str) -> None:
         begins |= (solved(nominal, other, free)[0] & ~exists).any(axis=1)
     assert not begins[certain].any()
     assert begins[~certain].sum() > 5  # poses at which branches begin near by are found at all
+
+
+def test_no_condition_asks_whether_a_value_is_exactly_zero() -> None:
+    """What given values alone determine, as this arm's N4, is the same at both arms' poses."""
+    nominal = nominal_arm(build_chain(load(ROBOTS / "kinova_gen3_7.yaml")), RESERVED)
+    assert nominal is not None
+    program = nominal.regular.program
+    lets = [each.expression for each in program.body if isinstance(each, Let)]
+    compared = [each for let in lets for each in _compared(let)]
+    assert compared
+    assert Integer(0) not in compared
+
+
+def _compared(expression: Expression) -> Iterator[Expression]:
+    """What conditions compare values with."""
+    if isinstance(expression, Apply):
+        if expression.operator in {"at_most", "less"}:
+            yield expression.operands[1]
+        for operand in expression.operands:
+            yield from _compared(operand)
