@@ -27,13 +27,13 @@ from dhgen.robot.load import load_text
 from dhgen.robot.robot import FLEET
 from dhgen.robot.task import TaskKind
 from dhgen.targets.calibrated import Kind
-from dhgen.targets.module import SolverModule
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.link_table import LinkTable
     from dhgen.program.reserved import Reserved
     from dhgen.robot.robot import Robot
+    from dhgen.targets.module import SolverModule
 
 JOINTS = 6
 # What the numbers of the arm that stands for all are more than nominal ones [rad, arm sizes]: as
@@ -68,19 +68,17 @@ def kind_of(robot: Robot, nominal: SolverModule, reserved: Reserved) -> Kind:
     precision = nominal.precision
     solver = lower(derivation, precision.tolerances, reserved)
     programs = robot_programs(derivation, solver, name, precision.tolerances, reserved)
-    module = SolverModule(
+    module = replace(
+        nominal,
         name=name,
         title=f"{robot.title}, calibrated",
-        source=nominal.source,
         chain=one,
         method=derivation.method,
         solver=programs.solver,
         forward=programs.forward,
         jacobian=programs.jacobian,
         policy=policy_of(one, programs.solver, precision.tolerances),
-        length_unit=robot.length_unit,
-        links=nominal.links,
-        digest=nominal.digest,
+        nominal=None,
     )
     return Kind(module, nominal, table, own)
 
