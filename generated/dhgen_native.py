@@ -105,6 +105,9 @@ def native(
         FileNotFoundError: The C or its header is missing.
         OSError: The folder for libraries can't be written to.
     """
+    if hasattr(module, "calibrated"):
+        told = f"native takes the module of one arm: the table of {module.NAME} comes at run time"
+        raise TypeError(f"{told}; solve in numba by {module.NAME}.calibrated(table), or call its C")
     if not hasattr(module, "ik_all"):
         wanted = "a robot's module, as in 'import scara; dhgen_native.native(scara)'"
         raise TypeError(f"native takes {wanted}, not {module!r}")
