@@ -11,14 +11,13 @@ from typing import TYPE_CHECKING
 
 from dhgen.compiler import source_name
 from dhgen.derivation.figures.figure import FOLDER
-from dhgen.descriptions.files import ENDINGS as DESCRIPTIONS
-from dhgen.descriptions.files import is_description
 from dhgen.descriptions.write import identifier
 from dhgen.errors import DhgenError, about
 from dhgen.generated_header import SUFFIXES, is_generated, source_folder
 from dhgen.parallel.compile import compile_file
 from dhgen.parallel.read import SUFFIX as LEG
 from dhgen.printing.comments import plain_path
+from dhgen.robot.load import DESCRIPTIONS, is_description
 from dhgen.robot.robot import FLEET
 from dhgen.robot.schema import MAX_LEGS
 from dhgen.robot_files import ENDINGS, led_to

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from dhgen.arguments import calibrate_parser, explain_parser, import_parser, parser, survey_parser
 from dhgen.commands import calibrate, check, explain, import_description, survey, write
 from dhgen.errors import CommandError, DhgenError
-from dhgen.workers import collect_seldom, interrupts_repeated
+from dhgen.workers import collect_seldom, interrupts_repeated, reckon_alone
 
 if TYPE_CHECKING:
     import argparse
@@ -39,6 +39,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command; returns the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     collect_seldom()
+    reckon_alone()
     _open_closed()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # a terminal that can't show a letter shows ?

@@ -1,4 +1,7 @@
-"""The robot files and descriptions of a command, all of them read before any work is done."""
+"""The robot files and descriptions of a command, all of them read before any work is done.
+
+What imports descriptions is loaded where there is one.
+"""
 
 from __future__ import annotations
 
@@ -9,12 +12,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 from dhgen.descriptions.expand import Outside
-from dhgen.descriptions.files import is_description, read_as_robot_file
 from dhgen.descriptions.wishes import Wishes
 from dhgen.errors import Diagnostic, RobotFileError
 from dhgen.parallel.read import assemble_parallel
 from dhgen.robot.assemble import assemble
-from dhgen.robot.load import demand_right, load_text, read_text, source_of
+from dhgen.robot.load import demand_right, is_description, load_text, read_text, source_of
 from dhgen.robot.reader import read_document
 from dhgen.robot.report import LEGS, Report
 from dhgen.robot.robot import FLEET
@@ -60,6 +62,8 @@ class RobotFile:
             RobotFileError: The file can't be read, or has mistakes.
         """
         if is_description(path):
+            from dhgen.descriptions.files import read_as_robot_file  # noqa: PLC0415
+
             text, robot = read_as_robot_file(path, wishes, outside)
         else:
             text = read_text(path)

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.story import Story
 from dhgen.errors import UnsolvedError
 from dhgen.kinematics.build import build_chain
-from dhgen.nominal.nominal import nominal_arm
 from dhgen.paul.derive import derive
 from dhgen.paul.refusal.other_convention import other_convention
 from dhgen.program.lowering.lower import lower
@@ -43,6 +42,8 @@ def solved(file: RobotFile, tell: Callable[[str], None] = lambda _: None) -> Sto
         raise UnsolvedError("\n".join((str(error), *other_convention(robot)))) from error
     tell("writing programs")
     solver = replace(lower(derivation, reserved=RESERVED), name=robot.name)
-    tries_nominal = derivation.whole is not None and not robot.plain
-    nominal = nominal_arm(chain, RESERVED) if tries_nominal else None
-    return Story(robot, derivation, solver, nominal)
+    if derivation.whole is None or robot.plain:
+        return Story(robot, derivation, solver, None)
+    from dhgen.nominal.nominal import nominal_arm  # noqa: PLC0415  of few arms
+
+    return Story(robot, derivation, solver, nominal_arm(chain, RESERVED))

@@ -74,6 +74,15 @@ def collect_seldom() -> None:
     gc.set_threshold(*SELDOM)
 
 
+def reckon_alone() -> None:
+    """Has NumPy begin no threads for its matrices, in a process that is the command's own.
+
+    They are small here: threads would wait, busily, for work that never comes. It says so before
+    NumPy is loaded, and to the workers, which are as many as there are cores.
+    """
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+
 Item = TypeVar("Item")
 Made = TypeVar("Made")
 

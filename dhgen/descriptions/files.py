@@ -22,20 +22,6 @@ if TYPE_CHECKING:
     from dhgen.descriptions.wishes import Wishes
     from dhgen.robot.robot import Robot
 
-ENDINGS = (".urdf", ".xacro", ".mjcf")  # of names; any other file is looked into
-HEAD = 4096  # bytes in which a file shows what it is
-
-
-def is_description(path: Path) -> bool:
-    """Whether a file is a robot description rather than a robot file; False of none."""
-    if path.suffix.lower() in ENDINGS:
-        return True
-    try:
-        with path.open("rb") as file:
-            return kind_of_xml(file.read(HEAD)) is not None
-    except OSError:
-        return False
-
 
 def read_description(path: Path, outside: Outside) -> Description:
     """The robot of a description file.

@@ -39,7 +39,11 @@ class NumericArm:
 
     def pose(self, q: FloatArray) -> FloatArray:
         """T of joint values, shape (..., n) to (..., 4, 4)."""
-        return self._frames(q)[0]
+        steps = self.steps(np.asarray(q, np.float64))
+        T = self.base
+        for element in self.elements:
+            T = T @ (steps[..., element - 1, :, :] if isinstance(element, int) else element)
+        return T @ self.tool
 
     def axes(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Directions and points (..., n, 3) of the joints' axes at joint values (..., n)."""
@@ -65,7 +69,7 @@ class NumericArm:
         """Pose (..., 4, 4) and geometric Jacobian (..., 6, n) of joint values (..., n)."""
         T, frames = self._frames(q)
         directions, points = frames[..., :3, 2], frames[..., :3, 3]
-        turns = self._turning[:, None]
+        turns = self.turning[:, None]
         velocities = np.cross(directions, T[..., None, :3, 3] - points)
         columns = np.concatenate(
             [np.where(turns, velocities, directions), np.where(turns, directions, 0.0)], axis=-1
@@ -80,11 +84,7 @@ class NumericArm:
 
         Behind them are those of passive rows.
         """
-        turns, passive = self._turning, self.chain.passive
-        values = self.chain.drives.values(q)
-        if passive:
-            moved = q @ _factors(passive, self.chain.dof).T + [each.offset for each in passive]
-            values = np.concatenate([values, moved], axis=-1)
+        turns, values = self.turning, self.values(q)
         angles = np.where(turns, values, 0.0)
         steps = np.zeros((*values.shape, 4, 4))
         steps[..., 0, 0] = steps[..., 1, 1] = np.cos(angles)
@@ -94,8 +94,17 @@ class NumericArm:
         steps[..., 2, 3] = np.where(turns, 0.0, values)
         return steps
 
+    def values(self, q: FloatArray) -> FloatArray:
+        """Angles and slides of the joints' axes, with those of passive rows behind them."""
+        passive, values = self.chain.passive, self.chain.drives.values(q)
+        if not passive:
+            return values
+        moved = q @ _factors(passive, self.chain.dof).T + [each.offset for each in passive]
+        return np.concatenate([values, moved], axis=-1)
+
     @property
-    def _turning(self) -> NDArray[np.bool_]:
+    def turning(self) -> NDArray[np.bool_]:
+        """Which of the axes that joints and passive rows have are turned about."""
         passive = (each.turns for each in self.chain.passive)
         return np.array([*self.chain.turning, *passive])
 

@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from dhgen.descriptions.expand import Outside
-from dhgen.descriptions.files import is_description
 from dhgen.descriptions.snap import MOST
 from dhgen.descriptions.wishes import Wishes
 from dhgen.errors import CommandError, RobotFileError
 from dhgen.library.arm import Arm
 from dhgen.library.wording import note_for_python
+from dhgen.robot.load import is_description
 from dhgen.robot.mapping import load_mapping
 from dhgen.robot.source import quoted
 from dhgen.robot.task import ARM_ANGLE

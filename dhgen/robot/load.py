@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 AnyRobot = TypeVar("AnyRobot")
 
+DESCRIPTIONS = (".urdf", ".xacro", ".mjcf")  # of names; any other file is looked into
+HEAD = 4096  # bytes in which a file shows what it is
 _XML = re.compile(r"\ufeff?\s*<[?!A-Za-z]")
 _KINDS_OF_XML = {
     "<xacro:": "a xacro",
@@ -116,6 +118,17 @@ def kind_of_xml(content: bytes) -> str | None:
     if not _XML.match(text):
         return None
     return next((kind for mark, kind in _KINDS_OF_XML.items() if mark in text), "XML")
+
+
+def is_description(path: Path) -> bool:
+    """Whether a file is a robot description rather than a robot file; False of none."""
+    if path.suffix.lower() in DESCRIPTIONS:
+        return True
+    try:
+        with path.open("rb") as file:
+            return kind_of_xml(file.read(HEAD)) is not None
+    except OSError:
+        return False
 
 
 def _no_utf8(content: bytes, name: str, start: int) -> Diagnostic:

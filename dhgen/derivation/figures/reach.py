@@ -176,13 +176,17 @@ def _point(arm: NumericArm, q: FloatArray, joint: int) -> FloatArray:
         if isinstance(element, int) and element == joint:
             break
         elements.append(element)
-    steps = arm.steps(q)
-    at = np.zeros((*q.shape[:-1], 4))
-    at[..., 3] = 1.0
+    values = np.moveaxis(arm.values(q), -1, 0)
+    x, y, z = np.zeros((3, *q.shape[:-1]))
     for element in reversed((arm.base, *elements)):
-        matrix = steps[..., element - 1, :, :] if isinstance(element, int) else element
-        at = (matrix @ at[..., None])[..., 0]
-    return at[..., :3]
+        if not isinstance(element, int):
+            x, y, z = (row[0] * x + row[1] * y + row[2] * z + row[3] for row in element[:3])
+        elif arm.turning[element - 1]:
+            c, s = np.cos(values[element - 1]), np.sin(values[element - 1])
+            x, y = c * x - s * y, s * x + c * y
+        else:
+            z = z + values[element - 1]
+    return np.stack([x, y, z], axis=-1)
 
 
 def samples(chain: Chain) -> FloatArray:
