@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.sections.calibrated import calibrated_section
@@ -12,6 +11,7 @@ from dhgen.derivation.sections.closing import (
     solutions_section,
 )
 from dhgen.derivation.sections.drives import drives_section
+from dhgen.derivation.sections.elements import element_blocks, known_side_blocks
 from dhgen.derivation.sections.example import example_section, singular_blocks
 from dhgen.derivation.sections.forward import forward_in_short, forward_section
 from dhgen.derivation.sections.general import general_section, numerical_section
@@ -25,6 +25,7 @@ from dhgen.derivation.sections.velocity import velocity_section
 from dhgen.derivation.sections.whole_example import whole_example_section
 from dhgen.derivation.sections.wrist import wrist_blocks
 from dhgen.derivation.steps import step_blocks
+from dhgen.derivation.story import COURSE_TEXT
 from dhgen.derivation.text.blocks import Given, Paragraph, Prose, paragraph, unfolded
 from dhgen.derivation.text.walk import symbols_of
 from dhgen.derivation.text.words import many
@@ -89,7 +90,9 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
 
 def _steps(story: Story, steps: Sequence[Sequence[Block]]) -> Iterator[Block]:
     for number, blocks in enumerate(steps, start=1):
+        yield from known_side_blocks(story, number)
         yield from wrist_blocks(story, number)
+        yield from element_blocks(story, number)
         yield from blocks
         yield from other_way(story, number)
 
@@ -108,12 +111,11 @@ TITLES = {
     "003": '"Modèle géométrique", on Denavit-Hartenberg tables and Paul\'s method',
     "004": "an inverse model worked out, without a title",
 }
-_CITED = re.compile(r"document (\d{3})\b")
 
 
 def cited_documents(blocks: Iterable[Block]) -> list[Block]:
     """A paragraph on the documents that paragraphs cite; none where they cite none."""
-    cited = sorted({number for text in _texts(blocks) for number in _CITED.findall(text)})
+    cited = sorted({number for text in _texts(blocks) for number in COURSE_TEXT.findall(text)})
     known = [number for number in cited if number in TITLES]
     if not known:
         return []

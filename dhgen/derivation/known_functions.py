@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 TAKEN = (
-    "Later steps use {} and {}: the two arguments, divided by the square root of the sum of their "
+    "From here on {} and {} are the two arguments, divided by the square root of the sum of their "
     "squares."
 )
 

@@ -42,7 +42,7 @@ def step_blocks(story: Story, number: int) -> tuple[tuple[Block, ...], tuple[Sin
     direct = step.kind is Kind.ANGLE_PAIR and is_direct(context)
     if direct and not rewriting and all(origin.row for origin in step.origins):
         # the elements have the equations, of which these are the solved form
-        where = say("{}, of which each holds the sine or the cosine alone:", where)
+        where = say("{}, each with the sine or the cosine alone:", where)
         blocks = [Paragraph(where, lead=_lead(context)), *text.blocks, *implied(context)]
         return tuple(blocks), text.singularities
     told = [paragraph("Each equation holds the sine or the cosine alone:")] if direct else []
@@ -90,6 +90,8 @@ def has_number_in_002(story: Story, number: int) -> bool:
 
 def _document_002_number(context: StepContext) -> int | None:
     """The number of the step's equations in document 002, which has four types."""
+    if not context.story.cites_courses:
+        return None
     kind = context.step.kind
     if kind is Kind.ANGLE and not context.step.coefficient("Z"):
         return HOMOGENEOUS_IN_002

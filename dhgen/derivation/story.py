@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -48,6 +49,9 @@ if TYPE_CHECKING:
     from dhgen.paul.step import Step
     from dhgen.program.ir import Axis, Program
     from dhgen.robot.robot import Robot
+
+
+COURSE_TEXT = re.compile(r"document (\d{3})\b")
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,6 +101,11 @@ class Story:
     def steps(self) -> tuple[Step, ...]:
         """The steps, in order."""
         return self.derivation.steps
+
+    @property
+    def cites_courses(self) -> bool:
+        """Whether the reader has the course texts at hand: the arm is one of theirs."""
+        return COURSE_TEXT.search(self.robot.source) is not None
 
     @cached_property
     def example(self) -> Example | None:

@@ -10,10 +10,12 @@ import numpy as np
 
 from dhgen.derivation.notation.expressions import number_symbol
 from dhgen.derivation.notation.names import letter
+from dhgen.derivation.story import COURSE_TEXT
 from dhgen.derivation.text.blocks import Given, Table, display, joined, paragraph, say
 from dhgen.derivation.text.formula import Matrix, Symbol, equal
 from dhgen.derivation.text.template import blocks_of
 from dhgen.derivation.text.words import numeral
+from dhgen.derivation.values import degrees
 from dhgen.parallel.figure import example_figure
 from dhgen.parallel.mobility import Count, counted
 from dhgen.parallel.module import Elimination
@@ -49,6 +51,8 @@ def parallel_blocks(module: ParallelModule) -> tuple[list[Block], list[Figure]]:
         "title": Given(module.robot.title),
         "legs": numeral(len(module.legs)),
         "freedoms": _freedoms_text(module),
+        "of_a_course": COURSE_TEXT.search(module.robot.source) is not None,
+        "unit": module.robot.length_unit,
         "cited": Given(module.robot.source.removesuffix(".")) if module.robot.source else "",
         "table": [_table(module)],
         "is_turned": any(leg.leg.base[:3] != (1.0, 0.0, 0.0) for leg in module.legs),
@@ -145,7 +149,7 @@ def _solved(module: ParallelModule) -> list[tuple[str, tuple[Formula | Given, ..
 
 def _name(name: str) -> Symbol:
     """The name of a chain, the same in all languages."""
-    return Symbol(rf"\texttt{{{name}}}".replace("_", r"\_"), name)
+    return Symbol(rf"\mathtt{{{name}}}".replace("_", r"\_"), name)
 
 
 def _rows(module: ParallelModule, example: Example) -> Table:
@@ -159,10 +163,16 @@ def _rows(module: ParallelModule, example: Example) -> Table:
             values = example.rows[number, row]
             if np.isnan(values[: leg.solver.chain.dof]).any():
                 continue
-            cells = [say("{}", _short(each)) if np.isfinite(each) else say("") for each in values]
+            turning = leg.solver.chain.turning
+            cells = [say("{}", _value(*each)) for each in zip(values, turning, strict=False)]
+            cells += [say("")] * (len(values) - len(turning))
             held = say("yes" if example.inside[number, row] else "no")
             rows.append((say(f"{number + 1}"), say(f"{row}"), *cells, held))
     return Table(tuple(header), tuple(rows))
+
+
+def _value(value: float, turns: bool) -> Symbol:  # noqa: FBT001  of a joint
+    return degrees(value) if turns else _short(value)
 
 
 def _smallest(example: Example) -> Block:
@@ -189,9 +199,9 @@ def _assemblies(module: ParallelModule, example: Example) -> list[Block]:
     header += [say("{}", Symbol(r"\varphi", "φ"))] if turns else []
     rows = []
     for T in example.assemblies:
-        cells = [T[i, 3] for i in range(len(letters))]
-        cells += [np.arctan2(T[1, 0], T[0, 0])] if turns else []
-        rows.append(tuple(say("{}", _short(cell)) for cell in cells))
+        cells = [_short(T[i, 3]) for i in range(len(letters))]
+        cells += [degrees(np.arctan2(T[1, 0], T[0, 0]))] if turns else []
+        rows.append(tuple(say("{}", cell) for cell in cells))
     return [Table(tuple(header), tuple(rows))]
 
 

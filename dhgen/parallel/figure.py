@@ -46,9 +46,9 @@ def example_figure(module: ParallelModule, example: Example) -> Figure:
         points = [at(point) for point in leg]
         sheet.line(points, "link")
         for point in points[1:]:
-            sheet.disc(point, JOINT, "point")
-        sheet.disc(points[0], FOOT, "point")
-        sheet.words((points[0][0] + 2 * FOOT, points[0][1] + 2 * FOOT), str(number), "name")
+            sheet.disc(point, JOINT, "body")
+        sheet.disc(points[0], FOOT, "body")
+        sheet.words((points[0][0] + 2 * FOOT, points[0][1] + 2 * FOOT), str(number), "tn")
     seen = "seen from above" if module.is_planar else "seen from the side"
     return Figure(
         figure_path(module.name, "platform"),

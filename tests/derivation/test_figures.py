@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
 
 FIGURES = sorted((GENERATED / "figures").glob("*.svg"))
+HANDOUT = (GENERATED.parent / "templates/derivation/handout.tex.jinja").read_text("utf-8")
 SVG = "{http://www.w3.org/2000/svg}"
 TABLES = ["general_6r", "kuka_kr6_r900", "scara", "spherical_wrist_general_arm", "stanford", "ur5"]
 LINE = re.compile(r"M(\S+) (\S+)L(\S+) (\S+)")
@@ -136,7 +137,11 @@ def test_every_figure_is_whole(path: Path) -> None:
     assert root.findtext(f"{SVG}title")
     assert root.findtext(f"{SVG}desc")
     assert len(text) < 12_000
-    assert not WRONG.search(text.split("</style>")[1])
+    styles, drawn = text.split("</style>")
+    assert not WRONG.search(drawn)
+    for kind in {word for each in re.findall(r'class="([^"]+)"', drawn) for word in each.split()}:
+        assert f".{kind}" in styles  # else a reader sees nothing of it
+        assert f"as {kind}/.style" in HANDOUT
     left, top, width, height = map(float, root.get("viewBox", "").split())
     for element in root.iter():
         for x, y in re.findall(r"[ML](\S+?) ([-\d.]+)", element.get("d", "")):

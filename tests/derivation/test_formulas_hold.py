@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from dhgen.derivation.document import document_blocks
+from dhgen.derivation.sections.elements import element_blocks, known_side_blocks
 from dhgen.derivation.sections.forward import forward_section
 from dhgen.derivation.sections.inverse import inverse_beginning
 from dhgen.derivation.sections.jacobian import jacobian_blocks
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.story import Story
 
 TOLERANCE = 1e-9
+DEFINING = "This is", "The determ", "By now all of"  # how texts begin that define letters
 ANGLES, RATIOS = "θq", "cs"  # how the letters of what has no unit begin
 
 
@@ -39,7 +41,7 @@ def relations(blocks: list[object]) -> list[Relation]:
     """All relations that stand on lines of their own, and letters defined in a sentence."""
     found: list[Relation] = []
     for block in blocks:
-        if isinstance(block, Paragraph) and block.prose.text.startswith(("This is", "The determ")):
+        if isinstance(block, Paragraph) and block.prose.text.startswith(DEFINING):
             for part in block.prose.parts:
                 found += [
                     f
@@ -98,10 +100,18 @@ def with_pose(of: Story, q: list[float]) -> Letters:
     return {**letters_of(of, q), "size": of.algebra.chain.size, "ℓ": of.algebra.chain.size}
 
 
+def given_to_steps(of: Story) -> list[Relation]:
+    """What the pose gives to the steps: before all of them, and before each."""
+    blocks = inverse_beginning(of)
+    for number in range(1, len(of.steps) + 1):
+        blocks += [*known_side_blocks(of, number), *element_blocks(of, number)]
+    return relations([*blocks])
+
+
 def with_entries(of: Story, letters: Letters) -> Letters:
     """The same, with what the text calls the entries of a matrix before its steps."""
     every = dict(letters)
-    for relation in relations(list(inverse_beginning(of))):
+    for relation in given_to_steps(of):
         name = relation.sides[0]
         if isinstance(name, Symbol) and name.text not in every:
             every[name.text] = evaluate(relation.sides[-1], every)
@@ -135,7 +145,7 @@ def test_jacobian(name: str) -> None:
 @pytest.mark.parametrize("name", EACH)
 def test_matrices_of_the_inverse(name: str) -> None:
     of = story(name)
-    printed = relations(list(inverse_beginning(of)))
+    printed = given_to_steps(of)
     for seed in range(3):
         letters = with_pose(of, configuration(of, seed))
         for number in range(1, of.dof + 1):

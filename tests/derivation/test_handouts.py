@@ -176,13 +176,26 @@ def test_latex_compiles_without_a_warning(name: str, engine: str, tmp_path: Path
     if engine not in ENGINES:
         pytest.skip(f"no {engine}")
     that = story(name) if name != "hostile" else story_of(load_text(HOSTILE, "hostile.yaml"))
-    log = compiled(engine, handout_of(that, "latex"), tmp_path)
-    told = re.findall(r"^(?:Overfull|Underfull \\vbox|LaTeX Warning|Package).*", log, re.MULTILINE)
-    assert [each for each in told if "Warning" in each or "Overfull" in each] == []
-    missing = re.findall(r"Missing character.*", log)
+    missing = warned(compiled(engine, handout_of(that, "latex"), tmp_path))
     if name == "hostile":  # Latin Modern has no Chinese letters
         missing = [each for each in missing if "机" not in each and "Ж" not in each]
     assert missing == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("engine", ["pdflatex", "xelatex"])
+def test_french_latex_compiles_without_a_warning(engine: str, tmp_path: Path) -> None:
+    """With the packages for French where there are any: points, colons and figures among them."""
+    if engine not in ENGINES:
+        pytest.skip(f"no {engine}")
+    assert warned(compiled(engine, handout("scara", "latex", French()), tmp_path)) == []
+
+
+def warned(log: str) -> list[str]:
+    """Letters that a LaTeX misses; it warns of nothing else."""
+    told = re.findall(r"^(?:Overfull|Underfull \\vbox|LaTeX Warning|Package).*", log, re.MULTILINE)
+    assert [each for each in told if "Warning" in each or "Overfull" in each] == []
+    return re.findall(r"Missing character.*", log)
 
 
 # How many formulas, tables and trees each document has, and how many of them, or of the document,

@@ -51,6 +51,8 @@ DEFINES = (
     *("This is", "These are", "The determinant"),
     *("Cette équation s’écrit", "Ces équations s’écrivent", "Le déterminant"),
 )
+# What the pose gives to a step stands before it.
+INTRODUCES = ("By now all of", "New elements in step", "À ce stade", "Éléments nouveaux à l’étape")
 IN_FRENCH = {
     "Forward": "Modèle géométrique direct",
     "Inverse": "Modèle géométrique inverse",
@@ -330,21 +332,31 @@ def steps_of(name: str, wished: str) -> list[list[Nodes]]:
     """The formulas of every step, and last those of the joint values."""
     steps: list[list[Nodes]] = []
     last: list[Nodes] = []
+    introduced = False
     for kind, value in section(name, wished, "Inverse"):
         if kind == "step":
             steps.append([])
+            introduced = False
+        elif kind == "text" and value.startswith(INTRODUCES):
+            introduced = True
         elif kind == "text" and words_for("The joint values.", wished) in value[:40]:
             steps.append(last)
-        elif kind == "formula" and steps:
+        elif kind == "formula" and steps and not introduced:
             steps[-1].append(value)
     return steps if last in steps[-1:] else [*steps, last]
 
 
 def beginning_of(name: str, wished: str) -> list[Nodes]:
-    """The formulas before the first step."""
-    every = section(name, wished, "Inverse")
-    end = next(place for place, (kind, _) in enumerate(every) if kind == "step")
-    return [value for kind, value in every[:end] if kind == "formula"]
+    """The formulas before the first step, and what comes in with steps."""
+    found, introduced = [], True
+    for kind, value in section(name, wished, "Inverse"):
+        if kind == "step":
+            introduced = False
+        elif kind == "text" and value.startswith(INTRODUCES):
+            introduced = True
+        elif kind == "formula" and introduced:
+            found.append(value)
+    return found
 
 
 def done(

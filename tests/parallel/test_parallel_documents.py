@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ from dhgen.cli import main
 from dhgen.derivation.french.language import French
 from dhgen.parallel.printing import parallel_derivation_as
 from tests.derivation.test_figures import parsed
+from tests.derivation.test_handouts import ENGINES, compiled, warned
 from tests.parallel.made import GENERATED, NAMES, compilation, native
 from tests.serial import ROBOTS
 
@@ -38,6 +40,13 @@ def test_every_format_has_the_text(name: str) -> None:
     assert "<math" in parallel_derivation_as("html", module)[0]
 
 
+@pytest.mark.slow
+@pytest.mark.skipif("pdflatex" not in ENGINES, reason="no pdflatex")
+def test_latex_compiles_without_a_warning(tmp_path: Path) -> None:
+    latex = parallel_derivation_as("latex", compilation("parallel_3rpr").module)[0]
+    assert warned(compiled("pdflatex", latex, tmp_path)) == []
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_the_figure_is_whole(name: str) -> None:
     text = (GENERATED / "figures" / f"{name}_platform.svg").read_text(encoding="utf-8")
@@ -54,19 +63,20 @@ def test_the_example_is_what_other_code_gives() -> None:
     T[:2, :2] /= np.hypot(T[0, 0], T[1, 0])
     _, q, _ = native("parallel_3rpr").ik(T)
     table = [
-        [float(cell.strip("$ ")) for cell in line.strip("|").split("|")[:4]]
+        [float(cell.strip("$ ").removesuffix(r"^\circ")) for cell in line.strip("|").split("|")[:4]]
         for line in text.splitlines()
         if re.match(r"\| \d \| \d \|", line)
     ]
     assert len(table) == 6
     for leg, row, *values in table:
-        np.testing.assert_allclose(q[int(leg) - 1, int(row)], values, rtol=0, atol=3e-4)
+        expected = [math.radians(values[0]), values[1], *map(math.radians, values[2:])]
+        np.testing.assert_allclose(q[int(leg) - 1, int(row)], expected, rtol=0, atol=3e-4)
     lengths = np.array([values[1] for leg, row, *values in table if row == 0])
     found = native("parallel_3rpr").assemblies(lengths)
     rows = re.findall(
-        r"^\| \$([-\d.]+)\$ \| \$([-\d.]+)\$ \| \$([-\d.]+)\$ \|$", text, re.MULTILINE
+        r"^\| \$([-\d.]+)\$ \| \$([-\d.]+)\$ \| \$([-\d.]+)\^\\circ\$ \|$", text, re.MULTILINE
     )
-    told = np.array(rows, float)
+    told = np.array(rows, float) * (1.0, 1.0, math.radians(1.0))
     have = [[P[0, 3], P[1, 3], np.arctan2(P[1, 0], P[0, 0])] for P in found]
     assert len(told) == len(have) == 4
     assert all(np.abs(np.array(have) - each).max(axis=1).min() < 5e-3 for each in told)

@@ -74,7 +74,7 @@ def _whole_turns(chain: Chain) -> list[Block]:
 
 
 def _shortest(story: Story, which: str) -> list[Block]:
-    """Document 002's choice, and what it is in the example."""
+    """The shortest motion, document 002's choice, and what it is in the example."""
     chain, example = story.algebra.chain, story.example
     if story.program.rows == 1:
         return []
@@ -83,10 +83,11 @@ def _shortest(story: Story, which: str) -> list[Block]:
     units = f", {' and '.join(angles + lengths)}"
     size = [] if all(chain.turning) else [figures(chain.size)]
     unit = f" {story.robot.length_unit}" if size else ""
+    choice = "Document 002 ends with the choice of" if story.cites_courses else "One may choose"
     blocks: list[Block] = [
         paragraph(
-            "Document 002 ends with the choice of the row that the arm reaches by the shortest "
-            "motion from where it stands, the seed: "
+            f"{choice} the row that the arm reaches by the shortest motion from where it stands, "
+            "the seed: "
             f"{which} with the least {{}}{units}{unit}.",
             SQUARES,
             *size,

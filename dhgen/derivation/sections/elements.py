@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.matrices import (
@@ -21,11 +23,11 @@ from dhgen.derivation.text.formula import Element, Product, Symbol, equal
 from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import LATEX, PLAIN
 from dhgen.derivation.text.words import many
+from dhgen.kinematics.ring import used_places
 from dhgen.paul.arm_plane import SHOULDER
 from dhgen.paul.equation import MOMENT
 
 if TYPE_CHECKING:
-    from dhgen.derivation.known_side import KnownSide
     from dhgen.derivation.notation.matrices import Form
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block, Prose
@@ -36,8 +38,39 @@ if TYPE_CHECKING:
     from dhgen.paul.step import Step
 
 
-def element_blocks(story: Story) -> list[Block]:
-    """Both sides of every element in the columns that the steps use, each once."""
+@dataclass(frozen=True, slots=True)
+class _Group:
+    """The elements that are shown of one matrix.
+
+    Attributes:
+        form: The matrix.
+        step: The first step that uses it, from 1.
+        places: Rows and columns of its elements.
+    """
+
+    form: Form
+    step: int
+    places: tuple[tuple[int, int], ...]
+
+
+def element_blocks(story: Story, number: int) -> list[Block]:
+    """The points and the elements that come in with a step, each once."""
+    groups = [group for group in _groups(story) if group.step == number]
+    blocks = _point_blocks(story, number)
+    if not groups:
+        return blocks
+    beside = any(column == 4 for group in groups for _, column in group.places)
+    also = ", and their neighbours in column 4" if beside else ""
+    blocks.append(paragraph(f"New elements in step {number}{also}:"))
+    for group in groups:
+        equations = [_element_equation(story, group, *place) for place in group.places]
+        blocks += [paragraph("{}", _form_sentence(story, group.form)), display(*equations)]
+    return blocks
+
+
+@lru_cache(maxsize=2)
+def _groups(story: Story) -> tuple[_Group, ...]:
+    """The matrices of which both sides of elements are shown, in the columns that steps use."""
     used: dict[tuple[bool, bool, int, int], list[Origin]] = {}
     first: dict[Matrix, int] = {}
     for number, step in enumerate(story.steps, start=1):
@@ -45,37 +78,27 @@ def element_blocks(story: Story) -> list[Block]:
             key = (origin.shoulder, origin.inverse, origin.m, -origin.k)
             used.setdefault(key, []).append(origin)
             first.setdefault(origin.matrix, number)
-    blocks: list[Block] = []
-    letters: list[Block] = []
-    side = story.known_side
+    found = []
     for _, origins in sorted(used.items()):
         form = story.form(origins[0].matrix)
-        number = first[form.place]
-        equations = [
-            _element_equation(story, form, *place, number)
-            for place in _wanted(story, form, origins)
-        ]
-        if not equations:
-            continue
-        if side is not None and number > side.after and not letters:
-            letters = _known_side_blocks(story, side)
-        blocks += [paragraph("{}", _form_sentence(story, form)), display(*equations)]
-    if not blocks:
+        if places := _wanted(story, form, origins):
+            found.append(_Group(form, first[form.place], tuple(places)))
+    return tuple(found)
+
+
+def known_side_blocks(story: Story, number: int) -> list[Block]:
+    """The letters of a matrix that is known from a step on."""
+    side = story.known_side
+    if side is None or number != side.after + 1:
         return []
-    text = "The elements that are used below, and their neighbours in column 4:"
-    return [*letters, paragraph(text), *blocks]
-
-
-def _known_side_blocks(story: Story, side: KnownSide) -> list[Block]:
-    """The letters of a matrix that is known before the steps that are left."""
     name, middle = left_name(side.place, story.dof), middle_name(side.place)
     sides = (name, middle) if side.symbol == name else (side.symbol, name, middle)
     text = (
-        "After step {} all of {} is known. Its entries are written {} from there on; those that "
-        "are used are"
+        "By now all of {} is known. Its entries are written {} from here on; those that are used "
+        "are"
     )
     return [
-        paragraph(text, Given(str(side.after)), equal(*sides), side.entry),
+        paragraph(text, equal(*sides), side.entry),
         display(*(equal(symbol, story.write(entry)) for entry, symbol in side.entries)),
     ]
 
@@ -127,36 +150,43 @@ def _wanted(story: Story, form: Form, origins: list[Origin]) -> list[tuple[int, 
     return kept
 
 
-def _element_equation(story: Story, form: Form, row: int, column: int, step: int) -> Formula:
+def _element_equation(story: Story, group: _Group, row: int, column: int) -> Formula:
     """Both sides, with the letters that there are before the first step that uses the form."""
-    left, right = sides(form, row, column)
-    name = Element(story.left_name(form.place), row, column)
-    return equal(name, story.write_quoted(left, step), story.write_forward(right))
+    left, right = sides(group.form, row, column)
+    name = Element(story.left_name(group.form.place), row, column)
+    return equal(name, story.write_quoted(left, group.step), story.write_forward(right))
 
 
-def point_blocks(story: Story) -> list[Block]:
-    """Those that the steps use."""
+def _point_blocks(story: Story, number: int) -> list[Block]:
+    """The points that come in with a step."""
     pool = story.derivation.pool
     blocks: list[Block] = []
     for point in pool.points:
-        if _is_used(story, point):
+        if _first_use(story, point) == number:
             blocks += _point(story, point)
     for base_point in pool.base_points:
-        if _is_used(story, base_point):
+        if _first_use(story, base_point) == number:
             blocks += _base_point(story, base_point)
     return blocks
 
 
-def _is_used(story: Story, point: Point | BasePoint) -> bool:
-    places = [story.algebra.index[name] for name in point.names]
-    return any(
-        monomial[place]
-        for quotes in story.quotes
-        for quote in quotes
-        for side in (quote.left, quote.right)
-        for monomial in side
-        for place in places
-    )
+def _first_use(story: Story, point: Point | BasePoint) -> int | None:
+    """The first step that quotes a point's coordinates, or shows an element that holds them."""
+    names = {story.algebra.index[name] for name in point.names}
+    quoted = [
+        number
+        for number, quotes in enumerate(story.quotes, start=1)
+        if any(names & used_places(side) for each in quotes for side in (each.left, each.right))
+    ]
+    if not quoted:
+        return None
+    shown = [
+        group.step
+        for group in _groups(story)
+        for place in group.places
+        if any(names & used_places(side) for side in sides(group.form, *place))
+    ]
+    return min(quoted + shown)
 
 
 def _point(story: Story, point: Point) -> list[Block]:

@@ -191,8 +191,8 @@ def near_blocks(chain: Chain, unit: str) -> list[Block]:
         axes = joined([_axes(t) for t in apart])
         length = joined([f"{short_number(t.miss, 4)} {unit}" for t in apart])
         said.append(
-            f"{axes} do not meet in one point. What they miss it by, the largest distance between "
-            "neighbours of three or between the feet of their common normals on the middle one, is "
+            f"{axes} do not meet in one point. What they miss it by, between neighbours or, on the "
+            "middle axis, between the feet of its two common normals, is "
             f"{length}{', in this order' * (len(apart) > 1)}"
         )
     return [paragraph(f"{MISSED}{'; '.join(said)}.")] if said else []

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from itertools import groupby
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.names import inverse as inverse_name
 from dhgen.derivation.notation.names import letter, link, pose_letter, target
 from dhgen.derivation.notation.polynomial import Writer, alphabet
-from dhgen.derivation.sections.elements import element_blocks, point_blocks
 from dhgen.derivation.sections.forward import BASE, POSE, TOOL, given_pose, moved_left
 from dhgen.derivation.sections.shoulder import shoulder_blocks
 from dhgen.derivation.sections.types_table import types_table
@@ -30,6 +30,7 @@ from dhgen.robot.task import Directions, TaskKind
 if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block, Prose
+    from dhgen.derivation.text.formula import Formula
 
 
 SEED = (
@@ -44,7 +45,7 @@ def inverse_beginning(story: Story) -> list[Block]:
     blocks += _given(story)
     blocks += types_table(story)
     blocks += _stay(story)
-    return [*blocks, *point_blocks(story), *shoulder_blocks(story), *element_blocks(story)]
+    return [*blocks, *shoulder_blocks(story)]
 
 
 def _given(story: Story) -> list[Block]:
@@ -52,7 +53,7 @@ def _given(story: Story) -> list[Block]:
     left, right = moved_left(story)
     method = say(
         "Paul's method multiplies both sides of {} by {}, {} and so on from the left, {}, until an "
-        "element holds one unknown or is of one of the types of document 003.",
+        "element holds one unknown or is of one of the types below.",
         equal(target(0), Symbol(r"A_1 \cdots A_n", "A₁⋯Aₙ")),
         inverse_name(link(1)),
         inverse_name(link(2)),
@@ -109,8 +110,8 @@ def _other_forms(story: Story) -> list[Block]:
     texts: list[Prose] = []
     last = [inverse_name(link(story.dof - i)) for i in (0, 1)]
     if not all(origin.inverse for origin in mixed):
-        text = "Some steps need the last joints on the left as well: there both sides are also "
-        texts.append(say(text + "multiplied by {}, {} and so on from the right.", *last))
+        text = "Some steps also move the last joints to the known side: both sides are multiplied "
+        texts.append(say(text + "by {}, {} and so on from the right.", *last))
     if any(origin.inverse for origin in mixed):
         text = "Some equations are those of {}, in which a frame of the base is seen from the tool."
         texts.append(say(text, inverse_name(target(0))))
@@ -143,12 +144,19 @@ def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
         for j in range(1, 5):
             letters[f"t{i}{j}"] = letter(named, named, f"{i}{j}", f"p{i}{j}")
     writer = Writer(alphabet(algebra, letters), lambda _: 0)
-    shown = [
-        equal(story.letters[name], writer.write(given.entry(*POSE_PLACES[name])))
-        for name in sorted(problem.known, key=lambda name: (name[2], name[1]))
-    ]
+    same: list[Formula] = []
+    other: list[Formula] = []
+    known = sorted(problem.known, key=lambda name: (name[2], name[1]))
+    for _, column in groupby(known, key=lambda name: name[2]):
+        values = {name: given.entry(*POSE_PLACES[name]) for name in column}
+        lines = [equal(story.letters[name], writer.write(value)) for name, value in values.items()]
+        if all(value == algebra.generator(name) for name, value in values.items()):
+            same.append(Listing(tuple(lines)))
+        else:
+            other += lines
     entries = equal(POSE, Symbol(f"({named}_{{ij}})", f"({named}ᵢⱼ)"))
-    return [paragraph("With {} its entries are", entries), display(*shown)]
+    shown = [display(*each) for each in (same, other) if each]
+    return [paragraph("With {} its entries are", entries), *shown]
 
 
 def _stay(story: Story) -> list[Block]:

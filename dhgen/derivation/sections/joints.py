@@ -159,18 +159,18 @@ def _tightening(program: Program) -> Block:
     """What is done with rows that are good to few digits."""
     text = (
         "Angles of short vectors, and roots that nearly meet, are good to a few digits only. A row "
-        "that misses the pose by a little is tightened: steps of damped least squares, with the "
-        "Jacobian of the whole task, improve it until it is exact or comes no closer. Before that, "
-        "it may be slightly out of reach; if it still is afterwards, it stays empty."
+        "that misses the pose slightly is refined by damped least squares, with the Jacobian of "
+        "the whole task, until it is exact or comes no closer. If it still misses the pose, it is "
+        "left empty."
     )
     if program.tightened is not None and program.tightened.elbow:
         text += " The arm angle is one more equation of these steps."
     if finds_roots(program):
         text += (
-            " Where two roots nearly meet, a joint may be nearly free. One root may then stand for "
-            "both, and its row is the solution of neither. The steps lead from it to one of the "
-            "two solutions; the root of the other lies as far away on the other side. A root that "
-            "took the seed's value is looked for again with a seed turned away from it."
+            " Where two roots nearly meet, a joint may be nearly free. Both may then "
+            "be found as one value between them. From there the steps reach one of the two "
+            "solutions; a second start, as far away on the other side, reaches the other. A root "
+            "that took the seed's value is looked for again with a seed turned away from it."
         )
     if program.tightened is not None and program.tightened.checked:
         text += (

@@ -48,9 +48,7 @@ def constant_blocks(story: Story) -> list[Block]:
     made = [each for each in constants if each.parameter is None and each.square is None]
     if made:
         numbers = joined([_constant(story, each) for each in made])
-        blocks.append(
-            paragraph("Letters for numbers that have no name in the robot file: {}.", numbers)
-        )
+        blocks.append(paragraph("Further numbers of the table get letters here: {}.", numbers))
         blocks += reference_angles(story)
     return blocks
 

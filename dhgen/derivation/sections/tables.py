@@ -38,10 +38,10 @@ _BEFORE, _OWN, _AFTER = (
 )
 _I = Symbol("i", "i")
 _TEXT = "{} convention: {}. Joint {} {} {}; {} points along the common normal of {} and {}."
+_AXES = "The axes are given in the reference position, where every {} is zero, in the base frame"
 _AXES_TEXT = (
-    "The axes are given in the reference position, where every {} is zero, in the base frame "
-    "(document 001). Frame {} moves with joint {} and has its {} axis along the joint's axis; {} "
-    "takes frame {} to frame {}."
+    ". Frame {} moves with joint {} and has its {} axis along the joint's axis; {} takes frame {} "
+    "to frame {}."
 )
 
 
@@ -95,11 +95,15 @@ def axes_blocks(story: Story) -> list[Block]:
     q, z, a = Symbol("q_i", "qᵢ"), Symbol("z", "z"), Symbol("A_i", "Aᵢ")
     return [
         Table((*header, *([say("limits")] * limited)), tuple(rows)),
-        paragraph(_AXES_TEXT, q, _I, _I, z, a, Symbol("i-1", "i−1"), _I),
+        paragraph(_AXES + _cited(story) + _AXES_TEXT, q, _I, _I, z, a, Symbol("i-1", "i−1"), _I),
         *_of_document_001(story),
         *_rounded(story),
         variables(story),
     ]
+
+
+def _cited(story: Story) -> str:
+    return " (document 001)" if story.cites_courses else ""
 
 
 def _of_document_001(story: Story) -> list[Block]:
@@ -113,9 +117,9 @@ def _of_document_001(story: Story) -> list[Block]:
     return [
         paragraph(
             "Let {} be the motion of joint {} about, or along, its axis where it is in the "
-            "reference position. Together the joints move the hand by {} (document 001). If {} is "
-            "frame {} in that position, {} and {}. Behind frame {} the tool is where the reference "
-            "position has it, seen from {}.",
+            f"reference position. Together the joints move the hand by {{}}{_cited(story)}. If "
+            "{} is frame {} in that position, {} and {}. Behind frame {} the tool is where the "
+            "reference position has it, seen from {}.",
             Symbol("K_i", "Kᵢ"),
             _I,
             product,

@@ -67,10 +67,11 @@ def types_table(story: Story) -> list[Block]:
     has_length = any("r" in each for kind in kinds for each in kind.value.equations)
     slides = [Symbol("r", "r")] if has_length else []
     length = "{} is an unknown length, " if slides else ""
+    table = "document 003, which has the table" if story.cites_courses else "the table"
     text = (
-        "The types that occur here, numbered as in document 003, which has the table of W. Khalil "
-        f"and E. Dombre (2002): {length}{{}} and {{}} are the cosine "
-        "and sine of an unknown angle, and capitals are known."
+        f"The types that occur here, numbered as in {table} of W. Khalil and E. Dombre (2002): "
+        f"{length}{{}} and {{}} are the cosine and sine of an unknown angle, and capitals are "
+        "known."
     )
     new = [str(kind.number) for kind in kinds if not kind.value.in_003]
     if new:
@@ -95,12 +96,13 @@ def types_table(story: Story) -> list[Block]:
 def _in_the_course(story: Story) -> list[Block]:
     """How the courses write solutions that look otherwise here."""
     told: list[Block] = []
+    angle = "Document 002 has the same angle as" if story.cites_courses else "The same angle is"
     if any(step.kind is Kind.ANGLE and step.coefficient("Z") for step in story.steps):
         told.append(
             paragraph(
                 "Khalil and Dombre write the solution of type 2 as {}, with {}. The steps leave "
                 "out the divisor, a positive factor that both share and atan2 takes no notice of. "
-                "Document 002 has the same angle as {} with {}.",
+                f"{angle} {{}} with {{}}.",
                 Listing(TYPE_2),
                 SIGN,
                 *TYPE_2_BY_ANGLES,

@@ -48,14 +48,23 @@ def wrist_blocks(story: Story, number: int) -> list[Block]:
     m = wrist[0] - 1
     rotation = Symbol(f"R_{n}^{m}", f"R{chr(0x2080 + n)}^{m}")
     known = joined([say("{}", _symbol(story, joint)) for joint in arm])
-    return [
-        paragraph(
+    letters = _letters(story, m)
+    side = story.known_side
+    if letters and side is not None and side.after == number - 1:  # it was just said
+        text = (
+            "The first three rows and columns of {} are the orientation that is left to the wrist:"
+        )
+        head = paragraph(text, target(m))
+    else:
+        head = paragraph(
             "With {} the matrix {} is known, too. Its first three rows and columns are the "
             "orientation that is left to the wrist:",
             known,
             equal(target(m), product_of(wrist)),
-        ),
-        display(equal(rotation, *_letters(story, m), Matrix(tuple(entries)))),
+        )
+    return [
+        head,
+        display(equal(rotation, *letters, Matrix(tuple(entries)))),
         *_turned(story, number, wrist[0]),
     ]
 

@@ -25,6 +25,8 @@ from dhgen.robot.task import Directions
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
+    from numpy.typing import NDArray
+
     from dhgen.arrays import FloatArray
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Prose
@@ -152,15 +154,16 @@ def _wrenches(
 ) -> Iterator[tuple[_Wrench, ...]]:
     """Those of some postures where the formula vanishes, and so many motions are lost by it."""
     source = random.Random(3)  # noqa: S311 - postures, no secrets
+    given, named = _given_values(story, source), _named_rows(story)
     found = 0
     for _ in range(TRIES):
-        values = _singular_values_of_joints(story, factor, source)
+        values = _singular_values_of_joints(story, factor, given, source)
         if values is None:
             continue
         letters = _posture(story, values).letters()
         if any(abs(float(exact_value(other, letters))) < NEAR for other in others):
             continue  # as those of a folded arm with links of one length do
-        lost = _lost(story, values)
+        lost = _lost(story, values, named)
         if len(lost) == count:
             yield lost
             found += 1
@@ -174,20 +177,32 @@ def _posture(story: Story, values: Values) -> Posture:
     return Posture(story, turns, values, {c.name: c.value for c in chain.constants})
 
 
+def _reach(story: Story) -> Values:
+    """How far each joint's value is looked for on both sides of zero."""
+    chain = story.algebra.chain
+    return {j: math.pi if turns else chain.size for j, turns in enumerate(chain.turning, start=1)}
+
+
+def _given_values(story: Story, source: random.Random) -> Values:
+    """Random values of the joints that are given: what is behind them is one body with the tool."""
+    reach = _reach(story)
+    return {j: source.uniform(-reach[j], reach[j]) for j in story.algebra.chain.free}
+
+
 def _singular_values_of_joints(
-    story: Story, factor: Formula, source: random.Random
+    story: Story, factor: Formula, given: Values, source: random.Random
 ) -> Values | None:
-    """Random values of all joints but one, which makes the formula zero."""
-    size = story.algebra.chain.size
-    turning = story.algebra.chain.turning
-    reach = {j: math.pi if turns else size for j, turns in enumerate(turning, start=1)}
-    values = {j: source.uniform(-most, most) for j, most in reach.items()}
+    """Random values of all joints but one, which makes the formula zero, and of those given."""
+    reach = _reach(story)
+    values = {j: source.uniform(-most, most) for j, most in reach.items()} | given
 
     def at(joint: int, value: float) -> float:
         letters = _posture(story, {**values, joint: value}).letters()
         return float(exact_value(factor, letters))
 
     for joint in sorted(values, key=lambda _: source.random()):
+        if joint in given:
+            continue
         step = 2.0 * reach[joint] / STEPS
         ends = [-reach[joint] + step * (k + 0.37) for k in range(STEPS)]
         signs = [at(joint, end) for end in ends]
@@ -209,17 +224,35 @@ def _bisected(function: Callable[[float], float], low: float, high: float) -> fl
     return 0.5 * (low + high)
 
 
-def _lost(story: Story, values: Values) -> tuple[_Wrench, ...]:
-    """What does no work, each at right angles to the others; none where that is in doubt."""
+def _named_rows(story: Story) -> NDArray[np.intp]:
+    """The rows of the Jacobian that are not zero for every posture, as those of a plane's z are."""
+    source = random.Random(4)  # noqa: S311 - a posture, no secret
+    values = {j: source.uniform(-most, most) for j, most in _reach(story).items()}
+    return np.flatnonzero(np.abs(_jacobian(story, values)).max(axis=1) > NEAR)
+
+
+def _jacobian(story: Story, values: Values) -> FloatArray:
+    """The Jacobian, lengths in arm sizes."""
     chain = story.algebra.chain
-    posture = _posture(story, values)
-    J = np.array(posture.jacobian(), float)
-    frames = np.array(posture.frames()[0], float)
+    J = np.array(_posture(story, values).jacobian(), float)
+    J *= [1.0 if chain.turning[joint.number - 1] else chain.size for joint in chain.solved]
+    J[: len(chain.task.position_rows)] /= chain.size
+    return J
+
+
+def _lost(story: Story, values: Values, named: NDArray[np.intp]) -> tuple[_Wrench, ...]:
+    """What does no work, each at right angles to the others; none where that is in doubt.
+
+    Args:
+        story: The arm.
+        values: Its joints.
+        named: The rows of the Jacobian that the task asks for.
+    """
+    chain = story.algebra.chain
+    frames = np.array(_posture(story, values).frames()[0], float)
     frames[..., 3] /= chain.size
     rows = len(chain.task.position_rows)
-    J *= [1.0 if chain.turning[joint.number - 1] else chain.size for joint in chain.solved]
-    J[:rows] /= chain.size
-    named = np.flatnonzero(np.abs(J).max(axis=1) > NEAR)
+    J = _jacobian(story, values)
     U, s, _ = np.linalg.svd(J[named])
     if np.any((s > NEAR) & (s < CLEAR)):
         return ()

@@ -52,7 +52,8 @@ def wrist_blocks(story: Story) -> WristBlocks | None:
     columns = list(_columns(story.algebra, ARM, 2 * ARM))
     if any(entry for moved, _ in columns[ARM:] for entry in moved):
         return None  # no frame has its origin there
-    moved, spins = zip(*columns, strict=True)
+    (first, *others), spins = zip(*columns, strict=True)
+    moved = tuple(_shortest(story.algebra, entry) for entry in first), *others
     return WristBlocks(_turned(moved[:ARM]), _turned(spins[:ARM]), _turned(spins[ARM:]))
 
 
@@ -142,7 +143,7 @@ def arm_rows(story: Story, blocks: WristBlocks) -> ArmRows | None:
     size = algebra.normal(a * d - b * c)
     inverse = (_reduced(d, -b, size), _reduced(-c, a, size))
     first = tuple(blocks.arm[each][0] for each in rest)
-    return ArmRows(row, _shortest(algebra, blocks.arm[row][0]), rest, first, inverse)
+    return ArmRows(row, blocks.arm[row][0], rest, first, inverse)
 
 
 def _reduced(*forms: Polynomial) -> Vector:
