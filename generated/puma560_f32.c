@@ -1527,10 +1527,13 @@ DHGEN_INLINE float dhgen_quotient(float a, float b)
 
 #if defined(__clang__) || defined(__CUDACC__)
 #define DHGEN_UNROLLED _Pragma("unroll")
+#define DHGEN_WRITTEN_OUT _Pragma("unroll")
 #elif defined(__GNUC__) && __GNUC__ >= 8
 #define DHGEN_UNROLLED _Pragma("GCC unroll 2")
+#define DHGEN_WRITTEN_OUT _Pragma("GCC unroll 16") /* short loops also without -O3 */
 #else
 #define DHGEN_UNROLLED
+#define DHGEN_WRITTEN_OUT
 #endif
 
 #ifndef DHGEN_LIBM
@@ -1580,6 +1583,7 @@ DHGEN_INLINE float dhgen_maximum_double(float a, float b)
 
 #define DHGEN_LANES 1
 typedef float dhgen_wide;
+typedef dhgen_wide dhgen_wide_at; /* in memory */
 typedef int dhgen_wide_mask;
 
 /* Only what is chosen is computed: a function's arguments all would be. */
@@ -1603,6 +1607,11 @@ DHGEN_INLINE float dhgen_all_wide(float x)
 DHGEN_INLINE int dhgen_where_wide(int truth)
 {
     return truth;
+}
+
+DHGEN_INLINE unsigned dhgen_bits_wide(int m)
+{
+    return m != 0;
 }
 
 DHGEN_INLINE float dhgen_minimum_wide(float a, float b)
