@@ -85,7 +85,8 @@ DHGEN_INLINE double dhgen_polynomial(const double *p, int degree, double x)
 }
 
 /* The real roots of a polynomial whose highest coefficient is not zero, ascending: between the
- * roots of its derivative there is one, or none. Where it touches zero there is one, too. */
+ * roots of its derivative there is one, or none. Where it touches zero there is one, too; beside a
+ * change of sign it does not touch: that root is found, and a pair nearly merged is two of them. */
 DHGEN_FN int dhgen_real_roots(const double *p, int degree, double *roots)
 {
     double d[DHGEN_DEGREE + 1], found[DHGEN_DEGREE + 2], largest = 0.0;
@@ -103,28 +104,28 @@ DHGEN_FN int dhgen_real_roots(const double *p, int degree, double *roots)
             bound = fmax(bound, fabs(d[k] / d[order]));
             largest = fmax(largest, fabs(d[k]));
         }
-        int kept = 0;
+        int kept = 0, changed = 1; /* nothing touches zero at the bound */
         double low = -1.0 - bound;
         for (int k = 0; k <= count; k++) {
             const double high = k < count ? found[k] : 1.0 + bound;
-            double a = low, b = high, at_a = dhgen_polynomial(d, order, a);
-            const double at_b = dhgen_polynomial(d, order, b);
-            const double scale = 1.0 + pow(fabs(b), order);
-            if ((at_a < 0.0) != (at_b < 0.0)) {
+            const double at_low = dhgen_polynomial(d, order, low);
+            const int changes = (at_low < 0.0) != (dhgen_polynomial(d, order, high) < 0.0);
+            const int touches =
+                fabs(at_low) <= DHGEN_TOUCHES * largest * (1.0 + pow(fabs(low), order));
+            if (order == degree && touches && !changed && !changes && kept < order)
+                next[kept++] = low;
+            if (changes && kept < order) {
+                double a = low, b = high;
                 for (int i = 0; i < 80 && a < b; i++) {
-                    const double middle = 0.5 * (a + b), at = dhgen_polynomial(d, order, middle);
-                    if ((at < 0.0) == (at_a < 0.0)) {
+                    const double middle = 0.5 * (a + b);
+                    if ((dhgen_polynomial(d, order, middle) < 0.0) == (at_low < 0.0))
                         a = middle;
-                        at_a = at;
-                    } else
+                    else
                         b = middle;
                 }
-                if (kept < order)
-                    next[kept++] = 0.5 * (a + b);
+                next[kept++] = 0.5 * (a + b);
             }
-            if (order == degree && k < count && kept < order
-                && fabs(at_b) <= DHGEN_TOUCHES * largest * scale)
-                next[kept++] = high;
+            changed = changes;
             low = high;
         }
         count = kept;
