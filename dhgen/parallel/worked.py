@@ -13,6 +13,7 @@ from dhgen.parallel.robot import inverse
 from dhgen.program.interpret import interpret
 from dhgen.runtime.python.direct import assemblies, least_values
 from dhgen.runtime.python.platform import LENGTHS, POSE, YAW, Leg, Platform
+from dhgen.status import Status
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -50,9 +51,11 @@ class Interpreted:
         """All rows (N, rows, joints) of poses, NaN without a solution."""
         return interpret(self._solver.solver, T, np.zeros((len(T), self.DOF))).q
 
-    def ik_all(self, T: FloatArray) -> tuple[FloatArray, None]:
-        """All rows of a pose."""
-        return self.ik_batch(T[None])[0], None
+    def ik_all(self, T: FloatArray) -> tuple[FloatArray, NDArray[np.uint8]]:
+        """All rows of a pose, and whether they are within limits."""
+        rows = self.ik_batch(T[None])[0]
+        status = np.where(_inside(rows, self._solver), Status.OK, Status.OUT_OF_LIMITS)
+        return rows, status.astype(np.uint8)
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,6 +14,9 @@
 #define DHGEN_CLOSED 1e-12
 #define DHGEN_DIRECT_DAMPING 1e-14
 
+/* Drives of two rows of a leg that differ by less are the same [rad, robot sizes]. */
+#define DHGEN_SAME_DRIVES 1e-9
+
 /* A's smallest singular value below which a platform is singular, lengths in robot sizes: a root of
  * what legs may miss. */
 #define DHGEN_SINGULAR_PLATFORM 1e-6
@@ -311,14 +314,17 @@ DHGEN_INLINE double dhgen_drive_miss(int slides, double size, double one, double
     return slides ? fabs(one - other) / size : fabs(dhgen_wrap(one - other));
 }
 
-/* The joint values of a leg at a pose of the platform whose drives are nearest to given ones.
- * Returns 0 where it does not reach it. */
+/* The joint values of a leg at a pose of the platform whose drives are nearest to given ones; of
+ * rows that differ in passive joints alone those of one within limits. Returns 0 where it does not
+ * reach it. */
 DHGEN_FN int dhgen_nearest_drives(const struct dhgen_parallel *robot, int number, const double *X,
     const double *drives, double *q)
 {
     const struct dhgen_leg *const leg = robot->leg + number;
     double pose[16], rows[DHGEN_MOST_ROWS * DHGEN_MOST_JOINTS], nearest = HUGE_VAL;
+    double misses[DHGEN_MOST_ROWS];
     unsigned char status[DHGEN_MOST_ROWS];
+    int taken = -1, taken_is_good = 0;
     dhgen_leg_pose(leg, X, pose);
     (void)leg->ik(pose, NULL, rows, status);
     for (int row = 0; row < leg->rows; row++) {
@@ -326,15 +332,21 @@ DHGEN_FN int dhgen_nearest_drives(const struct dhgen_parallel *robot, int number
         double miss = 0.0;
         for (int k = 0; k < leg->drives; k++)
             miss += dhgen_drive_miss(leg->slides[k], robot->size, one[leg->driven[k]], drives[k]);
-        if (miss < nearest) {
-            nearest = miss;
-            for (int i = 0; i < leg->joints; i++)
-                q[i] = one[i];
+        misses[row] = miss;
+        nearest = miss < nearest ? miss : nearest;
+    }
+    for (int row = 0; row < leg->rows; row++) {
+        const int good = status[row] == DHGEN_OK || status[row] == DHGEN_FREE_JOINT;
+        if (misses[row] <= nearest + DHGEN_SAME_DRIVES && (taken < 0 || good > taken_is_good)) {
+            taken = row;
+            taken_is_good = good;
         }
     }
+    for (int i = 0; i < leg->joints && taken >= 0; i++)
+        q[i] = rows[taken * leg->joints + i];
     for (int k = 0; k < leg->drives; k++)
         q[leg->driven[k]] = drives[k];
-    return nearest < HUGE_VAL;
+    return taken >= 0;
 }
 
 /* The pose of the platform that drives' values make, and the joint values of all legs, refined from

@@ -19,6 +19,7 @@ STEPS = 60  # of the direct model
 LONGEST_STEP = 0.25  # of those [rad, robot sizes]
 CLOSED = 1e-12  # what legs may miss the platform by [robot sizes, rad]
 DAMPING = 1e-14  # of a step, as a share of the squares that it divides
+SAME_DRIVES = 1e-9  # drives of two rows that differ by less are the same [rad, robot sizes]
 # A's smallest singular value below which a platform is singular, lengths in robot sizes: a root of
 # what legs may miss.
 SINGULAR = 1e-6
@@ -94,9 +95,13 @@ def _damped(M: Floats, y: Floats) -> Floats:
 
 
 def _nearest_drives(platform: Platform, leg: Leg, X: Floats, drives: Floats) -> Floats | None:
-    """The leg's joint values at a pose whose drives are nearest to given ones, with those."""
-    rows = np.asarray(leg.module.ik_all(leg.pose(X))[0])
-    rows = rows[~np.isnan(rows).any(axis=1)]
+    """The leg's joint values at a pose whose drives are nearest to given ones, with those.
+
+    Rows that differ in passive joints alone are told apart by limits: one within them goes first.
+    """
+    rows, status = map(np.asarray, leg.module.ik_all(leg.pose(X)))
+    has = ~np.isnan(rows).any(axis=1)
+    rows, good = rows[has], ((status == OK) | (status == FREE_JOINT))[has]
     if not len(rows):
         return None
     miss = np.zeros(len(rows))
@@ -104,7 +109,8 @@ def _nearest_drives(platform: Platform, leg: Leg, X: Floats, drives: Floats) -> 
         off = rows[:, joint] - drive
         turns = leg.module.JOINT_TYPES[joint] == "R"
         miss += np.abs(off - TURN * np.ceil(off / TURN - 0.5) if turns else off / platform.size)
-    own: Floats = rows[np.argmin(miss)].copy()
+    near = miss <= miss.min() + SAME_DRIVES
+    own: Floats = rows[np.argmax(near & good if (near & good).any() else near)].copy()
     own[list(leg.driven)] = drives
     return own
 

@@ -28,6 +28,26 @@ from dhgen.robot_files import read_file
 from dhgen.verify.native import import_module
 
 verify.POSES, worked.DRAWN = 5, 150
+# A leg of the 3-PRR is nearly stretched there: drives bend, and a pose beside is out of reach.
+NEAR = {
+    "planar_3prr": [
+        [0.9017052775702932, 0.432351237308141, 0.0, -0.029789811838600244],
+        [-0.432351237308141, 0.9017052775702932, 0.0, -0.05776610823046206],
+        [0.0, 0.0, 1.0, 0.0],
+        [0.0, 0.0, 0.0, 1.0],
+    ]
+}
+drawn = verify.reachable
+
+
+def chosen(module, *others):
+    poses = list(drawn(module, *others))
+    if module.name in NEAR:
+        poses[0] = np.array(NEAR[module.name])
+    return np.array(poses)
+
+
+verify.reachable = chosen
 for path in sys.argv[1:]:
     made = compile_file(read_file(Path(path)))
     with tempfile.TemporaryDirectory() as folder:
@@ -81,8 +101,11 @@ for path in sys.argv[1:]:
 """
 
 
-OWN = Path(__file__).with_name("robots") / "mixed_legs.yaml"
-FILES = [OWN, *(ROBOTS / f"{name}.yaml" for name in ["parallel_3rpr", *NAMES])]
+OWN = [
+    Path(__file__).with_name("robots") / f"{name}.yaml"
+    for name in ("mixed_legs", "linear_delta", "planar_3prr", "limited_passive")
+]
+FILES = [OWN[0], *(ROBOTS / f"{name}.yaml" for name in ["parallel_3rpr", *NAMES]), *OWN[1:]]
 
 
 @pytest.mark.parametrize(
