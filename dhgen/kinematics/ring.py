@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from math import gcd, lcm
-from operator import itemgetter, mul, sub
+from operator import itemgetter, sub
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -71,13 +71,15 @@ def by_powers(polynomial: Polynomial, places: Sequence[int]) -> dict[tuple[int, 
     ring = polynomial.ring
     parts: dict[tuple[int, ...], Polynomial] = {}
     exponents_of = itemgetter(*places, *places)  # at least two places make tuples
-    left = [place not in places for place in range(ring.ngens)]
     for monomial, coefficient in polynomial.items():
         exponents = exponents_of(monomial)[: len(places)]
         part = parts.get(exponents)
         if part is None:
             part = parts[exponents] = ring.zero
-        part[tuple(map(mul, monomial, left))] = coefficient
+        left = list(monomial)
+        for place in places:
+            left[place] = 0
+        part[tuple(left)] = coefficient
     return parts
 
 
