@@ -85,13 +85,14 @@ int delta_fk(const double drives[3], const double T_seed[16], double T[16], doub
 int delta_assemblies(const double drives[3], double T[2][16]);
 
 /* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities
- * (vx, vy, vz), qdot those of the drives. Returns DELTA_OK or -DELTA_INVALID_POSE. */
+ * (vx, vy, vz), qdot those of the drives. Returns DELTA_OK, or, with NaN in A
+ * and B, -DELTA_INVALID_POSE, also for joint values that are not finite. */
 int delta_velocities(const double T[16], const double q[3][3], double A[9], double B[9]);
 
 /* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
  * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
  * drives do not hold): the smallest singular values, lengths in robot sizes.
- * Returns DELTA_OK or -DELTA_INVALID_POSE. */
+ * Returns DELTA_OK, or, with NaN in least, -DELTA_INVALID_POSE, likewise. */
 int delta_singularities(const double T[16], const double q[3][3], double least[2]);
 
 #ifdef __cplusplus

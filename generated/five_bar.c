@@ -264,16 +264,10 @@ int five_bar_assemblies(const double drives[2], double T[2][16])
 
 int five_bar_velocities(const double T[16], const double q[2][2], double A[4], double B[4])
 {
-    double X[12];
-    const int valid = dhgen_read_platform(&robot, T, X);
-    dhgen_platform_rates(&robot, X, &q[0][0], A, B);
-    return valid ? DHGEN_OK : -DHGEN_INVALID_POSE;
+    return dhgen_parallel_velocities(&robot, T, &q[0][0], A, B);
 }
 
 int five_bar_singularities(const double T[16], const double q[2][2], double least[2])
 {
-    double X[12];
-    const int valid = dhgen_read_platform(&robot, T, X);
-    dhgen_least_values(&robot, X, &q[0][0], least);
-    return valid ? DHGEN_OK : -DHGEN_INVALID_POSE;
+    return dhgen_parallel_singularities(&robot, T, &q[0][0], least);
 }

@@ -85,13 +85,14 @@ int five_bar_fk(const double drives[2], const double T_seed[16], double T[16], d
 int five_bar_assemblies(const double drives[2], double T[2][16]);
 
 /* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities
- * (vx, vy), qdot those of the drives. Returns FIVE_BAR_OK or -FIVE_BAR_INVALID_POSE. */
+ * (vx, vy), qdot those of the drives. Returns FIVE_BAR_OK, or, with NaN in A
+ * and B, -FIVE_BAR_INVALID_POSE, also for joint values that are not finite. */
 int five_bar_velocities(const double T[16], const double q[2][2], double A[4], double B[4]);
 
 /* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
  * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
  * drives do not hold): the smallest singular values, lengths in robot sizes.
- * Returns FIVE_BAR_OK or -FIVE_BAR_INVALID_POSE. */
+ * Returns FIVE_BAR_OK, or, with NaN in least, -FIVE_BAR_INVALID_POSE, likewise. */
 int five_bar_singularities(const double T[16], const double q[2][2], double least[2]);
 
 #ifdef __cplusplus

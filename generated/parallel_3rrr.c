@@ -301,16 +301,10 @@ int parallel_3rrr_assemblies(const double drives[3], double T[6][16])
 
 int parallel_3rrr_velocities(const double T[16], const double q[3][2], double A[9], double B[9])
 {
-    double X[12];
-    const int valid = dhgen_read_platform(&robot, T, X);
-    dhgen_platform_rates(&robot, X, &q[0][0], A, B);
-    return valid ? DHGEN_OK : -DHGEN_INVALID_POSE;
+    return dhgen_parallel_velocities(&robot, T, &q[0][0], A, B);
 }
 
 int parallel_3rrr_singularities(const double T[16], const double q[3][2], double least[2])
 {
-    double X[12];
-    const int valid = dhgen_read_platform(&robot, T, X);
-    dhgen_least_values(&robot, X, &q[0][0], least);
-    return valid ? DHGEN_OK : -DHGEN_INVALID_POSE;
+    return dhgen_parallel_singularities(&robot, T, &q[0][0], least);
 }

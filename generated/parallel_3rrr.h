@@ -87,14 +87,14 @@ int parallel_3rrr_fk(const double drives[3], const double T_seed[16], double T[1
 int parallel_3rrr_assemblies(const double drives[3], double T[6][16]);
 
 /* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities
- * (vx, vy, wz), qdot those of the drives. Returns PARALLEL_3RRR_OK or
- * -PARALLEL_3RRR_INVALID_POSE. */
+ * (vx, vy, wz), qdot those of the drives. Returns PARALLEL_3RRR_OK, or, with NaN in A
+ * and B, -PARALLEL_3RRR_INVALID_POSE, also for joint values that are not finite. */
 int parallel_3rrr_velocities(const double T[16], const double q[3][2], double A[9], double B[9]);
 
 /* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
  * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
  * drives do not hold): the smallest singular values, lengths in robot sizes.
- * Returns PARALLEL_3RRR_OK or -PARALLEL_3RRR_INVALID_POSE. */
+ * Returns PARALLEL_3RRR_OK, or, with NaN in least, -PARALLEL_3RRR_INVALID_POSE, likewise. */
 int parallel_3rrr_singularities(const double T[16], const double q[3][2], double least[2]);
 
 #ifdef __cplusplus

@@ -19,7 +19,7 @@
 #define DHGEN_LEGS 6
 #define DHGEN_LEG_ROWS 4
 #define DHGEN_LEG_DRIVES 1
-#include "dhgen/platform.h"
+#include "dhgen/direct.h"
 #include "dhgen/drives.h"
 
 #if DHGEN_INTERFACE != 1
@@ -347,16 +347,10 @@ int stewart_fk(const double drives[6], const double T_seed[16], double T[16], do
 
 int stewart_velocities(const double T[16], const double q[6][3], double A[36], double B[36])
 {
-    double X[12];
-    const int valid = dhgen_read_platform(&robot, T, X);
-    dhgen_platform_rates(&robot, X, &q[0][0], A, B);
-    return valid ? DHGEN_OK : -DHGEN_INVALID_POSE;
+    return dhgen_parallel_velocities(&robot, T, &q[0][0], A, B);
 }
 
 int stewart_singularities(const double T[16], const double q[6][3], double least[2])
 {
-    double X[12];
-    const int valid = dhgen_read_platform(&robot, T, X);
-    dhgen_least_values(&robot, X, &q[0][0], least);
-    return valid ? DHGEN_OK : -DHGEN_INVALID_POSE;
+    return dhgen_parallel_singularities(&robot, T, &q[0][0], least);
 }

@@ -82,14 +82,14 @@ void stewart_take_drives(const double q[6][3], double drives[6]);
 int stewart_fk(const double drives[6], const double T_seed[16], double T[16], double q[6][3]);
 
 /* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities
- * (vx, vy, vz, wx, wy, wz), qdot those of the drives. Returns STEWART_OK or
- * -STEWART_INVALID_POSE. */
+ * (vx, vy, vz, wx, wy, wz), qdot those of the drives. Returns STEWART_OK, or, with NaN in A
+ * and B, -STEWART_INVALID_POSE, also for joint values that are not finite. */
 int stewart_velocities(const double T[16], const double q[6][3], double A[36], double B[36]);
 
 /* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
  * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
  * drives do not hold): the smallest singular values, lengths in robot sizes.
- * Returns STEWART_OK or -STEWART_INVALID_POSE. */
+ * Returns STEWART_OK, or, with NaN in least, -STEWART_INVALID_POSE, likewise. */
 int stewart_singularities(const double T[16], const double q[6][3], double least[2]);
 
 #ifdef __cplusplus

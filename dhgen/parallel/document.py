@@ -213,9 +213,10 @@ def _compared(module: ParallelModule) -> Block:
         direct = f"has {numeral(module.elimination.most)} answers at most"
     return paragraph(
         "Of a serial arm the forward model has one answer, a product of matrices, and the inverse "
-        "model several. Here the inverse model falls apart into the legs, which have {} working "
-        "modes at most before limits are looked at. The direct model has to close all loops at "
-        f"once, and {direct}.",
+        "model several. Here the inverse model falls apart into the legs, whose rows make {} "
+        "working modes at most before limits are looked at; rows that differ in passive "
+        "joints alone have the same drives. The direct model has to close all loops at once, and "
+        f"{direct}.",
         Symbol(str(modes), str(modes)),
     )
 

@@ -205,7 +205,7 @@ def _c(module: ParallelModule) -> dict[str, object]:
         "switches": [
             line for each in ("SCALAR", "LIBM") for line in switch(module.name.upper(), each)
         ],
-        "header": "assemblies" if module.elimination else "platform",
+        "header": "assemblies" if module.elimination else "direct",
         "task": _c_name(module.counts),
         "freedoms": _whole(module.freedoms),
         "is_alike": int(module.is_alike),

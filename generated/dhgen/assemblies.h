@@ -5,7 +5,7 @@
 #ifndef DHGEN_ASSEMBLIES_H
 #define DHGEN_ASSEMBLIES_H
 
-#include "platform.h"
+#include "direct.h"
 
 #define DHGEN_MOST_ASSEMBLIES 6
 #define DHGEN_DEGREE 6

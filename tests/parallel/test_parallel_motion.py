@@ -23,9 +23,13 @@ def test_every_row_closes_its_leg(name: str) -> None:
         assert count == np.prod([(told == OK).sum() for told in status])
         assert count >= 1
         reached = (status == OK) | (status == OUT)
-        for row in range(q.shape[1]):
-            if reached[:, row].all():
-                assert miss(name, T, q[:, row]) < 1e-12
+        assert reached.any(axis=1).all()
+        # of every leg each of its rows, the others in one that they have
+        some = np.array([rows[has][0] for rows, has in zip(q, reached, strict=True)])
+        for leg, row in np.argwhere(reached):
+            own = some.copy()
+            own[leg] = q[leg, row]
+            assert miss(name, T, own) < 1e-12
 
 
 def test_the_inverse_model_of_cylinders_has_one_answer() -> None:
@@ -140,3 +144,30 @@ def test_a_direct_model_that_does_not_close_says_so() -> None:
     told, found, _ = native("parallel_3rpr").fk(np.full(3, 0.05), T)
     assert told == -UNREACHABLE
     assert np.isnan(found).all()
+
+
+@pytest.mark.parametrize("name", ["parallel_3rpr", "stewart"])
+@pytest.mark.parametrize("drive", [1e160, 1.7e308])
+def test_drives_at_which_numbers_overflow_have_no_pose(name: str, drive: float) -> None:
+    T = poses(name)[0]
+    own = drives(name, mode(name, T))
+    for each in (np.full(len(own), drive), np.array([drive, *own[1:]])):
+        told, found, q = native(name).fk(each, T)
+        assert told == -UNREACHABLE
+        assert np.isnan(found).all()
+        assert np.isnan(q).all()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_is_no_posture_has_no_velocities(name: str) -> None:
+    T = poses(name)[0]
+    q = mode(name, T)
+    for place in np.ndindex(q.shape):
+        none = q.copy()
+        none[place] = np.nan
+        assert np.isnan(native(name).singularities(T, none)).all()
+        assert np.isnan(native(name).velocities(T, none)).all()
+    tilted = T.copy()
+    tilted[0, 3] = np.nan
+    assert np.isnan(native(name).velocities(tilted, q)).all()
+    assert np.isfinite(native(name).velocities(T, q)).all()

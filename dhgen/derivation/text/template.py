@@ -51,14 +51,19 @@ class _Place:
         number: Which one it is.
         latex: A symbol's spelling in formulas, for formulas that a template writes.
         text: Its spelling in a terminal.
+        empty: Whether it is a list of nothing, which templates ask for.
     """
 
     number: int
     latex: str = ""
     text: str = ""
+    empty: bool = False
 
     def __str__(self) -> str:
         return f"⟦{self.number}⟧"
+
+    def __bool__(self) -> bool:
+        return not self.empty
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +83,7 @@ class Places:
         number = len(self.values) - 1
         if isinstance(value, Symbol):
             return _Place(number, value.latex, value.text)
-        return _Place(number)
+        return _Place(number, empty=value in ([], ()))
 
     def read(self, text: str) -> Iterator[Block]:
         """The blocks of a filled template."""

@@ -1,21 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * The velocities of a platform and of its drives, A xdot = B qdot (C. Gosselin and J. Angeles,
- * Singularity analysis of closed-loop kinematic chains, 1990), and the direct model by them. */
+ * Singularity analysis of closed-loop kinematic chains, 1990), and how near they are to singular.
+ */
 #ifndef DHGEN_PLATFORM_H
 #define DHGEN_PLATFORM_H
 
 #include "parallel.h"
-
-/* Steps of the direct model; the longest one [rad, robot sizes]; what legs may miss the platform by
- * [robot sizes, rad]; and what a step is damped by, as a share of the squares that it divides. */
-#define DHGEN_DIRECT_STEPS 60
-#define DHGEN_DIRECT_STEP 0.25
-#define DHGEN_CLOSED 1e-12
-#define DHGEN_DIRECT_DAMPING 1e-14
-
-/* Drives of two rows of a leg that differ by less are the same [rad, robot sizes]. */
-#define DHGEN_SAME_DRIVES 1e-9
 
 /* A's smallest singular value below which a platform is singular, lengths in robot sizes: a root of
  * what legs may miss. */
@@ -125,38 +116,6 @@ DHGEN_FN void dhgen_without_passive(
     }
 }
 
-/* The least squares of a square system, M x = y, damped a little: it has an answer where M is
- * singular, too. M, n x n in rows of six, and y are used up. */
-DHGEN_FN void dhgen_damped(int n, double M[6][6], double *y, double *x)
-{
-    double S[6][6], trace = 0.0;
-    for (int i = 0; i < n; i++) {
-        x[i] = 0.0;
-        for (int j = 0; j < n; j++) {
-            S[i][j] = 0.0;
-            for (int k = 0; k < n; k++)
-                S[i][j] += M[k][i] * M[k][j];
-        }
-        for (int k = 0; k < n; k++)
-            x[i] += M[k][i] * y[k];
-        trace += S[i][i];
-    }
-    for (int i = 0; i < n; i++)
-        S[i][i] += DHGEN_DIRECT_DAMPING * trace + 1e-300;
-    for (int c = 0; c < n; c++)
-        for (int i = c + 1; i < n; i++) {
-            const double factor = S[i][c] / S[c][c];
-            for (int j = c; j < n; j++)
-                S[i][j] -= factor * S[c][j];
-            x[i] -= factor * x[c];
-        }
-    for (int i = n - 1; i >= 0; i--) {
-        for (int j = i + 1; j < n; j++)
-            x[i] -= S[i][j] * x[j];
-        x[i] /= S[i][i];
-    }
-}
-
 /* The two matrices of A xdot = B qdot, n x n: as many rows and columns as drives. The platform's
  * freedoms are in the order of velocities, then angular velocities; B has a block for each leg. */
 DHGEN_FN void dhgen_platform_rates(
@@ -177,81 +136,6 @@ DHGEN_FN void dhgen_platform_rates(
                 B[n * row + first + j] = motion.J[k][motion.passive + j] * robot->size;
         }
     }
-}
-
-/* Moves the platform by its freedoms, lengths in robot sizes. */
-DHGEN_FN void dhgen_move_platform(const struct dhgen_parallel *robot, const double *step, double *X)
-{
-    double w[3] = { 0.0, 0.0, 0.0 };
-    for (int k = 0; k < robot->drives; k++) {
-        const int freedom = robot->freedoms[k];
-        if (freedom < 3)
-            X[4 * freedom + 3] += robot->size * step[k];
-        else
-            w[freedom - 3] = step[k];
-    }
-    const double angle = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-    if (!(angle > 0.0))
-        return;
-    const double s = sin(angle) / angle, half = sin(0.5 * angle) / angle, c = 2.0 * half * half;
-    double R[9];
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        R[4 * i] = 1.0 - c * (w[j] * w[j] + w[k] * w[k]);
-        R[3 * i + j] = c * w[i] * w[j] - s * w[k];
-        R[3 * j + i] = c * w[i] * w[j] + s * w[k];
-    }
-    for (int column = 0; column < 3; column++) {
-        const double x = X[column], y = X[4 + column], z = X[8 + column];
-        for (int i = 0; i < 3; i++)
-            X[4 * i + column] = R[3 * i] * x + R[3 * i + 1] * y + R[3 * i + 2] * z;
-    }
-}
-
-/* One step of the direct model: the platform and the passive joints, so that the legs meet it.
- * Returns by how much they missed it before. */
-DHGEN_FN double dhgen_direct_step(const struct dhgen_parallel *robot, double *X, double *q)
-{
-    struct dhgen_leg_motion motions[DHGEN_MOST_LEGS];
-    double M[6][6], y[6], step[6], worst = 0.0, longest = 0.0;
-    for (int i = 0, row = 0; i < robot->legs; i++) {
-        struct dhgen_leg_motion *const motion = motions + i;
-        dhgen_leg_motion_at(robot, i, X, q + i * robot->joints, motion);
-        for (int k = 0; k < motion->rows; k++)
-            worst = fmax(worst, fabs(motion->miss[k]));
-        dhgen_without_passive(robot, motion);
-        for (int k = motion->passive; k < motion->rows && row < 6; k++, row++) {
-            for (int j = 0; j < robot->drives; j++)
-                M[row][j] = motion->V[k][j];
-            y[row] = -motion->miss[k];
-        }
-    }
-    dhgen_damped(robot->drives, M, y, step);
-    for (int j = 0; j < robot->drives; j++)
-        longest = fmax(longest, fabs(step[j]));
-    const double share = longest > DHGEN_DIRECT_STEP ? DHGEN_DIRECT_STEP / longest : 1.0;
-    for (int j = 0; j < robot->drives; j++)
-        step[j] *= share;
-    for (int i = 0; i < robot->legs; i++) {
-        const struct dhgen_leg_motion *const motion = motions + i;
-        double P[6][6], r[6], moved[6], most = 0.0;
-        for (int k = 0; k < motion->passive; k++) {
-            r[k] = share * motion->miss[k];
-            for (int j = 0; j < robot->drives; j++)
-                r[k] += motion->V[k][j] * step[j];
-            for (int j = 0; j < motion->passive; j++)
-                P[k][j] = motion->J[k][j];
-        }
-        dhgen_damped(motion->passive, P, r, moved);
-        for (int k = 0; k < motion->passive; k++)
-            most = fmax(most, fabs(moved[k]));
-        const double longest_turn = 2.0 * DHGEN_DIRECT_STEP;
-        const double less = most > longest_turn ? longest_turn / most : 1.0;
-        for (int k = 0; k < motion->passive; k++)
-            q[i * robot->joints + motion->order[k]] += less * moved[k];
-    }
-    dhgen_move_platform(robot, step, X);
-    return worst;
 }
 
 /* The smallest singular value of a matrix, n x n: by turning its columns until they are orthogonal
@@ -308,87 +192,43 @@ DHGEN_FN void dhgen_least_values(
     least[1] = dhgen_least_singular(n, A) / robot->size;
 }
 
-/* What a joint's value is away from another one: angles by the short way. */
-DHGEN_INLINE double dhgen_drive_miss(int slides, double size, double one, double other)
+/* Reads a pose of the platform, and whether all joint values of the legs are finite. */
+DHGEN_FN int dhgen_read_posture(
+    const struct dhgen_parallel *robot, const double *T, const double *q, double *X)
 {
-    return slides ? fabs(one - other) / size : fabs(dhgen_wrap(one - other));
-}
-
-/* The joint values of a leg at a pose of the platform whose drives are nearest to given ones; of
- * rows that differ in passive joints alone those of one within limits. Returns 0 where it does not
- * reach it. */
-DHGEN_FN int dhgen_nearest_drives(const struct dhgen_parallel *robot, int number, const double *X,
-    const double *drives, double *q)
-{
-    const struct dhgen_leg *const leg = robot->leg + number;
-    double pose[16], rows[DHGEN_MOST_ROWS * DHGEN_MOST_JOINTS], nearest = HUGE_VAL;
-    double misses[DHGEN_MOST_ROWS];
-    unsigned char status[DHGEN_MOST_ROWS];
-    int taken = -1, taken_is_good = 0;
-    dhgen_leg_pose(leg, X, pose);
-    (void)leg->ik(pose, NULL, rows, status);
-    for (int row = 0; row < leg->rows; row++) {
-        const double *const one = rows + row * leg->joints;
-        double miss = 0.0;
-        for (int k = 0; k < leg->drives; k++)
-            miss += dhgen_drive_miss(leg->slides[k], robot->size, one[leg->driven[k]], drives[k]);
-        misses[row] = miss;
-        nearest = miss < nearest ? miss : nearest;
-    }
-    for (int row = 0; row < leg->rows; row++) {
-        const int good = status[row] == DHGEN_OK || status[row] == DHGEN_FREE_JOINT;
-        if (misses[row] <= nearest + DHGEN_SAME_DRIVES && (taken < 0 || good > taken_is_good)) {
-            taken = row;
-            taken_is_good = good;
-        }
-    }
-    for (int i = 0; i < leg->joints && taken >= 0; i++)
-        q[i] = rows[taken * leg->joints + i];
-    for (int k = 0; k < leg->drives; k++)
-        q[leg->driven[k]] = drives[k];
-    return taken >= 0;
-}
-
-/* The pose of the platform that drives' values make, and the joint values of all legs, refined from
- * a seed: the pose of the platform nearby. Returns DHGEN_OK; DHGEN_FREE_JOINT where the platform is
- * singular there: other poses meet this one, or it can move; or, with NaN, minus
- * DHGEN_UNREACHABLE where the legs did not meet the platform in so many steps, or one does not
- * reach the seed, or minus DHGEN_INVALID_POSE. */
-DHGEN_FN int dhgen_parallel_fk(const struct dhgen_parallel *robot, const double *drives,
-    const double *T_seed, double *T, double *q)
-{
-    double X[12], last = HUGE_VAL, least[2] = { 0.0, 0.0 };
-    int told = dhgen_read_platform(robot, T_seed, X) ? DHGEN_OK : -DHGEN_INVALID_POSE;
-    for (int i = 0; i < robot->drives; i++)
-        told = isfinite(drives[i]) ? told : -DHGEN_INVALID_POSE;
-    for (int i = 0; i < robot->legs * robot->joints; i++)
-        q[i] = DHGEN_NAN;
-    for (int i = 0, first = 0; i < robot->legs && told >= 0; i++) {
-        if (!dhgen_nearest_drives(robot, i, X, drives + first, q + i * robot->joints))
-            told = -DHGEN_UNREACHABLE;
-        first += robot->leg[i].drives;
-    }
-    for (int k = 0; k < DHGEN_DIRECT_STEPS && told >= 0 && !(last <= DHGEN_CLOSED); k++)
-        last = dhgen_direct_step(robot, X, q);
-    if (told >= 0 && last <= DHGEN_CLOSED) {
-        dhgen_least_values(robot, X, q, least);
-        told = least[1] > DHGEN_SINGULAR_PLATFORM ? DHGEN_OK : DHGEN_FREE_JOINT;
-    } else if (told >= 0)
-        told = -DHGEN_UNREACHABLE;
-    for (int i = 0; i < 12; i++)
-        T[i] = told < 0 ? DHGEN_NAN : X[i];
-    T[12] = T[13] = T[14] = told < 0 ? DHGEN_NAN : 0.0;
-    T[15] = told < 0 ? DHGEN_NAN : 1.0;
+    int finite = 1;
     for (int i = 0; i < robot->legs; i++)
-        for (int joint = 0; joint < robot->joints; joint++) {
-            double *const value = q + i * robot->joints + joint;
-            const int turns = joint < robot->leg[i].joints && robot->leg[i].types[joint] == 'R';
-            *value = told < 0 ? DHGEN_NAN : turns ? dhgen_wrap(*value) : *value;
-        }
-    for (int i = 0, place = 0; i < robot->legs && told >= 0; i++)
-        for (int k = 0; k < robot->leg[i].drives; k++)
-            q[i * robot->joints + robot->leg[i].driven[k]] = drives[place++];
-    return told;
+        for (int joint = 0; joint < robot->leg[i].joints; joint++)
+            finite = finite && isfinite(q[i * robot->joints + joint]);
+    return dhgen_read_platform(robot, T, X) && finite;
+}
+
+/* dhgen_platform_rates of a pose as it is given. Returns DHGEN_OK, or, with NaN, minus
+ * DHGEN_INVALID_POSE, also for joint values that are not finite. */
+DHGEN_FN int dhgen_parallel_velocities(
+    const struct dhgen_parallel *robot, const double *T, const double *q, double *A, double *B)
+{
+    double X[12];
+    if (dhgen_read_posture(robot, T, q, X)) {
+        dhgen_platform_rates(robot, X, q, A, B);
+        return DHGEN_OK;
+    }
+    for (int i = 0; i < robot->drives * robot->drives; i++)
+        A[i] = B[i] = DHGEN_NAN;
+    return -DHGEN_INVALID_POSE;
+}
+
+/* dhgen_least_values, likewise. */
+DHGEN_FN int dhgen_parallel_singularities(
+    const struct dhgen_parallel *robot, const double *T, const double *q, double least[2])
+{
+    double X[12];
+    if (dhgen_read_posture(robot, T, q, X)) {
+        dhgen_least_values(robot, X, q, least);
+        return DHGEN_OK;
+    }
+    least[0] = least[1] = DHGEN_NAN;
+    return -DHGEN_INVALID_POSE;
 }
 
 #endif

@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The direct model of a platform near a seed: bounded Newton steps on all loops at once. */
+#ifndef DHGEN_DIRECT_H
+#define DHGEN_DIRECT_H
+
+#include "platform.h"
+
+/* Steps of the direct model; the longest one [rad, robot sizes]; what legs may miss the platform by
+ * [robot sizes, rad]; and what a step is damped by, as a share of the squares that it divides. */
+#define DHGEN_DIRECT_STEPS 60
+#define DHGEN_DIRECT_STEP 0.25
+#define DHGEN_CLOSED 1e-12
+#define DHGEN_DIRECT_DAMPING 1e-14
+
+/* Drives of two rows of a leg that differ by less are the same [rad, robot sizes]. */
+#define DHGEN_SAME_DRIVES 1e-9
+
+/* The least squares of a square system, M x = y, damped a little: it has an answer where M is
+ * singular, too. M, n x n in rows of six, and y are used up. */
+DHGEN_FN void dhgen_damped(int n, double M[6][6], double *y, double *x)
+{
+    double S[6][6], trace = 0.0;
+    for (int i = 0; i < n; i++) {
+        x[i] = 0.0;
+        for (int j = 0; j < n; j++) {
+            S[i][j] = 0.0;
+            for (int k = 0; k < n; k++)
+                S[i][j] += M[k][i] * M[k][j];
+        }
+        for (int k = 0; k < n; k++)
+            x[i] += M[k][i] * y[k];
+        trace += S[i][i];
+    }
+    for (int i = 0; i < n; i++)
+        S[i][i] += DHGEN_DIRECT_DAMPING * trace + 1e-300;
+    for (int c = 0; c < n; c++)
+        for (int i = c + 1; i < n; i++) {
+            const double factor = S[i][c] / S[c][c];
+            for (int j = c; j < n; j++)
+                S[i][j] -= factor * S[c][j];
+            x[i] -= factor * x[c];
+        }
+    for (int i = n - 1; i >= 0; i--) {
+        for (int j = i + 1; j < n; j++)
+            x[i] -= S[i][j] * x[j];
+        x[i] /= S[i][i];
+    }
+}
+
+/* Moves the platform by its freedoms, lengths in robot sizes. */
+DHGEN_FN void dhgen_move_platform(const struct dhgen_parallel *robot, const double *step, double *X)
+{
+    double w[3] = { 0.0, 0.0, 0.0 };
+    for (int k = 0; k < robot->drives; k++) {
+        const int freedom = robot->freedoms[k];
+        if (freedom < 3)
+            X[4 * freedom + 3] += robot->size * step[k];
+        else
+            w[freedom - 3] = step[k];
+    }
+    const double angle = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    if (!(angle > 0.0))
+        return;
+    const double s = sin(angle) / angle, half = sin(0.5 * angle) / angle, c = 2.0 * half * half;
+    double R[9];
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        R[4 * i] = 1.0 - c * (w[j] * w[j] + w[k] * w[k]);
+        R[3 * i + j] = c * w[i] * w[j] - s * w[k];
+        R[3 * j + i] = c * w[i] * w[j] + s * w[k];
+    }
+    for (int column = 0; column < 3; column++) {
+        const double x = X[column], y = X[4 + column], z = X[8 + column];
+        for (int i = 0; i < 3; i++)
+            X[4 * i + column] = R[3 * i] * x + R[3 * i + 1] * y + R[3 * i + 2] * z;
+    }
+}
+
+/* One step of the direct model: the platform and the passive joints, so that the legs meet it.
+ * Returns by how much they missed it before. */
+DHGEN_FN double dhgen_direct_step(const struct dhgen_parallel *robot, double *X, double *q)
+{
+    struct dhgen_leg_motion motions[DHGEN_MOST_LEGS];
+    double M[6][6], y[6], step[6], worst = 0.0, longest = 0.0;
+    for (int i = 0, row = 0; i < robot->legs; i++) {
+        struct dhgen_leg_motion *const motion = motions + i;
+        dhgen_leg_motion_at(robot, i, X, q + i * robot->joints, motion);
+        for (int k = 0; k < motion->rows; k++) /* NaN stays */
+            if (fabs(motion->miss[k]) > worst || isnan(motion->miss[k]))
+                worst = fabs(motion->miss[k]);
+        dhgen_without_passive(robot, motion);
+        for (int k = motion->passive; k < motion->rows && row < 6; k++, row++) {
+            for (int j = 0; j < robot->drives; j++)
+                M[row][j] = motion->V[k][j];
+            y[row] = -motion->miss[k];
+        }
+    }
+    dhgen_damped(robot->drives, M, y, step);
+    for (int j = 0; j < robot->drives; j++)
+        longest = fmax(longest, fabs(step[j]));
+    const double share = longest > DHGEN_DIRECT_STEP ? DHGEN_DIRECT_STEP / longest : 1.0;
+    for (int j = 0; j < robot->drives; j++)
+        step[j] *= share;
+    for (int i = 0; i < robot->legs; i++) {
+        const struct dhgen_leg_motion *const motion = motions + i;
+        double P[6][6], r[6], moved[6], most = 0.0;
+        for (int k = 0; k < motion->passive; k++) {
+            r[k] = share * motion->miss[k];
+            for (int j = 0; j < robot->drives; j++)
+                r[k] += motion->V[k][j] * step[j];
+            for (int j = 0; j < motion->passive; j++)
+                P[k][j] = motion->J[k][j];
+        }
+        dhgen_damped(motion->passive, P, r, moved);
+        for (int k = 0; k < motion->passive; k++)
+            most = fmax(most, fabs(moved[k]));
+        const double longest_turn = 2.0 * DHGEN_DIRECT_STEP;
+        const double less = most > longest_turn ? longest_turn / most : 1.0;
+        for (int k = 0; k < motion->passive; k++)
+            q[i * robot->joints + motion->order[k]] += less * moved[k];
+    }
+    dhgen_move_platform(robot, step, X);
+    return worst;
+}
+
+/* What a joint's value is away from another one: angles by the short way. */
+DHGEN_INLINE double dhgen_drive_miss(int slides, double size, double one, double other)
+{
+    return slides ? fabs(one - other) / size : fabs(dhgen_wrap(one - other));
+}
+
+/* The joint values of a leg at a pose of the platform whose drives are nearest to given ones; of
+ * rows that differ in passive joints alone those of one within limits. Returns 0 where it does not
+ * reach it. */
+DHGEN_FN int dhgen_nearest_drives(const struct dhgen_parallel *robot, int number, const double *X,
+    const double *drives, double *q)
+{
+    const struct dhgen_leg *const leg = robot->leg + number;
+    double pose[16], rows[DHGEN_MOST_ROWS * DHGEN_MOST_JOINTS], nearest = HUGE_VAL;
+    double misses[DHGEN_MOST_ROWS];
+    unsigned char status[DHGEN_MOST_ROWS];
+    int taken = -1, taken_is_good = 0;
+    dhgen_leg_pose(leg, X, pose);
+    (void)leg->ik(pose, NULL, rows, status);
+    for (int row = 0; row < leg->rows; row++) {
+        const double *const one = rows + row * leg->joints;
+        double miss = 0.0;
+        for (int k = 0; k < leg->drives; k++)
+            miss += dhgen_drive_miss(leg->slides[k], robot->size, one[leg->driven[k]], drives[k]);
+        misses[row] = miss;
+        nearest = miss < nearest ? miss : nearest;
+    }
+    for (int row = 0; row < leg->rows; row++) {
+        const int good = status[row] == DHGEN_OK || status[row] == DHGEN_FREE_JOINT;
+        if (misses[row] <= nearest + DHGEN_SAME_DRIVES && (taken < 0 || good > taken_is_good)) {
+            taken = row;
+            taken_is_good = good;
+        }
+    }
+    for (int i = 0; i < leg->joints && taken >= 0; i++)
+        q[i] = rows[taken * leg->joints + i];
+    for (int k = 0; k < leg->drives; k++)
+        q[leg->driven[k]] = drives[k];
+    return taken >= 0;
+}
+
+/* The pose of the platform that drives' values make, and the joint values of all legs, refined from
+ * a seed: the pose of the platform nearby. Returns DHGEN_OK; DHGEN_FREE_JOINT where the platform is
+ * singular there: other poses meet this one, or it can move; or, with NaN, minus
+ * DHGEN_UNREACHABLE where the legs did not meet the platform in so many steps, or one does not
+ * reach the seed, or minus DHGEN_INVALID_POSE. */
+DHGEN_FN int dhgen_parallel_fk(const struct dhgen_parallel *robot, const double *drives,
+    const double *T_seed, double *T, double *q)
+{
+    double X[12], last = HUGE_VAL, least[2] = { 0.0, 0.0 };
+    int told = dhgen_read_platform(robot, T_seed, X) ? DHGEN_OK : -DHGEN_INVALID_POSE;
+    for (int i = 0; i < robot->drives; i++)
+        told = isfinite(drives[i]) ? told : -DHGEN_INVALID_POSE;
+    for (int i = 0; i < robot->legs * robot->joints; i++)
+        q[i] = DHGEN_NAN;
+    for (int i = 0, first = 0; i < robot->legs && told >= 0; i++) {
+        if (!dhgen_nearest_drives(robot, i, X, drives + first, q + i * robot->joints))
+            told = -DHGEN_UNREACHABLE;
+        first += robot->leg[i].drives;
+    }
+    for (int k = 0; k < DHGEN_DIRECT_STEPS && told >= 0 && !(last <= DHGEN_CLOSED); k++)
+        last = dhgen_direct_step(robot, X, q);
+    if (told >= 0 && last <= DHGEN_CLOSED) {
+        dhgen_least_values(robot, X, q, least);
+        told = least[1] > DHGEN_SINGULAR_PLATFORM ? DHGEN_OK : DHGEN_FREE_JOINT;
+    } else if (told >= 0)
+        told = -DHGEN_UNREACHABLE;
+    for (int i = 0; i < 12; i++)
+        T[i] = told < 0 ? DHGEN_NAN : X[i];
+    T[12] = T[13] = T[14] = told < 0 ? DHGEN_NAN : 0.0;
+    T[15] = told < 0 ? DHGEN_NAN : 1.0;
+    for (int i = 0; i < robot->legs; i++)
+        for (int joint = 0; joint < robot->joints; joint++) {
+            double *const value = q + i * robot->joints + joint;
+            const int turns = joint < robot->leg[i].joints && robot->leg[i].types[joint] == 'R';
+            *value = told < 0 ? DHGEN_NAN : turns ? dhgen_wrap(*value) : *value;
+        }
+    for (int i = 0, place = 0; i < robot->legs && told >= 0; i++)
+        for (int k = 0; k < robot->leg[i].drives; k++)
+            q[i * robot->joints + robot->leg[i].driven[k]] = drives[place++];
+    return told;
+}
+
+#endif
