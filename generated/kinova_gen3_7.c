@@ -412,12 +412,12 @@ static const double
         v184 = w1 * v176 + v26 * v162, v185 = w1 * v177 + v26 * v163, \
         v186 = w1 * v178 + v26 * v164, \
         v190 = v156 + (v126 * dhgen_abs_##number(v29) + v127 * dhgen_abs_##number(v157)) + (v167 * \
-            dhgen_abs_##number(v26) - v179 * v181 + v182 * v183), v198 = v24 * v128, \
-        v199 = v24 * v129, v200 = v24 * v130, v201 = v131 * v148, v202 = w1 * v198 + v33 * v162, \
-        v203 = w1 * v199 + v33 * v163, v204 = w1 * v200 + v33 * v164, v205 = T34 * v176, \
-        v206 = T34 * v177, v207 = T34 * v178 + near_length * v26, \
-        v211 = v181 * v201 + v167 * dhgen_abs_##number(v33) + v182 * (v201 + \
-            dhgen_sqrt_##number(v198 * v198 + v199 * v199 + v200 * v200)) + (near_length * v183 - \
+            dhgen_abs_##number(v26) - v179 * v181 + v182 * v183), v192 = v24 * v128, \
+        v193 = v24 * v129, v194 = v24 * v130, v195 = v131 * v148, v196 = w1 * v192 + v33 * v162, \
+        v197 = w1 * v193 + v33 * v163, v198 = w1 * v194 + v33 * v164, v199 = T34 * v176, \
+        v200 = T34 * v177, v201 = T34 * v178 + near_length * v26, \
+        v205 = v181 * v195 + v167 * dhgen_abs_##number(v33) + v182 * (v195 + \
+            dhgen_sqrt_##number(v192 * v192 + v193 * v193 + v194 * v194)) + (near_length * v183 - \
             v98 * v179), v246 = T24 * v132, v247 = T24 * v134, v248 = near_length * Z1, \
         v249 = v248 - T24 * v133, v250 = near_length * v142, v251 = v250 + v95 * v136, \
         v252 = inverse1 * v247, v253 = dhgen_abs_##number(v17), \
@@ -474,24 +474,23 @@ static const double
             v9 * (s3 * v78)); \
     /* joint values */ \
     const dhgen_##number v187 = v158 + e1 * v184, v188 = v159 + e1 * v185, \
-        v189 = v160 + e1 * v186, v191 = S2 * v187, v192 = S2 * v188, v193 = S2 * v189, \
-        v194 = dhgen_abs_##number(S2), v195 = v190 * v194, \
-        v196 = v190 + dhgen_sqrt_##number(v187 * v187 + v188 * v188 + v189 * v189), \
-        v197 = v196 * v196, v208 = e1 * v202 - v205, v209 = e1 * v203 - v206, \
-        v210 = e1 * v204 - v207, v212 = C2 * v208, v213 = C2 * v209, v214 = C2 * v210, \
-        v215 = dhgen_abs_##number(C2), v216 = v211 * v215, \
-        v217 = v211 + dhgen_sqrt_##number(v208 * v208 + v209 * v209 + v210 * v210), \
-        v218 = v217 * v217, v219 = v191 + v191 + (v212 + v212), \
-        v220 = v192 + v192 + (v213 + v213), v221 = v193 + v193 + (v214 + v214), \
-        v222 = v197 + (v195 + v195) + (v218 + (v216 + v216)), v223 = v197 + v218, \
-        v224 = DHGEN_QUOTIENT(near3, v36), v225 = v219 * v224, v226 = v220 * v224, \
-        v227 = v221 * v224, v228 = v222 * dhgen_abs_##number(v224), \
-        v229 = dhgen_abs_##number(v37), v230 = v37 * (v37 * v219), v231 = v37 * (v37 * v220), \
-        v232 = v37 * (v37 * v221), v233 = v229 * (v222 * v229), \
-        v234 = v36 - dhgen_sqrt_##number(v223), \
+        v189 = v160 + e1 * v186, \
+        v191 = v190 + dhgen_sqrt_##number(v187 * v187 + v188 * v188 + v189 * v189), \
+        v202 = e1 * v196 - v199, v203 = e1 * v197 - v200, v204 = e1 * v198 - v201, \
+        v206 = v205 + dhgen_sqrt_##number(v202 * v202 + v203 * v203 + v204 * v204), \
+        v207 = v191 * v191, v208 = v206 * v206, v209 = v207 + v208, v210 = S2 * v187, \
+        v211 = S2 * v188, v212 = S2 * v189, v213 = dhgen_abs_##number(S2), v214 = v190 * v213, \
+        v215 = C2 * v202, v216 = C2 * v203, v217 = C2 * v204, v218 = dhgen_abs_##number(C2), \
+        v219 = v205 * v218, v220 = v210 + v210 + (v215 + v215), \
+        v221 = v211 + v211 + (v216 + v216), v222 = v212 + v212 + (v217 + v217), \
+        v223 = v207 + (v214 + v214) + (v208 + (v219 + v219)), v224 = DHGEN_QUOTIENT(near3, v36), \
+        v225 = v220 * v224, v226 = v221 * v224, v227 = v222 * v224, \
+        v228 = v223 * dhgen_abs_##number(v224), v229 = dhgen_abs_##number(v37), \
+        v230 = v37 * (v37 * v220), v231 = v37 * (v37 * v221), v232 = v37 * (v37 * v222), \
+        v233 = v229 * (v223 * v229), v234 = v36 - dhgen_sqrt_##number(v209), \
         v235 = v233 + (v233 + (dhgen_abs_##number(v232) + (dhgen_abs_##number(v230) + \
-            dhgen_abs_##number(v231)))) * DHGEN_QUOTIENT(v222 + dhgen_sqrt_##number(v219 * v219 + \
-            v220 * v220 + v221 * v221), v234 * v234), v236 = v37 * v225 - v36 * v230, \
+            dhgen_abs_##number(v231)))) * DHGEN_QUOTIENT(v223 + dhgen_sqrt_##number(v220 * v220 + \
+            v221 * v221 + v222 * v222), v234 * v234), v236 = v37 * v225 - v36 * v230, \
         v237 = v37 * v226 - v36 * v231, v238 = v37 * v227 - v36 * v232, \
         v239 = v235 * dhgen_abs_##number(v36) + v228 * v229 + (v228 + dhgen_sqrt_##number(v225 * \
             v225 + v226 * v226 + v227 * v227)) * (v235 + dhgen_sqrt_##number(v230 * v230 + v231 * \
@@ -511,9 +510,9 @@ static const double
         v375 = v347 + (c1 * v354 + v39 * v268 + (s1 * v364 + v41 * v306)), \
         v376 = v348 + (c1 * v355 + v39 * v269 + (s1 * v365 + v41 * v307)), \
         v378 = S2 * v340 + C2 * v372, v379 = S2 * v341 - C2 * v373, v380 = S2 * v322 - C2 * v371, \
-        v381 = S2 * v342 + v53 * v187 - (C2 * v374 + v54 * v208), \
-        v382 = S2 * v343 + v53 * v188 - (C2 * v375 + v54 * v209), \
-        v383 = S2 * v344 + v53 * v189 - (C2 * v376 + v54 * v210), \
+        v381 = S2 * v342 + v53 * v187 - (C2 * v374 + v54 * v202), \
+        v382 = S2 * v343 + v53 * v188 - (C2 * v375 + v54 * v203), \
+        v383 = S2 * v344 + v53 * v189 - (C2 * v376 + v54 * v204), \
         v385 = dhgen_abs_##number(factor2), \
         v386 = v239 + dhgen_sqrt_##number(v236 * v236 + v237 * v237 + v238 * v238), \
         v392 = s3 * (e1 * v389), v393 = s3 * (e1 * v387), v394 = s3 * (e1 * v391), \
@@ -531,8 +530,8 @@ static const double
         v441 = s3 * v436, v442 = s3 * (s1 * v309 - c1 * v272), \
         v443 = s3 * (T13 * v267 + T23 * v305), v444 = s3 * (T13 * v268 + T23 * v306), \
         v445 = s3 * (T13 * v269 + T23 * v307), v447 = C2 * v442, v454 = S2 * v448 - C2 * v440, \
-        v455 = C2 * v441 - S2 * v449, v456 = C2 * v443 + v57 * v208 + v56 * v187, \
-        v457 = C2 * v444 + v57 * v209 + v56 * v188, v458 = C2 * v445 + v57 * v210 + v56 * v189, \
+        v455 = C2 * v441 - S2 * v449, v456 = C2 * v443 + v57 * v202 + v56 * v187, \
+        v457 = C2 * v444 + v57 * v203 + v56 * v188, v458 = C2 * v445 + v57 * v204 + v56 * v189, \
         v460 = factor2 * v454 - c3 * v436, v461 = factor2 * v455 - c3 * v438, \
         v462 = factor2 * v447 + c3 * (s1 * v272 + c1 * v309), \
         v463 = factor2 * v456 + v58 * v236 - c3 * (T13 * v305 - T23 * v267), \
@@ -606,10 +605,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
                     + v320 * v321)),
                 v377 = v350 + (v284 * v359 + v270 * v360 + v286 * v362 + (v318 * v368 + v308 * v369
                     + v320 * v370)),
-                v384 = v194 * v345 + v190 * dhgen_abs_wide(v53) + v196 * (v345 +
+                v384 = v213 * v345 + v190 * dhgen_abs_wide(v53) + v191 * (v345 +
                     (dhgen_sqrt_wide(v340 * v340 + v341 * v341 + v322 * v322) + dhgen_sqrt_wide(v342
-                    * v342 + v343 * v343 + v344 * v344))) + (v215 * v377 + v211 *
-                    dhgen_abs_wide(v54) + v217 * (v377 + (dhgen_sqrt_wide(v372 * v372 + v373 * v373
+                    * v342 + v343 * v343 + v344 * v344))) + (v218 * v377 + v205 *
+                    dhgen_abs_wide(v54) + v206 * (v377 + (dhgen_sqrt_wide(v372 * v372 + v373 * v373
                     + v371 * v371) + dhgen_sqrt_wide(v374 * v374 + v375 * v375 + v376 * v376)))),
                 v405 = v402 + v245 * dhgen_abs_wide(v48) + v254 * (v398 + (dhgen_sqrt_wide(v392 *
                     v392 + v393 * v393 + v394 * v394) + dhgen_sqrt_wide(v395 * v395 + v396 *
@@ -626,9 +625,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
                     * v432 + v433 * v433 + v434 * v434)),
                 v446 = v397 * (v437 + v270 * v279 + v282 * v286 + (v439 + v308 * v314 + v316 *
                     v320)),
-                v459 = v215 * v446 + v211 * dhgen_abs_wide(v57) + v217 * (v446 +
+                v459 = v218 * v446 + v205 * dhgen_abs_wide(v57) + v206 * (v446 +
                     (dhgen_sqrt_wide(v440 * v440 + v441 * v441 + v442 * v442) + dhgen_sqrt_wide(v443
-                    * v443 + v444 * v444 + v445 * v445))) + (v452 + v194 * v450 + v196 * v453),
+                    * v443 + v444 * v444 + v445 * v445))) + (v452 + v213 * v450 + v191 * v453),
                 v466 = v385 * v459 + v239 * dhgen_abs_wide(v58) + v386 * (v459 +
                     (dhgen_sqrt_wide(v454 * v454 + v455 * v455 + v447 * v447) + dhgen_sqrt_wide(v456
                     * v456 + v457 * v457 + v458 * v458))) + v325 * (v439 + v279 * v308 + v282 * v320
@@ -646,7 +645,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             q[7 * row + 13] = angle5 - dhgen_signed_wide(DHGEN_HALF_TURN, s7);
             kind[row + 1] = dhgen_kind_wide(q[7 * row + 7]);
             left |= (dhgen_abs_wide(v59) <= v435 * v435 + v466 * v466) | (dhgen_abs_wide(v35) <=
-                v223) | (v59 <= near_m5) | (v35 <= near_m4);
+                v209) | (v59 <= near_m5) | (v35 <= near_m4);
         }
     }
     return left;
@@ -684,9 +683,9 @@ DHGEN_INLINE int solve_regular(
             v321)),
         v377 = v350 + (v284 * v359 + v270 * v360 + v286 * v362 + (v318 * v368 + v308 * v369 + v320 *
             v370)),
-        v384 = v194 * v345 + v190 * dhgen_abs_four(v53) + v196 * (v345 + (dhgen_sqrt_four(v340 *
+        v384 = v213 * v345 + v190 * dhgen_abs_four(v53) + v191 * (v345 + (dhgen_sqrt_four(v340 *
             v340 + v341 * v341 + v322 * v322) + dhgen_sqrt_four(v342 * v342 + v343 * v343 + v344 *
-            v344))) + (v215 * v377 + v211 * dhgen_abs_four(v54) + v217 * (v377 +
+            v344))) + (v218 * v377 + v205 * dhgen_abs_four(v54) + v206 * (v377 +
             (dhgen_sqrt_four(v372 * v372 + v373 * v373 + v371 * v371) + dhgen_sqrt_four(v374 * v374
             + v375 * v375 + v376 * v376)))),
         v405 = v402 + v245 * dhgen_abs_four(v48) + v254 * (v398 + (dhgen_sqrt_four(v392 * v392 +
@@ -703,9 +702,9 @@ DHGEN_INLINE int solve_regular(
             + v426 * v426 + v427 * v427)))) + (dhgen_sqrt_four(v429 * v429 + v430 * v430 + v431 *
             v431) + dhgen_sqrt_four(v432 * v432 + v433 * v433 + v434 * v434)),
         v446 = v397 * (v437 + v270 * v279 + v282 * v286 + (v439 + v308 * v314 + v316 * v320)),
-        v459 = v215 * v446 + v211 * dhgen_abs_four(v57) + v217 * (v446 + (dhgen_sqrt_four(v440 *
+        v459 = v218 * v446 + v205 * dhgen_abs_four(v57) + v206 * (v446 + (dhgen_sqrt_four(v440 *
             v440 + v441 * v441 + v442 * v442) + dhgen_sqrt_four(v443 * v443 + v444 * v444 + v445 *
-            v445))) + (v452 + v194 * v450 + v196 * v453),
+            v445))) + (v452 + v213 * v450 + v191 * v453),
         v466 = v385 * v459 + v239 * dhgen_abs_four(v58) + v386 * (v459 + (dhgen_sqrt_four(v454 *
             v454 + v455 * v455 + v447 * v447) + dhgen_sqrt_four(v456 * v456 + v457 * v457 + v458 *
             v458))) + v325 * (v439 + v279 * v308 + v282 * v320 + (v437 + v270 * v314 + v286 * v316))
@@ -715,7 +714,7 @@ DHGEN_INLINE int solve_regular(
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) + 0.0 * (free_joints[0]) <= DHGEN_ORTHONORMAL)
         == 0) | ((dhgen_abs_four(v147 + (D1 + D1)) <= v147) | (dhgen_abs_four(v15) <= 2.0 * v142) |
         (dhgen_abs_four(D1 * v12) <= near_m3 * v15)) | ((dhgen_abs_four(v59) <= v435 * v435 + v466 *
-        v466) | (dhgen_abs_four(v35) <= v223) | (v59 <= near_m5) | (v35 <= near_m4))) |
+        v466) | (dhgen_abs_four(v35) <= v209) | (v59 <= near_m5) | (v35 <= near_m4))) |
         (unsigned)((fabs(N1) <= near1) | (fabs(v110 + (D4 + D4)) <= v110) | (fabs(v90) <= 2.0 *
         v105) | (N1 <= near_doubt_limit_squared2) | (fabs(D4) <= near_m1 * v90) | (N4 <=
         near_doubt_limit_squared4)))
@@ -761,6 +760,11 @@ DHGEN_TABLE dhgen_nearest_arm nearest_arm = {
     { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     { 0, 1, 3, 4, 5, 6 },
 };
+#endif
+
+#ifndef KINOVA_GEN3_7_PLAIN
+DHGEN_FN int solve_certain(
+    const double *T, const double *free_joints, double *q, unsigned char *status);
 #endif
 
 /* Fills the rows of the branches that have a solution, and no others. */
@@ -815,8 +819,23 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     kinova_gen3_7_fk, kinova_gen3_7_jacobian, solve,
+#ifdef KINOVA_GEN3_7_PLAIN
     NULL,
+#else
+    solve_certain,
+#endif
 };
+
+#ifndef KINOVA_GEN3_7_PLAIN
+/* Poses at which the nearest arm's rows lead to all solutions. Returns how many rows are OK, or -1
+ * if the pose has to be left to `solve`. */
+DHGEN_FN int solve_certain(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    return dhgen_near_rows(&arm, &general, &descents, &nearest_arm, solve_regular, T, free_joints,
+        q, status);
+}
+#endif
 
 DHGEN_PUBLIC void kinova_gen3_7_joint_velocities(
     const double q[7], const double twist[6], double velocities[7])
@@ -828,7 +847,7 @@ DHGEN_PUBLIC int kinova_gen3_7_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
     unsigned char status[16])
 {
-    return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
+    return dhgen_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
 }
 
 DHGEN_PUBLIC int kinova_gen3_7_ik_nearest(

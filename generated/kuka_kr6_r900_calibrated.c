@@ -628,6 +628,11 @@ DHGEN_TABLE dhgen_nearest_arm nearest_arm = {
 };
 #endif
 
+#ifndef KUKA_KR6_R900_CALIBRATED_PLAIN
+DHGEN_FN int solve_certain(
+    const double *T, const double *free_joints, double *q, unsigned char *status);
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
@@ -678,8 +683,23 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     kuka_kr6_r900_calibrated_fk, kuka_kr6_r900_calibrated_jacobian, solve,
+#ifdef KUKA_KR6_R900_CALIBRATED_PLAIN
     NULL,
+#else
+    solve_certain,
+#endif
 };
+
+#ifndef KUKA_KR6_R900_CALIBRATED_PLAIN
+/* Poses at which the nearest arm's rows lead to all solutions. Returns how many rows are OK, or -1
+ * if the pose has to be left to `solve`. */
+DHGEN_FN int solve_certain(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    return dhgen_near_rows(&arm, &general, &descents, &nearest_arm, solve_regular, T, free_joints,
+        q, status);
+}
+#endif
 
 DHGEN_PUBLIC void kuka_kr6_r900_calibrated_joint_velocities(
     const double q[6], const double twist[6], double velocities[6])
@@ -690,7 +710,7 @@ DHGEN_PUBLIC void kuka_kr6_r900_calibrated_joint_velocities(
 DHGEN_PUBLIC int kuka_kr6_r900_calibrated_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
 {
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
+    return dhgen_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 DHGEN_PUBLIC int kuka_kr6_r900_calibrated_ik_nearest(

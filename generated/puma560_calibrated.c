@@ -645,6 +645,11 @@ DHGEN_TABLE dhgen_nearest_arm nearest_arm = {
 };
 #endif
 
+#ifndef PUMA560_CALIBRATED_PLAIN
+DHGEN_FN int solve_certain(
+    const double *T, const double *free_joints, double *q, unsigned char *status);
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
@@ -695,8 +700,23 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     puma560_calibrated_fk, puma560_calibrated_jacobian, solve,
+#ifdef PUMA560_CALIBRATED_PLAIN
     NULL,
+#else
+    solve_certain,
+#endif
 };
+
+#ifndef PUMA560_CALIBRATED_PLAIN
+/* Poses at which the nearest arm's rows lead to all solutions. Returns how many rows are OK, or -1
+ * if the pose has to be left to `solve`. */
+DHGEN_FN int solve_certain(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    return dhgen_near_rows(&arm, &general, &descents, &nearest_arm, solve_regular, T, free_joints,
+        q, status);
+}
+#endif
 
 DHGEN_PUBLIC void puma560_calibrated_joint_velocities(
     const double q[6], const double twist[6], double velocities[6])
@@ -707,7 +727,7 @@ DHGEN_PUBLIC void puma560_calibrated_joint_velocities(
 DHGEN_PUBLIC int puma560_calibrated_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
 {
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
+    return dhgen_ik(&arm, T, NULL, q_seed, &q[0][0], status);
 }
 
 DHGEN_PUBLIC int puma560_calibrated_ik_nearest(

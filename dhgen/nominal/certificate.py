@@ -166,14 +166,12 @@ class _Certificate:
             for operand in entry.operands
             for factor in self._factors(operand, crossing)
         ]
-        yield from map(self._may_begin, filter(self._changes, crossing))
         whole = [root for root in roots if root not in crossing]
-        vanishing = dict.fromkeys([*divisors, *whole, *compared])
-        yield from map(self._may_vanish, filter(self._changes, vanishing))
-
-    def _changes(self, node: Node) -> bool:
-        """Whether a value may differ in the ball; if not, what the program says of it is enough."""
-        return self._bounds.change(node) is not None
+        doubts = [
+            *map(self._may_begin, crossing),
+            *map(self._may_vanish, dict.fromkeys([*divisors, *whole, *compared])),
+        ]
+        yield from (doubt for doubt in doubts if doubt is not None)
 
     def _may_be_negative(self, nodes: list[Node]) -> list[Node]:
         """Which values pass through zero: they are negative at some poses."""
@@ -216,17 +214,22 @@ class _Certificate:
         elif entry.operator is not None or isinstance(entry.leaf, Pose):
             yield node
 
-    def _may_begin(self, node: Node) -> Node:
-        """Whether what is under a root is negative here, and may be positive within the ball."""
+    def _may_begin(self, node: Node) -> Node | None:
+        """Whether what is under a root is negative here, and may be positive within the ball.
+
+        None of a value that does not change in it: what the program says of it is enough.
+        """
         builder, radius = self._builder, self._bounds.radius(node)
-        assert radius is not None, "what changes has a radius"
+        if radius is None:
+            return None
         twice = builder.add(node, node)
         return builder.apply("at_most", builder.absolute(builder.add(twice, radius)), radius)
 
-    def _may_vanish(self, node: Node) -> Node:
-        """Whether a value may be zero within the ball."""
+    def _may_vanish(self, node: Node) -> Node | None:
+        """Whether a value may be zero within the ball; None as above."""
         limit = self._bounds.near_zero(node)
-        assert limit is not None, "what changes has a radius"
+        if limit is None:
+            return None
         return self._builder.apply("at_most", self._builder.absolute(node), limit)
 
     def _entry(self, node: Node) -> Entry:

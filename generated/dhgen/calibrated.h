@@ -7,14 +7,9 @@
 #define DHGEN_CALIBRATED_H
 
 #include "calibrate.h"
+#include "certain.h"
 #include "ik.h"
-#include "limits.h"
 #include "velocities.h"
-
-/* A joint of a row that is certain is not moved to a limit from farther away [rad]: these rows are
- * exact, some joint is 0.01 apart from that of each other one, and what solves the pose to 1e-10
- * beside one of them is not even 1e-6 away from it. */
-#define DHGEN_MOVED_TO_LIMIT 1e-4
 
 /* The runtime hands what callers give, the values of given joints, to the solver as it is. Arms of
  * a kind have no such joint: in their place the solver gets the arm, whose first number's address
@@ -71,44 +66,6 @@ DHGEN_FN dhgen_general_arm dhgen_general_arm_of(const dhgen_kind *kind, const dh
     return general;
 }
 
-/* The places of rows in their order: by the first joint, then by the second and so on. */
-DHGEN_FN void dhgen_order_rows(double (*q)[6], int count, int *order)
-{
-    unsigned char first[DHGEN_ROWS] = { 0 };
-    int single = count < 2;
-    for (int k = 0; k < count; k++)
-        order[k] = k;
-    for (int i = 0; i < 6 && !single; i++) {
-        double value[DHGEN_ROWS];
-        for (int k = 0; k < count; k++)
-            value[k] = dhgen_order_of(q[k][i], 1);
-        single = dhgen_order_blocks(value, DHGEN_TIE, count, order, first);
-    }
-}
-
-/* Turns the joints of a row inside their limits, or next to the end that they are beyond by little.
- * Returns its status; -1 where one of them is beyond a limit by so little that it may be moved
- * there. */
-DHGEN_FN int dhgen_limited_row(const dhgen_kind *kind, double *q)
-{
-    const struct dhgen_arm *const arm = kind->arm;
-    int status = DHGEN_OK;
-    for (int i = 0; i < 6; i++) {
-        const struct dhgen_joint *const of = arm->joints + i;
-        if (of->lowest <= q[i] && q[i] <= of->highest)
-            continue;
-        q[i] = dhgen_turned(arm, i, q[i], 0.0);
-        const double off = dhgen_overshoot(arm, i, q[i]);
-        if (0.0 < fabs(off) && fabs(off) <= DHGEN_MOVED_TO_LIMIT)
-            return -1;
-        if (fabs(off) > 0.0)
-            status = DHGEN_OUT_OF_LIMITS;
-        if (0.0 < fabs(off) && fabs(off) <= DHGEN_DOUBTFUL && arm->winds)
-            q[i] = off + (off > 0.0 ? of->highest : of->lowest);
-    }
-    return status;
-}
-
 /* The rows of a pose where the nominal arm's lead to all solutions. Returns how many are inside
  * limits, or -1 where the pose has to be left to the general algorithm. */
 DHGEN_FN int dhgen_certain_rows(const dhgen_kind *kind, const dhgen_calibration *of,
@@ -116,9 +73,8 @@ DHGEN_FN int dhgen_certain_rows(const dhgen_kind *kind, const dhgen_calibration 
 {
     const dhgen_general_arm general = dhgen_general_arm_of(kind, of);
     double rows[DHGEN_ROWS][6];
-    int order[DHGEN_ROWS], inside = 0;
     const int count = dhgen_near_nominal(kind, of, T, rows);
-    if (count < 0 || !dhgen_general_correct(&general, T, rows, count))
+    if (count < 0 || !dhgen_general_correct(&general, T, NULL, rows, count))
         return -1;
     for (int k = 0; k < count; k++)
         for (int i = 0; i < 6; i++) {
@@ -126,20 +82,7 @@ DHGEN_FN int dhgen_certain_rows(const dhgen_kind *kind, const dhgen_calibration 
             if (rows[k][i] <= -DHGEN_HALF_TURN)
                 rows[k][i] = DHGEN_HALF_TURN;
         }
-    dhgen_order_rows(rows, count, order);
-    for (int row = 0; row < DHGEN_ROWS; row++) {
-        double *const values = row < count ? rows[order[row]] : NULL;
-        int said = DHGEN_UNREACHABLE;
-        if (values)
-            said = dhgen_limited_row(kind, values);
-        if (said < 0)
-            return -1;
-        for (int i = 0; i < 6; i++)
-            q[6 * row + i] = values ? values[i] : DHGEN_NAN;
-        status[row] = (unsigned char)said;
-        inside += status[row] == DHGEN_OK;
-    }
-    return inside;
+    return dhgen_fill_certain(kind->arm, rows, count, q, status);
 }
 
 /* All rows of a calibrated arm, as a robot's solver fills them. */

@@ -39,8 +39,8 @@ DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double
 
 /* Takes angles that are near solutions to these, of an arm without slides. Returns whether all are
  * exact, and no two of them near one another; if not, nothing is known of them. */
-DHGEN_API int dhgen_general_correct(
-    const dhgen_general_arm *arm, const double T[16], double (*angle)[6], int count);
+DHGEN_API int dhgen_general_correct(const dhgen_general_arm *arm, const double T[16],
+    const double *free_joints, double (*angle)[6], int count);
 
 /* All solutions, sorted by the first joint, then by the second and so on: rows of joint values,
  * which of them there are, and which were chosen from a continuum. Where it is not certain that

@@ -7,6 +7,10 @@
 #include "../general.h"
 #include "loop.h"
 
+#ifdef DHGEN_DOF
+#include "../certain.h"
+#endif
+
 /* The nearest arm with a structure: what stands before and behind a pose T to make it this arm's,
  * three rows of four, and what its angles are more than those of the loop; which of its joints are
  * those of the loop. */
@@ -53,6 +57,29 @@ DHGEN_FN int dhgen_near_solutions(const dhgen_nearest_arm *arm, dhgen_nearest_ro
         }
     }
     return count;
+}
+
+/* The rows of a pose where those of the nearest arm lead to all solutions. Returns how many are
+ * inside limits, or -1 where the pose has to be left to the general algorithm. */
+DHGEN_FN int dhgen_near_rows(const struct dhgen_arm *arm, const dhgen_general_arm *general,
+    const struct dhgen_numerical_arm *descents, const dhgen_nearest_arm *nearest,
+    dhgen_nearest_rows *solve, const double *T, const double *free_joints, double *q,
+    unsigned char *status)
+{
+    double nearby[DHGEN_ROWS][6], solution[DHGEN_ROWS][DHGEN_DOF];
+    const int count = dhgen_near_solutions(nearest, solve, T, free_joints, nearby);
+    if (count <= 0 || !dhgen_general_correct(general, T, free_joints, nearby, count))
+        return -1;
+    for (int k = 0; k < count; k++) {
+        for (int i = 0; i < arm->given_joint_count; i++) {
+            solution[k][arm->given_joints[i]] = free_joints[i];
+        }
+        for (int i = 0; i < 6; i++) {
+            const double value = descents->facing[i] * (nearby[k][i] - descents->zero[i]);
+            solution[k][descents->joint[i]] = value - DHGEN_TURN * ceil(value / DHGEN_TURN - 0.5);
+        }
+    }
+    return dhgen_fill_certain(arm, solution, count, q, status);
 }
 #endif
 

@@ -200,12 +200,12 @@ DHGEN_FN void dhgen_put_in_order(
     }
 }
 
-DHGEN_API int dhgen_general_correct(
-    const dhgen_general_arm *arm, const double T[16], double (*angle)[6], int count)
+DHGEN_API int dhgen_general_correct(const dhgen_general_arm *arm, const double T[16],
+    const double *free_joints, double (*angle)[6], int count)
 {
     double residual[DHGEN_PLACES];
     dhgen_loop loop;
-    dhgen_close_loop(arm, T, NULL, &loop);
+    dhgen_close_loop(arm, T, free_joints, &loop);
     dhgen_correct_angles(&loop, angle, count, residual);
     return dhgen_are_apart(arm, angle, count, residual);
 }
