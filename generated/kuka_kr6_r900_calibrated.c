@@ -358,25 +358,25 @@ static const double
         v38 = near_length * T14, v39 = v38 + v38, v40 = near_length * T24, v41 = v40 + v40, \
         v42 = DHGEN_QUOTIENT(near3, w1), v43 = v39 * v42, v44 = v41 * v42, \
         v45 = near2 * dhgen_abs_##number(v42), \
-        v48 = v45 + dhgen_sqrt_##number(v43 * v43 + v44 * v44), v58 = v37 * v37, \
-        v66 = dhgen_abs_##number(v2), v67 = v2 * (v2 * v39), v68 = v2 * (v2 * v41), \
-        v69 = v66 * (near2 * v66), v72 = near_angle * T33, v73 = near_angle * T23, \
-        v74 = T24 * v72, v75 = near4 * dhgen_abs_##number(T24), v76 = near_length * T13, \
-        v77 = v72 * v72, v78 = v73 * v73, \
-        v79 = near_length * (near4 + dhgen_sqrt_##number(v77 + v78)), v80 = near_angle * T13, \
-        v81 = T14 * v72, v82 = near4 * dhgen_abs_##number(T14), v83 = near_length * T23, \
-        v84 = v80 * v80, v85 = near_length * (near4 + dhgen_sqrt_##number(v77 + v84)), \
-        v86 = T24 * v73 + T14 * v80, v87 = v75 + v79 + (v82 + v85), v88 = v2 * v81, \
-        v89 = v2 * v74, v91 = v81 * v81 + v74 * v74, \
-        v92 = dhgen_sqrt_##number(v83 * v83 + v76 * v76), v93 = w1 * v88, v94 = w1 * v89, \
-        v95 = dhgen_abs_##number(w1), v127 = near_m7 * v45, v143 = dhgen_abs_##number(T33), \
-        v144 = near4 + dhgen_sqrt_##number(v78 + v84), v151 = near_m6 * v45, \
-        v165 = T24 * v80 - T14 * v73, v166 = v79 + v82 + (v75 + v85), v167 = v2 * v165, \
-        v168 = v2 * v76 - v22 * v67, v169 = v2 * v83 - v22 * v68, v171 = w1 * v167, \
-        v172 = w1 * v168 + v23 * v43, v173 = w1 * v169 + v23 * v44, \
-        v175 = dhgen_abs_##number(v24), v184 = w1 * v2, v185 = v2 * v43 - w1 * v67, \
-        v186 = v2 * v44 - w1 * v68, v188 = v81 * v184, v189 = v74 * v184, v190 = v86 * v184, \
-        v191 = v25 * v185 - v83 * v184, v192 = v25 * v186 + v76 * v184
+        v48 = v45 + dhgen_sqrt_##number(v43 * v43 + v44 * v44), v58 = v37 * v37, v66 = w1 * v2, \
+        v67 = near_angle * T33, v68 = near_angle * T23, v69 = T24 * v67, \
+        v70 = near4 * dhgen_abs_##number(T24), v71 = near_length * T13, v72 = v67 * v67, \
+        v73 = v68 * v68, v74 = near_length * (near4 + dhgen_sqrt_##number(v72 + v73)), \
+        v75 = near_angle * T13, v76 = T14 * v67, v77 = near4 * dhgen_abs_##number(T14), \
+        v78 = near_length * T23, v79 = v75 * v75, \
+        v80 = near_length * (near4 + dhgen_sqrt_##number(v72 + v79)), v81 = T24 * v68 + T14 * v75, \
+        v82 = v70 + v74 + (v77 + v80), v83 = dhgen_abs_##number(v2), v84 = v2 * (v2 * v39), \
+        v85 = v2 * (v2 * v41), v86 = v83 * (near2 * v83), v89 = dhgen_abs_##number(w1), \
+        v91 = v2 * v43 - w1 * v84, v92 = v2 * v44 - w1 * v85, v94 = v66 * v76, v95 = v66 * v69, \
+        v96 = v66 * v81, v97 = v76 * v76 + v69 * v69, \
+        v98 = dhgen_sqrt_##number(v78 * v78 + v71 * v71), v99 = v25 * v91 - v66 * v78, \
+        v100 = v25 * v92 + v66 * v71, v133 = near_m7 * v45, v149 = dhgen_abs_##number(T33), \
+        v150 = near4 + dhgen_sqrt_##number(v73 + v79), v157 = near_m6 * v45, \
+        v171 = T24 * v75 - T14 * v68, v172 = v74 + v77 + (v70 + v80), v173 = v2 * v69, \
+        v174 = v2 * v76, v175 = v2 * v171, v176 = v2 * v71 - v22 * v84, \
+        v177 = v2 * v78 - v22 * v85, v179 = w1 * v173, v180 = w1 * v174, v181 = w1 * v175, \
+        v182 = w1 * v176 + v23 * v43, v183 = w1 * v177 + v23 * v44, \
+        v185 = dhgen_abs_##number(v24)
 #define SIGNED(number, signs) \
     /* theta3 */ \
     const dhgen_##number Z2_3 = e1 * w1 - near_a1, N3 = v4 + Z2_3 * Z2_3, v5 = near_longest3 - N3, \
@@ -398,31 +398,32 @@ static const double
         v61 = v5 * v55 - v6 * v55, v62 = v5 * v37 - v6 * v37, \
         v63 = v57 * dhgen_abs_##number(v5) + v57 * dhgen_abs_##number(v6) + v59 * v59, \
         v64 = v63 + dhgen_sqrt_##number(v60 * v60 + v61 * v61 + v62 * v62), v65 = near1 + v56, \
-        v96 = dhgen_abs_##number(factor2), v97 = factor2 * (factor2 * v54), \
-        v98 = factor2 * (factor2 * v55), v99 = factor2 * (factor2 * v37), \
-        v100 = v96 * (v57 * v96), v101 = dhgen_sqrt_##number(N3) - dhgen_sqrt_##number(v65), \
-        v102 = v100 + (v100 + (dhgen_abs_##number(v99) + (dhgen_abs_##number(v97) + \
-            dhgen_abs_##number(v98)))) * DHGEN_QUOTIENT(v59, v101 * v101), v103 = near_m9 * v97, \
-        v104 = near_m9 * v98, v105 = near_m9 * v99, v106 = near_m9 * v102, \
-        v107 = v102 + dhgen_sqrt_##number(v97 * v97 + v98 * v98 + v99 * v99), \
-        v108 = v106 + dhgen_sqrt_##number(v103 * v103 + v104 * v104 + v105 * v105), \
-        v109 = near_m8 * v97, v110 = near_m8 * v98, v111 = near_m8 * v99, v112 = near_m8 * v102, \
-        v113 = v112 + dhgen_sqrt_##number(v109 * v109 + v110 * v110 + v111 * v111), \
-        v114 = Z2_3 * v103 - v13 * v46 - T34 * v109, v115 = Z2_3 * v104 - v13 * v47 - T34 * v110, \
-        v116 = Z2_3 * v105 + (near_length * v12 - T34 * v111), \
-        v117 = v51 * v106 + v45 * dhgen_abs_##number(-v13) + v53 * v108 + (v36 * v112 + \
-            near_length * v113), v118 = DHGEN_QUOTIENT(near3, w3), v119 = v60 * v118, \
-        v120 = v61 * v118, v121 = v62 * v118, v122 = v64 * v118, \
-        v123 = DHGEN_QUOTIENT(v122 * v122, w3), \
-        v124 = v123 + (v123 + v63 * dhgen_abs_##number(v118)), v125 = near_m7 * v46, \
-        v126 = near_m7 * v47, v135 = v96 * v127 + v102 * dhgen_abs_##number(v18), \
-        v137 = dhgen_abs_##number(w3), \
-        v138 = v124 + dhgen_sqrt_##number(v119 * v119 + v120 * v120 + v121 * v121), \
-        v145 = v12 * v46 - Z2_3 * v109 - T34 * v103, v146 = v12 * v47 - Z2_3 * v110 - T34 * v104, \
-        v147 = near_length * v13 - T34 * v105 - Z2_3 * v111, \
-        v148 = v51 * v112 + v45 * dhgen_abs_##number(v12) + v53 * v113 + (v36 * v106 + near_length \
-            * v108), v149 = near_m6 * v46, v150 = near_m6 * v47, \
-        v159 = v96 * v151 + v102 * dhgen_abs_##number(v11)
+        v102 = dhgen_abs_##number(factor2), v103 = factor2 * (factor2 * v54), \
+        v104 = factor2 * (factor2 * v55), v105 = factor2 * (factor2 * v37), \
+        v106 = v102 * (v57 * v102), v107 = dhgen_sqrt_##number(N3) - dhgen_sqrt_##number(v65), \
+        v108 = v106 + (v106 + (dhgen_abs_##number(v105) + (dhgen_abs_##number(v103) + \
+            dhgen_abs_##number(v104)))) * DHGEN_QUOTIENT(v59, v107 * v107), v109 = near_m9 * v103, \
+        v110 = near_m9 * v104, v111 = near_m9 * v105, v112 = near_m9 * v108, \
+        v113 = v108 + dhgen_sqrt_##number(v103 * v103 + v104 * v104 + v105 * v105), \
+        v114 = v112 + dhgen_sqrt_##number(v109 * v109 + v110 * v110 + v111 * v111), \
+        v115 = near_m8 * v103, v116 = near_m8 * v104, v117 = near_m8 * v105, \
+        v118 = near_m8 * v108, \
+        v119 = v118 + dhgen_sqrt_##number(v115 * v115 + v116 * v116 + v117 * v117), \
+        v120 = Z2_3 * v109 - v13 * v46 - T34 * v115, v121 = Z2_3 * v110 - v13 * v47 - T34 * v116, \
+        v122 = Z2_3 * v111 + (near_length * v12 - T34 * v117), \
+        v123 = v51 * v112 + v45 * dhgen_abs_##number(-v13) + v53 * v114 + (v36 * v118 + \
+            near_length * v119), v124 = DHGEN_QUOTIENT(near3, w3), v125 = v60 * v124, \
+        v126 = v61 * v124, v127 = v62 * v124, v128 = v64 * v124, \
+        v129 = DHGEN_QUOTIENT(v128 * v128, w3), \
+        v130 = v129 + (v129 + v63 * dhgen_abs_##number(v124)), v131 = near_m7 * v46, \
+        v132 = near_m7 * v47, v141 = v102 * v133 + v108 * dhgen_abs_##number(v18), \
+        v143 = dhgen_abs_##number(w3), \
+        v144 = v130 + dhgen_sqrt_##number(v125 * v125 + v126 * v126 + v127 * v127), \
+        v151 = v12 * v46 - Z2_3 * v115 - T34 * v109, v152 = v12 * v47 - Z2_3 * v116 - T34 * v110, \
+        v153 = near_length * v13 - T34 * v111 - Z2_3 * v117, \
+        v154 = v51 * v118 + v45 * dhgen_abs_##number(v12) + v53 * v119 + (v36 * v112 + near_length \
+            * v114), v155 = near_m6 * v46, v156 = near_m6 * v47, \
+        v165 = v102 * v157 + v108 * dhgen_abs_##number(v11)
 #define SIGNED_TWICE(number, signs) \
     /* theta2 */ \
     const dhgen_##number v9 = near_m4 * (e3 * T34); \
@@ -433,27 +434,27 @@ static const double
     /* theta6 */ \
     const dhgen_##number v34 = e1 * (c4 * v32 + Y4 * (s23 * T31 + e1 * (c23 * v33))); \
     /* joint values */ \
-    const dhgen_##number v128 = e3 * v125, v129 = e3 * v126; \
-    const dhgen_##signs v130 = near5 * e3, v131 = v130 * v130; \
-    const dhgen_##number v132 = factor2 * v128 - v20 * v97, v133 = factor2 * v129 - v20 * v98, \
-        v134 = factor2 * v130 - v20 * v99, \
-        v136 = v135 + v107 * (v127 + dhgen_sqrt_##number(v131 + (v128 * v128 + v129 * v129))), \
-        v139 = v114 - (w3 * v132 + v21 * v119), v140 = v115 - (w3 * v133 + v21 * v120), \
-        v141 = v116 - (w3 * v134 + v21 * v121), \
-        v142 = v117 + (v136 * v137 + v124 * dhgen_abs_##number(v21) + v138 * (v136 + \
-            dhgen_sqrt_##number(v132 * v132 + v133 * v133 + v134 * v134))), v152 = e3 * v149, \
-        v153 = e3 * v150; \
-    const dhgen_##signs v154 = near6 * e3, v155 = v154 * v154; \
-    const dhgen_##number v156 = factor2 * v152 + v15 * v97, v157 = factor2 * v153 + v15 * v98, \
-        v158 = factor2 * v154 - v15 * v99, \
-        v160 = v159 + v107 * (v151 + dhgen_sqrt_##number(v155 + (v152 * v152 + v153 * v153))), \
-        v161 = v145 + (v16 * v119 - w3 * v156), v162 = v146 + (v16 * v120 - w3 * v157), \
-        v163 = v147 + (w3 * v158 + v16 * v121), \
-        v164 = v148 + (v137 * v160 + v124 * dhgen_abs_##number(v16) + v138 * (v160 + \
-            dhgen_sqrt_##number(v156 * v156 + v157 * v157 + v158 * v158))), \
-        v177 = e1 * (c23 * v171), v178 = s23 * v73 - e1 * (c23 * v94), \
-        v179 = e1 * (c23 * v93) - s23 * v80, v180 = T33 * v139 + e1 * (c23 * v172 + v24 * v161), \
-        v181 = T33 * v140 + e1 * (c23 * v173 + v24 * v162), v182 = T33 * v141 + e1 * (v24 * v163)
+    const dhgen_##number v134 = e3 * v131, v135 = e3 * v132; \
+    const dhgen_##signs v136 = near5 * e3, v137 = v136 * v136; \
+    const dhgen_##number v138 = factor2 * v134 - v20 * v103, v139 = factor2 * v135 - v20 * v104, \
+        v140 = factor2 * v136 - v20 * v105, \
+        v142 = v141 + v113 * (v133 + dhgen_sqrt_##number(v137 + (v134 * v134 + v135 * v135))), \
+        v145 = v120 - (w3 * v138 + v21 * v125), v146 = v121 - (w3 * v139 + v21 * v126), \
+        v147 = v122 - (w3 * v140 + v21 * v127), \
+        v148 = v123 + (v142 * v143 + v130 * dhgen_abs_##number(v21) + v144 * (v142 + \
+            dhgen_sqrt_##number(v138 * v138 + v139 * v139 + v140 * v140))), v158 = e3 * v155, \
+        v159 = e3 * v156; \
+    const dhgen_##signs v160 = near6 * e3, v161 = v160 * v160; \
+    const dhgen_##number v162 = factor2 * v158 + v15 * v103, v163 = factor2 * v159 + v15 * v104, \
+        v164 = factor2 * v160 - v15 * v105, \
+        v166 = v165 + v113 * (v157 + dhgen_sqrt_##number(v161 + (v158 * v158 + v159 * v159))), \
+        v167 = v151 + (v16 * v125 - w3 * v162), v168 = v152 + (v16 * v126 - w3 * v163), \
+        v169 = v153 + (w3 * v164 + v16 * v127), \
+        v170 = v154 + (v143 * v166 + v130 * dhgen_abs_##number(v16) + v144 * (v166 + \
+            dhgen_sqrt_##number(v162 * v162 + v163 * v163 + v164 * v164))), \
+        v187 = e1 * (c23 * v181), v188 = s23 * v68 - e1 * (c23 * v179), \
+        v189 = e1 * (c23 * v180) - s23 * v75, v190 = T33 * v145 + e1 * (c23 * v182 + v24 * v167), \
+        v191 = T33 * v146 + e1 * (c23 * v183 + v24 * v168), v192 = T33 * v147 + e1 * (v24 * v169)
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -471,20 +472,20 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v3 = dhgen_signed_wide(DHGEN_HALF_TURN, T24);
 
     /* joint values */
-    const dhgen_wide v70 = w1 - sqrt(near2),
-        v71 = v69 + (v69 + (dhgen_abs_wide(v67) + dhgen_abs_wide(v68))) * DHGEN_QUOTIENT(near2 +
-            dhgen_sqrt_wide(v39 * v39 + v41 * v41), v70 * v70),
-        v90 = v71 + dhgen_sqrt_wide(v67 * v67 + v68 * v68),
-        v170 = v66 * v166 + v71 * dhgen_abs_wide(v22) + v90 * (v166 + (v92 + dhgen_sqrt_wide(v91 +
-            v165 * v165))),
-        v174 = v95 * v170 + v45 * dhgen_abs_wide(v23) + v48 * (v170 + (dhgen_sqrt_wide(v88 * v88 +
-            v89 * v89 + v167 * v167) + dhgen_sqrt_wide(v168 * v168 + v169 * v169))),
-        v176 = v174 + (dhgen_sqrt_wide(v93 * v93 + v94 * v94 + v171 * v171) + dhgen_sqrt_wide(v172 *
-            v172 + v173 * v173)), v187 = v71 * v95 + v45 * v66 + v48 * v90,
-        v193 = v187 * dhgen_abs_wide(v25) + v87 * dhgen_abs_wide(v184) + (v87 + (v92 +
-            dhgen_sqrt_wide(v91 + v86 * v86))) * (v187 + dhgen_sqrt_wide(v185 * v185 + v186 * v186))
-            + (dhgen_sqrt_wide(v188 * v188 + v189 * v189 + v190 * v190) + dhgen_sqrt_wide(v191 *
-            v191 + v192 * v192)), v194 = v193 * v193;
+    const dhgen_wide v87 = w1 - sqrt(near2),
+        v88 = v86 + (v86 + (dhgen_abs_wide(v84) + dhgen_abs_wide(v85))) * DHGEN_QUOTIENT(near2 +
+            dhgen_sqrt_wide(v39 * v39 + v41 * v41), v87 * v87),
+        v90 = v88 + dhgen_sqrt_wide(v84 * v84 + v85 * v85), v93 = v88 * v89 + v45 * v83 + v48 * v90,
+        v101 = v93 * dhgen_abs_wide(v25) + v82 * dhgen_abs_wide(v66) + (v82 + (v98 +
+            dhgen_sqrt_wide(v97 + v81 * v81))) * (v93 + dhgen_sqrt_wide(v91 * v91 + v92 * v92)) +
+            (dhgen_sqrt_wide(v94 * v94 + v95 * v95 + v96 * v96) + dhgen_sqrt_wide(v99 * v99 + v100 *
+            v100)),
+        v178 = v83 * v172 + v88 * dhgen_abs_wide(v22) + v90 * (v172 + (v98 + dhgen_sqrt_wide(v97 +
+            v171 * v171))),
+        v184 = v89 * v178 + v45 * dhgen_abs_wide(v23) + v48 * (v178 + (dhgen_sqrt_wide(v173 * v173 +
+            v174 * v174 + v175 * v175) + dhgen_sqrt_wide(v176 * v176 + v177 * v177))),
+        v186 = v184 + (dhgen_sqrt_wide(v179 * v179 + v180 * v180 + v181 * v181) +
+            dhgen_sqrt_wide(v182 * v182 + v183 * v183)), v194 = v101 * v101;
     left |= (v1 <= near_m1) | (dhgen_abs_wide(v1) <= near2);
 
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
@@ -523,11 +524,11 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
             /* joint values */
             const dhgen_wide q3_p = dhgen_lowered_wide(q3_),
-                v183 = near4 * dhgen_abs_wide(s23) + v142 * v143 + v144 * (v142 +
-                    dhgen_sqrt_wide(v139 * v139 + v140 * v140 + v141 * v141)) + (v174 *
-                    dhgen_abs_wide(c23) + v164 * v175 + v176 * (v164 + dhgen_sqrt_wide(v161 * v161 +
-                    v162 * v162 + v163 * v163))) + (dhgen_sqrt_wide(v178 * v178 + v179 * v179 + v177
-                    * v177) + dhgen_sqrt_wide(v180 * v180 + v181 * v181 + v182 * v182));
+                v193 = near4 * dhgen_abs_wide(s23) + v148 * v149 + v150 * (v148 +
+                    dhgen_sqrt_wide(v145 * v145 + v146 * v146 + v147 * v147)) + (v184 *
+                    dhgen_abs_wide(c23) + v170 * v185 + v186 * (v170 + dhgen_sqrt_wide(v167 * v167 +
+                    v168 * v168 + v169 * v169))) + (dhgen_sqrt_wide(v188 * v188 + v189 * v189 + v187
+                    * v187) + dhgen_sqrt_wide(v190 * v190 + v191 * v191 + v192 * v192));
             const int row = 4 * i1 + 2 * i2;
             q[6 * row] = q1_p; q[6 * row + 1] = angle3; q[6 * row + 2] = q3_p;
             q[6 * row + 3] = angle4; q[6 * row + 4] = angle5; q[6 * row + 5] = angle6;
@@ -536,7 +537,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             q[6 * row + 9] = angle4 - v29; q[6 * row + 10] = -angle5;
             q[6 * row + 11] = angle6 - dhgen_signed_wide(DHGEN_HALF_TURN, v34);
             kind[row + 1] = dhgen_kind_wide(q[6 * row + 6]);
-            left |= (v27 <= near_m10) | (dhgen_abs_wide(v27) <= v194 + v183 * v183);
+            left |= (v27 <= near_m10) | (dhgen_abs_wide(v27) <= v194 + v193 * v193);
         }
     }
     return left;
@@ -561,27 +562,29 @@ DHGEN_INLINE int solve_regular(
     const double v3 = copysign(DHGEN_HALF_TURN, T24);
 
     /* joint values */
-    const double v70 = w1 - sqrt(near2),
-        v71 = v69 + (v69 + (fabs(v67) + fabs(v68))) * DHGEN_QUOTIENT(near2 + sqrt(v39 * v39 + v41 *
-            v41), v70 * v70), v90 = v71 + sqrt(v67 * v67 + v68 * v68),
-        v170 = v66 * v166 + v71 * fabs(v22) + v90 * (v166 + (v92 + sqrt(v91 + v165 * v165))),
-        v174 = v95 * v170 + v45 * fabs(v23) + v48 * (v170 + (sqrt(v88 * v88 + v89 * v89 + v167 *
-            v167) + sqrt(v168 * v168 + v169 * v169))),
-        v176 = v174 + (sqrt(v93 * v93 + v94 * v94 + v171 * v171) + sqrt(v172 * v172 + v173 * v173));
-    const dhgen_four v183 = near4 * dhgen_abs_four(s23) + v142 * v143 + v144 * (v142 +
-        dhgen_sqrt_four(v139 * v139 + v140 * v140 + v141 * v141)) + (v174 * dhgen_abs_four(c23) +
-        v164 * v175 + v176 * (v164 + dhgen_sqrt_four(v161 * v161 + v162 * v162 + v163 * v163))) +
-        (dhgen_sqrt_four(v178 * v178 + v179 * v179 + v177 * v177) + dhgen_sqrt_four(v180 * v180 +
-        v181 * v181 + v182 * v182));
-    const double v187 = v71 * v95 + v45 * v66 + v48 * v90,
-        v193 = v187 * fabs(v25) + v87 * fabs(v184) + (v87 + (v92 + sqrt(v91 + v86 * v86))) * (v187 +
-            sqrt(v185 * v185 + v186 * v186)) + (sqrt(v188 * v188 + v189 * v189 + v190 * v190) +
-            sqrt(v191 * v191 + v192 * v192)), v194 = v193 * v193;
+    const double v87 = w1 - sqrt(near2),
+        v88 = v86 + (v86 + (fabs(v84) + fabs(v85))) * DHGEN_QUOTIENT(near2 + sqrt(v39 * v39 + v41 *
+            v41), v87 * v87), v90 = v88 + sqrt(v84 * v84 + v85 * v85),
+        v93 = v88 * v89 + v45 * v83 + v48 * v90,
+        v101 = v93 * fabs(v25) + v82 * fabs(v66) + (v82 + (v98 + sqrt(v97 + v81 * v81))) * (v93 +
+            sqrt(v91 * v91 + v92 * v92)) + (sqrt(v94 * v94 + v95 * v95 + v96 * v96) + sqrt(v99 * v99
+            + v100 * v100)),
+        v178 = v83 * v172 + v88 * fabs(v22) + v90 * (v172 + (v98 + sqrt(v97 + v171 * v171))),
+        v184 = v89 * v178 + v45 * fabs(v23) + v48 * (v178 + (sqrt(v173 * v173 + v174 * v174 + v175 *
+            v175) + sqrt(v176 * v176 + v177 * v177))),
+        v186 = v184 + (sqrt(v179 * v179 + v180 * v180 + v181 * v181) + sqrt(v182 * v182 + v183 *
+            v183));
+    const dhgen_four v193 = near4 * dhgen_abs_four(s23) + v148 * v149 + v150 * (v148 +
+        dhgen_sqrt_four(v145 * v145 + v146 * v146 + v147 * v147)) + (v184 * dhgen_abs_four(c23) +
+        v170 * v185 + v186 * (v170 + dhgen_sqrt_four(v167 * v167 + v168 * v168 + v169 * v169))) +
+        (dhgen_sqrt_four(v188 * v188 + v189 * v189 + v187 * v187) + dhgen_sqrt_four(v190 * v190 +
+        v191 * v191 + v192 * v192));
+    const double v194 = v101 * v101;
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
         ((dhgen_abs_four(v64 + (D3 + D3)) <= v64) | (dhgen_abs_four(N3) <= v65) |
-        (dhgen_abs_four(D3) <= near_m3)) | ((v27 <= near_m10) | (dhgen_abs_four(v27) <= v194 + v183
-        * v183))) | (unsigned)((v1 <= near_m1) | (fabs(v1) <= near2)))
+        (dhgen_abs_four(D3) <= near_m3)) | ((v27 <= near_m10) | (dhgen_abs_four(v27) <= v194 + v193
+        * v193))) | (unsigned)((v1 <= near_m1) | (fabs(v1) <= near2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(T24), 0,

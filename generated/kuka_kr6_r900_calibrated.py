@@ -675,294 +675,296 @@ def _formulas(kept, turns, rows, w):
         v96 = v94 + math.sqrt(v88 * v88 + v90 * v90 + v92 * v92)
         v97 = v95 + math.sqrt(v89 * v89 + v91 * v91 + v93 * v93)
         v98 = near1 + v82
-        v99 = abs(v2)
-        v100 = v2 * (v2 * v62)
-        v101 = v2 * (v2 * v64)
-        v102 = v99 * (near2 * v99)
-        v103 = w1 - math.sqrt(near2)
-        v104 = (
-            v102 + (v102 + (abs(v100) + abs(v101))) * ((near2 + math.sqrt(v62 * v62 + v64 * v64)) /
-            (v103 * v103))
+        v99 = w1 * v2
+        v100 = near_angle * T33
+        v101 = near_angle * T23
+        v102 = T24 * v100
+        v103 = near4 * abs(T24)
+        v104 = near_length * T13
+        v105 = v100 * v100
+        v106 = v101 * v101
+        v107 = near_length * (near4 + math.sqrt(v105 + v106))
+        v108 = near_angle * T13
+        v109 = T14 * v100
+        v110 = near4 * abs(T14)
+        v111 = near_length * T23
+        v112 = v108 * v108
+        v113 = near_length * (near4 + math.sqrt(v105 + v112))
+        v114 = T24 * v101 + T14 * v108
+        v115 = v103 + v107 + (v110 + v113)
+        v116 = abs(v2)
+        v117 = v2 * (v2 * v62)
+        v118 = v2 * (v2 * v64)
+        v119 = v116 * (near2 * v116)
+        v120 = w1 - math.sqrt(near2)
+        v121 = (
+            v119 + (v119 + (abs(v117) + abs(v118))) * ((near2 + math.sqrt(v62 * v62 + v64 * v64)) /
+            (v120 * v120))
         )
-        v105 = near_angle * T33
-        v106 = near_angle * T23
-        v107 = T24 * v105
-        v108 = near4 * abs(T24)
-        v109 = near_length * T13
-        v110 = v105 * v105
-        v111 = v106 * v106
-        v112 = near_length * (near4 + math.sqrt(v110 + v111))
-        v113 = near_angle * T13
-        v114 = T14 * v105
-        v115 = near4 * abs(T14)
-        v116 = near_length * T23
-        v117 = v113 * v113
-        v118 = near_length * (near4 + math.sqrt(v110 + v117))
-        v119 = T24 * v106 + T14 * v113
-        v120 = v108 + v112 + (v115 + v118)
-        v121 = v2 * v114
-        v122 = v2 * v107
-        v123 = v104 + math.sqrt(v100 * v100 + v101 * v101)
-        v124 = v114 * v114 + v107 * v107
-        v125 = math.sqrt(v116 * v116 + v109 * v109)
-        v126 = w1 * v121
-        v127 = w1 * v122
-        v128 = abs(w1)
-        v129 = abs(factor2_p)
-        v130 = abs(factor2_m)
-        v131 = factor2_p * (factor2_p * v78)
-        v132 = factor2_m * (factor2_m * v79)
-        v133 = factor2_p * (factor2_p * v80)
-        v134 = factor2_m * (factor2_m * v81)
-        v135 = factor2_p * (factor2_p * v60)
-        v136 = factor2_m * (factor2_m * v60)
-        v137 = v129 * (v83 * v129)
-        v138 = v130 * (v84 * v130)
-        v139 = math.sqrt(v98)
-        v140 = math.sqrt(N3_p) - v139
-        v141 = math.sqrt(N3_m) - v139
-        v142 = v137 + (v137 + (abs(v135) + (abs(v131) + abs(v133)))) * (v86 / (v140 * v140))
-        v143 = v138 + (v138 + (abs(v136) + (abs(v132) + abs(v134)))) * (v87 / (v141 * v141))
-        v144 = near_m9 * v131
-        v145 = near_m9 * v132
-        v146 = near_m9 * v133
-        v147 = near_m9 * v134
-        v148 = near_m9 * v135
-        v149 = near_m9 * v136
-        v150 = near_m9 * v142
-        v151 = near_m9 * v143
-        v152 = v142 + math.sqrt(v131 * v131 + v133 * v133 + v135 * v135)
-        v153 = v143 + math.sqrt(v132 * v132 + v134 * v134 + v136 * v136)
-        v154 = v150 + math.sqrt(v144 * v144 + v146 * v146 + v148 * v148)
-        v155 = v151 + math.sqrt(v145 * v145 + v147 * v147 + v149 * v149)
-        v156 = near_m8 * v131
-        v157 = near_m8 * v132
-        v158 = near_m8 * v133
-        v159 = near_m8 * v134
-        v160 = near_m8 * v135
-        v161 = near_m8 * v136
-        v162 = near_m8 * v142
-        v163 = near_m8 * v143
-        v164 = v162 + math.sqrt(v156 * v156 + v158 * v158 + v160 * v160)
-        v165 = v163 + math.sqrt(v157 * v157 + v159 * v159 + v161 * v161)
-        v166 = Z2_3_p * v144 + -v24 * v66 - T34 * v156
-        v167 = v3 * v145 + -v25 * v66 + T34 * v157
-        v168 = Z2_3_p * v146 + -v24 * v67 - T34 * v158
-        v169 = v3 * v147 + -v25 * v67 + T34 * v159
-        v170 = Z2_3_p * v148 + (near_length * v22 - T34 * v160)
-        v171 = near_length * v23 - T34 * v161 - v3 * v149
-        v172 = v74 * v150 + v68 * abs(-v24) + v69 * v154 + (v59 * v162 + near_length * v164)
-        v173 = v75 * v151 + v68 * abs(-v25) + v69 * v155 + (v59 * v163 + near_length * v165)
-        v174 = near3 / w3_p
-        v175 = near3 / w3_m
-        v176 = v88 * v174
-        v177 = v89 * v175
-        v178 = v90 * v174
-        v179 = v91 * v175
-        v180 = v92 * v174
-        v181 = v93 * v175
-        v182 = v96 * v174
-        v183 = v97 * v175
-        v184 = v182 * v182 / w3_p
-        v185 = v183 * v183 / w3_m
-        v186 = v184 + (v184 + v94 * abs(v174))
-        v187 = v185 + (v185 + v95 * abs(v175))
-        v188 = near_m7 * v66
-        v189 = near_m7 * v67
-        v190 = near_m7 * v68
-        v191 = factor2_p * v188 - v33 * v131
-        v192 = factor2_m * v188
-        v193 = v192 + v34 * v132
-        v194 = v192 - -v34 * v132
-        v195 = factor2_p * v189 - v33 * v133
-        v196 = factor2_m * v189
-        v197 = v196 + v34 * v134
-        v198 = v196 - -v34 * v134
-        v199 = near5 * factor2_p - v33 * v135
-        v200 = near5 * factor2_m
-        v201 = v200 - v34 * v136
-        v202 = v200 + -v34 * v136
-        v203 = v190 + math.sqrt(h1 + (v188 * v188 + v189 * v189))
-        v204 = v129 * v190 + v142 * abs(v33) + v152 * v203
-        v205 = v130 * v190 + v143 * abs(v34) + v153 * v203
-        v206 = abs(w3_p)
-        v207 = abs(w3_m)
-        v208 = v186 + math.sqrt(v176 * v176 + v178 * v178 + v180 * v180)
-        v209 = v187 + math.sqrt(v177 * v177 + v179 * v179 + v181 * v181)
-        v210 = v37 * v176
-        v211 = v166 - (w3_p * v191 + v210)
-        v212 = v166 - (w3_p * -v191 - v210)
-        v213 = v167 + (v38 * v177 - w3_m * v193)
-        v214 = v167 + (w3_m * v194 + v39 * v177)
-        v215 = v37 * v178
-        v216 = v168 - (w3_p * v195 + v215)
-        v217 = v168 - (w3_p * -v195 - v215)
-        v218 = v169 + (v38 * v179 - w3_m * v197)
-        v219 = v169 + (w3_m * v198 + v39 * v179)
-        v220 = v37 * v180
-        v221 = v170 - (w3_p * v199 + v220)
-        v222 = v170 - (w3_p * -v199 - v220)
-        v223 = v171 - (w3_m * v201 + v38 * v181)
-        v224 = v171 - (v39 * v181 - w3_m * v202)
-        v225 = v204 * v206 + v186 * abs(v37)
-        v226 = v172 + (v225 + v208 * (v204 + math.sqrt(v191 * v191 + v195 * v195 + v199 * v199)))
-        v227 = (
-            v172 + (v225 + v208 * (v204 + math.sqrt(-v191 * -v191 + -v195 * -v195 + -v199 * -v199)))
+        v122 = abs(w1)
+        v123 = v121 + math.sqrt(v117 * v117 + v118 * v118)
+        v124 = v2 * v66 - w1 * v117
+        v125 = v2 * v67 - w1 * v118
+        v126 = v121 * v122 + v68 * v116 + v69 * v123
+        v127 = v99 * v109
+        v128 = v99 * v102
+        v129 = v99 * v114
+        v130 = v109 * v109 + v102 * v102
+        v131 = math.sqrt(v111 * v111 + v104 * v104)
+        v132 = v44 * v124 - v99 * v111
+        v133 = v44 * v125 + v99 * v104
+        v134 = (
+            v126 * abs(v44) + v115 * abs(v99) + (v115 + (v131 + math.sqrt(v130 + v114 * v114))) *
+            (v126 + math.sqrt(v124 * v124 + v125 * v125)) + (math.sqrt(v127 * v127 + v128 * v128 +
+            v129 * v129) + math.sqrt(v132 * v132 + v133 * v133))
         )
-        v228 = v205 * v207
-        v229 = (
-            v173 + (v228 + v187 * abs(v38) + v209 * (v205 + math.sqrt(v193 * v193 + v197 * v197 +
-            v201 * v201)))
+        v135 = abs(factor2_p)
+        v136 = abs(factor2_m)
+        v137 = factor2_p * (factor2_p * v78)
+        v138 = factor2_m * (factor2_m * v79)
+        v139 = factor2_p * (factor2_p * v80)
+        v140 = factor2_m * (factor2_m * v81)
+        v141 = factor2_p * (factor2_p * v60)
+        v142 = factor2_m * (factor2_m * v60)
+        v143 = v135 * (v83 * v135)
+        v144 = v136 * (v84 * v136)
+        v145 = math.sqrt(v98)
+        v146 = math.sqrt(N3_p) - v145
+        v147 = math.sqrt(N3_m) - v145
+        v148 = v143 + (v143 + (abs(v141) + (abs(v137) + abs(v139)))) * (v86 / (v146 * v146))
+        v149 = v144 + (v144 + (abs(v142) + (abs(v138) + abs(v140)))) * (v87 / (v147 * v147))
+        v150 = near_m9 * v137
+        v151 = near_m9 * v138
+        v152 = near_m9 * v139
+        v153 = near_m9 * v140
+        v154 = near_m9 * v141
+        v155 = near_m9 * v142
+        v156 = near_m9 * v148
+        v157 = near_m9 * v149
+        v158 = v148 + math.sqrt(v137 * v137 + v139 * v139 + v141 * v141)
+        v159 = v149 + math.sqrt(v138 * v138 + v140 * v140 + v142 * v142)
+        v160 = v156 + math.sqrt(v150 * v150 + v152 * v152 + v154 * v154)
+        v161 = v157 + math.sqrt(v151 * v151 + v153 * v153 + v155 * v155)
+        v162 = near_m8 * v137
+        v163 = near_m8 * v138
+        v164 = near_m8 * v139
+        v165 = near_m8 * v140
+        v166 = near_m8 * v141
+        v167 = near_m8 * v142
+        v168 = near_m8 * v148
+        v169 = near_m8 * v149
+        v170 = v168 + math.sqrt(v162 * v162 + v164 * v164 + v166 * v166)
+        v171 = v169 + math.sqrt(v163 * v163 + v165 * v165 + v167 * v167)
+        v172 = Z2_3_p * v150 + -v24 * v66 - T34 * v162
+        v173 = v3 * v151 + -v25 * v66 + T34 * v163
+        v174 = Z2_3_p * v152 + -v24 * v67 - T34 * v164
+        v175 = v3 * v153 + -v25 * v67 + T34 * v165
+        v176 = Z2_3_p * v154 + (near_length * v22 - T34 * v166)
+        v177 = near_length * v23 - T34 * v167 - v3 * v155
+        v178 = v74 * v156 + v68 * abs(-v24) + v69 * v160 + (v59 * v168 + near_length * v170)
+        v179 = v75 * v157 + v68 * abs(-v25) + v69 * v161 + (v59 * v169 + near_length * v171)
+        v180 = near3 / w3_p
+        v181 = near3 / w3_m
+        v182 = v88 * v180
+        v183 = v89 * v181
+        v184 = v90 * v180
+        v185 = v91 * v181
+        v186 = v92 * v180
+        v187 = v93 * v181
+        v188 = v96 * v180
+        v189 = v97 * v181
+        v190 = v188 * v188 / w3_p
+        v191 = v189 * v189 / w3_m
+        v192 = v190 + (v190 + v94 * abs(v180))
+        v193 = v191 + (v191 + v95 * abs(v181))
+        v194 = near_m7 * v66
+        v195 = near_m7 * v67
+        v196 = near_m7 * v68
+        v197 = factor2_p * v194 - v33 * v137
+        v198 = factor2_m * v194
+        v199 = v198 + v34 * v138
+        v200 = v198 - -v34 * v138
+        v201 = factor2_p * v195 - v33 * v139
+        v202 = factor2_m * v195
+        v203 = v202 + v34 * v140
+        v204 = v202 - -v34 * v140
+        v205 = near5 * factor2_p - v33 * v141
+        v206 = near5 * factor2_m
+        v207 = v206 - v34 * v142
+        v208 = v206 + -v34 * v142
+        v209 = v196 + math.sqrt(h1 + (v194 * v194 + v195 * v195))
+        v210 = v135 * v196 + v148 * abs(v33) + v158 * v209
+        v211 = v136 * v196 + v149 * abs(v34) + v159 * v209
+        v212 = abs(w3_p)
+        v213 = abs(w3_m)
+        v214 = v192 + math.sqrt(v182 * v182 + v184 * v184 + v186 * v186)
+        v215 = v193 + math.sqrt(v183 * v183 + v185 * v185 + v187 * v187)
+        v216 = v37 * v182
+        v217 = v172 - (w3_p * v197 + v216)
+        v218 = v172 - (w3_p * -v197 - v216)
+        v219 = v173 + (v38 * v183 - w3_m * v199)
+        v220 = v173 + (w3_m * v200 + v39 * v183)
+        v221 = v37 * v184
+        v222 = v174 - (w3_p * v201 + v221)
+        v223 = v174 - (w3_p * -v201 - v221)
+        v224 = v175 + (v38 * v185 - w3_m * v203)
+        v225 = v175 + (w3_m * v204 + v39 * v185)
+        v226 = v37 * v186
+        v227 = v176 - (w3_p * v205 + v226)
+        v228 = v176 - (w3_p * -v205 - v226)
+        v229 = v177 - (w3_m * v207 + v38 * v187)
+        v230 = v177 - (v39 * v187 - w3_m * v208)
+        v231 = v210 * v212 + v192 * abs(v37)
+        v232 = v178 + (v231 + v214 * (v210 + math.sqrt(v197 * v197 + v201 * v201 + v205 * v205)))
+        v233 = (
+            v178 + (v231 + v214 * (v210 + math.sqrt(-v197 * -v197 + -v201 * -v201 + -v205 * -v205)))
         )
-        v230 = (
-            v173 + (v228 + v187 * abs(v39) + v209 * (v205 + math.sqrt(v194 * v194 + v198 * v198 +
-            v202 * v202)))
+        v234 = v211 * v213
+        v235 = (
+            v179 + (v234 + v193 * abs(v38) + v215 * (v211 + math.sqrt(v199 * v199 + v203 * v203 +
+            v207 * v207)))
         )
-        v231 = abs(T33)
-        v232 = near4 + math.sqrt(v111 + v117)
-        v233 = v22 * v66 - Z2_3_p * v156 - T34 * v144
-        v234 = v3 * v157 - v23 * v66 - T34 * v145
-        v235 = v22 * v67 - Z2_3_p * v158 - T34 * v146
-        v236 = v3 * v159 - v23 * v67 - T34 * v147
-        v237 = near_length * v24 - T34 * v148 - Z2_3_p * v160
-        v238 = near_length * v25 - T34 * v149 + v3 * v161
-        v239 = v74 * v162 + v68 * abs(v22) + v69 * v164 + (v59 * v150 + near_length * v154)
-        v240 = v75 * v163 + v68 * abs(v23) + v69 * v165 + (v59 * v151 + near_length * v155)
-        v241 = near_m6 * v66
-        v242 = near_m6 * v67
-        v243 = near_m6 * v68
-        v244 = factor2_p * v241
-        v245 = v244 + v20 * v131
-        v246 = -v20 * v131 - v244
-        v247 = v21 * v132 - factor2_m * v241
-        v248 = factor2_p * v242
-        v249 = v248 + v20 * v133
-        v250 = -v20 * v133 - v248
-        v251 = v21 * v134 - factor2_m * v242
-        v252 = near6 * factor2_p
-        v253 = v252 - v20 * v135
-        v254 = v252 + -v20 * v135
-        v255 = near6 * factor2_m - v21 * v136
-        v256 = v243 + math.sqrt(h2 + (v241 * v241 + v242 * v242))
-        v257 = v129 * v243 + v142 * abs(v20) + v152 * v256
-        v258 = v130 * v243 + v143 * abs(v21) + v153 * v256
-        v259 = v233 + (v28 * v176 - w3_p * v245)
-        v260 = v233 + (v29 * v176 - w3_p * v246)
-        v261 = v30 * v177
-        v262 = v234 + (v261 - w3_m * v247)
-        v263 = v234 - (v261 + w3_m * -v247)
-        v264 = v235 + (v28 * v178 - w3_p * v249)
-        v265 = v235 + (v29 * v178 - w3_p * v250)
-        v266 = v30 * v179
-        v267 = v236 + (v266 - w3_m * v251)
-        v268 = v236 - (v266 + w3_m * -v251)
-        v269 = v237 + (w3_p * v253 + v28 * v180)
-        v270 = v237 + (v29 * v180 - w3_p * v254)
-        v271 = v30 * v181
-        v272 = v238 + (w3_m * v255 + v271)
-        v273 = v238 + (w3_m * -v255 - v271)
-        v274 = v206 * v257
-        v275 = (
-            v239 + (v274 + v186 * abs(v28) + v208 * (v257 + math.sqrt(v245 * v245 + v249 * v249 +
-            v253 * v253)))
+        v236 = (
+            v179 + (v234 + v193 * abs(v39) + v215 * (v211 + math.sqrt(v200 * v200 + v204 * v204 +
+            v208 * v208)))
         )
-        v276 = (
-            v239 + (v274 + v186 * abs(v29) + v208 * (v257 + math.sqrt(v246 * v246 + v250 * v250 +
-            v254 * v254)))
+        v237 = abs(T33)
+        v238 = near4 + math.sqrt(v106 + v112)
+        v239 = v22 * v66 - Z2_3_p * v162 - T34 * v150
+        v240 = v3 * v163 - v23 * v66 - T34 * v151
+        v241 = v22 * v67 - Z2_3_p * v164 - T34 * v152
+        v242 = v3 * v165 - v23 * v67 - T34 * v153
+        v243 = near_length * v24 - T34 * v154 - Z2_3_p * v166
+        v244 = near_length * v25 - T34 * v155 + v3 * v167
+        v245 = v74 * v168 + v68 * abs(v22) + v69 * v170 + (v59 * v156 + near_length * v160)
+        v246 = v75 * v169 + v68 * abs(v23) + v69 * v171 + (v59 * v157 + near_length * v161)
+        v247 = near_m6 * v66
+        v248 = near_m6 * v67
+        v249 = near_m6 * v68
+        v250 = factor2_p * v247
+        v251 = v250 + v20 * v137
+        v252 = -v20 * v137 - v250
+        v253 = v21 * v138 - factor2_m * v247
+        v254 = factor2_p * v248
+        v255 = v254 + v20 * v139
+        v256 = -v20 * v139 - v254
+        v257 = v21 * v140 - factor2_m * v248
+        v258 = near6 * factor2_p
+        v259 = v258 - v20 * v141
+        v260 = v258 + -v20 * v141
+        v261 = near6 * factor2_m - v21 * v142
+        v262 = v249 + math.sqrt(h2 + (v247 * v247 + v248 * v248))
+        v263 = v135 * v249 + v148 * abs(v20) + v158 * v262
+        v264 = v136 * v249 + v149 * abs(v21) + v159 * v262
+        v265 = v239 + (v28 * v182 - w3_p * v251)
+        v266 = v239 + (v29 * v182 - w3_p * v252)
+        v267 = v30 * v183
+        v268 = v240 + (v267 - w3_m * v253)
+        v269 = v240 - (v267 + w3_m * -v253)
+        v270 = v241 + (v28 * v184 - w3_p * v255)
+        v271 = v241 + (v29 * v184 - w3_p * v256)
+        v272 = v30 * v185
+        v273 = v242 + (v272 - w3_m * v257)
+        v274 = v242 - (v272 + w3_m * -v257)
+        v275 = v243 + (w3_p * v259 + v28 * v186)
+        v276 = v243 + (v29 * v186 - w3_p * v260)
+        v277 = v30 * v187
+        v278 = v244 + (w3_m * v261 + v277)
+        v279 = v244 + (w3_m * -v261 - v277)
+        v280 = v212 * v263
+        v281 = (
+            v245 + (v280 + v192 * abs(v28) + v214 * (v263 + math.sqrt(v251 * v251 + v255 * v255 +
+            v259 * v259)))
         )
-        v277 = v207 * v258 + v187 * abs(v30)
-        v278 = v240 + (v277 + v209 * (v258 + math.sqrt(v247 * v247 + v251 * v251 + v255 * v255)))
-        v279 = (
-            v240 + (v277 + v209 * (v258 + math.sqrt(-v247 * -v247 + -v251 * -v251 + -v255 * -v255)))
+        v282 = (
+            v245 + (v280 + v192 * abs(v29) + v214 * (v263 + math.sqrt(v252 * v252 + v256 * v256 +
+            v260 * v260)))
         )
-        v280 = T24 * v113 - T14 * v106
-        v281 = v112 + v115 + (v108 + v118)
-        v282 = v2 * v280
-        v283 = v2 * v109 - v41 * v100
-        v284 = v2 * v116 - v41 * v101
-        v285 = v99 * v281 + v104 * abs(v41) + v123 * (v281 + (v125 + math.sqrt(v124 + v280 * v280)))
-        v286 = w1 * v282
-        v287 = w1 * v283 + v42 * v66
-        v288 = w1 * v284 + v42 * v67
-        v289 = (
-            v128 * v285 + v68 * abs(v42) + v69 * (v285 + (math.sqrt(v121 * v121 + v122 * v122 + v282
-            * v282) + math.sqrt(v283 * v283 + v284 * v284)))
+        v283 = v213 * v264 + v193 * abs(v30)
+        v284 = v246 + (v283 + v215 * (v264 + math.sqrt(v253 * v253 + v257 * v257 + v261 * v261)))
+        v285 = (
+            v246 + (v283 + v215 * (v264 + math.sqrt(-v253 * -v253 + -v257 * -v257 + -v261 * -v261)))
         )
-        v290 = abs(v43)
-        v291 = (
-            v289 + (math.sqrt(v126 * v126 + v127 * v127 + v286 * v286) + math.sqrt(v287 * v287 +
-            v288 * v288))
+        v286 = T24 * v108 - T14 * v101
+        v287 = v107 + v110 + (v103 + v113)
+        v288 = v2 * v102
+        v289 = v2 * v109
+        v290 = v2 * v286
+        v291 = v2 * v104 - v41 * v117
+        v292 = v2 * v111 - v41 * v118
+        v293 = (
+            v116 * v287 + v121 * abs(v41) + v123 * (v287 + (v131 + math.sqrt(v130 + v286 * v286)))
         )
-        v292 = c23_pp * v286
-        v293 = c23_pm * v286
-        v294 = c23_mp * v286
-        v295 = c23_mm * v286
-        v296 = s23_pp * v106 - c23_pp * v127
-        v297 = s23_pm * v106 - c23_pm * v127
-        v298 = s23_mp * v106 + c23_mp * v127
-        v299 = s23_mm * v106 + c23_mm * v127
-        v300 = c23_pp * v126 - s23_pp * v113
-        v301 = c23_pm * v126 - s23_pm * v113
-        v302 = c23_mp * v126 + s23_mp * v113
-        v303 = c23_mm * v126 + s23_mm * v113
-        v304 = T33 * v211 + (c23_pp * v287 + v43 * v259)
-        v305 = T33 * v212 + (c23_pm * v287 + v43 * v260)
-        v306 = T33 * v213 + (c23_mp * v287 + v43 * v262)
-        v307 = T33 * v214 + (c23_mm * v287 + v43 * v263)
-        v308 = T33 * v216 + (c23_pp * v288 + v43 * v264)
-        v309 = T33 * v217 + (c23_pm * v288 + v43 * v265)
-        v310 = T33 * v218 + (c23_mp * v288 + v43 * v267)
-        v311 = T33 * v219 + (c23_mm * v288 + v43 * v268)
-        v312 = T33 * v221 + v43 * v269
-        v313 = T33 * v222 + v43 * v270
-        v314 = T33 * v223 - v43 * v272
-        v315 = T33 * v224 - v43 * v273
-        v316 = (
-            near4 * abs(s23_pp) + v226 * v231 + v232 * (v226 + math.sqrt(v211 * v211 + v216 * v216 +
-            v221 * v221)) + (v289 * abs(c23_pp) + v275 * v290 + v291 * (v275 + math.sqrt(v259 * v259
-            + v264 * v264 + v269 * v269))) + (math.sqrt(v296 * v296 + v300 * v300 + v292 * v292) +
-            math.sqrt(v304 * v304 + v308 * v308 + v312 * v312))
+        v294 = w1 * v288
+        v295 = w1 * v289
+        v296 = w1 * v290
+        v297 = w1 * v291 + v42 * v66
+        v298 = w1 * v292 + v42 * v67
+        v299 = (
+            v122 * v293 + v68 * abs(v42) + v69 * (v293 + (math.sqrt(v288 * v288 + v289 * v289 + v290
+            * v290) + math.sqrt(v291 * v291 + v292 * v292)))
         )
-        v317 = (
-            near4 * abs(s23_pm) + v227 * v231 + v232 * (v227 + math.sqrt(v212 * v212 + v217 * v217 +
-            v222 * v222)) + (v289 * abs(c23_pm) + v276 * v290 + v291 * (v276 + math.sqrt(v260 * v260
-            + v265 * v265 + v270 * v270))) + (math.sqrt(v297 * v297 + v301 * v301 + v293 * v293) +
-            math.sqrt(v305 * v305 + v309 * v309 + v313 * v313))
+        v300 = abs(v43)
+        v301 = (
+            v299 + (math.sqrt(v294 * v294 + v295 * v295 + v296 * v296) + math.sqrt(v297 * v297 +
+            v298 * v298))
         )
-        v318 = (
-            near4 * abs(s23_mp) + v229 * v231 + v232 * (v229 + math.sqrt(v213 * v213 + v218 * v218 +
-            v223 * v223)) + (v289 * abs(c23_mp) + v278 * v290 + v291 * (v278 + math.sqrt(v262 * v262
-            + v267 * v267 + v272 * v272))) + (math.sqrt(v298 * v298 + v302 * v302 + v294 * v294) +
-            math.sqrt(v306 * v306 + v310 * v310 + v314 * v314))
+        v302 = c23_pp * v296
+        v303 = c23_pm * v296
+        v304 = c23_mp * v296
+        v305 = c23_mm * v296
+        v306 = s23_pp * v101 - c23_pp * v294
+        v307 = s23_pm * v101 - c23_pm * v294
+        v308 = s23_mp * v101 + c23_mp * v294
+        v309 = s23_mm * v101 + c23_mm * v294
+        v310 = c23_pp * v295 - s23_pp * v108
+        v311 = c23_pm * v295 - s23_pm * v108
+        v312 = c23_mp * v295 + s23_mp * v108
+        v313 = c23_mm * v295 + s23_mm * v108
+        v314 = T33 * v217 + (c23_pp * v297 + v43 * v265)
+        v315 = T33 * v218 + (c23_pm * v297 + v43 * v266)
+        v316 = T33 * v219 + (c23_mp * v297 + v43 * v268)
+        v317 = T33 * v220 + (c23_mm * v297 + v43 * v269)
+        v318 = T33 * v222 + (c23_pp * v298 + v43 * v270)
+        v319 = T33 * v223 + (c23_pm * v298 + v43 * v271)
+        v320 = T33 * v224 + (c23_mp * v298 + v43 * v273)
+        v321 = T33 * v225 + (c23_mm * v298 + v43 * v274)
+        v322 = T33 * v227 + v43 * v275
+        v323 = T33 * v228 + v43 * v276
+        v324 = T33 * v229 - v43 * v278
+        v325 = T33 * v230 - v43 * v279
+        v326 = (
+            near4 * abs(s23_pp) + v232 * v237 + v238 * (v232 + math.sqrt(v217 * v217 + v222 * v222 +
+            v227 * v227)) + (v299 * abs(c23_pp) + v281 * v300 + v301 * (v281 + math.sqrt(v265 * v265
+            + v270 * v270 + v275 * v275))) + (math.sqrt(v306 * v306 + v310 * v310 + v302 * v302) +
+            math.sqrt(v314 * v314 + v318 * v318 + v322 * v322))
         )
-        v319 = (
-            near4 * abs(s23_mm) + v230 * v231 + v232 * (v230 + math.sqrt(v214 * v214 + v219 * v219 +
-            v224 * v224)) + (v289 * abs(c23_mm) + v279 * v290 + v291 * (v279 + math.sqrt(v263 * v263
-            + v268 * v268 + v273 * v273))) + (math.sqrt(v299 * v299 + v303 * v303 + v295 * v295) +
-            math.sqrt(v307 * v307 + v311 * v311 + v315 * v315))
+        v327 = (
+            near4 * abs(s23_pm) + v233 * v237 + v238 * (v233 + math.sqrt(v218 * v218 + v223 * v223 +
+            v228 * v228)) + (v299 * abs(c23_pm) + v282 * v300 + v301 * (v282 + math.sqrt(v266 * v266
+            + v271 * v271 + v276 * v276))) + (math.sqrt(v307 * v307 + v311 * v311 + v303 * v303) +
+            math.sqrt(v315 * v315 + v319 * v319 + v323 * v323))
         )
-        v320 = w1 * v2
-        v321 = v2 * v66 - w1 * v100
-        v322 = v2 * v67 - w1 * v101
-        v323 = v104 * v128 + v68 * v99 + v69 * v123
-        v324 = v114 * v320
-        v325 = v107 * v320
-        v326 = v119 * v320
-        v327 = v44 * v321 - v116 * v320
-        v328 = v44 * v322 + v109 * v320
+        v328 = (
+            near4 * abs(s23_mp) + v235 * v237 + v238 * (v235 + math.sqrt(v219 * v219 + v224 * v224 +
+            v229 * v229)) + (v299 * abs(c23_mp) + v284 * v300 + v301 * (v284 + math.sqrt(v268 * v268
+            + v273 * v273 + v278 * v278))) + (math.sqrt(v308 * v308 + v312 * v312 + v304 * v304) +
+            math.sqrt(v316 * v316 + v320 * v320 + v324 * v324))
+        )
         v329 = (
-            v323 * abs(v44) + v120 * abs(v320) + (v120 + (v125 + math.sqrt(v124 + v119 * v119))) *
-            (v323 + math.sqrt(v321 * v321 + v322 * v322)) + (math.sqrt(v324 * v324 + v325 * v325 +
-            v326 * v326) + math.sqrt(v327 * v327 + v328 * v328))
+            near4 * abs(s23_mm) + v236 * v237 + v238 * (v236 + math.sqrt(v220 * v220 + v225 * v225 +
+            v230 * v230)) + (v299 * abs(c23_mm) + v285 * v300 + v301 * (v285 + math.sqrt(v269 * v269
+            + v274 * v274 + v279 * v279))) + (math.sqrt(v309 * v309 + v313 * v313 + v305 * v305) +
+            math.sqrt(v317 * v317 + v321 * v321 + v325 * v325))
         )
-        v330 = v329 * v329
+        v330 = v134 * v134
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
             1.0 if abs(v97 + (D3_m + D3_m)) <= v97 or abs(D3_m) <= near_m3 or abs(v96 + (D3_p +
-            D3_p)) <= v96 or abs(D3_p) <= near_m3 or abs(v49) <= v330 + v319 * v319 or v49 <=
-            near_m10 or abs(v48) <= v330 + v318 * v318 or v48 <= near_m10 or abs(v47) <= v330 + v317
-            * v317 or v47 <= near_m10 or abs(v46) <= v330 + v316 * v316 or v46 <= near_m10 or
+            D3_p)) <= v96 or abs(D3_p) <= near_m3 or abs(v49) <= v330 + v329 * v329 or v49 <=
+            near_m10 or abs(v48) <= v330 + v328 * v328 or v48 <= near_m10 or abs(v47) <= v330 + v327
+            * v327 or v47 <= near_m10 or abs(v46) <= v330 + v326 * v326 or v46 <= near_m10 or
             abs(N3_m) <= v98 or v1 <= near_m1 or abs(v1) <= near2 or abs(N3_p) <= v98 else kept[16 *
             w + k]
         )

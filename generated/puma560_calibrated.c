@@ -370,25 +370,25 @@ static const double
         v83 = v77 * v77, v84 = v78 * v78, v85 = near5 + dhgen_sqrt_##number(v83 + v84), \
         v90 = v2 * v49, v93 = v2 * v50 - v54, v96 = near_angle * T13, \
         v99 = dhgen_abs_##number(T23), v101 = v96 * v96, \
-        v102 = near5 + dhgen_sqrt_##number(v83 + v101), v109 = dhgen_abs_##number(factor2), \
-        v110 = factor2 * (factor2 * v34), v111 = factor2 * (factor2 * v36), \
-        v112 = factor2 * (factor2 * v40), v113 = v109 * (near2 * v109), \
-        v114 = v113 + (v113 + (dhgen_abs_##number(v112) + (dhgen_abs_##number(v110) + \
-            dhgen_abs_##number(v111)))) * DHGEN_QUOTIENT(v41, v47 - v41), v115 = near_m3 * v34, \
-        v116 = near_m3 * v36, v117 = near_m3 * v40, v118 = DHGEN_QUOTIENT(near4, w3), \
-        v119 = v42 * v118, v120 = v43 * v118, v121 = v44 * v118, v122 = v46 * v118, \
-        v123 = DHGEN_QUOTIENT(v122 * v122, w3), \
-        v124 = v123 + (v123 + v45 * dhgen_abs_##number(v118)), \
-        v125 = v124 + dhgen_sqrt_##number(v119 * v119 + v120 * v120 + v121 * v121), \
-        v129 = near6 + near_m5 * v124, v131 = dhgen_abs_##number(w3), v136 = near_m7 * v34, \
-        v137 = near_m7 * v36, v138 = near_m7 * v40, \
-        v145 = near7 * v71 + v65 * dhgen_abs_##number(X1_2), v155 = near_m5 * v34, \
-        v156 = near_m5 * v36, v157 = near_m5 * v40, v161 = near8 + near_m3 * v124, \
-        v162 = T34 * v136, v163 = T34 * v137, v164 = T34 * v138 + near_length * X1_2, \
-        v165 = near7 * dhgen_abs_##number(T34) + near_length * (near7 + dhgen_sqrt_##number(v136 * \
-            v136 + v137 * v137 + v138 * v138)), v193 = dhgen_abs_##number(T33), \
-        v194 = near5 + dhgen_sqrt_##number(v84 + v101), \
-        v204 = v114 + dhgen_sqrt_##number(v110 * v110 + v111 * v111 + v112 * v112)
+        v102 = near5 + dhgen_sqrt_##number(v83 + v101), v108 = dhgen_abs_##number(factor2), \
+        v109 = factor2 * (factor2 * v34), v110 = factor2 * (factor2 * v36), \
+        v111 = factor2 * (factor2 * v40), v112 = v108 * (near2 * v108), \
+        v113 = v112 + (v112 + (dhgen_abs_##number(v111) + (dhgen_abs_##number(v109) + \
+            dhgen_abs_##number(v110)))) * DHGEN_QUOTIENT(v41, v47 - v41), v114 = near_m3 * v34, \
+        v115 = near_m3 * v36, v116 = near_m3 * v40, v117 = DHGEN_QUOTIENT(near4, w3), \
+        v118 = v42 * v117, v119 = v43 * v117, v120 = v44 * v117, v121 = v46 * v117, \
+        v122 = DHGEN_QUOTIENT(v121 * v121, w3), \
+        v123 = v122 + (v122 + v45 * dhgen_abs_##number(v117)), \
+        v124 = v123 + dhgen_sqrt_##number(v118 * v118 + v119 * v119 + v120 * v120), \
+        v128 = near6 + near_m5 * v123, v130 = dhgen_abs_##number(w3), v135 = near_m7 * v34, \
+        v136 = near_m7 * v36, v137 = near_m7 * v40, \
+        v144 = near7 * v71 + v65 * dhgen_abs_##number(X1_2), v154 = near_m5 * v34, \
+        v155 = near_m5 * v36, v156 = near_m5 * v40, v160 = near8 + near_m3 * v123, \
+        v161 = T34 * v135, v162 = T34 * v136, v163 = T34 * v137 + near_length * X1_2, \
+        v164 = near7 * dhgen_abs_##number(T34) + near_length * (near7 + dhgen_sqrt_##number(v135 * \
+            v135 + v136 * v136 + v137 * v137)), v192 = dhgen_abs_##number(T33), \
+        v193 = near5 + dhgen_sqrt_##number(v84 + v101), \
+        v203 = v113 + dhgen_sqrt_##number(v109 * v109 + v110 * v110 + v111 * v111)
 #define SIGNED(number, signs) \
     /* theta1 */ \
     const dhgen_##number v4 = e1 * T14, v5 = inverse1 * v4, c1 = w1 * v5 - v3, v8 = e1 * T24, \
@@ -408,11 +408,11 @@ static const double
         v87 = v66 - v4 * v49, v92 = v90 + (w1 * v87 + v5 * v61), \
         v94 = v93 + (v5 * v62 - w1 * v86), v97 = c1 * v77, v98 = near5 * dhgen_abs_##number(c1), \
         v103 = s1 * v78 + c1 * v96, v104 = T13 * v74 - T23 * v92, v105 = T13 * v75 - T23 * v94, \
-        v106 = v97 * v97 + v79 * v79, v139 = e1 * v136, v140 = e1 * v137, v141 = e1 * v138, \
-        v142 = w1 * v141, v143 = w1 * v139 + v22 * v61, v144 = w1 * v140 + v22 * v62, \
-        v146 = v145 + v73 * (near7 + dhgen_sqrt_##number(v139 * v139 + v140 * v140 + v141 * \
-            v141)), v182 = s1 * v96 - c1 * v78, v183 = T13 * v92 + T23 * v74, \
-        v184 = T13 * v94 + T23 * v75, v187 = dhgen_abs_##number(v24)
+        v106 = v97 * v97 + v79 * v79, v138 = e1 * v135, v139 = e1 * v136, v140 = e1 * v137, \
+        v141 = w1 * v140, v142 = w1 * v138 + v22 * v61, v143 = w1 * v139 + v22 * v62, \
+        v145 = v144 + v73 * (near7 + dhgen_sqrt_##number(v138 * v138 + v139 * v139 + v140 * \
+            v140)), v181 = s1 * v96 - c1 * v78, v182 = T13 * v92 + T23 * v74, \
+        v183 = T13 * v94 + T23 * v75, v186 = dhgen_abs_##number(v24)
 #define SIGNED_TWICE(number, signs) \
     /* theta3 */ \
     const dhgen_##signs v14 = near_m3 * e3; \
@@ -429,29 +429,29 @@ static const double
     /* theta6 */ \
     const dhgen_##number s6 = c4 * v31 + Y4 * (c23 * v32 + s23 * T31); \
     /* joint values */ \
-    const dhgen_##number v126 = v115 + v16 * v119, v127 = v116 + v16 * v120, \
-        v128 = v117 + v16 * v121; \
-    const dhgen_##signs v130 = near_m7 * (near_length * e3); \
-    const dhgen_##number v132 = v20 * v119, v133 = v20 * v120, v134 = w3 * v130 + v20 * v121, \
-        v147 = v132 + v143, v148 = v133 + v144, v149 = v134 + v142, v151 = dhgen_abs_##number(c3), \
-        v152 = dhgen_abs_##number(C2), \
-        v153 = v129 + dhgen_sqrt_##number(v126 * v126 + v127 * v127 + v128 * v128), \
-        v158 = v155 - v14 * v119, v159 = v156 - v14 * v120, v160 = v157 - v14 * v121, \
-        v166 = near_m7 * (v18 * v61), v167 = near_m7 * (v18 * v62), \
-        v170 = v162 - (w3 * v166 + v19 * v119), v171 = v163 - (w3 * v167 + v19 * v120), \
-        v172 = v164 - v19 * v121, v174 = dhgen_abs_##number(s3), v175 = dhgen_abs_##number(S2), \
-        v176 = v161 + dhgen_sqrt_##number(v158 * v158 + v159 * v159 + v160 * v160), \
+    const dhgen_##number v125 = v114 + v16 * v118, v126 = v115 + v16 * v119, \
+        v127 = v116 + v16 * v120; \
+    const dhgen_##signs v129 = near_m7 * (near_length * e3); \
+    const dhgen_##number v131 = v20 * v118, v132 = v20 * v119, v133 = w3 * v129 + v20 * v120, \
+        v146 = v131 + v142, v147 = v132 + v143, v148 = v133 + v141, v150 = dhgen_abs_##number(c3), \
+        v151 = dhgen_abs_##number(C2), \
+        v152 = v128 + dhgen_sqrt_##number(v125 * v125 + v126 * v126 + v127 * v127), \
+        v157 = v154 - v14 * v118, v158 = v155 - v14 * v119, v159 = v156 - v14 * v120, \
+        v165 = near_m7 * (v18 * v61), v166 = near_m7 * (v18 * v62), \
+        v169 = v161 - (w3 * v165 + v19 * v118), v170 = v162 - (w3 * v166 + v19 * v119), \
+        v171 = v163 - v19 * v120, v173 = dhgen_abs_##number(s3), v174 = dhgen_abs_##number(S2), \
+        v175 = v160 + dhgen_sqrt_##number(v157 * v157 + v158 * v158 + v159 * v159), \
+        v177 = c3 * v146 - C2 * v125 - (s3 * v169 + S2 * v157), \
         v178 = c3 * v147 - C2 * v126 - (s3 * v170 + S2 * v158), \
-        v179 = c3 * v148 - C2 * v127 - (s3 * v171 + S2 * v159), \
-        v180 = c3 * v149 - C2 * v128 - (s3 * v172 + S2 * v160), v186 = c23 * v182, \
+        v179 = c3 * v148 - C2 * v127 - (s3 * v171 + S2 * v159), v185 = c23 * v181, \
+        v188 = c3 * v169 - S2 * v125 + (s3 * v146 + C2 * v157), \
         v189 = c3 * v170 - S2 * v126 + (s3 * v147 + C2 * v158), \
-        v190 = c3 * v171 - S2 * v127 + (s3 * v148 + C2 * v159), \
-        v191 = c3 * v172 - S2 * v128 + (s3 * v149 + C2 * v160), v195 = s23 * v78 - c23 * v79, \
-        v196 = c23 * v97 - s23 * v96, v197 = c23 * v183 + v24 * v178 + T33 * v189, \
-        v198 = c23 * v184 + v24 * v179 + T33 * v190, v199 = v24 * v180 + T33 * v191, \
-        v201 = factor2 * v195, v202 = factor2 * v196, v203 = factor2 * v186, \
-        v205 = factor2 * v197 - c4 * v110, v206 = factor2 * v198 - c4 * v111, \
-        v207 = factor2 * v199 - c4 * v112
+        v190 = c3 * v171 - S2 * v127 + (s3 * v148 + C2 * v159), v194 = s23 * v78 - c23 * v79, \
+        v195 = c23 * v97 - s23 * v96, v196 = c23 * v182 + v24 * v177 + T33 * v188, \
+        v197 = c23 * v183 + v24 * v178 + T33 * v189, v198 = v24 * v179 + T33 * v190, \
+        v200 = factor2 * v194, v201 = factor2 * v195, v202 = factor2 * v185, \
+        v204 = factor2 * v196 - c4 * v109, v205 = factor2 * v197 - c4 * v110, \
+        v206 = factor2 * v198 - c4 * v111
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -491,10 +491,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
                 v86 * v86))), v100 = v95 + dhgen_sqrt_wide(v92 * v92 + v94 * v94),
             v107 = v80 + v76 * v81 + v82 * v85 + (v98 + v95 * v99 + v100 * v102) +
                 (dhgen_sqrt_wide(v106 + v103 * v103) + dhgen_sqrt_wide(v104 * v104 + v105 * v105)),
-            v108 = v107 * v107,
-            v185 = v98 + v81 * v95 + v85 * v100 + (v80 + v76 * v99 + v82 * v102),
-            v188 = v185 + (dhgen_sqrt_wide(v106 + v182 * v182) + dhgen_sqrt_wide(v183 * v183 + v184
-                * v184));
+            v184 = v98 + v81 * v95 + v85 * v100 + (v80 + v76 * v99 + v82 * v102),
+            v187 = v184 + (dhgen_sqrt_wide(v106 + v181 * v181) + dhgen_sqrt_wide(v182 * v182 + v183
+                * v183)), v208 = v107 * v107;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
@@ -518,24 +517,24 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
             /* joint values */
             const dhgen_wide q3_p = v1 + dhgen_lowered_wide(q3_),
-                v135 = v124 * dhgen_abs_wide(v20) + v125 * fabs(v130), v150 = v135 + v146,
-                v154 = v150 + dhgen_sqrt_wide(v147 * v147 + v148 * v148 + v149 * v149),
-                v168 = near_m7 * (v65 * fabs(e3)), v169 = v131 * v168,
-                v173 = v165 + (v169 + v124 * dhgen_abs_wide(v19) + v125 * (v168 +
-                    dhgen_sqrt_wide(v166 * v166 + v167 * v167))),
-                v177 = v173 + dhgen_sqrt_wide(v170 * v170 + v171 * v171 + v172 * v172),
-                v181 = v150 * v151 + v129 * v152 + v153 * v154 + (v173 * v174 + v161 * v175 + v176 *
-                    v177),
-                v192 = v151 * v173 + v129 * v175 + v153 * v177 + (v150 * v174 + v152 * v161 + v154 *
+                v134 = v123 * dhgen_abs_wide(v20) + v124 * fabs(v129), v149 = v134 + v145,
+                v153 = v149 + dhgen_sqrt_wide(v146 * v146 + v147 * v147 + v148 * v148),
+                v167 = near_m7 * (v65 * fabs(e3)), v168 = v130 * v167,
+                v172 = v164 + (v168 + v123 * dhgen_abs_wide(v19) + v124 * (v167 +
+                    dhgen_sqrt_wide(v165 * v165 + v166 * v166))),
+                v176 = v172 + dhgen_sqrt_wide(v169 * v169 + v170 * v170 + v171 * v171),
+                v180 = v149 * v150 + v128 * v151 + v152 * v153 + (v172 * v173 + v160 * v174 + v175 *
                     v176),
-                v200 = v185 * dhgen_abs_wide(c23) + v181 * v187 + v188 * (v181 +
-                    dhgen_sqrt_wide(v178 * v178 + v179 * v179 + v180 * v180)) + (near5 *
-                    dhgen_abs_wide(s23) + v192 * v193 + v194 * (v192 + dhgen_sqrt_wide(v189 * v189 +
-                    v190 * v190 + v191 * v191))),
-                v208 = v109 * v200 + v114 * dhgen_abs_wide(c4) + v204 * (v200 +
-                    (dhgen_sqrt_wide(v195 * v195 + v196 * v196 + v186 * v186) + dhgen_sqrt_wide(v197
-                    * v197 + v198 * v198 + v199 * v199))) + (dhgen_sqrt_wide(v201 * v201 + v202 *
-                    v202 + v203 * v203) + dhgen_sqrt_wide(v205 * v205 + v206 * v206 + v207 * v207));
+                v191 = v150 * v172 + v128 * v174 + v152 * v176 + (v149 * v173 + v151 * v160 + v153 *
+                    v175),
+                v199 = v184 * dhgen_abs_wide(c23) + v180 * v186 + v187 * (v180 +
+                    dhgen_sqrt_wide(v177 * v177 + v178 * v178 + v179 * v179)) + (near5 *
+                    dhgen_abs_wide(s23) + v191 * v192 + v193 * (v191 + dhgen_sqrt_wide(v188 * v188 +
+                    v189 * v189 + v190 * v190))),
+                v207 = v108 * v199 + v113 * dhgen_abs_wide(c4) + v203 * (v199 +
+                    (dhgen_sqrt_wide(v194 * v194 + v195 * v195 + v185 * v185) + dhgen_sqrt_wide(v196
+                    * v196 + v197 * v197 + v198 * v198))) + (dhgen_sqrt_wide(v200 * v200 + v201 *
+                    v201 + v202 * v202) + dhgen_sqrt_wide(v204 * v204 + v205 * v205 + v206 * v206));
             const int row = 4 * i1 + 2 * i2;
             q[6 * row] = q1_p; q[6 * row + 1] = angle2; q[6 * row + 2] = q3_p;
             q[6 * row + 3] = angle3; q[6 * row + 4] = angle4; q[6 * row + 5] = angle5;
@@ -544,7 +543,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             q[6 * row + 9] = angle3 - v28; q[6 * row + 10] = -angle4;
             q[6 * row + 11] = angle5 - dhgen_signed_wide(DHGEN_HALF_TURN, s6);
             kind[row + 1] = dhgen_kind_wide(q[6 * row + 6]);
-            left |= (v27 <= near_m9) | (dhgen_abs_wide(v27) <= v108 + v208 * v208);
+            left |= (v27 <= near_m9) | (dhgen_abs_wide(v27) <= v208 + v207 * v207);
         }
     }
     return left;
@@ -576,28 +575,28 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v95 = v91 + (v89 + v65 * dhgen_abs_four(v5) + v73 * (v88 + dhgen_sqrt_four(v87
         * v87 + v86 * v86))), v100 = v95 + dhgen_sqrt_four(v92 * v92 + v94 * v94),
         v107 = v80 + v76 * v81 + v82 * v85 + (v98 + v95 * v99 + v100 * v102) + (dhgen_sqrt_four(v106
-            + v103 * v103) + dhgen_sqrt_four(v104 * v104 + v105 * v105)), v108 = v107 * v107,
-        v135 = v124 * dhgen_abs_four(v20) + v125 * dhgen_abs_four(v130), v150 = v135 + v146,
-        v154 = v150 + dhgen_sqrt_four(v147 * v147 + v148 * v148 + v149 * v149),
-        v168 = near_m7 * (v65 * dhgen_abs_four(e3)), v169 = v131 * v168,
-        v173 = v165 + (v169 + v124 * dhgen_abs_four(v19) + v125 * (v168 + dhgen_sqrt_four(v166 *
-            v166 + v167 * v167))),
-        v177 = v173 + dhgen_sqrt_four(v170 * v170 + v171 * v171 + v172 * v172),
-        v181 = v150 * v151 + v129 * v152 + v153 * v154 + (v173 * v174 + v161 * v175 + v176 * v177),
-        v185 = v98 + v81 * v95 + v85 * v100 + (v80 + v76 * v99 + v82 * v102),
-        v188 = v185 + (dhgen_sqrt_four(v106 + v182 * v182) + dhgen_sqrt_four(v183 * v183 + v184 *
-            v184)),
-        v192 = v151 * v173 + v129 * v175 + v153 * v177 + (v150 * v174 + v152 * v161 + v154 * v176),
-        v200 = v185 * dhgen_abs_four(c23) + v181 * v187 + v188 * (v181 + dhgen_sqrt_four(v178 * v178
-            + v179 * v179 + v180 * v180)) + (near5 * dhgen_abs_four(s23) + v192 * v193 + v194 *
-            (v192 + dhgen_sqrt_four(v189 * v189 + v190 * v190 + v191 * v191))),
-        v208 = v109 * v200 + v114 * dhgen_abs_four(c4) + v204 * (v200 + (dhgen_sqrt_four(v195 * v195
-            + v196 * v196 + v186 * v186) + dhgen_sqrt_four(v197 * v197 + v198 * v198 + v199 *
-            v199))) + (dhgen_sqrt_four(v201 * v201 + v202 * v202 + v203 * v203) +
-            dhgen_sqrt_four(v205 * v205 + v206 * v206 + v207 * v207));
+            + v103 * v103) + dhgen_sqrt_four(v104 * v104 + v105 * v105)),
+        v134 = v123 * dhgen_abs_four(v20) + v124 * dhgen_abs_four(v129), v149 = v134 + v145,
+        v153 = v149 + dhgen_sqrt_four(v146 * v146 + v147 * v147 + v148 * v148),
+        v167 = near_m7 * (v65 * dhgen_abs_four(e3)), v168 = v130 * v167,
+        v172 = v164 + (v168 + v123 * dhgen_abs_four(v19) + v124 * (v167 + dhgen_sqrt_four(v165 *
+            v165 + v166 * v166))),
+        v176 = v172 + dhgen_sqrt_four(v169 * v169 + v170 * v170 + v171 * v171),
+        v180 = v149 * v150 + v128 * v151 + v152 * v153 + (v172 * v173 + v160 * v174 + v175 * v176),
+        v184 = v98 + v81 * v95 + v85 * v100 + (v80 + v76 * v99 + v82 * v102),
+        v187 = v184 + (dhgen_sqrt_four(v106 + v181 * v181) + dhgen_sqrt_four(v182 * v182 + v183 *
+            v183)),
+        v191 = v150 * v172 + v128 * v174 + v152 * v176 + (v149 * v173 + v151 * v160 + v153 * v175),
+        v199 = v184 * dhgen_abs_four(c23) + v180 * v186 + v187 * (v180 + dhgen_sqrt_four(v177 * v177
+            + v178 * v178 + v179 * v179)) + (near5 * dhgen_abs_four(s23) + v191 * v192 + v193 *
+            (v191 + dhgen_sqrt_four(v188 * v188 + v189 * v189 + v190 * v190))),
+        v207 = v108 * v199 + v113 * dhgen_abs_four(c4) + v203 * (v199 + (dhgen_sqrt_four(v194 * v194
+            + v195 * v195 + v185 * v185) + dhgen_sqrt_four(v196 * v196 + v197 * v197 + v198 *
+            v198))) + (dhgen_sqrt_four(v200 * v200 + v201 * v201 + v202 * v202) +
+            dhgen_sqrt_four(v204 * v204 + v205 * v205 + v206 * v206)), v208 = v107 * v107;
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v27 <= near_m9)
-        | (dhgen_abs_four(v27) <= v108 + v208 * v208))) | (unsigned)((fabs(v46 + (D3 + D3)) <= v46)
+        | (dhgen_abs_four(v27) <= v208 + v207 * v207))) | (unsigned)((fabs(v46 + (D3 + D3)) <= v46)
         | (fabs(v38 + (D1 + D1)) <= v38) | (fabs(N1) <= near1) | (v47 <= v41) | (fabs(D3 * (near_k4
         * w1)) <= near_m2) | (fabs(D1) <= near_m1)))
         return -1;

@@ -741,267 +741,267 @@ def _formulas(kept, turns, rows, w):
             v103 + v97 * v104 + v106 * v109 + (v130 + v125 * v131 + v133 * v135) + (math.sqrt(v143 +
             v137 * v137) + math.sqrt(v139 * v139 + v141 * v141))
         )
-        v146 = v144 * v144
-        v147 = v145 * v145
-        v148 = abs(factor2)
-        v149 = factor2 * (factor2 * v49)
-        v150 = factor2 * (factor2 * v51)
-        v151 = factor2 * (factor2 * v55)
-        v152 = v148 * (near2 * v148)
-        v153 = v152 + (v152 + (abs(v151) + (abs(v149) + abs(v150)))) * (v56 / (v62 - v56))
-        v154 = near_m3 * v49
-        v155 = near_m3 * v51
-        v156 = near_m3 * v55
-        v157 = near4 / w3
-        v158 = v57 * v157
-        v159 = v58 * v157
-        v160 = v59 * v157
-        v161 = v61 * v157
-        v162 = v161 * v161 / w3
-        v163 = v162 + (v162 + v60 * abs(v157))
-        v164 = v163 + math.sqrt(v158 * v158 + v159 * v159 + v160 * v160)
-        v165 = near_m5 * v158
-        v166 = v154 + v165
-        v167 = v154 - v165
-        v168 = near_m5 * v159
-        v169 = v155 + v168
-        v170 = v155 - v168
-        v171 = near_m5 * v160
-        v172 = v156 + v171
-        v173 = v156 - v171
-        v174 = near6 + near_m5 * v163
-        v175 = v22 * v158
-        v176 = v22 * v159
-        v177 = w3 * h1 + v22 * v160
-        v178 = near_m7 * v49
-        v179 = near_m7 * v51
-        v180 = near_m7 * v55
-        v181 = w1 * v180
-        v182 = w1 * v178
-        v183 = v182 + X1_2 * v76
-        v184 = -X1_2 * v76 - v182
-        v185 = w1 * v179
-        v186 = v185 + X1_2 * v77
-        v187 = -X1_2 * v77 - v185
-        v188 = near7 + math.sqrt(v178 * v178 + v179 * v179 + v180 * v180)
-        v189 = v175 + v183
-        v190 = v183 - v175
-        v191 = v175 + v184
-        v192 = v184 - v175
-        v193 = v176 + v186
-        v194 = v186 - v176
-        v195 = v176 + v187
-        v196 = v187 - v176
-        v197 = v177 + v181
-        v198 = v181 - v177
-        v199 = v163 * abs(v22) + v164 * h1 + (near7 * v86 + v80 * abs(X1_2) + v87 * v188)
-        v200 = abs(c3_p)
-        v201 = abs(c3_m)
-        v202 = abs(C2_pp)
-        v203 = abs(C2_pm)
-        v204 = abs(C2_mp)
-        v205 = abs(C2_mm)
-        v206 = v174 + math.sqrt(v166 * v166 + v169 * v169 + v172 * v172)
-        v207 = v174 + math.sqrt(v167 * v167 + v170 * v170 + v173 * v173)
-        v208 = v197 * v197
-        v209 = v199 + math.sqrt(v189 * v189 + v193 * v193 + v208)
-        v210 = v199 + math.sqrt(v190 * v190 + v194 * v194 + v198 * v198)
-        v211 = v199 + math.sqrt(v191 * v191 + v195 * v195 + -v198 * -v198)
-        v212 = v199 + math.sqrt(v208 + (v192 * v192 + v196 * v196))
-        v213 = near_m5 * v49
-        v214 = near_m5 * v51
-        v215 = near_m5 * v55
-        v216 = near_m3 * v158
-        v217 = v213 - v216
-        v218 = v213 + v216
-        v219 = near_m3 * v159
-        v220 = v214 - v219
-        v221 = v214 + v219
-        v222 = near_m3 * v160
-        v223 = v215 - v222
-        v224 = v215 + v222
-        v225 = near8 + near_m3 * v163
-        v226 = T34 * v178
-        v227 = T34 * v179
-        v228 = T34 * v180 + near_length * X1_2
-        v229 = near_m7 * v76
-        v230 = near_m7 * v77
-        v231 = near_m7 * v80
-        v232 = w3 * v229 + v20 * v158
-        v233 = v226 - v232
-        v234 = v226 + v232
-        v235 = w3 * v230 + v20 * v159
-        v236 = v227 - v235
-        v237 = v227 + v235
-        v238 = v20 * v160
-        v239 = v228 - v238
-        v240 = v228 + v238
-        v241 = (
-            near7 * abs(T34) + near_length * v188 + (abs(w3) * v231 + v163 * abs(v20) + v164 * (v231
-            + math.sqrt(v229 * v229 + v230 * v230)))
+        v146 = abs(factor2)
+        v147 = factor2 * (factor2 * v49)
+        v148 = factor2 * (factor2 * v51)
+        v149 = factor2 * (factor2 * v55)
+        v150 = v146 * (near2 * v146)
+        v151 = v150 + (v150 + (abs(v149) + (abs(v147) + abs(v148)))) * (v56 / (v62 - v56))
+        v152 = near_m3 * v49
+        v153 = near_m3 * v51
+        v154 = near_m3 * v55
+        v155 = near4 / w3
+        v156 = v57 * v155
+        v157 = v58 * v155
+        v158 = v59 * v155
+        v159 = v61 * v155
+        v160 = v159 * v159 / w3
+        v161 = v160 + (v160 + v60 * abs(v155))
+        v162 = v161 + math.sqrt(v156 * v156 + v157 * v157 + v158 * v158)
+        v163 = near_m5 * v156
+        v164 = v152 + v163
+        v165 = v152 - v163
+        v166 = near_m5 * v157
+        v167 = v153 + v166
+        v168 = v153 - v166
+        v169 = near_m5 * v158
+        v170 = v154 + v169
+        v171 = v154 - v169
+        v172 = near6 + near_m5 * v161
+        v173 = v22 * v156
+        v174 = v22 * v157
+        v175 = w3 * h1 + v22 * v158
+        v176 = near_m7 * v49
+        v177 = near_m7 * v51
+        v178 = near_m7 * v55
+        v179 = w1 * v178
+        v180 = w1 * v176
+        v181 = v180 + X1_2 * v76
+        v182 = -X1_2 * v76 - v180
+        v183 = w1 * v177
+        v184 = v183 + X1_2 * v77
+        v185 = -X1_2 * v77 - v183
+        v186 = near7 + math.sqrt(v176 * v176 + v177 * v177 + v178 * v178)
+        v187 = v173 + v181
+        v188 = v181 - v173
+        v189 = v173 + v182
+        v190 = v182 - v173
+        v191 = v174 + v184
+        v192 = v184 - v174
+        v193 = v174 + v185
+        v194 = v185 - v174
+        v195 = v175 + v179
+        v196 = v179 - v175
+        v197 = v161 * abs(v22) + v162 * h1 + (near7 * v86 + v80 * abs(X1_2) + v87 * v186)
+        v198 = abs(c3_p)
+        v199 = abs(c3_m)
+        v200 = abs(C2_pp)
+        v201 = abs(C2_pm)
+        v202 = abs(C2_mp)
+        v203 = abs(C2_mm)
+        v204 = v172 + math.sqrt(v164 * v164 + v167 * v167 + v170 * v170)
+        v205 = v172 + math.sqrt(v165 * v165 + v168 * v168 + v171 * v171)
+        v206 = v195 * v195
+        v207 = v197 + math.sqrt(v187 * v187 + v191 * v191 + v206)
+        v208 = v197 + math.sqrt(v188 * v188 + v192 * v192 + v196 * v196)
+        v209 = v197 + math.sqrt(v189 * v189 + v193 * v193 + -v196 * -v196)
+        v210 = v197 + math.sqrt(v206 + (v190 * v190 + v194 * v194))
+        v211 = near_m5 * v49
+        v212 = near_m5 * v51
+        v213 = near_m5 * v55
+        v214 = near_m3 * v156
+        v215 = v211 - v214
+        v216 = v211 + v214
+        v217 = near_m3 * v157
+        v218 = v212 - v217
+        v219 = v212 + v217
+        v220 = near_m3 * v158
+        v221 = v213 - v220
+        v222 = v213 + v220
+        v223 = near8 + near_m3 * v161
+        v224 = T34 * v176
+        v225 = T34 * v177
+        v226 = T34 * v178 + near_length * X1_2
+        v227 = near_m7 * v76
+        v228 = near_m7 * v77
+        v229 = near_m7 * v80
+        v230 = w3 * v227 + v20 * v156
+        v231 = v224 - v230
+        v232 = v224 + v230
+        v233 = w3 * v228 + v20 * v157
+        v234 = v225 - v233
+        v235 = v225 + v233
+        v236 = v20 * v158
+        v237 = v226 - v236
+        v238 = v226 + v236
+        v239 = (
+            near7 * abs(T34) + near_length * v186 + (abs(w3) * v229 + v161 * abs(v20) + v162 * (v229
+            + math.sqrt(v227 * v227 + v228 * v228)))
         )
-        v242 = abs(s3_p)
-        v243 = abs(s3_m)
-        v244 = abs(S2_pp)
-        v245 = abs(S2_pm)
-        v246 = v225 + math.sqrt(v217 * v217 + v220 * v220 + v223 * v223)
-        v247 = v225 + math.sqrt(v218 * v218 + v221 * v221 + v224 * v224)
-        v248 = v241 + math.sqrt(v233 * v233 + v236 * v236 + v239 * v239)
-        v249 = v241 + math.sqrt(v234 * v234 + v237 * v237 + v240 * v240)
-        v250 = c3_p * v189 - C2_pp * v166 - (s3_p * v233 + S2_pp * v217)
-        v251 = c3_m * v190 - C2_pm * v167 - (s3_m * v234 + S2_pm * v218)
-        v252 = c3_p * v191 - C2_mp * v166 - (s3_p * v234 + S2_pm * v217)
-        v253 = c3_m * v192 - C2_mm * v167 - (s3_m * v233 + S2_pp * v218)
-        v254 = c3_p * v193 - C2_pp * v169 - (s3_p * v236 + S2_pp * v220)
-        v255 = c3_m * v194 - C2_pm * v170 - (s3_m * v237 + S2_pm * v221)
-        v256 = c3_p * v195 - C2_mp * v169 - (s3_p * v237 + S2_pm * v220)
-        v257 = c3_m * v196 - C2_mm * v170 - (s3_m * v236 + S2_pp * v221)
-        v258 = c3_p * v197 - C2_pp * v172 - (s3_p * v239 + S2_pp * v223)
-        v259 = c3_m * v198 - C2_pm * v173 - (s3_m * v240 + S2_pm * v224)
-        v260 = c3_p * -v198 - C2_mp * v172 - (s3_p * v240 + S2_pm * v223)
-        v261 = c3_m * v197 + C2_mm * v173 + (s3_m * v239 + S2_pp * v224)
-        v262 = v199 * v200
-        v263 = v241 * v242
-        v264 = v225 * v244
-        v265 = v262 + v174 * v202 + v206 * v209 + (v263 + v264 + v246 * v248)
-        v266 = v199 * v201
-        v267 = v241 * v243
-        v268 = v225 * v245
-        v269 = v266 + v174 * v203 + v207 * v210 + (v267 + v268 + v247 * v249)
-        v270 = v262 + v174 * v204 + v206 * v211 + (v263 + v268 + v246 * v249)
-        v271 = v266 + v174 * v205 + v207 * v212 + (v264 + v267 + v247 * v248)
-        v272 = s1_p * v126 - c1_p * v99
-        v273 = s1_m * v126 + v6 * v99
-        v274 = T13 * v116 + T23 * v89
-        v275 = T13 * v117 + T23 * v90
-        v276 = T13 * v120 + T23 * v92
-        v277 = T13 * v121 + T23 * v93
-        v278 = v129 + v104 * v124 + v109 * v132 + (v102 + v96 * v131 + v105 * v135)
-        v279 = v130 + v104 * v125 + v109 * v133 + (v103 + v97 * v131 + v106 * v135)
-        v280 = c23_pp * v272
-        v281 = c23_pm * v272
-        v282 = c23_mp * v273
-        v283 = c23_mm * v273
-        v284 = abs(v26)
-        v285 = abs(v27)
-        v286 = v278 + (math.sqrt(v142 + v272 * v272) + math.sqrt(v274 * v274 + v276 * v276))
-        v287 = v279 + (math.sqrt(v143 + v273 * v273) + math.sqrt(v275 * v275 + v277 * v277))
-        v288 = c3_p * v233 - S2_pp * v166 + (s3_p * v189 + C2_pp * v217)
-        v289 = c3_m * v234 - S2_pm * v167 + (s3_m * v190 + C2_pm * v218)
-        v290 = c3_p * v234 - S2_pm * v166 + (s3_p * v191 + C2_mp * v217)
-        v291 = c3_m * v233 - S2_pp * v167 + (s3_m * v192 + C2_mm * v218)
-        v292 = c3_p * v236 - S2_pp * v169 + (s3_p * v193 + C2_pp * v220)
-        v293 = c3_m * v237 - S2_pm * v170 + (s3_m * v194 + C2_pm * v221)
-        v294 = c3_p * v237 - S2_pm * v169 + (s3_p * v195 + C2_mp * v220)
-        v295 = c3_m * v236 - S2_pp * v170 + (s3_m * v196 + C2_mm * v221)
-        v296 = c3_p * v239 - S2_pp * v172 + (s3_p * v197 + C2_pp * v223)
-        v297 = c3_m * v240 - S2_pm * v173 + (s3_m * v198 + C2_pm * v224)
-        v298 = c3_p * v240 - S2_pm * v172 + (s3_p * -v198 + C2_mp * v223)
-        v299 = c3_m * v239 - S2_pp * v173 + (C2_mm * v224 - s3_m * v197)
-        v300 = v200 * v241
-        v301 = v174 * v244
-        v302 = v199 * v242
-        v303 = v300 + v301 + v206 * v248 + (v302 + v202 * v225 + v209 * v246)
-        v304 = v201 * v241
-        v305 = v174 * v245
-        v306 = v199 * v243
-        v307 = v304 + v305 + v207 * v249 + (v306 + v203 * v225 + v210 * v247)
-        v308 = v300 + v305 + v206 * v249 + (v302 + v204 * v225 + v211 * v246)
-        v309 = v301 + v304 + v207 * v248 + (v306 + v205 * v225 + v212 * v247)
-        v310 = abs(T33)
-        v311 = near5 + math.sqrt(v108 + v134)
-        v312 = s23_pp * v99 - c23_pp * v100
-        v313 = s23_pm * v99 - c23_pm * v100
-        v314 = s23_mp * v99 - c23_mp * v101
-        v315 = s23_mm * v99 - c23_mm * v101
-        v316 = c23_pp * v127 - s23_pp * v126
-        v317 = c23_pm * v127 - s23_pm * v126
-        v318 = c23_mp * v128 + s23_mp * v126
-        v319 = c23_mm * v128 + s23_mm * v126
-        v320 = c23_pp * v274 + v26 * v250 + T33 * v288
-        v321 = c23_pm * v274 + v26 * v251 + T33 * v289
-        v322 = c23_mp * v275 + v27 * v252 + T33 * v290
-        v323 = c23_mm * v275 + v27 * v253 + T33 * v291
-        v324 = c23_pp * v276 + v26 * v254 + T33 * v292
-        v325 = c23_pm * v276 + v26 * v255 + T33 * v293
-        v326 = c23_mp * v277 + v27 * v256 + T33 * v294
-        v327 = c23_mm * v277 + v27 * v257 + T33 * v295
-        v328 = v26 * v258 + T33 * v296
-        v329 = v26 * v259 + T33 * v297
-        v330 = v27 * v260 + T33 * v298
-        v331 = T33 * v299 - v27 * v261
+        v240 = abs(s3_p)
+        v241 = abs(s3_m)
+        v242 = abs(S2_pp)
+        v243 = abs(S2_pm)
+        v244 = v223 + math.sqrt(v215 * v215 + v218 * v218 + v221 * v221)
+        v245 = v223 + math.sqrt(v216 * v216 + v219 * v219 + v222 * v222)
+        v246 = v239 + math.sqrt(v231 * v231 + v234 * v234 + v237 * v237)
+        v247 = v239 + math.sqrt(v232 * v232 + v235 * v235 + v238 * v238)
+        v248 = c3_p * v187 - C2_pp * v164 - (s3_p * v231 + S2_pp * v215)
+        v249 = c3_m * v188 - C2_pm * v165 - (s3_m * v232 + S2_pm * v216)
+        v250 = c3_p * v189 - C2_mp * v164 - (s3_p * v232 + S2_pm * v215)
+        v251 = c3_m * v190 - C2_mm * v165 - (s3_m * v231 + S2_pp * v216)
+        v252 = c3_p * v191 - C2_pp * v167 - (s3_p * v234 + S2_pp * v218)
+        v253 = c3_m * v192 - C2_pm * v168 - (s3_m * v235 + S2_pm * v219)
+        v254 = c3_p * v193 - C2_mp * v167 - (s3_p * v235 + S2_pm * v218)
+        v255 = c3_m * v194 - C2_mm * v168 - (s3_m * v234 + S2_pp * v219)
+        v256 = c3_p * v195 - C2_pp * v170 - (s3_p * v237 + S2_pp * v221)
+        v257 = c3_m * v196 - C2_pm * v171 - (s3_m * v238 + S2_pm * v222)
+        v258 = c3_p * -v196 - C2_mp * v170 - (s3_p * v238 + S2_pm * v221)
+        v259 = c3_m * v195 + C2_mm * v171 + (s3_m * v237 + S2_pp * v222)
+        v260 = v197 * v198
+        v261 = v239 * v240
+        v262 = v223 * v242
+        v263 = v260 + v172 * v200 + v204 * v207 + (v261 + v262 + v244 * v246)
+        v264 = v197 * v199
+        v265 = v239 * v241
+        v266 = v223 * v243
+        v267 = v264 + v172 * v201 + v205 * v208 + (v265 + v266 + v245 * v247)
+        v268 = v260 + v172 * v202 + v204 * v209 + (v261 + v266 + v244 * v247)
+        v269 = v264 + v172 * v203 + v205 * v210 + (v262 + v265 + v245 * v246)
+        v270 = s1_p * v126 - c1_p * v99
+        v271 = s1_m * v126 + v6 * v99
+        v272 = T13 * v116 + T23 * v89
+        v273 = T13 * v117 + T23 * v90
+        v274 = T13 * v120 + T23 * v92
+        v275 = T13 * v121 + T23 * v93
+        v276 = v129 + v104 * v124 + v109 * v132 + (v102 + v96 * v131 + v105 * v135)
+        v277 = v130 + v104 * v125 + v109 * v133 + (v103 + v97 * v131 + v106 * v135)
+        v278 = c23_pp * v270
+        v279 = c23_pm * v270
+        v280 = c23_mp * v271
+        v281 = c23_mm * v271
+        v282 = abs(v26)
+        v283 = abs(v27)
+        v284 = v276 + (math.sqrt(v142 + v270 * v270) + math.sqrt(v272 * v272 + v274 * v274))
+        v285 = v277 + (math.sqrt(v143 + v271 * v271) + math.sqrt(v273 * v273 + v275 * v275))
+        v286 = c3_p * v231 - S2_pp * v164 + (s3_p * v187 + C2_pp * v215)
+        v287 = c3_m * v232 - S2_pm * v165 + (s3_m * v188 + C2_pm * v216)
+        v288 = c3_p * v232 - S2_pm * v164 + (s3_p * v189 + C2_mp * v215)
+        v289 = c3_m * v231 - S2_pp * v165 + (s3_m * v190 + C2_mm * v216)
+        v290 = c3_p * v234 - S2_pp * v167 + (s3_p * v191 + C2_pp * v218)
+        v291 = c3_m * v235 - S2_pm * v168 + (s3_m * v192 + C2_pm * v219)
+        v292 = c3_p * v235 - S2_pm * v167 + (s3_p * v193 + C2_mp * v218)
+        v293 = c3_m * v234 - S2_pp * v168 + (s3_m * v194 + C2_mm * v219)
+        v294 = c3_p * v237 - S2_pp * v170 + (s3_p * v195 + C2_pp * v221)
+        v295 = c3_m * v238 - S2_pm * v171 + (s3_m * v196 + C2_pm * v222)
+        v296 = c3_p * v238 - S2_pm * v170 + (s3_p * -v196 + C2_mp * v221)
+        v297 = c3_m * v237 - S2_pp * v171 + (C2_mm * v222 - s3_m * v195)
+        v298 = v198 * v239
+        v299 = v172 * v242
+        v300 = v197 * v240
+        v301 = v298 + v299 + v204 * v246 + (v300 + v200 * v223 + v207 * v244)
+        v302 = v199 * v239
+        v303 = v172 * v243
+        v304 = v197 * v241
+        v305 = v302 + v303 + v205 * v247 + (v304 + v201 * v223 + v208 * v245)
+        v306 = v298 + v303 + v204 * v247 + (v300 + v202 * v223 + v209 * v244)
+        v307 = v299 + v302 + v205 * v246 + (v304 + v203 * v223 + v210 * v245)
+        v308 = abs(T33)
+        v309 = near5 + math.sqrt(v108 + v134)
+        v310 = s23_pp * v99 - c23_pp * v100
+        v311 = s23_pm * v99 - c23_pm * v100
+        v312 = s23_mp * v99 - c23_mp * v101
+        v313 = s23_mm * v99 - c23_mm * v101
+        v314 = c23_pp * v127 - s23_pp * v126
+        v315 = c23_pm * v127 - s23_pm * v126
+        v316 = c23_mp * v128 + s23_mp * v126
+        v317 = c23_mm * v128 + s23_mm * v126
+        v318 = c23_pp * v272 + v26 * v248 + T33 * v286
+        v319 = c23_pm * v272 + v26 * v249 + T33 * v287
+        v320 = c23_mp * v273 + v27 * v250 + T33 * v288
+        v321 = c23_mm * v273 + v27 * v251 + T33 * v289
+        v322 = c23_pp * v274 + v26 * v252 + T33 * v290
+        v323 = c23_pm * v274 + v26 * v253 + T33 * v291
+        v324 = c23_mp * v275 + v27 * v254 + T33 * v292
+        v325 = c23_mm * v275 + v27 * v255 + T33 * v293
+        v326 = v26 * v256 + T33 * v294
+        v327 = v26 * v257 + T33 * v295
+        v328 = v27 * v258 + T33 * v296
+        v329 = T33 * v297 - v27 * v259
+        v330 = (
+            v276 * abs(c23_pp) + v263 * v282 + v284 * (v263 + math.sqrt(v248 * v248 + v252 * v252 +
+            v256 * v256)) + (near5 * abs(s23_pp) + v301 * v308 + v309 * (v301 + math.sqrt(v286 *
+            v286 + v290 * v290 + v294 * v294)))
+        )
+        v331 = (
+            v276 * abs(c23_pm) + v267 * v282 + v284 * (v267 + math.sqrt(v249 * v249 + v253 * v253 +
+            v257 * v257)) + (near5 * abs(s23_pm) + v305 * v308 + v309 * (v305 + math.sqrt(v287 *
+            v287 + v291 * v291 + v295 * v295)))
+        )
         v332 = (
-            v278 * abs(c23_pp) + v265 * v284 + v286 * (v265 + math.sqrt(v250 * v250 + v254 * v254 +
-            v258 * v258)) + (near5 * abs(s23_pp) + v303 * v310 + v311 * (v303 + math.sqrt(v288 *
+            v277 * abs(c23_mp) + v268 * v283 + v285 * (v268 + math.sqrt(v250 * v250 + v254 * v254 +
+            v258 * v258)) + (near5 * abs(s23_mp) + v306 * v308 + v309 * (v306 + math.sqrt(v288 *
             v288 + v292 * v292 + v296 * v296)))
         )
         v333 = (
-            v278 * abs(c23_pm) + v269 * v284 + v286 * (v269 + math.sqrt(v251 * v251 + v255 * v255 +
-            v259 * v259)) + (near5 * abs(s23_pm) + v307 * v310 + v311 * (v307 + math.sqrt(v289 *
+            v277 * abs(c23_mm) + v269 * v283 + v285 * (v269 + math.sqrt(v251 * v251 + v255 * v255 +
+            v259 * v259)) + (near5 * abs(s23_mm) + v307 * v308 + v309 * (v307 + math.sqrt(v289 *
             v289 + v293 * v293 + v297 * v297)))
         )
-        v334 = (
-            v279 * abs(c23_mp) + v270 * v285 + v287 * (v270 + math.sqrt(v252 * v252 + v256 * v256 +
-            v260 * v260)) + (near5 * abs(s23_mp) + v308 * v310 + v311 * (v308 + math.sqrt(v290 *
-            v290 + v294 * v294 + v298 * v298)))
-        )
-        v335 = (
-            v279 * abs(c23_mm) + v271 * v285 + v287 * (v271 + math.sqrt(v253 * v253 + v257 * v257 +
-            v261 * v261)) + (near5 * abs(s23_mm) + v309 * v310 + v311 * (v309 + math.sqrt(v291 *
-            v291 + v295 * v295 + v299 * v299)))
-        )
+        v334 = factor2 * v310
+        v335 = factor2 * v311
         v336 = factor2 * v312
         v337 = factor2 * v313
         v338 = factor2 * v314
         v339 = factor2 * v315
         v340 = factor2 * v316
         v341 = factor2 * v317
-        v342 = factor2 * v318
-        v343 = factor2 * v319
+        v342 = factor2 * v278
+        v343 = factor2 * v279
         v344 = factor2 * v280
         v345 = factor2 * v281
-        v346 = factor2 * v282
-        v347 = factor2 * v283
-        v348 = v153 + math.sqrt(v149 * v149 + v150 * v150 + v151 * v151)
-        v349 = factor2 * v320 - c4_pp * v149
-        v350 = factor2 * v321 - c4_pm * v149
-        v351 = factor2 * v322 - c4_mp * v149
-        v352 = factor2 * v323 - c4_mm * v149
-        v353 = factor2 * v324 - c4_pp * v150
-        v354 = factor2 * v325 - c4_pm * v150
-        v355 = factor2 * v326 - c4_mp * v150
-        v356 = factor2 * v327 - c4_mm * v150
-        v357 = factor2 * v328 - c4_pp * v151
-        v358 = factor2 * v329 - c4_pm * v151
-        v359 = factor2 * v330 - c4_mp * v151
-        v360 = factor2 * v331 - c4_mm * v151
+        v346 = v151 + math.sqrt(v147 * v147 + v148 * v148 + v149 * v149)
+        v347 = factor2 * v318 - c4_pp * v147
+        v348 = factor2 * v319 - c4_pm * v147
+        v349 = factor2 * v320 - c4_mp * v147
+        v350 = factor2 * v321 - c4_mm * v147
+        v351 = factor2 * v322 - c4_pp * v148
+        v352 = factor2 * v323 - c4_pm * v148
+        v353 = factor2 * v324 - c4_mp * v148
+        v354 = factor2 * v325 - c4_mm * v148
+        v355 = factor2 * v326 - c4_pp * v149
+        v356 = factor2 * v327 - c4_pm * v149
+        v357 = factor2 * v328 - c4_mp * v149
+        v358 = factor2 * v329 - c4_mm * v149
+        v359 = (
+            v146 * v330 + v151 * abs(c4_pp) + v346 * (v330 + (math.sqrt(v310 * v310 + v314 * v314 +
+            v278 * v278) + math.sqrt(v318 * v318 + v322 * v322 + v326 * v326))) + (math.sqrt(v334 *
+            v334 + v338 * v338 + v342 * v342) + math.sqrt(v347 * v347 + v351 * v351 + v355 * v355))
+        )
+        v360 = (
+            v146 * v331 + v151 * abs(c4_pm) + v346 * (v331 + (math.sqrt(v311 * v311 + v315 * v315 +
+            v279 * v279) + math.sqrt(v319 * v319 + v323 * v323 + v327 * v327))) + (math.sqrt(v335 *
+            v335 + v339 * v339 + v343 * v343) + math.sqrt(v348 * v348 + v352 * v352 + v356 * v356))
+        )
         v361 = (
-            v148 * v332 + v153 * abs(c4_pp) + v348 * (v332 + (math.sqrt(v312 * v312 + v316 * v316 +
+            v146 * v332 + v151 * abs(c4_mp) + v346 * (v332 + (math.sqrt(v312 * v312 + v316 * v316 +
             v280 * v280) + math.sqrt(v320 * v320 + v324 * v324 + v328 * v328))) + (math.sqrt(v336 *
             v336 + v340 * v340 + v344 * v344) + math.sqrt(v349 * v349 + v353 * v353 + v357 * v357))
         )
         v362 = (
-            v148 * v333 + v153 * abs(c4_pm) + v348 * (v333 + (math.sqrt(v313 * v313 + v317 * v317 +
+            v146 * v333 + v151 * abs(c4_mm) + v346 * (v333 + (math.sqrt(v313 * v313 + v317 * v317 +
             v281 * v281) + math.sqrt(v321 * v321 + v325 * v325 + v329 * v329))) + (math.sqrt(v337 *
             v337 + v341 * v341 + v345 * v345) + math.sqrt(v350 * v350 + v354 * v354 + v358 * v358))
         )
-        v363 = (
-            v148 * v334 + v153 * abs(c4_mp) + v348 * (v334 + (math.sqrt(v314 * v314 + v318 * v318 +
-            v282 * v282) + math.sqrt(v322 * v322 + v326 * v326 + v330 * v330))) + (math.sqrt(v338 *
-            v338 + v342 * v342 + v346 * v346) + math.sqrt(v351 * v351 + v355 * v355 + v359 * v359))
-        )
-        v364 = (
-            v148 * v335 + v153 * abs(c4_mm) + v348 * (v335 + (math.sqrt(v315 * v315 + v319 * v319 +
-            v283 * v283) + math.sqrt(v323 * v323 + v327 * v327 + v331 * v331))) + (math.sqrt(v339 *
-            v339 + v343 * v343 + v347 * v347) + math.sqrt(v352 * v352 + v356 * v356 + v360 * v360))
-        )
+        v363 = v144 * v144
+        v364 = v145 * v145
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
             1.0 if abs(v61 + (D3 + D3)) <= v61 or abs(v53 + (D1 + D1)) <= v53 or abs(N1) <= near1 or
-            v62 <= v56 or abs(D1) <= near_m1 or abs(v37) <= v147 + v364 * v364 or v37 <= near_m9 or
-            abs(v36) <= v147 + v363 * v363 or v36 <= near_m9 or abs(v35) <= v146 + v362 * v362 or
-            v35 <= near_m9 or abs(v34) <= v146 + v361 * v361 or abs(D3 * (near_k4 * w1)) <= near_m2
+            v62 <= v56 or abs(D1) <= near_m1 or abs(v37) <= v364 + v362 * v362 or v37 <= near_m9 or
+            abs(v36) <= v364 + v361 * v361 or v36 <= near_m9 or abs(v35) <= v363 + v360 * v360 or
+            v35 <= near_m9 or abs(v34) <= v363 + v359 * v359 or abs(D3 * (near_k4 * w1)) <= near_m2
             or v34 <= near_m9 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = v1, v13, v38, v39

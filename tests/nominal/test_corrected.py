@@ -98,5 +98,5 @@ def test_numbers_of_both_arms_have_names_of_their_own(flags: tuple[str, ...], na
 
 @pytest.mark.breadth
 def test_arms_far_from_a_structure_have_no_nearest_one() -> None:
-    """At errors of a millimetre hardly any pose of a UR5e is certain: that takes only time."""
-    assert nominal_arm(build_chain(load_text(twin("ur5e", 1e-3), "twin.yaml")), RESERVED) is None
+    """At errors of 3 mm hardly any pose of a UR5e is certain: that takes only time."""
+    assert nominal_arm(build_chain(load_text(twin("ur5e", 3e-3), "twin.yaml")), RESERVED) is None
