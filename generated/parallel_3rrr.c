@@ -142,7 +142,7 @@ static const int freedoms[3] = { 0, 1, 5 };
 static const struct dhgen_parallel robot = {
     3, 2, 2, 3,
     1, /* alike */
-    freedoms, 0.7, DHGEN_YAW, 1, /* planar */
+    freedoms, 0.866, DHGEN_YAW, 1, /* planar */
     legs
 };
 

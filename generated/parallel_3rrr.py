@@ -124,7 +124,7 @@ _PLATFORM = _parallel.Platform(
     task="yaw",
     is_planar=True,
     freedoms=(0, 1, 5),
-    size=0.7,
+    size=0.866,
 )
 _FUNCTIONS = _parallel.Functions(_PLATFORM, Unreachable, "three circles")
 ik, ik_all, ik_batch = _FUNCTIONS.ik, _FUNCTIONS.ik_all, _FUNCTIONS.ik_batch

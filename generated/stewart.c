@@ -186,7 +186,7 @@ static const int freedoms[6] = { 0, 1, 2, 3, 4, 5 };
 static const struct dhgen_parallel robot = {
     6, 3, 4, 6,
     1, /* alike */
-    freedoms, 0.75, DHGEN_POSE, 0, /* planar */
+    freedoms, 0.9397, DHGEN_POSE, 0, /* planar */
     legs
 };
 

@@ -164,7 +164,7 @@ _PLATFORM = _parallel.Platform(
     task="pose",
     is_planar=False,
     freedoms=(0, 1, 2, 3, 4, 5),
-    size=0.75,
+    size=0.9397,
 )
 _FUNCTIONS = _parallel.Functions(_PLATFORM, Unreachable, "")
 ik, ik_all, ik_batch = _FUNCTIONS.ik, _FUNCTIONS.ik_all, _FUNCTIONS.ik_batch

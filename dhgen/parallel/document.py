@@ -19,6 +19,7 @@ from dhgen.derivation.values import degrees
 from dhgen.parallel.figure import example_figure
 from dhgen.parallel.mobility import Count, counted
 from dhgen.parallel.module import Elimination
+from dhgen.parallel.robot import ORIGIN
 from dhgen.parallel.worked import example_of, square
 from dhgen.runtime.python.platform import LENGTHS
 
@@ -130,7 +131,7 @@ def _table(module: ParallelModule) -> Table:
 
 
 def _carried(end: Sequence[float]) -> Symbol:
-    parts = [_short(end[place]) for place in (3, 7, 11)]
+    parts = [_short(end[place]) for place in ORIGIN]
     latex, text = (", ".join(each) for each in ([p.latex for p in parts], [p.text for p in parts]))
     return Symbol(f"({latex})", f"({text})")
 

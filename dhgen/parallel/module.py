@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import StrEnum
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.parallel.robot import ORIGIN
 from dhgen.robot.task import Directions, TaskKind
 from dhgen.runtime.python import direct
 from dhgen.runtime.python.platform import COORDINATES, POSE, YAW
@@ -100,8 +103,18 @@ class ParallelModule:
 
     @property
     def size(self) -> float:
-        """Of the largest leg, to few digits: units of tolerances."""
-        return float(f"{max(leg.solver.chain.size for leg in self.legs):.4g}")
+        """The unit of tolerances, to few digits: the largest leg, or what feet or ends are apart.
+
+        A leg of slides without limits has no size of its own.
+        """
+        largest = max(leg.solver.chain.size for leg in self.legs)
+        frames = [(leg.leg.base, leg.leg.end) for leg in self.legs]
+        apart = (
+            math.dist([one[k] for k in ORIGIN], [other[k] for k in ORIGIN])
+            for pair in combinations(frames, 2)
+            for one, other in zip(*pair, strict=True)
+        )
+        return float(f"{max([largest, *apart]):.4g}")
 
     @property
     def freedoms(self) -> tuple[int, ...]:

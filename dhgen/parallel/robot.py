@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 Rows = tuple[float, ...]
 """A frame as numbers: three rows of four."""
 
+ORIGIN = (3, 7, 11)  # where among these numbers a frame has its origin
+
 
 @dataclass(frozen=True, slots=True)
 class Leg:

@@ -106,8 +106,9 @@ def drawn_poses(module: ParallelModule, source: np.random.Generator) -> FloatArr
     """Poses of the platform that the first leg reaches."""
     first = module.legs[0]
     leg, chain = first.leg, first.solver.chain
-    none = (-np.pi, np.pi)
-    low, high = np.array([joint.limits or none for joint in chain.joints]).T
+    most = np.where(chain.turning, np.pi, module.size)
+    ranges = zip(chain.joints, most, strict=True)
+    low, high = np.array([joint.limits or (-end, end) for joint, end in ranges]).T
     ends = numeric_arm(chain).pose(source.uniform(low, high, (DRAWN, chain.dof)))
     base, end = square(leg.base), square(leg.end)
     if leg.carries_frame:

@@ -136,3 +136,21 @@ def test_cylinders_take_roots_and_no_arctangent() -> None:
     body = "\n".join(driven(made(ROBOTS / "stewart.yaml")[0].module).chains[0].lines)
     assert "dhgen_sqrt_wide" in body
     assert "atan2" not in body
+
+
+def test_slides_without_limits_leave_a_robot_as_large_as_its_feet_are_apart() -> None:
+    """In millimetres: steps of the direct model are shares of its size."""
+    path = OWN / "without_limits.yaml"
+    module = made(path)[0].module
+    assert module.size == pytest.approx(np.hypot(700.0, 1100.0), rel=1e-3)
+    native = library(path, BUILDS[0])
+    T = np.eye(4)
+    T[:2, 3] = 400.0, 300.0
+    feet = np.array([[0, 0], [1200, 0], [500, 1100]])
+    points = np.array([[-200, -100], [250, -100], [0, 250]])
+    lengths = np.linalg.norm(T[:2, 3] + points - feet, axis=1)
+    seed = T.copy()
+    seed[:2, 3] += 60.0, -80.0
+    told, found, _ = native.fk(lengths, seed)
+    assert told == OK
+    np.testing.assert_allclose(found, T, rtol=0.0, atol=1e-9 * module.size)
