@@ -50,7 +50,7 @@ def _determinants(E: Floats, angles_of: Floats) -> Floats:
     return f
 
 
-@apart("(float64[:, ::1], float64[:, ::1], float64[:, ::1], float64[::1])")
+@apart("void(float64[:, ::1], float64[:, ::1], float64[:, ::1], float64[::1])")
 def _close_brackets(E: Floats, ends: Floats, values: Floats, root: Floats) -> None:
     """Computes the roots in brackets, by the line between their ends.
 
