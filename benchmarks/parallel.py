@@ -2,7 +2,7 @@
 
     python -m benchmarks.parallel [--arms NAME ...] [--poses N]
 
-Times are CPU time of the committed C, the best of some rounds, for one pose and in a batch.
+Times are CPU time of the C, compiled anew, of a pose in a batch: the best of some rounds.
 """
 
 from __future__ import annotations
@@ -102,7 +102,7 @@ def closed(module: ParallelModule, native: Native, poses: FloatArray) -> tuple[i
 
 
 def led_back(module: ParallelModule, native: Native, poses: FloatArray) -> int:
-    """On how many poses the direct model leads back from beside them, or says that it does not."""
+    """On how many poses the direct model leads back from beside them."""
     back = 0
     for T in poses:
         _, q, status = native.ik(T)

@@ -284,10 +284,9 @@ def _parallel_derivation(
     with about(file.path):
         module, legs = parallel_stories(file, _tell)
     language = language_of(options.language)
-    ending = None if options.out is None else options.out.suffix
-    if ending is None and wished != FORMATS[0]:
+    if options.out is None and wished != FORMATS[0]:
         print("note: the derivations of the legs are written beside --out FILE", file=sys.stderr)
-    made = derivations_as(wished, module, legs, ending, language)
+    made = derivations_as(wished, module, legs, options.out, language)
     _tell_untranslated(language.untranslated)
     return made
 

@@ -86,7 +86,7 @@ def faults(count: Count) -> list[str]:
             f"leg {number} has {count.freedoms[number - 1]} freedoms where the task names "
             f"{count.task}: {kutzbach} is right as a sum only"
         )
-    if count.driven != count.mobility:
+    if count.driven != count.mobility and count.mobility == count.task:
         found.append(
             f"{count.driven} joints are driven, and the platform has mobility {count.mobility}: "
             f"{kutzbach}; drive as many"

@@ -11,11 +11,13 @@ from dhgen.derivation.languages import ENGLISH
 from dhgen.derivation.text.markdown import markdown
 from dhgen.derivation.text.plain import plain
 from dhgen.parallel.document import parallel_blocks
+from dhgen.parallel.read import SUFFIX
 from dhgen.printing.comments import plain_path
 from dhgen.printing.templates import render
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+    from pathlib import Path
 
     from dhgen.derivation.languages import Language
     from dhgen.derivation.story import Story
@@ -41,7 +43,7 @@ def derivations_as(
     wished: str,
     module: ParallelModule,
     legs: Sequence[Story],
-    ending: str | None,
+    out: Path | None,
     language: Language = ENGLISH,
 ) -> tuple[str, Mapping[str, str]]:
     """The document with those of the legs, and texts of files beside it by their paths.
@@ -52,7 +54,7 @@ def derivations_as(
         wished: `text`, `markdown`, `latex` or `html`.
         module: The robot.
         legs: Its kinds of legs.
-        ending: Of the names of the legs' documents; None where these have no place.
+        out: Where it goes: legs' documents are called like it; None where these have no place.
         language: That of all documents.
 
     Raises:
@@ -64,8 +66,9 @@ def derivations_as(
         own, figures = derivation_as(wished, story, module.source, language)
         if wished == "text":
             text += f"\n\n{own}"
-        elif ending is not None:
-            files |= {f"{story.robot.name}{ending}": own, **figures}
+        elif out is not None:
+            leg = story.robot.name[story.robot.name.rindex(SUFFIX) :]
+            files |= {f"{out.stem}{leg}{out.suffix}": own, **figures}
     return text, files
 
 

@@ -94,11 +94,14 @@ class _Reading:
         if not self._is_movable(task, read):
             return None
         drawn = [self._chain(file, parameters, units.length, leg, task) for leg in read]
+        legs = [leg for chain in drawn for leg in chain]
+        if not self._are_apart(legs):
+            return None
         return ParallelRobot(
             name=file.name,
             title=file.title or file.name,
             source=file.source,
-            legs=_named(file.name, [leg for chain in drawn for leg in chain]),
+            legs=_named(file.name, legs),
             task=task,
             length_unit=units.length,
             notices=self.report.notices,
@@ -142,7 +145,7 @@ class _Reading:
     def _actuated(self, path: Path, numbers: Sequence[int], joints: int) -> tuple[int, ...]:
         for i, number in enumerate(numbers):
             place = (*path, "actuated", i)
-            if not 1 <= number <= joints:
+            if joints and not 1 <= number <= joints:
                 message = f"there is no joint {number}: joints are numbered from 1 to {joints}"
                 self.report.error(place, message)
             elif i and number <= numbers[i - 1]:
@@ -172,9 +175,22 @@ class _Reading:
                 self._demand_level(leg)
         joints = [len(joints_of(leg.geometry)) for leg in each]
         driven = sum(len(leg.actuated) for leg in each)
+        meant = "" if self.report.document.has("task") else "; without `task` it is the whole pose"
         for fault in faults(counted(task, joints, [not leg.carries_frame for leg in each], driven)):
-            self.report.error_at_key((LEGS,), fault)
+            self.report.error_at_key((LEGS,), f"{fault}{meant}")
         return not self.report.errors
+
+    def _are_apart(self, legs: Sequence[Leg]) -> bool:
+        """Whether no leg stands where another one does; if one does, it is reported."""
+        for number, leg in enumerate(legs):
+            if (first := legs.index(leg)) < number:
+                message = (
+                    f"legs {first + 1} and {number + 1} are the same in the same place: one of "
+                    "them holds nothing"
+                )
+                self.report.error_at_key((LEGS,), message)
+                return False
+        return True
 
     def _demand_level(self, leg: _Read) -> None:
         """Reports a leg of a planar platform whose base is tilted out of the plane."""

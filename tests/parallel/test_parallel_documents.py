@@ -54,8 +54,8 @@ def test_the_figure_is_whole(name: str) -> None:
     assert f"(figures/{name}_platform.svg)" in (GENERATED / f"{name}.md").read_text("utf-8")
 
 
-def test_the_example_is_what_other_code_gives() -> None:
-    """The pose and all rows of the document, read and put into the committed C."""
+def test_the_example_is_what_the_c_gives() -> None:
+    """The pose and all rows of the document, which come from the interpreter, read as printed."""
     text = (GENERATED / "parallel_3rpr.md").read_text(encoding="utf-8")
     entries = re.search(r"X = \\begin\{bmatrix\}(.*?)\\end", text)
     assert entries
@@ -91,11 +91,11 @@ def test_the_command_explains(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     out = tmp_path / "five.md"
     assert main(["explain", file, "--language", "fr", "--out", str(out)]) == 0
     assert "deux assemblages" in out.read_text(encoding="utf-8")
-    leg = (tmp_path / "five_bar_leg.md").read_text(encoding="utf-8")
+    leg = (tmp_path / "five_leg.md").read_text(encoding="utf-8")
     assert "modèle géométrique inverse" in leg
     linked = set(re.findall(r"\]\((figures/\w+\.svg)\)", out.read_text("utf-8") + leg))
     assert {str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*.svg")} == linked
-    assert capsys.readouterr().out == f"wrote {out}, {tmp_path / 'five_bar_leg.md'}\n"
+    assert capsys.readouterr().out == f"wrote {out}, {tmp_path / 'five_leg.md'}\n"
     assert main(["explain", file, "--format", "html"]) == 0
     assert "of the legs are written beside --out FILE" in capsys.readouterr().err
     assert main(["explain", file, "--program"]) != 0

@@ -89,11 +89,23 @@ def test_all_mistakes_are_told_at_once(tmp_path: Path) -> None:
         ("base: {xyz: [0.1", "base: {rpy: [0.1, 0, 0], xyz: [0.1", "z of this base has to be"),
         ("actuated: [1]", "actuated: [2, 1]", "in ascending order"),
         ("      - {theta: q, a: 0.3}\n", "", "M = 1 + 2 - 2*1 = 1, less than the 2"),
+        ("task: [x, y]\n", "", "the task names); without `task` it is the whole pose"),
+        ("xyz: [0.1", "xyz: [-0.1", "legs 1 and 2 are the same in the same place"),
     ],
 )
 def test_what_is_refused(old: str, new: str, told: str, tmp_path: Path) -> None:
     found = mistakes(TWO.replace(old, new, 1), tmp_path)
     assert any(told in each for each in found), found
+
+
+def test_what_follows_from_a_mistake_is_none(tmp_path: Path) -> None:
+    """No joints of a leg whose table can't be read, no drives of a platform that can't move so."""
+    (told,) = mistakes(TWO.replace("      - {theta: q, a: 0.3}\n", "", 1), tmp_path)
+    assert "less than the 2" in told
+    unread = TWO.replace(
+        "      - {theta: q, a: 0.2}\n      - {theta: q, a: 0.3}\n", "      - {}\n", 1
+    )
+    assert not any("numbered from 1 to 0" in each for each in mistakes(unread, tmp_path))
 
 
 def test_the_count_is_told() -> None:
