@@ -32,8 +32,9 @@ DHGEN_ALWAYS
 DHGEN_INLINE dhgen_wide_mask five_bar_leg_drives(
     const dhgen_wide *T, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    /* In formulas below, longest2_apart = 0.249999999999995 [m^2], k2 = 8.333333333333334 [m^-2],
-     * rod = 0.3 [m], crank = 0.2 [m], k1 = 0.13 [m^2]. */
+    /* In formulas below, longest2_apart = 0.249999999999995 [m^2],
+     * k2 = 1 / (2 * rod * crank) = 8.333333333333334 [m^-2], crank = 0.2 [m], rod = 0.3 [m],
+     * k1 = crank^2 + rod^2 = 0.13 [m^2]. */
     static const double
         longest2 = 0.25, /* square of the longest reach [m^2] */
         shortest2 = 0.009999999999999995, /* square of the shortest reach [m^2] */

@@ -33,8 +33,8 @@ DHGEN_ALWAYS
 DHGEN_INLINE dhgen_wide_mask parallel_3rrr_leg_drives(
     const dhgen_wide *T, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    /* In formulas below, longest2_apart = 0.48999999999999017 [m^2], k2 = 4.081632653061225 [m^-2],
-     * rod = 0.35 [m]. */
+    /* In formulas below, longest2_apart = 0.48999999999999017 [m^2],
+     * k2 = 1 / (2 * rod * crank) = 4.081632653061225 [m^-2], crank = 0.35 [m], rod = 0.35 [m]. */
     static const double
         longest2 = 0.48999999999999994, /* square of the longest reach [m^2] */
         shortest2 = 0.0, /* square of the shortest reach [m^2] */

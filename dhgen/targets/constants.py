@@ -108,13 +108,24 @@ def _named(found: re.Match[str], name: str) -> str:
 
 
 def _parts(constant: NamedConstant, length: str) -> tuple[tuple[str, str], ...]:
-    """The parts that its formula still names, since constants may be named for what they mean."""
+    """The parts that its formula still names, since constants may be named for what they mean.
+
+    Behind one that has a formula itself are those that this names.
+    """
     words = set(_WORD.findall(constant.meaning))
-    return tuple(
-        (part.name, f"{part.name} = {part.value!r}{_unit(part, length)}")
-        for part in constant.parts
-        if part.name in words and part.role is not Source.FILE
-    )
+    told: list[tuple[str, str]] = []
+    for part in constant.parts:
+        if part.name in words and part.role is not Source.FILE:
+            told.append(
+                (part.name, f"{part.name} = {_made(part)}{part.value!r}{_unit(part, length)}")
+            )
+            told += _parts(part, length)
+    return tuple(told)
+
+
+def _made(part: NamedConstant) -> str:
+    """The formula of a part that has parts itself."""
+    return f"{part.meaning} = " if part.parts else ""
 
 
 def _comment(constant: NamedConstant, length: str) -> str:

@@ -13,6 +13,8 @@ CONSTANT = re.compile(
     r"(?P<before>/\*(?:[^*]|\*[^/])*\*/\s*)?"
     r"\b(?P<name>\w+) = (?P<value>-?\d[\d.e+-]*)[,;](?P<behind> /\*(?:[^*]|\*[^/])*\*/)?"
 )
+# A name, what it is made of if that is told, and its value.
+PART = re.compile(r"(\w+) = (?:([^=]+) = )??(-?\d[\d.e+-]*)(?: \[[^]]*\])?(?:,|$)")
 UNIT = re.compile(r"\[[^]]*\]")
 ARITHMETIC = re.compile(r"[\w\s.,+*/()^-]+")
 FUNCTIONS = {name: getattr(math, name) for name in ("sqrt", "sin", "cos", "tan", "atan2")}
@@ -29,9 +31,9 @@ def constants(text: str) -> dict[str, tuple[float, str]]:
                 re.sub(r"^ +\* ", "", comment, flags=re.MULTILINE).strip("/* \n").split()
             )
             found[each["name"]] = float(each["value"]), UNIT.sub("", told).strip()
-    for parts in re.findall(r"/\* In formulas below, ([^/]*)\. \*/", text):
-        for name, value in re.findall(r"(\w+) = (-?\d[\d.e+-]*)", parts):
-            known, formula = found.get(name, (float(value), ""))
+    for parts in re.findall(r"/\* In formulas below, (.*?)\. \*/", text, re.DOTALL):
+        for name, made, value in PART.findall(parts):
+            known, formula = found.get(name, (float(value), made))
             assert known == float(value), name
             found[name] = known, formula
     return found
