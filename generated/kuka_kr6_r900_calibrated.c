@@ -298,9 +298,10 @@ DHGEN_PUBLIC void kuka_kr6_r900_calibrated_jacobian(const double q[6], double J[
 /* The nearest arm with a structure: what follows is its closed form. A pose at which one of its
  * branches may end by what the two arms differ is left to the general algorithm. */
 /* In formulas below, near_a2 = 0.45511099999999993 [m], near_a3 = -0.025039000000000033 [m],
- * near_d4 = 0.42008600000000007 [m], near_k1 = 0.382371519092 [m^2],
- * near_k2 = -0.022791048658000027 [m^2], near_doubt_limit1 = 9.25213e-05 [m],
- * near_longest3_apart = 0.7672753622269346 [m^2], near_k4 = 6.815359151455662 [m^-4],
+ * near_d4 = 0.42008600000000007 [m], near_k1 = 2 * near_d4 * near_a2 = 0.382371519092 [m^2],
+ * near_k2 = 2 * near_a3 * near_a2 = -0.022791048658000027 [m^2],
+ * near_doubt_limit1 = 9.25213e-05 [m], near_longest3_apart = 0.7672753622269346 [m^2],
+ * near_k4 = 1 / ((2 * near_d4 * near_a2)^2 + (2 * near_a3 * near_a2)^2) = 6.815359151455662 [m^-4],
  * near_doubt_limit = 9.999999999999999e-05. */
 static const double
     near_angle = 0.0001900018, /* the two arms' tools are turned by no more */

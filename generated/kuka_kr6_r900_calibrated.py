@@ -60,9 +60,10 @@ OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: T is not a valid pose
 
 # In formulas below, near_a2 = 0.45511099999999993 [m], near_a3 = -0.025039000000000033 [m],
-# near_d4 = 0.42008600000000007 [m], near_k1 = 0.382371519092 [m^2],
-# near_k2 = -0.022791048658000027 [m^2], near_doubt_limit1 = 9.25213e-05 [m],
-# near_longest3_apart = 0.7672753622269346 [m^2], near_k4 = 6.815359151455662 [m^-4],
+# near_d4 = 0.42008600000000007 [m], near_k1 = 2 * near_d4 * near_a2 = 0.382371519092 [m^2],
+# near_k2 = 2 * near_a3 * near_a2 = -0.022791048658000027 [m^2],
+# near_doubt_limit1 = 9.25213e-05 [m], near_longest3_apart = 0.7672753622269346 [m^2],
+# near_k4 = 1 / ((2 * near_d4 * near_a2)^2 + (2 * near_a3 * near_a2)^2) = 6.815359151455662 [m^-4],
 # near_doubt_limit = 9.999999999999999e-05.
 d1 = 0.400051  # joint offset 1 [m]
 a1 = 0.024977  # link length 1 [m]

@@ -36,16 +36,25 @@ def compiled(text: str, folder: Path) -> Compilation:
     return written(path, folder)
 
 
+def coupled(text: str) -> str:
+    """The same with a drive that moves two joints, and a limit of what the two do together."""
+    *before, third, after = text.split("theta: q", 3)
+    head = "theta: q".join([*before, third])
+    return f"{head}theta: q + q2{after}limits: [{{of: q2 + q3, from: -1.2, to: 3.5}}]\n"
+
+
 @pytest.mark.parametrize(
     "text",
     first_of(
         [
             twin("puma560", 1e-4),
+            coupled(twin("puma560", 1e-4)),
             seven("shoulder_missed"),
             twin("ur5e", 1e-4),
             twin("kuka_kr6_r900", 1e-4),
             seven("wrist_missed"),
         ],
+        count=2,
     ),
 )
 def test_solutions_are_those_of_the_general_algorithm(text: str, tmp_path: Path) -> None:

@@ -67,6 +67,8 @@ class CSolver:
         coupling: Of drives whose whole turns hang together, where some do.
         regular: What serves regular poses, where there is a program for them.
         nearest: The nearest arm with a structure, where its rows are tried first.
+        suffices: Whether these may answer a pose alone: what several drives do together, or drives
+            to several joints, is done around the general algorithm.
         runtime: How it is brought along.
     """
 
@@ -84,6 +86,7 @@ class CSolver:
     coupling: CCoupling | None
     regular: CRegular | None
     nearest: CNearest | None
+    suffices: bool
     runtime: CRuntime
 
 
@@ -133,6 +136,8 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
     programs = () if used is None else used.programs
     descents, kernel = c_descents(module), general_kernel(module.solver)
     motion = motion_of(module) if in_loops else Motion((), module)
+    coupling = c_coupling(module)
+    is_alone = coupling is None and not module.chain.drives.are_coupled
     return CSolver(
         comments=c_comments(module),
         tables=c_tables(module, programs),
@@ -145,9 +150,10 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
         bodies=bodies_of(motion.module, C(), _assignments, entry_lines),
         general="" if kernel is None else general_source(kernel),
         descents="" if descents is None else render("c/descents.c.jinja", descents=descents),
-        coupling=c_coupling(module),
+        coupling=coupling,
         regular=regular_values(module, flats) if flats else None,
         nearest=c_nearest(module, near),
+        suffices=near is not None and is_alone,
         runtime=CRuntime(brought_along(module, regular=used is not None)),
     )
 
