@@ -63,8 +63,7 @@ INVALID_POSE = 4  # NaN: T is not a valid pose
 # near_a3 = -0.020185839855499987 [m], near_d4 = 0.4326956882369999 [m],
 # near_k5 = 2 * near_d4 * near_a2 = 0.3733692095899602 [m^2],
 # near_k6 = 2 * near_a3 * near_a2 = -0.01741817928083776 [m^2],
-# near_k3 = merge_slack1 * (2 * near_d3 + merge_slack1) = 3.0774677988139795e-15 [m^2],
-# near_longest3_apart = 0.7475535203061898 [m^2],
+# near_k3 = 3.0774677988139795e-15 [m^2], near_longest3_apart = 0.7475535203061898 [m^2],
 # near_k8 = 1 / ((2 * near_d4 * near_a2)^2 + (2 * near_a3 * near_a2)^2) = 7.157788307709011 [m^-4],
 # near_doubt_limit = 9.999999999999999e-05.
 d1 = 0.6712591624431  # joint offset 1 [m]

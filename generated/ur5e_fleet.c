@@ -143,8 +143,7 @@ DHGEN_TABLE struct dhgen_numerical_arm descents = {
 /* The closed form of the nominal arm. A pose at which one of its branches may end by what the two
  * arms differ, an angle and a length that the caller gives, is left to the general algorithm. */
 /* In formulas below, near_arm_size1 = 1.3122999999999998 [m], near_a2 = -0.425 [m],
- * near_a3 = -0.3922 [m],
- * near_k3 = merge_slack1 * (2 * near_d4 + merge_slack1) = 3.4985918000001716e-15 [m^2],
+ * near_a3 = -0.3922 [m], near_k3 = 3.4985918000001716e-15 [m^2],
  * near_doubt_limit = 9.999999999999999e-05, near_longest3_clear = 0.6678158399785518 [m^2],
  * near_k6 = 1 / (2 * near_a3 * near_a2) = 2.9996700362960076 [m^-2]. */
 static const double

@@ -124,8 +124,10 @@ def _parts(constant: NamedConstant, length: str) -> tuple[tuple[str, str], ...]:
 
 
 def _made(part: NamedConstant) -> str:
-    """The formula of a part that has parts itself."""
-    return f"{part.meaning} = " if part.parts else ""
+    """The formula of a part, if all that it names are parts themselves."""
+    named = {word for word in _WORD.findall(part.meaning) if not word.isdigit()}
+    known = {each.name for each in part.parts}
+    return f"{part.meaning} = " if named and named <= known else ""
 
 
 def _comment(constant: NamedConstant, length: str) -> str:
