@@ -202,9 +202,11 @@ DHGEN_INLINE void dhgen_lane_direction(dhgen_lane angle, dhgen_lane *c, dhgen_la
     dhgen_lane a = 1.0
         + u
             * (-1.0 / 2.0
-                + u * (1.0 / 24.0 + u * (-1.0 / 720.0 + u * (1.0 / 40320.0 - u / 3628800.0))));
-    dhgen_lane b =
-        y * (1.0 + u * (-1.0 / 6.0 + u * (1.0 / 120.0 + u * (-1.0 / 5040.0 + u / 362880.0))));
+                + u
+                    * (1.0 / 24.0
+                        + u * (-1.0 / 720.0 + u * (1.0 / 40320.0 - u * (1.0 / 3628800.0)))));
+    dhgen_lane b = y
+        * (1.0 + u * (-1.0 / 6.0 + u * (1.0 / 120.0 + u * (-1.0 / 5040.0 + u * (1.0 / 362880.0)))));
     const dhgen_lane f = 1.5 - 0.5 * (a * a + b * b);
     a *= f;
     b *= f;
@@ -230,6 +232,7 @@ DHGEN_FN void dhgen_correct_angles(
                   now = left < DHGEN_GENERAL_LANES ? left : DHGEN_GENERAL_LANES;
         double values[6][DHGEN_GENERAL_LANES], miss[DHGEN_GENERAL_LANES];
         dhgen_lane c[6], s[6];
+        DHGEN_UNROLL
         for (int i = 0; i < 6; i++) {
             dhgen_lane a, b;
             for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
@@ -240,6 +243,7 @@ DHGEN_FN void dhgen_correct_angles(
             s[i] = b * cosine[i] - a * sine[i];
         }
         DHGEN_STORE(miss, dhgen_correct_lanes(loop, &middle, c, s));
+        DHGEN_UNROLL
         for (int i = 0; i < 6; i++) {
             DHGEN_STORE(values[i],
                 dhgen_lane_angle(

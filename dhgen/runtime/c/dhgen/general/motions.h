@@ -43,7 +43,7 @@ DHGEN_INLINE void dhgen_move(
 }
 
 /* T becomes T K, the same K for every lane. */
-DHGEN_INLINE void dhgen_multiply(dhgen_rigid T, const double K[12])
+DHGEN_ALWAYS DHGEN_INLINE void dhgen_multiply(dhgen_rigid T, const double K[12])
 {
     for (int i = 0; i < 3; i++) {
         const dhgen_lane x = T[i][0], y = T[i][1], z = T[i][2];
