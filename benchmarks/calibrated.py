@@ -69,7 +69,7 @@ def main(arguments: list[str]) -> None:
         for name in chosen.arms:
             kind = read_kind(name)
             write_files(Path(folder), kind_files(kind))
-            solvers = [_solver(kind, flags, Path(folder)) for flags in ((), _plain(kind))]
+            solvers = [solver_of(kind, Path(folder), plain=plain) for plain in (False, True)]
             for error in ERRORS:
                 lines.append((name, f"{error:g}", *measure(kind, solvers, error, chosen.poses)))
                 print(*lines[-1], flush=True)
@@ -91,13 +91,12 @@ def measure(kind: Kind, solvers: list[Native], error: float, count: int) -> tupl
         error: The standard deviation of errors in its table [rad, arm sizes].
         count: How many poses.
     """
-    source, size = np.random.default_rng(1), kind.nominal.chain.size
-    nominal = np.array(kind.table.rows)
-    numbers = nominal + source.normal(0.0, error, nominal.shape) * [1.0, size, size, 1.0]
+    source = np.random.default_rng(1)
+    numbers = with_errors(kind, source, error)
     q = source.uniform(-np.pi, np.pi, (count, kind.module.chain.dof))
     T = poses_of(kind, numbers, q)
     for solver in solvers:
-        solver.library.choose(np.ascontiguousarray(numbers).ctypes.data_as(ctypes.c_void_p))
+        choose(solver, numbers)
     own, plain = solvers
     seconds, alone = own.each(T, PASSES), plain.each(T, PASSES)
     pairs = list(zip(own.solve(T), plain.solve(T), strict=True))
@@ -108,13 +107,23 @@ def measure(kind: Kind, solvers: list[Native], error: float, count: int) -> tupl
     return (*told[:4], f"{100.0 * left:.1f} %", told[4], str(differ))
 
 
-def _plain(kind: Kind) -> tuple[str, ...]:
-    return (f"-D{kind.module.name.upper()}_PLAIN",)
+def with_errors(kind: Kind, source: np.random.Generator, error: float) -> FloatArray:
+    """The table of the data sheet with normal errors in every number [rad, arm sizes]."""
+    nominal, size = np.array(kind.table.rows), kind.nominal.chain.size
+    errors = source.normal(0.0, error, nominal.shape) * [1.0, size, size, 1.0]
+    return np.asarray(nominal + errors)
 
 
-def _solver(kind: Kind, flags: tuple[str, ...], folder: Path) -> Native:
+def choose(solver: Native, numbers: FloatArray) -> None:
+    """Makes a table that of a solver's arm."""
+    solver.library.choose(np.ascontiguousarray(numbers).ctypes.data_as(ctypes.c_void_p))
+
+
+def solver_of(kind: Kind, folder: Path, *, plain: bool) -> Native:
+    """The C of a kind as it lies in a folder; `plain` is the general algorithm alone."""
     name, rows, dof = kind.module.name, kind.module.solver.rows, kind.module.chain.dof
     interface = Interface(SHIM.format(name=name, rows=rows, dof=dof), rows, dof)
+    flags = (f"-D{name.upper()}_PLAIN",) if plain else ()
     return compiled(folder / f"{name}.c", interface, (*NATIVE, *flags), folder)
 
 

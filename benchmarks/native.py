@@ -108,10 +108,14 @@ class Native:
 
     def solve(self, T: FloatArray) -> list[FloatArray]:
         """All rows of poses (N, 4, 4) that hold joint values."""
+        return [rows[~np.isnan(rows).any(axis=1)] for rows in self.rows(T)]
+
+    def rows(self, T: FloatArray) -> FloatArray:
+        """All rows of poses (N, 4, 4), NaN where there is no solution: (N, rows, dof)."""
         q = np.full((len(T), self.interface.rows, self.interface.dof), np.nan)
         poses = np.ascontiguousarray(T)
         self.library.bench_solve(ctypes.c_size_t(len(T)), _pointer(poses), _pointer(q))
-        return [rows[~np.isnan(rows).any(axis=1)] for rows in q]
+        return q
 
     def each(self, T: FloatArray, passes: int) -> FloatArray:
         """The least CPU time of every pose (N, 4, 4) alone [s], of so many passes over all (N,)."""
