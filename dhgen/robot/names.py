@@ -17,6 +17,8 @@ JOINT_NAME = r"[A-Za-z0-9_/][A-Za-z0-9_/:. +-]*"  # what URDF and MJCF files hol
 YAML_WORDS = frozenset({"null", "true", "false", "yes", "no", "on", "off", "y", "n"})
 RESERVED = ("q", "pi", "deg", "sqrt", "sin", "cos")
 
+# What stands beside every robot, and what its files include: dhgen_runtime/, dhgen_ik, DHGEN_OK.
+_OWN = re.compile(r"dhgen(_|$)", re.IGNORECASE)
 _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*", re.ASCII)
 # What the generator itself writes: c1 s23 q4 theta2 t06, and the field's matrices.
 _GENERATED = re.compile(r"[csq]\d+|theta\d*|t\d\d|[TUR]", re.ASCII)
@@ -30,6 +32,8 @@ _BIDIRECTIONAL = frozenset("\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e") |
 
 def why_no_robot_name(name: str) -> str | None:
     """Why a robot can't be called so, or None."""
+    if _OWN.match(name):
+        return "dhgen's own files, functions and macros have such names: dhgen, dhgen_..."
     if name.casefold() in FILES:
         return "it is the name of a library or a device, so generated files can't have it"
     return _why_no_identifier(name, MAX_ROBOT_NAME)
@@ -120,8 +124,7 @@ _FILES = """
 aux cmath com0 com1 com2 com3 com4 com5 com6 com7 com8 com9 complex con ctype errno fenv float
 inttypes iso646 limits llvmlite locale lpt0 lpt1 lpt2 lpt3 lpt4 lpt5 lpt6 lpt7 lpt8 lpt9 math nul
 numba numpy prn setjmp signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib
-stdnoreturn string dhgen_cuda dhgen_kernels dhgen_native dhgen_pose tgmath threads time uchar
-wchar wctype
+stdnoreturn string tgmath threads time uchar wchar wctype
 """
 
 # Python's standard modules (3.11 to 3.14, small letters), which numpy, or the caller, would not

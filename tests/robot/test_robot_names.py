@@ -57,6 +57,10 @@ def test_names_of_robots(name: str) -> None:
         ("json", "it is the name of a library or a device"),
         ("cProfile", "it is the name of a library or a device"),
         ("CON", "it is the name of a library or a device"),
+        ("dhgen", "dhgen's own files, functions and macros have such names"),
+        ("Dhgen", "dhgen's own files"),  # DHGEN_OK
+        ("dhgen_runtime", "dhgen's own files"),  # the folder hides a module of that name
+        ("dhgen_joint", "dhgen's own files"),  # dhgen_joint_velocities
     ],
 )
 def test_names_that_no_robot_can_have(name: str, reason: str) -> None:
