@@ -253,6 +253,7 @@ def _notes(description: Description, chain: ArmChain) -> list[str]:
         for joint in description.joints_to(chain.base)
         if joint.motion in {Motion.FLOATING, Motion.PLANAR}
     ]
+    notes += _closure_notes(description, chain)
     moving = [joint for joint in sides if _count(children, joint)]
     for joint in moving[:6]:
         moved = _count(children, joint)
@@ -269,6 +270,18 @@ def _notes(description: Description, chain: ArmChain) -> list[str]:
     if still:
         shown = ", ".join(still[:6]) + (", ..." if len(still) > 6 else "")
         notes.append(f"frames beside the arm: {shown} (dhgen import --tip takes one)")
+    return notes
+
+
+def _closure_notes(description: Description, chain: ArmChain) -> list[str]:
+    """What is said of closed chains that joints of the arm are in: poses are those without them."""
+    notes = []
+    for first, second in description.closures:
+        ways = (set(description.joints_to(link)) for link in (first, second))
+        around = set.symmetric_difference(*ways)
+        if caught := [joint.name for joint in chain.actuated if joint in around]:
+            held = f"what holds {first} and {second} together"
+            notes.append(f"left out: {held}, a closed chain with {', '.join(caught)} in it")
     return notes
 
 

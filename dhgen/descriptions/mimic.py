@@ -55,6 +55,8 @@ def demand_followed(
 def _why_not(joint: Joint, axes: Sequence[Axis], places: dict[str, int]) -> str:
     """Why a joint can't follow another one; empty where it can."""
     assert joint.mimics is not None
+    if not joint.mimics.is_linear:
+        return "by higher powers, which makes equations transcendental"
     other, factor = places.get(joint.mimics.joint), abs(joint.mimics.multiplier)
     own = places.get(joint.name)
     if own is not None:  # joints on one line are one row

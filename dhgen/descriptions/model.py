@@ -43,11 +43,13 @@ class Mimic:
         joint: The name of the other one.
         multiplier: What its value is multiplied by.
         offset: What is added [rad or length].
+        is_linear: Whether that is all: an MJCF may have higher powers besides.
     """
 
     joint: str
     multiplier: float = 1.0
     offset: float = 0.0
+    is_linear: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,6 +96,7 @@ class Description:
         root: The link that no joint moves.
         joints: By the link that they move.
         source: The text, for remarks.
+        closures: Pairs of links that something holds together beside the joints between them.
     """
 
     name: str
@@ -101,6 +104,7 @@ class Description:
     root: str
     joints: Mapping[str, Joint]
     source: SourceText
+    closures: tuple[tuple[str, str], ...] = ()
 
     def joints_to(self, link: str) -> tuple[Joint, ...]:
         """The joints from the root to a link, in this order."""
