@@ -24,6 +24,7 @@ from . import (
     tiles,
     velocities,
 )
+from .arguments import of_each
 from .entry import Choice
 from .jit import COMPILED, overload
 from .places import CLAMPS, COUPLING, FOLLOWS_SEED, KEEPS_LIMITS, MERGES, PER_LENGTH, RETRIES
@@ -145,6 +146,7 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
             robot["Unreachable"],
         ),
         "shapes": f"T, q and status must have shapes (4, 4), ({rows}, {dof}), ({rows},)",
+        "of_each": of_each,  # for the C, which stands in the places of functions
         "given_must": f"q_free must have shape ({given},)",
         "__name__": robot["__name__"],
         **(solver.formulas.names(given) if solver.formulas else {}),

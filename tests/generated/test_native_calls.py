@@ -77,6 +77,35 @@ def test_arrays_of_any_kind_get_the_answers_of_plain_ones(name: str) -> None:
         np.testing.assert_array_equal(kinds, status)
 
 
+@pytest.mark.parametrize("end", ["fk", "jacobian"])
+@pytest.mark.parametrize("kind", [np.asarray, np.asfortranarray, np.ndarray.tolist])
+def test_stacks_of_joint_values_give_stacks(
+    end: str, kind: Callable[[Any], Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As the module's own functions have it, whether Python takes the C as its own or not."""
+    robot = native("scara")
+    q = np.random.default_rng(3).uniform(-1.0, 1.0, (2, 3, robot.DOF))
+    function = getattr(robot, end)
+    one_by_one = np.array([[function(values) for values in row] for row in q])
+    np.testing.assert_array_equal(function(kind(q)), one_by_one)
+    empty = function(np.zeros((0, robot.DOF)))
+    assert empty.shape == (0, *one_by_one.shape[2:])
+    solver = vars(robot)["_solver"]
+    monkeypatch.setattr(solver, f"_{end}_into", getattr(solver, f"any_{end}"))
+    np.testing.assert_array_equal(function(kind(q)), one_by_one)
+
+
+@pytest.mark.parametrize("wrong", [0.1, [0.1] * 3, np.zeros((2, 5)), np.zeros((4, 2)), "four"])
+def test_joint_values_of_another_shape_get_the_words_of_the_module(wrong: object) -> None:
+    told = []
+    for robot in (module("scara"), native("scara")):
+        for function in (robot.fk, robot.jacobian):
+            with pytest.raises(ValueError, match="q must") as caught:
+                function(wrong)
+            told.append(str(caught.value))
+    assert len(set(told)) == 1
+
+
 def test_mistakes_are_told_and_nothing_is_written() -> None:
     _, T = poses("scara", 1)
     robot, (rows, status) = native("scara"), filled("scara")

@@ -132,7 +132,7 @@ static PyObject *by_python(PyObject *owner, const char *method, PyObject *const 
     return result;
 }
 
-/* A robot's function from joint values to numbers. */
+/* A robot's function from joint values to numbers, which it fills and returns. */
 static PyObject *of_joints(PyObject *owner, const char *method,
     void (*function)(const double *, double *), const Wanted *made, PyObject *const *arguments,
     Py_ssize_t count, PyObject *names)
@@ -143,7 +143,10 @@ static PyObject *of_joints(PyObject *owner, const char *method,
     if (holds == 2)
         function((const double *)views[0].buf, (double *)views[1].buf);
     release(views, holds);
-    return holds == 2 ? PyLong_FromLong(0) : by_python(owner, method, arguments, count, names);
+    if (holds != 2)
+        return by_python(owner, method, arguments, count, names);
+    Py_IncRef(arguments[1]);
+    return arguments[1];
 }
 
 PyObject *dhgen_native_fk(
@@ -153,14 +156,14 @@ PyObject *dhgen_native_jacobian(
 PyObject *dhgen_native_ik_into(
     PyObject *owner, PyObject *const *arguments, Py_ssize_t count, PyObject *names);
 
-/* fk(q, T), which fills T. */
+/* fk(q, T), which fills and returns T. */
 PyObject *dhgen_native_fk(
     PyObject *owner, PyObject *const *arguments, Py_ssize_t count, PyObject *names)
 {
     return of_joints(owner, "any_fk", DHGEN_CALL(_fk), &NEW_POSE, arguments, count, names);
 }
 
-/* jacobian(q, J), which fills J. */
+/* jacobian(q, J), which fills and returns J. */
 PyObject *dhgen_native_jacobian(
     PyObject *owner, PyObject *const *arguments, Py_ssize_t count, PyObject *names)
 {

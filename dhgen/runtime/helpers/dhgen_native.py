@@ -225,16 +225,15 @@ class _Solver:
         }
 
     def fk(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
-        """The pose (4, 4) of joint values (n,)."""
-        T = np.empty((4, 4))
-        self._fk_into(q, T)
-        return T
+        """The pose (4, 4) of joint values (n,), or of each in a stack of them."""
+        return self._fk_into(q, np.empty((4, 4)))
 
     def jacobian(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
-        """The geometric Jacobian (6, n): velocity of the tool's origin, then angular velocity."""
-        J = np.empty((6, self._dof))
-        self._jacobian_into(q, J)
-        return J
+        """The geometric Jacobian (6, n): velocity of the tool's origin, then angular velocity.
+
+        Of a stack of joint values it is a stack.
+        """
+        return self._jacobian_into(q, np.empty((6, self._dof)))
 
     def joint_velocities(self, q: Any, twist: Any) -> NDArray[np.float64]:  # noqa: ANN401
         """The joint velocities (n,) of a twist (6,) at joint values (n,)."""
@@ -249,13 +248,26 @@ class _Solver:
         angle = self._function("arm_angle", 1, ctypes.c_double)
         return float(angle(self._joints(q).ctypes.data))
 
-    def any_fk(self, q: Any, T: NDArray[np.float64]) -> None:  # noqa: ANN401
-        """The pose of joint values of any type."""
-        self._fk(self._joints(q).ctypes.data, T.ctypes.data)
+    def any_fk(self, q: Any, T: NDArray[np.float64]) -> NDArray[np.float64]:  # noqa: ANN401
+        """The pose of joint values of any type, or the poses of a stack."""
+        return self._of_each(self._fk, q, T.shape)
 
-    def any_jacobian(self, q: Any, J: NDArray[np.float64]) -> None:  # noqa: ANN401
-        """The Jacobian of joint values of any type."""
-        self._jacobian(self._joints(q).ctypes.data, J.ctypes.data)
+    def any_jacobian(self, q: Any, J: NDArray[np.float64]) -> NDArray[np.float64]:  # noqa: ANN401
+        """The Jacobian of joint values of any type, or those of a stack."""
+        return self._of_each(self._jacobian, q, J.shape)
+
+    def _of_each(
+        self,
+        function: Callable[..., Any],
+        q: Any,  # noqa: ANN401
+        shape: tuple[int, ...],
+    ) -> NDArray[np.float64]:
+        def made(values: NDArray[np.float64]) -> NDArray[np.float64]:
+            result = np.empty(shape)
+            function(values.ctypes.data, result.ctypes.data)
+            return result
+
+        return np.asarray(self._called["of_each"](made, q, self._dof))
 
     def any_into(self, *arguments: Any, **named: Any) -> int:  # noqa: ANN401
         """All solutions into arrays of any type, or what is wrong with them."""
