@@ -514,11 +514,11 @@ def _room(folder: Path) -> tempfile.TemporaryDirectory[str]:
 
 
 def cache_folder() -> Path:
-    """Where kernels are kept; it need not be there yet."""
+    """Where kernels are kept, wherever the process goes; it need not be there yet."""
     if chosen := os.environ.get("DHGEN_CACHE_DIR"):
-        return Path(chosen)
+        return Path(chosen).absolute()
     user = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
     try:
-        return (Path(user) if user else Path.home() / ".cache") / "dhgen"
+        return (Path(user).absolute() if user else Path.home() / ".cache") / "dhgen"
     except RuntimeError:
         raise RuntimeError(f"the user has no home folder: {WRITABLE}") from None

@@ -196,6 +196,31 @@ def test_a_clean_process_needs_numpy_and_numba_only() -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
+WITHOUT_DOCSTRINGS = """
+import scara, franka_panda, ur5e_fleet
+
+print(scara.ik_all.__doc__)
+q, free = [0.3] * 7, [0.3] * len(franka_panda.FREE_JOINTS)
+rows = enumerate(ur5e_fleet.NOMINAL)
+fleet = ur5e_fleet.calibrated([[cell + 1e-4 * k for cell in row] for k, row in rows])
+for robot, dof, given in ((scara, 4, []), (franka_panda, 7, [free]), (fleet, 6, [])):
+    rows, _ = robot.ik_all(robot.fk(q[:dof]), *given)
+    print(min(abs(row - q[:dof]).max() for row in rows if row[0] == row[0]) < 1e-9)
+"""
+
+
+def test_python_without_docstrings_has_the_solvers_all_the_same() -> None:
+    done = subprocess.run(
+        [sys.executable, "-OO", "-c", WITHOUT_DOCSTRINGS],
+        cwd=GENERATED,
+        env=os.environ | {"NUMBA_DISABLE_JIT": "1"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.stdout.split(), done.stderr) == (["None", "True", "True", "True"], "")
+
+
 @pytest.mark.parametrize("name", first_of(["scara", "ur5", "scorbot_pointing"]))
 def test_every_way_to_call_gives_the_same(name: str) -> None:
     """Batches, tables and arrays of the caller; singular, spoiled, rounded and far poses too."""

@@ -34,6 +34,16 @@ def test_the_first_that_is_chosen_counts(
 
 
 @HELPERS
+@pytest.mark.parametrize("name", VARIABLES)
+def test_a_process_that_goes_elsewhere_keeps_its_folder(
+    helper: ModuleType, name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv(name, "kept")
+    monkeypatch.chdir(tmp_path)
+    assert tmp_path in helper.cache_folder().parents
+
+
+@HELPERS
 def test_a_user_without_a_home(helper: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
     def homeless() -> Path:
         raise RuntimeError("Could not determine home directory.")

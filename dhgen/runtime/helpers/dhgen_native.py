@@ -188,7 +188,7 @@ class _Solver:
             )
             *names, seed = self._takes.parameters
             shown = f"ik_into({', '.join(names)}, {seed}=None)"
-            text = f"{shown}\n--\n\n{robot.ik_into.__doc__}"
+            text = f"{shown}\n--\n\n{robot.ik_into.__doc__ or ''}"
             self.ik_into = _extension(self, library, "ik_into", text)
             _show_numba(self.ik_into, robot, library)
 
@@ -508,12 +508,12 @@ def _room(folder: Path) -> tempfile.TemporaryDirectory[str]:
 
 
 def cache_folder() -> Path:
-    """Where libraries are kept; it need not be there yet."""
+    """Where libraries are kept, wherever the process goes; it need not be there yet."""
     if chosen := os.environ.get("DHGEN_CACHE_DIR"):
-        return Path(chosen)
+        return Path(chosen).absolute()
     user = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
     try:
-        return (Path(user) if user else Path.home() / ".cache") / "dhgen"
+        return (Path(user).absolute() if user else Path.home() / ".cache") / "dhgen"
     except RuntimeError:
         raise RuntimeError(f"the user has no home folder: {WRITABLE}") from None
 

@@ -186,7 +186,8 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
     for name in ("look_at", "many", *PUBLIC):
         add(name)
     for name in PUBLIC:
-        names[name].__doc__ = texts[name].__doc__.format(**facts)
+        text = texts[name].__doc__
+        names[name].__doc__ = text and text.format(**facts)  # `python -OO` leaves out all
     overload(names["ik_into"], strict=False)(lambda *_, **__: names["compiled_into"])
     overload(names["joint_velocities"], strict=False)(lambda *_: names["compiled_velocities"])
     return names
