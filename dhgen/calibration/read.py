@@ -13,12 +13,13 @@ from typing import TYPE_CHECKING
 
 from ruamel.yaml.nodes import MappingNode, ScalarNode, SequenceNode
 
-from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.errors import RobotFileError
 from dhgen.robot.arithmetic import nearest, parse
 from dhgen.robot.expression import DEGREE, evaluate, parts
+from dhgen.robot.load import read_text, source_of
 from dhgen.robot.nodes import span_of
-from dhgen.robot.reader import MAX_BYTES, read_document
-from dhgen.robot.source import SourceText, quoted
+from dhgen.robot.reader import read_document
+from dhgen.robot.source import quoted
 from dhgen.robot.tokens import CellError
 
 if TYPE_CHECKING:
@@ -62,18 +63,7 @@ def read_calibration(path: Path) -> Calibration:
     Raises:
         RobotFileError: It can't be read, or is none: all mistakes at once.
     """
-    try:
-        with path.open("rb") as file:
-            text = file.read(MAX_BYTES + 1).decode("utf-8")
-    except OSError as error:
-        raise _refusal(path, f"the file can't be read: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise _refusal(path, "the file is not UTF-8: save it as UTF-8") from None
-    return _Reader(read_document(SourceText.of(text, str(path)))).run()
-
-
-def _refusal(path: Path, message: str) -> RobotFileError:
-    return RobotFileError((Diagnostic(str(path), 0, 0, message),))
+    return _Reader(read_document(source_of(read_text(path), str(path)))).run()
 
 
 class _Reader:

@@ -80,6 +80,16 @@ def test_an_arm_without_errors_stays_a_table() -> None:
         np.testing.assert_allclose(forward(robot, q), forward(nominal, q), rtol=0.0, atol=1e-9)
 
 
+@pytest.mark.parametrize(("mark", "end"), [("\ufeff", "\n"), ("", "\r\n"), ("\ufeff", "\r\n")])
+def test_files_as_editors_write_them(mark: str, end: str) -> None:
+    """With the mark that some begin with, and other ends of lines."""
+    assert calibrated("puma560", DELTAS, "--out", "plain.yaml") == 0
+    Path("marked.yaml").write_bytes((mark + DELTAS.replace("\n", end)).encode())
+    assert calibrated("puma560", Path("marked.yaml"), "--out", "read.yaml") == 0
+    plain, read = (Path(name).read_text("utf-8") for name in ("plain.yaml", "read.yaml"))
+    assert read == plain.replace("measured.yaml", "marked.yaml")
+
+
 def test_links_may_stand_in_any_order() -> None:
     """As programs write them: by the alphabet."""
     rows = YAML(typ="safe").load(NOMINAL)["kinematics"]
@@ -169,6 +179,8 @@ def test_what_is_written_over_is_told_and_what_is_read_stays(
         ("ur5e", NOMINAL.replace("wrist_2", "hash"), "wrist_2 missing"),
         ("ur5e", f"{NOMINAL}{DELTAS}", "a calibration holds kinematics or deltas, not both"),
         ("ur5e", "", "measured.yaml: the file is empty"),
+        ("ur5e", f"{NOMINAL}#{' ' * 131072}", "at most 128 KiB"),
+        ("ur5e", Path(), "this is a folder; name the files in it"),
         ("ur5e", Path("none.yaml"), "none.yaml: the file can't be read: No such file"),
     ],
 )
