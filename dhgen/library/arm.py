@@ -177,9 +177,10 @@ class Arm:
 
     def _build(self, folder: Path, tell: Callable[[str], None]) -> None:
         from dhgen.compiler import verified  # noqa: PLC0415
-        from dhgen.library.kept import keep  # noqa: PLC0415
+        from dhgen.library.kept import keep, room_for  # noqa: PLC0415
         from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
+        room_for(folder).cleanup()  # nobody waits a minute to hear that nothing can be kept
         tell(f"building the solver of {self.name}, once; deriving")
         compilation = self._compilation
         try:

@@ -64,18 +64,26 @@ def keep(folder: Path, texts: Mapping[str, str]) -> None:
     Raises:
         OSError: The cache folder can't be written to.
     """
-    try:
-        folder.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        room = tempfile.TemporaryDirectory(prefix=".", dir=folder.parent)
-    except OSError as error:
-        told = f"solvers can't be kept there ({error.strerror}): {WRITABLE}"
-        raise OSError(error.errno, told, str(folder.parent)) from None
-    with room as place:
+    with room_for(folder) as place:
         made = Path(place) / "made"
         write_files(made, texts)
         digests = {name: _digest((made / name).read_bytes()) for name in sorted(texts)}
         (made / DIGESTS).write_text(json.dumps(digests, indent=1), encoding="utf-8")
         _take_place(made, folder, Path(place) / "damaged")
+
+
+def room_for(folder: Path) -> tempfile.TemporaryDirectory[str]:
+    """A folder for the files of a solver, beside the one that they are to be in.
+
+    Raises:
+        OSError: The cache folder can't be written to.
+    """
+    try:
+        folder.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        return tempfile.TemporaryDirectory(prefix=".", dir=folder.parent)
+    except OSError as error:
+        told = f"solvers can't be kept there ({error.strerror}): {WRITABLE}"
+        raise OSError(error.errno, told, str(folder.parent)) from None
 
 
 def _take_place(made: Path, folder: Path, aside: Path) -> None:

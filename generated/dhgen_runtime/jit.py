@@ -12,7 +12,6 @@ from __future__ import annotations
 import hashlib
 import sys
 import warnings
-from functools import cache
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -64,29 +63,34 @@ _OPTIONS = {"error_model": "numpy", "forceinline": False}
 _INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 
 
-@cache
-def _keeps(folder: str, path: str) -> bool:
-    """Whether numba can keep what it compiles of the files in a folder; warned of where not.
+_KEEPS: dict[Path, bool] = {}  # folders, and whether numba can keep what it compiles of their files
 
-    Args:
-        folder: The folder.
-        path: The first of its files that asks.
-    """
-    if not COMPILED or not Path(path).is_file():
+
+def _keeps(file: Path) -> bool:
+    """Whether numba can keep what it compiles of a file; warned of once for all around it."""
+    if not COMPILED or not file.is_file():
         return False
+    folder = file.parent
+    if folder not in _KEEPS:
+        is_new = all(_KEEPS.get(outer, True) for outer in folder.parents)
+        _KEEPS[folder] = _can_keep(str(file))
+        if is_new and not _KEEPS[folder]:
+            warnings.warn(
+                f"numba can't cache what it compiles of {file}, neither next to it nor in the "
+                "user's cache folder, and compiles it again in every process: set NUMBA_CACHE_DIR "
+                f"to a writable folder (the same holds for all files in {folder})",
+                stacklevel=5,
+            )
+    return _KEEPS[folder]
 
+
+def _can_keep(path: str) -> bool:
     def probe() -> None: ...
 
     probe.__code__ = probe.__code__.replace(co_filename=path)
     try:
         njit(cache=True)(probe)
     except RuntimeError:
-        warnings.warn(
-            f"numba can't cache what it compiles of {path}, neither next to it nor in the user's "
-            "cache folder, and compiles it again in every process: set NUMBA_CACHE_DIR to a "
-            f"writable folder (the same holds for all files in {folder})",
-            stacklevel=5,
-        )
         return False
     return True
 
@@ -115,7 +119,7 @@ class Compiling:
         # One that holds the whole runtime names the module that asks behind itself.
         file = path if path.is_file() else Path(str(path).rpartition("#")[0])
         self.digest = digest_of(file)
-        self._cache = _keeps(str(file.parent), str(file))
+        self._cache = _keeps(file)
         # A dot would be one between packages.
         self.key = f"{path.name.replace('.', ' ')} {self.digest}"
         # A second import of the text finds the functions of the first.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import os
 import re
+import shutil
 import subprocess
 import sys
 from typing import TYPE_CHECKING, Any
@@ -31,6 +32,7 @@ from tests.targets.made import MADE_UP
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from pathlib import Path
 
     from numpy.typing import NDArray
 
@@ -194,6 +196,30 @@ def test_a_clean_process_needs_numpy_and_numba_only() -> None:
         check=False,
     )
     assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_that_nothing_can_be_kept_is_told_once(tmp_path: Path) -> None:
+    """Of all files of the runtime, at the line that imports the arm."""
+    shutil.copy(GENERATED / "scara.py", tmp_path)
+    runtime = tmp_path / "dhgen_runtime"
+    hidden = shutil.ignore_patterns("__pycache__")
+    shutil.copytree(GENERATED / runtime.name, runtime, ignore=hidden)
+    for folder in (tmp_path, *(file.parent for file in runtime.rglob("__init__.py"))):
+        (folder / "__pycache__").touch()  # no folder can be made in its place
+    done = subprocess.run(
+        [sys.executable, "-c", "import scara"],
+        cwd=tmp_path,
+        env=dict.fromkeys(("HOME", "XDG_CACHE_HOME", "LOCALAPPDATA"), os.devnull),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    (warned,) = [line for line in done.stderr.splitlines() if "Warning" in line]
+    assert not done.returncode
+    assert warned.startswith("<string>:1: UserWarning: numba can't cache what it compiles of ")
+    assert warned.endswith(
+        f"set NUMBA_CACHE_DIR to a writable folder (the same holds for all files in {tmp_path})"
+    )
 
 
 WITHOUT_DOCSTRINGS = """

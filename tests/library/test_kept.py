@@ -111,6 +111,17 @@ def test_a_cache_that_can_not_be_written_to_is_told_what_to_set(tmp_path: Path) 
         keep(tmp_path / "file" / "solvers" / "arm-1", TEXTS)
 
 
+def test_that_is_told_before_anything_is_built(
+    arm: dhgen.Arm, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("DHGEN_CACHE_DIR", str(tmp_path / "file"))
+    told: list[str] = []
+    with pytest.raises(OSError, match=r"solvers can't be kept there .*: set DHGEN_CACHE_DIR"):
+        arm.build(progress=told.append)
+    assert not told
+
+
 BUILD = """\
 import numba, sys
 numba.config.DISABLE_JIT = True
