@@ -15,6 +15,7 @@ for a terminal, `derivation_summary` a dozen lines, `alternatives_text` the rout
 | types           | a printer for each equation type                                            |
 | conditions      | where a combination vanishes, in joint angles                               |
 | effects         | what that means for the arm, and what the program does there                |
+| sums_left       | of two angles about axes that are parallel there, the sum or the difference |
 | example         | a pose to work through, and its rows                                        |
 | values          | what a printed formula is worth in numbers                                  |
 | velocity        | det J in factors, the motion that each loses, and a wrist's blocks          |

@@ -63,10 +63,9 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
     whole = story.derivation.whole
     if whole is not None:
         if isinstance(whole, GeneralKernel):
-            unit = story.robot.length_unit
-            nearest = nearest_blocks(story.nominal, unit)
+            nearest = nearest_blocks(story.nominal, story.robot.length_unit)
             example = whole_example_section(story, whole)
-            inverse = general_section(whole, story.algebra.chain, unit, nearest, example)
+            inverse = general_section(story, whole, nearest, example)
             return [*forward_section(story), *inverse, *velocity_section(story, [])]
         inverse = numerical_section(whole, story.algebra.chain)
         return [*forward_in_short(story), *inverse, *velocity_section(story, [])]

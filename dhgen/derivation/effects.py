@@ -5,13 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.names import joint_symbol, single, theta
+from dhgen.derivation.sums_left import sum_left
 from dhgen.derivation.text.blocks import Given, joined, say
 from dhgen.derivation.text.formula import ONE, ZERO, equal, minus
-from dhgen.derivation.text.words import joined as listed
 from dhgen.derivation.text.words import many
-from dhgen.kinematics.algebra import AngleSum
-from dhgen.kinematics.chain import Turn, parallel_groups
-from dhgen.kinematics.product import product
 from dhgen.kinematics.ring import used_places
 from dhgen.kinematics.transform import identity
 from dhgen.paul.form import Length
@@ -20,17 +17,21 @@ from dhgen.program.ir import Failure, Guard
 
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import StepContext
+    from dhgen.derivation.sums_left import SumLeft
     from dhgen.derivation.text.blocks import Prose
-    from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
     from dhgen.program.ir import Program
 
 
-def meaning_of_free(context: StepContext, joints: Polynomial | None) -> Prose:
+def sum_of_free(context: StepContext, joints: Polynomial | None) -> SumLeft | None:
+    """What is still known where an angle of type 2 with Z = 0 is free, if that is a sum."""
+    return None if context.step.degenerate else sum_left(context.story.algebra, joints)
+
+
+def meaning_of_free(context: StepContext, left: SumLeft | None) -> Prose:
     """What the arm looks like where an angle of type 2 with Z = 0 is free."""
-    parallel = _parallel_around(context.story.algebra, joints)
-    if parallel is not None and not context.step.degenerate:
-        return _sum_that_is_left(context.story.algebra, *parallel)
+    if left is not None:
+        return left.prose
     works = nothing_said(context)
     if context.step.degenerate or is_left_to_the_pose(context):
         works = f"this equation holds for every {{}}, and {others_decide(context)}"
@@ -38,22 +39,6 @@ def meaning_of_free(context: StepContext, joints: Polynomial | None) -> Prose:
         text = "{} lies on axis 1, and " + works
         return say(text, point_name(context), theta(context.angle))
     return say(works, theta(context.angle))
-
-
-def _sum_that_is_left(algebra: Algebra, before: int, behind: int) -> Prose:
-    """What is still known of the angles about two axes that are parallel, and those beside them."""
-    runs = [
-        next(run for run in parallel_groups(algebra.chain) if joint in {each for each, _ in run})
-        for joint in (before, behind)
-    ]
-    axes = f"axes {listed([str(joint) for run in runs for joint, _ in run])} are parallel"
-    if all(len(run) == 1 for run in runs):
-        return say(f"{axes}, and only the sum or the difference of their angles is determined")
-    angles = [theta(AngleSum(run)) for run in runs]
-    return say(
-        f"{axes}, and the orientation tells only the sum or the difference of {{}} and {{}}",
-        *angles,
-    )
 
 
 def meaning_of_root(context: StepContext) -> Prose:
@@ -110,28 +95,6 @@ def point_name(context: StepContext) -> Prose:
     if story.derivation.problem.tool_left and chain.tool != identity(chain.ring):
         return say("the origin of frame {}", Given(str(chain.dof)))
     return say("the tool's origin")
-
-
-def _parallel_around(algebra: Algebra, joints: Polynomial | None) -> tuple[int, int] | None:
-    """The joints before and after a joint that makes them parallel where its sine vanishes.
-
-    (Or its cosine: of the two, the one that `joints` is.)
-    """
-    if joints is None or len(joints) != 1:
-        return None
-    used = used_places(joints)
-    turning = [a for a in algebra.angles if used & {algebra.index[a.sine], algebra.index[a.cosine]}]
-    if len(turning) != 1 or len(turning[0].terms) != 1 or len(used) != 1:
-        return None
-    k = turning[0].terms[0][0]
-    elements = [e for link in algebra.chain.links for e in algebra.lifted(link)]
-    places = {e.joint: place for place, e in enumerate(elements) if isinstance(e, Turn)}
-    if not {k - 1, k, k + 1} <= set(places):
-        return None
-    lean = product(elements[places[k - 1] + 1 : places[k + 1]], algebra).rotation[2][2]
-    cosine, sine = (algebra.generator(name) for name in (single(k).cosine, single(k).sine))
-    straight = cosine if used == {algebra.index[single(k).sine]} else sine
-    return (k - 1, k + 1) if lean in (straight, -straight) else None
 
 
 OTHERS_DECIDE = "the others decide which values work: all, a few, of which the row has one, or none"

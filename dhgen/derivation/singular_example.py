@@ -58,9 +58,13 @@ class SingularExample:
 def find_singular(
     story: Story, example: Example, places: Sequence[Singularity]
 ) -> SingularExample | None:
-    """The first such pose with round joint values, places with a free joint first; else None."""
+    """The first such pose with round joint values; None if no place has one.
+
+    Places with a free joint come first, and of them a wrist's: there two angles are left with one
+    equation.
+    """
     arm = numeric_arm(story.algebra.chain)
-    for place in sorted(places, key=lambda each: not each.frees):
+    for place in sorted(places, key=lambda each: (each.left is None, not each.frees)):
         if not isinstance(place.joints, Relation):
             continue
         for joint, q in _moved(story, example, place.joints):

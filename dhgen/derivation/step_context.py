@@ -16,6 +16,7 @@ from dhgen.kinematics.ring import terms_in_numbers
 if TYPE_CHECKING:
     from dhgen.derivation.quotes import Quote
     from dhgen.derivation.story import Remembered, Story
+    from dhgen.derivation.sums_left import SumLeft
     from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.derivation.text.formula import Formula, Relation, Symbol
     from dhgen.kinematics.constants import Polynomial
@@ -35,6 +36,7 @@ class Singularity:
         meaning: What the arm looks like there.
         effect: What happens.
         frees: Whether a joint takes the seed's value.
+        left: What is still known of two angles, where it is their sum or difference.
     """
 
     step: int
@@ -43,6 +45,7 @@ class Singularity:
     meaning: Prose
     effect: Prose
     frees: bool = False
+    left: SumLeft | None = None
 
 
 @dataclass(frozen=True, slots=True)

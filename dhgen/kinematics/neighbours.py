@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 
 EXACT = 1e-9  # [rad, or arm sizes] rounding
+_NO_POINT = (float("inf"),) * 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,15 +30,19 @@ class Triple:
     Attributes:
         joints: Their numbers.
         tilt: The larger angle between neighbours, 0 when all are parallel [rad].
-        miss: The largest of the distances between neighbours and between the two feet on the
-            middle axis, 0 when all meet in one point [length]; infinite for parallel neighbours,
-            and where a slide is between them, which takes such a point apart unless it is along
-            the one axis beyond it.
+        gaps: The distances of the middle axis to the one before and the one behind, and between
+            the two feet on it [length]; infinite for parallel neighbours, and where a slide is
+            between them, which takes such a point apart unless it is along the one axis beyond it.
     """
 
     joints: tuple[int, int, int]
     tilt: float
-    miss: float
+    gaps: tuple[float, float, float]
+
+    @property
+    def miss(self) -> float:
+        """The largest gap, 0 when all meet in one point [length]."""
+        return max(self.gaps)
 
 
 def short_number(value: float, digits: int) -> str:
@@ -68,7 +73,7 @@ def _triple(axes: dict[int, tuple[FloatArray, FloatArray]], joints: tuple[int, i
     return Triple(
         joints,
         max(_tilt(middle, before), _tilt(middle, after)),
-        float("inf") if slides else _miss(before, middle, after),
+        _NO_POINT if slides else _gaps(before, middle, after),
     )
 
 
@@ -87,15 +92,15 @@ def _tilt(one: tuple[FloatArray, FloatArray], other: tuple[FloatArray, FloatArra
     return float(np.arctan2(sine, abs(one[1] @ other[1])))
 
 
-def _miss(
+def _gaps(
     before: tuple[FloatArray, FloatArray],
     middle: tuple[FloatArray, FloatArray],
     after: tuple[FloatArray, FloatArray],
-) -> float:
+) -> tuple[float, float, float]:
     if min(_tilt(middle, before), _tilt(middle, after)) < EXACT:
-        return float("inf")
+        return _NO_POINT
     (near, foot), (far, other_foot) = _common_normal(middle, before), _common_normal(middle, after)
-    return max(near, far, abs(foot - other_foot))
+    return near, far, abs(foot - other_foot)
 
 
 def _common_normal(

@@ -113,7 +113,7 @@ def test_a_forward_model_is_no_longer_than_a_few_pages(name: str) -> None:
 
 
 def test_rows_are_said_to_keep_their_place_only_where_they_do() -> None:
-    keeps = "each always in the same row"
+    keeps = "each always in the same one"
     assert keeps in document("scara")
     assert keeps not in document("concurrent_345")
     assert keeps not in document("xarm6")

@@ -17,7 +17,7 @@ from tests.derivation.test_wording import text_of
 
 def legend(name: str) -> str:
     """What is said of the words of branches."""
-    return "".join(re.findall(r"^In these names .*$", text_of(name), re.MULTILINE))
+    return "".join(re.findall(r"^In the names of rows .*$", text_of(name), re.MULTILINE))
 
 
 @pytest.mark.parametrize("name", EACH)

@@ -16,11 +16,9 @@ from tests.derivation.test_wording import text_of
 @pytest.mark.parametrize("name", ["xarm6", "abb_gofa_5", "fanuc_crx10ia", "yaskawa_hc10"])
 def test_the_polynomial_vanishes_at_the_sixth_angle(name: str) -> None:
     text = text_of(name)
-    said = re.search(r"\$a\$ is ([\d.]+) m, \$r\$ is ([\d.]+) m and \$\\psi = ([-\d.]+)\^", text)
-    assert said
-    upper, lower, degrees = map(float, said.groups())
-    C, S = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     arm = numeric_arm(story(name).algebra.chain)
+    upper, lower, psi = triangle(name, text)
+    C, S = math.cos(psi), math.sin(psi)
     draw = np.random.default_rng(6)
     for q in draw.uniform(-3.0, 3.0, (20, 6)):
         e, points = arm.axes(q)
@@ -31,9 +29,37 @@ def test_the_polynomial_vanishes_at_the_sixth_angle(name: str) -> None:
         U = c**2 * rho2 * (Q**2 * C**2 + D * S**2) - m**2 * (Q**2 * S**2 + D * C**2)
         V = Q * 2 * S * C * (c**2 * rho2 + m**2)
         size = (c**2 * rho2 + m**2) * (Q**2 + abs(D))
-        assert abs(U * U - V * V * D) < 1e-5 * size**2  # the lengths are told with six digits
+        assert abs(U * U - V * V * D) < 1e-12 * size**2
         if "serves two of the four ways" in text:
-            assert abs(U) < 1e-5 * size
+            assert abs(U) < 1e-12 * size
+        B = points[2] + ((W + meeting_of_first(e, points) - points[2]) @ e[2]) * e[2]
+        BW = W + meeting_of_first(e, points) - B
+        turned = math.atan2(np.cross(BW, e[3]) @ e[2], BW @ e[3])
+        assert abs(math.remainder(turned - psi, 2.0 * math.pi)) < 1e-9
+
+
+def meeting_of_first(e: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """S of an arm, by its axes."""
+    return meeting(e[0], p[0], e[1], p[1])
+
+
+def triangle(name: str, text: str) -> tuple[float, float, float]:
+    """Both sides and the angle as they are printed, with the lengths of the arm."""
+    said = re.search(r"here \$a = (.*?)\$, \$r = (.*?)\$ and \$\\psi = (.*?)\$", text)
+    assert said
+    known = {letter(each.name): each.value for each in story(name).algebra.chain.constants}
+    values = []
+    for formula in said.groups():
+        python = re.sub(r"\\mathrm{(\w+)}", r"\1", formula)
+        python = re.sub(r"\\sqrt{(.*)}", r"sqrt(\1)", python).replace("^", "**")
+        values.append(eval(python, {"sqrt": math.sqrt, "atan2": math.atan2}, known))  # noqa: S307
+    upper, lower, psi = map(float, values)
+    return upper, lower, psi
+
+
+def letter(name: str) -> str:
+    """How a length is printed: a_3."""
+    return re.sub(r"(\d+)$", r"_\1", name)
 
 
 def meeting(e: np.ndarray, p: np.ndarray, f: np.ndarray, o: np.ndarray) -> np.ndarray:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 
+import numpy as np
 import pytest
 
 from dhgen.derivation.document import document_blocks
 from dhgen.derivation.sections.general import near_blocks
 from dhgen.derivation.text.markdown import markdown
+from dhgen.kinematics.numeric import numeric_arm
 from tests.derivation.made import made_of
 from tests.derivation.stories import EACH, WHOLE, story
 
@@ -47,8 +49,32 @@ def test_only_axes_that_miss_are_what_keeps_an_arm_from_a_closed_form() -> None:
     chain = story("welding_5r").algebra.chain
     assert near_blocks(chain, "m") == []
     (told,) = (markdown(block) for block in near_blocks(story("xarm6").algebra.chain, "m"))
-    assert "axes 4, 5 and 6 do not meet in one point" in told
-    assert told.endswith("is 0.076 m.")
+    assert "axes 4, 5 and 6 do not meet in one point: axes 4 and 5 meet" in told
+    assert told.endswith("axis 6 passes their point at 0.076 m.")
+
+
+@pytest.mark.parametrize("name", ["kinova_gen3_lite", "fanuc_crx10ia", "general_6r"])
+def test_how_axes_lie_that_miss_one_point_is_true(name: str) -> None:
+    """By the axes themselves: the distance of lines, and the feet of their common normals."""
+    chain = story(name).algebra.chain
+    directions, points = numeric_arm(chain).axes(np.zeros(chain.dof))
+    text = text_of(name).split("What keeps this arm from a closed form: ")[1].split("\n\n")[0]
+    told = re.findall(r"axes (\d), (\d) and (\d) do not[^:]*: ([^;]*?)(?:;|\.$)", text)
+    assert told
+    for *joints, how in told:
+        i, j, k = (int(each) - 1 for each in joints)
+        feet, gaps = [], []
+        for other in (i, k):
+            normal = np.cross(directions[j], directions[other])
+            gaps.append(abs((points[other] - points[j]) @ normal) / np.linalg.norm(normal))
+            matrix = np.stack([directions[j], -directions[other]], axis=1)
+            feet.append(np.linalg.lstsq(matrix, points[other] - points[j], rcond=None)[0][0])
+        value = float(re.findall(r"([\d.]+) m\b", how)[0])
+        if "the largest is" in how:
+            assert max(*gaps, abs(feet[1] - feet[0])) == pytest.approx(value, rel=1e-3)
+        else:
+            assert max(gaps) < 1e-12
+            assert abs(feet[1] - feet[0]) == pytest.approx(value, rel=1e-3)
 
 
 @pytest.mark.parametrize("name", [*EACH, *WHOLE])

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.program.interpret import interpret
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.poses import random_joints
+from tests.derivation.stories import story
 from tests.robots.cases import assert_close, c, joint_vectors, robot, s
 
 if TYPE_CHECKING:
@@ -65,3 +67,43 @@ def document_inverse(T: FloatArray, e1: int, e2: int, e5: int) -> list[float]:
     s6 = -A1 * s4 + A3 * c4
     angles = [np.arctan2(s4, c4), np.arctan2(s5, A6), np.arctan2(s6, c6)]
     return [np.arctan2(s1, c1), np.arctan2(s2, c2), q3, *angles]
+
+
+CONFIGURATIONS = {  # by (e1, e2): q1, q2, the sign of q3, q5, and e2 q4 + q6 of the whole turns
+    (1, 1): (-90, -90, 1, 0, 180),
+    (1, -1): (-90, 90, -1, 180, 180),
+    (-1, 1): (90, 90, 1, 0, 0),
+    (-1, -1): (90, -90, -1, 180, 0),
+}
+
+
+def test_the_table_of_configurations_takes_the_pose_of_the_figure() -> None:
+    """Four configurations of the reference figure, each with any q4."""
+    figure = np.radians([90.0, 90.0, 0.0, 0.0, 0.0, 0.0])
+    figure[2] = 0.4
+    T = forward(robot("rrprrr"), figure)
+    for (_, e2), (q1, q2, facing, q5, left) in CONFIGURATIONS.items():
+        for q4 in (0.0, 0.9):
+            q6 = np.radians(left) - e2 * q4
+            q = [np.radians(q1), np.radians(q2), facing * 0.4, q4, np.radians(q5), q6]
+            assert_close(forward(robot("rrprrr"), q), T)
+
+
+def test_the_program_gives_the_table_of_configurations() -> None:
+    """The rows with free joints of the pose of the figure, with the seed's q4."""
+    figure = np.array([np.pi / 2, np.pi / 2, 0.4, 0.0, 0.0, 0.0])
+    of = story("rrprrr")
+    T, seed = forward(robot("rrprrr"), figure)[None], np.array([[0.0, 0.0, 0.0, 0.3, 0.0, 0.0]])
+    found = interpret(of.program, T, seed, np.zeros((1, 0)))
+    rows = found.q[0][found.solved[0]]
+    assert found.free[0][found.solved[0]].all()
+    expected = set()
+    for (_, e2), (q1, q2, facing, q5, left) in CONFIGURATIONS.items():
+        q6 = np.degrees(np.arctan2(*(f(np.radians(left) - e2 * 0.3) for f in (np.sin, np.cos))))
+        expected.add((q1, q2, facing * 0.4, round(np.degrees(0.3)), abs(q5), round(q6)))
+    told = {
+        (round(np.degrees(q[0])), round(np.degrees(q[1])), round(q[2], 9), round(np.degrees(q[3])),
+         abs(round(np.degrees(q[4]))), round(np.degrees(q[5])))
+        for q in rows
+    }  # fmt: skip
+    assert told == expected

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhgen.derivation.cuspidal import joined_rows
+from dhgen.derivation.example import NEAR_HALF_TURN
 from dhgen.derivation.notation.names import joint_symbol, target, unknown_symbol
 from dhgen.derivation.sections.forward import POSE, moved_left
 from dhgen.derivation.sections.roots import quartic_blocks
@@ -28,7 +30,14 @@ from dhgen.derivation.text.blocks import (
 from dhgen.derivation.text.formula import Listing, Matrix, Relation, Symbol, equal
 from dhgen.derivation.text.lines import WIDTH, width
 from dhgen.derivation.text.words import many, numeral
-from dhgen.derivation.values import degrees, figures, letters_at, signs_of_row, value_of
+from dhgen.derivation.values import (
+    degrees,
+    figures,
+    letters_at,
+    letters_of_joints,
+    signs_of_row,
+    value_of,
+)
 from dhgen.paul.kind import Kind
 from dhgen.robot.task import TaskKind
 
@@ -255,23 +264,44 @@ def singular_blocks(story: Story, places: Sequence[Singularity]) -> list[Block]:
         paragraph(text, moved, found.place.joints, Given(str(found.place.step))),
         display(equal(POSE, _matrix(found.T, story))),
         paragraph(f"Solutions stand in {counted}."),
-        *all_rows(story, found),
+        *all_rows(story, found, _sums_left(story, found)),
     ]
 
 
-def all_rows(story: Story, example: Example | WholeExample | SingularExample) -> list[Block]:
-    """All rows, and the check by the forward model."""
+def _sums_left(story: Story, found: SingularExample) -> dict[int, Formula]:
+    """By row what is still known of two angles, in those in which one took the seed's value."""
+    left = found.place.left
+    if left is None:
+        return {}
+    told: dict[int, Formula] = {}
+    for row in np.flatnonzero(found.free).tolist():
+        letters = letters_of_joints(story, found.rows[row].tolist())
+        combination = left.combination(1 if value_of(left.between, letters) > 0.0 else -1)
+        value = value_of(combination, letters)
+        turned = math.remainder(value - NEAR_HALF_TURN, 2.0 * math.pi) + NEAR_HALF_TURN
+        told[row] = equal(combination, degrees(turned))
+    return told
+
+
+def all_rows(
+    story: Story,
+    example: Example | WholeExample | SingularExample,
+    sums: Mapping[int, Formula] | None = None,
+) -> list[Block]:
+    """All rows, and the check by the forward model; `sums` are what rows determine, by row."""
     solved = ~np.isnan(example.rows).any(axis=1)
     named = story.has_branch_words and bool(story.steps)
     joints = range(1, story.dof + 1)
     header = [say("row"), *([say("name")] * named), *(say("{}", joint_symbol(j)) for j in joints)]
     beyond = bool((solved & ~example.inside).any())
-    header += [say("limits")] * beyond
+    header += [say("limits")] * beyond + [say("determined")] * bool(sums)
     lines = []
-    for row in np.flatnonzero(solved):
+    for row in np.flatnonzero(solved).tolist():
         cells = [say(str(row)), *([say("{}", Given(story.branch_names[row]))] * named)]
         cells += [say("{}", value) for _, value in _joint_values(story, example.rows[row])]
         cells += [say("kept" if example.inside[row] else "exceeded")] * beyond
+        if sums:
+            cells.append(say("{}", sums[row]) if row in sums else say("—"))
         lines.append(tuple(cells))
     empty = f" {_EMPTY}" if not solved.all() else ""
     named_by = "" if story.robot.task.kind is TaskKind.POSE else "what the task names of "

@@ -10,7 +10,7 @@ from dhgen.derivation.sections.jacobian import jacobian_blocks, jacobian_columns
 from dhgen.derivation.sections.transforms import (
     fills_pages,
     matrix_of,
-    matrix_width,
+    side_by_side,
     transform_blocks,
 )
 from dhgen.derivation.text.blocks import Display, Folded, Heading, display, paragraph, say
@@ -21,7 +21,6 @@ from dhgen.derivation.text.formula import (
     equal,
     times,
 )
-from dhgen.derivation.text.lines import WIDTH
 from dhgen.kinematics.task import STEEPNESS
 from dhgen.kinematics.transform import compose, identity
 from dhgen.robot.task import Directions
@@ -74,14 +73,7 @@ def _links(story: Story) -> list[Block]:
         equal(link(i), matrix_of(link_matrix(algebra, i), story.write_forward))
         for i in range(1, story.dof + 1)
     ]
-    blocks: list[Block] = [paragraph("The transforms of the joints:")]
-    while matrices:
-        first = matrices.pop(0)
-        if matrices and matrix_width(first) + matrix_width(matrices[0]) <= WIDTH - 10:
-            blocks.append(display(Listing((first, matrices.pop(0)))))
-        else:
-            blocks.append(display(first))
-    return blocks
+    return [paragraph("The transforms of the joints:"), *side_by_side(matrices)]
 
 
 def _products(story: Story) -> list[Block]:

@@ -12,6 +12,10 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.geometry import size_in_words
 from dhgen.derivation.notation.names import letter
+from dhgen.derivation.sections.constant_transforms import (
+    constant_matrices,
+    triangle_of_the_offset_wrist,
+)
 from dhgen.derivation.text.blocks import paragraph, say
 from dhgen.derivation.text.formula import ZERO, Symbol, equal
 from dhgen.derivation.text.template import blocks_of
@@ -25,6 +29,7 @@ from dhgen.runtime.plain import plain
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
+    from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.general.formulation import Formulation
     from dhgen.general.kernel import GeneralKernel
@@ -35,21 +40,21 @@ if TYPE_CHECKING:
 
 
 def general_section(
-    kernel: GeneralKernel, chain: Chain, unit: str, nearest: list[Block], example: list[Block]
+    story: Story, kernel: GeneralKernel, nearest: list[Block], example: list[Block]
 ) -> list[Block]:
     """What replaces the steps of Paul's method.
 
     Args:
+        story: The arm.
         kernel: The algorithm's constants.
-        chain: The arm.
-        unit: Of lengths.
         nearest: What is said of the nearest arm with a structure, where its rows are tried first.
         example: A pose in numbers.
     """
+    chain, motions = story.algebra.chain, begin_with_motions(kernel, story.algebra.chain)
     loop = [joint_symbol(kernel, place) for place in range(6)]
     values = _elimination(kernel) if kernel.eliminations else _four_turns(kernel)
     if kernel.wrist is not None:
-        values |= _offset_wrist(kernel.wrist, kernel.loop.size, unit)
+        values |= _offset_wrist(story, kernel.wrist)
         values |= {f"axis_{place + 1}": str(kernel.numbers[place]) for place in range(5)}
     if kernel.checked:
         values |= _check(kernel)
@@ -67,11 +72,13 @@ def general_section(
         further=_further([loop[each.joints[0]] for each in kernel.formulations[1:]]),
         joints=_joints(kernel),
         others_given=_others_given(kernel),
-        near=near_blocks(chain, unit),
+        near=near_blocks(chain, story.robot.length_unit),
         nearest=nearest,
         example=example,
         closes=loop_that_closes(kernel),
-        begin_with_motions=begin_with_motions(kernel, chain),
+        begin_with_motions=motions,
+        matrices=[] if motions or not _has_six_own(kernel) else constant_matrices(story),
+        shared_roots=kernel.wrist is not None and not kernel.wrist.sine,
         or_length=say(" or {}", Symbol("r_i = 0", "rᵢ = 0")) if kernel.loop.slides else say(""),
         singular=equal(Symbol(r"\det J", "det J"), ZERO),
         size=size_in_words(chain),
@@ -148,14 +155,19 @@ def _four_turns(kernel: GeneralKernel) -> dict[str, object]:
     }
 
 
-def _offset_wrist(wrist: OffsetWrist, size: float, unit: str) -> dict[str, object]:
-    angle = short_number(math.degrees(math.atan2(wrist.sine, wrist.cosine)), 6)
+def _offset_wrist(story: Story, wrist: OffsetWrist) -> dict[str, object]:
+    upper, lower, angle = triangle_of_the_offset_wrist(story)
     return {
-        "upper": f"{short_number(wrist.upper * size, 6)} {unit}",
-        "lower": f"{short_number(wrist.lower * size, 6)} {unit}",
-        "angle": Symbol(rf"\psi = {angle}^\circ", f"ψ = {angle.replace('-', '−')}°"),
+        "upper": equal(Symbol("a", "a"), upper),
+        "lower": equal(Symbol("r", "r"), lower),
+        "angle": equal(Symbol(r"\psi", "ψ"), angle),
         "bent": bool(wrist.sine),
     }
+
+
+def _has_six_own(kernel: GeneralKernel) -> bool:
+    """Whether the loop is made of the arm's joints, all of them and no other."""
+    return not kernel.given and kernel.asked == len(kernel.numbers)
 
 
 def _check(kernel: GeneralKernel) -> dict[str, object]:
@@ -187,15 +199,24 @@ def near_blocks(chain: Chain, unit: str) -> list[Block]:
     apart = [t for t in triples if t.miss < NEARLY_CONCURRENT * chain.size]
     leaning = [t for t in triples if t not in apart and t.tilt < NEARLY_PARALLEL]
     said = [f"{_axes(t)} are not quite parallel but {_degrees(t)} apart" for t in leaning]
-    if apart:
-        axes = joined([_axes(t) for t in apart])
-        length = joined([f"{short_number(t.miss, 4)} {unit}" for t in apart])
-        said.append(
-            f"{axes} do not meet in one point. What they miss it by, between neighbours or, on the "
-            "middle axis, between the feet of its two common normals, is "
-            f"{length}{', in this order' * (len(apart) > 1)}"
-        )
+    said += [f"{_axes(t)} do not meet in one point: {_missed(t, chain, unit)}" for t in apart]
     return [paragraph(f"{MISSED}{'; '.join(said)}.")] if said else []
+
+
+def _missed(triple: Triple, chain: Chain, unit: str) -> str:
+    """How three axes lie that miss one point."""
+    before, middle, behind = triple.joints
+    near, far, between = (gap > EXACT * chain.size for gap in triple.gaps)
+    length = f"{short_number(triple.miss, 4)} {unit}"
+    if not (near or far):
+        return f"axes {before} and {behind} meet axis {middle} at points {length} apart"
+    if between or (near and far):
+        return (
+            "of the distances of neighbours, and of the feet of their common normals on axis "
+            f"{middle}, the largest is {length}"
+        )
+    met, passing = ((before, middle), behind) if far else ((middle, behind), before)
+    return f"axes {met[0]} and {met[1]} meet, and axis {passing} passes their point at {length}"
 
 
 def _axes(triple: Triple) -> str:

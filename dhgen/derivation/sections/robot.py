@@ -124,15 +124,12 @@ def _solutions(story: Story) -> str:
     count = counted(rows, "solution")
     if story.derivation.whole is not None:
         return f"At most {count}, in rows by ascending joint values."
-    if story.has_branch_words:
-        named = ", ".join(f"{place} {name}" for place, name in enumerate(story.branch_names))
-        if story.derivation.method is Method.QUARTIC:
-            return f"At most {count}, in rows by ascending angles of the roots: {named}."
-        return f"At most {count}, each always in the same row: {named}."
-    return (
-        f"At most {count}, each always in the same row, 0 to {rows - 1}; the tree below gives the "
-        "branch signs of every row."
-    )
+    returned = f"The inverse has at most {count}, returned in rows 0 to {rows - 1}"
+    if not story.has_branch_words:
+        return f"{returned}, each always in the same one; the tree below has the signs of each row."
+    if story.derivation.method is Method.QUARTIC:
+        return f"{returned} by ascending angles of the roots; the tree below has their names."
+    return f"{returned}, each always in the same one; the tree below has their names."
 
 
 _SEEN = {
@@ -154,7 +151,7 @@ def branch_legend(story: Story) -> list[Block]:
         return []
     choices = [_choice(story, place, axis) for place, axis in enumerate(story.program.axes)]
     seen = [text for axis in story.program.axes if (text := _seen(story, axis))]
-    legend = say(f"In these names {'; '.join('{}' for _ in choices)}.", *choices)
+    legend = say(f"In the names of rows {'; '.join('{}' for _ in choices)}.", *choices)
     if not seen:
         return [Paragraph(legend)]
     return [Paragraph(legend), Paragraph(say(f"What the names mean: {'; '.join(seen)}."))]

@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.text.blocks import Paragraph, display, say
-from dhgen.derivation.text.formula import ONE, ZERO, Element, Matrix, Relation, equal
+from dhgen.derivation.text.formula import ONE, ZERO, Element, Listing, Matrix, Relation, equal
 from dhgen.derivation.text.lines import WIDTH, laid_out, width
 from dhgen.derivation.text.style import PLAIN
 from dhgen.derivation.text.words import joined as listed
 from dhgen.derivation.text.words import many
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Sequence
 
     from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.derivation.text.formula import Formula
@@ -41,6 +41,18 @@ def matrix_width(formula: Formula) -> int:
         else:
             total += width(side) + 3
     return total
+
+
+def side_by_side(matrices: Sequence[Formula]) -> list[Block]:
+    """Matrices with their names, two in a line where a page is wide enough."""
+    left, blocks = list(matrices), []
+    while left:
+        first = left.pop(0)
+        if left and matrix_width(first) + matrix_width(left[0]) <= WIDTH - 10:
+            blocks.append(display(Listing((first, left.pop(0)))))
+        else:
+            blocks.append(display(first))
+    return [*blocks]
 
 
 def transform_blocks(
@@ -79,7 +91,11 @@ def _shared(transform: Transform, before: Transform) -> dict[int, tuple[int, int
 
 
 def _told(shared: dict[int, tuple[int, int]], name: Formula, earlier: Formula) -> Prose:
-    """Columns 2 and 4 of T_5^0 are minus column 3 and column 4 of T_4^0."""
+    """Columns 4 and 2 of T_5^0 are column 4 and minus column 3 of T_4^0.
+
+    Opposite ones come last, so that no minus seems to belong to what follows.
+    """
+    shared = dict(sorted(shared.items(), key=lambda each: (each[1][1] < 0, each[0])))
     new = many("Column", [str(n) for n in shared])
     verb = "are" if len(shared) > 1 else "is"
     if all(where == (n, 1) for n, where in shared.items()):

@@ -11,7 +11,13 @@ from dhgen.derivation.conditions import (
     other_combination,
     vanishing,
 )
-from dhgen.derivation.effects import free_effect, meaning_of_free, meaning_of_root, merged_effect
+from dhgen.derivation.effects import (
+    free_effect,
+    meaning_of_free,
+    meaning_of_root,
+    merged_effect,
+    sum_of_free,
+)
 from dhgen.derivation.known_functions import by_joints
 from dhgen.derivation.notation.names import cosine, sine, theta
 from dhgen.derivation.step_context import Singularity, StepText, type_letter
@@ -216,8 +222,10 @@ def free_without_right_side(context: StepContext, second: Fallback | None) -> Si
         condition = equal(*(v.operand if hasattr(v, "operand") else v for v in values), ZERO)
     joints = other_combination(context)
     stated = condition_in_joints(context, joints)
-    meaning = meaning_of_free(context, joints)
+    left = sum_of_free(context, joints)
+    meaning = meaning_of_free(context, left)
     if second is not None:
+        left = None
         condition, stated = equal(*ADDED.values(), ZERO), second.condition(joints)
         meaning = say("neither equation says anything about {}", theta(context.angle))
     return Singularity(
@@ -227,19 +235,22 @@ def free_without_right_side(context: StepContext, second: Fallback | None) -> Si
         meaning,
         free_effect(context),
         frees=True,
+        left=left,
     )
 
 
 def cancelled(context: StepContext, blocks: list[Block], remembered: Remembered) -> StepText:
     """Lengths that cancel: the root is zero only where X and Y are, and with them the equation."""
     joints = other_combination(context)
+    left = sum_of_free(context, joints)
     free = Singularity(
         context.number,
         equal(remembered.letter, ZERO),
         condition_in_joints(context, joints),
-        meaning_of_free(context, joints),
+        meaning_of_free(context, left),
         free_effect(context),
         frees=True,
+        left=left,
     )
     text = (
         "With the numbers of this arm {}, so there is always a solution, and {} only when {}. "

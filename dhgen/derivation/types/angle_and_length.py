@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.derivation.conditions import vanishing
 from dhgen.derivation.effects import free_effect, merged_effect, nothing_said
 from dhgen.derivation.notation.names import cosine, letter, sine, theta, unknown_symbol
 from dhgen.derivation.step_context import Singularity, StepText, type_letter
@@ -25,6 +26,7 @@ from dhgen.derivation.text.formula import (
 
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import StepContext
+    from dhgen.derivation.text.blocks import Prose
     from dhgen.derivation.text.formula import Formula
 
 
@@ -76,7 +78,7 @@ def print_angle_and_length(context: StepContext) -> StepText:
     met = Singularity(
         context.number,
         equal(D, ZERO),
-        equal(add(times(W1, s), times(W2, c)), ZERO),
+        _at_right_angles(context),
         say("the link stands at a right angle to the slide"),
         merged_effect(context),
     )
@@ -106,6 +108,14 @@ def print_angle_and_length(context: StepContext) -> StepText:
         ),
     )
     return StepText(blocks, (met,))
+
+
+def _at_right_angles(context: StepContext) -> Formula | Prose | None:
+    """W_1 s + W_2 c = 0 by joints."""
+    algebra = context.story.algebra
+    s, c = (algebra.generator(name) for name in (context.angle.sine, context.angle.cosine))
+    x1, z1, x2, z2 = (context.polynomial(name) for name in ("X1", "Z1", "X2", "Z2"))
+    return vanishing(context, algebra.normal(z1 * x2 * s + z2 * x1 * c))
 
 
 def _quotients(context: StepContext) -> list[Formula]:

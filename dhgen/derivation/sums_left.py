@@ -1,0 +1,95 @@
+"""What is still known of the angles about two axes that are parallel at a singular place.
+
+Turning about one of them can be undone about the other: the orientation gives the sum of their
+angles where the axes have one direction, and the difference where they are opposite (document 004).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.notation.names import cosine, sine, single, theta
+from dhgen.derivation.text.blocks import say
+from dhgen.derivation.text.formula import ONE, add, equal, minus, subtract
+from dhgen.derivation.text.words import joined as listed
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.chain import Turn, parallel_groups
+from dhgen.kinematics.product import product
+from dhgen.kinematics.ring import used_places
+
+if TYPE_CHECKING:
+    from dhgen.derivation.text.blocks import Prose
+    from dhgen.derivation.text.formula import Formula
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.kinematics.constants import Polynomial
+
+
+@dataclass(frozen=True, slots=True)
+class SumLeft:
+    """The combinations of two angles that are known where their axes are parallel.
+
+    Attributes:
+        axes: The numbers of all axes that are parallel then.
+        pair: The two angles; each may be a sum of those of its own parallel axes.
+        between: The cosine or sine of the joint between them, 1 or -1 there.
+        facing: 1 when the sum is known where `between` is 1, -1 when the difference is.
+    """
+
+    axes: tuple[int, ...]
+    pair: tuple[AngleSum, AngleSum]
+    between: Formula
+    facing: int
+
+    def combination(self, between: int) -> Formula:
+        """What is known where the joint between has 1 or -1."""
+        first, second = map(theta, self.pair)
+        return (add if between == self.facing else subtract)(first, second)
+
+    @property
+    def prose(self) -> Prose:
+        """The sentence on it."""
+        axes = f"axes {listed([str(joint) for joint in self.axes])} are parallel"
+        known = [self.combination(sign) for sign in (1, -1)]
+        where = [equal(self.between, one) for one in (ONE, minus(ONE))]
+        text = f"{axes}, and only {{}} ({{}}) or {{}} ({{}}) is determined"
+        if any(len(angle.terms) > 1 for angle in self.pair):
+            text = f"{axes}, and the orientation gives only {{}} ({{}}) or {{}} ({{}})"
+        return say(text, known[0], where[0], known[1], where[1])
+
+
+def sum_left(algebra: Algebra, joints: Polynomial | None) -> SumLeft | None:
+    """The angles about the axes before and behind a joint that makes these parallel.
+
+    Args:
+        algebra: The arm's ring.
+        joints: What vanishes there; the sine or the cosine of that joint, else there is no answer.
+    """
+    if joints is None or len(joints) != 1:
+        return None
+    used = used_places(joints)
+    turning = [a for a in algebra.angles if used & {algebra.index[a.sine], algebra.index[a.cosine]}]
+    if len(turning) != 1 or len(turning[0].terms) != 1 or len(used) != 1:
+        return None
+    k = turning[0].terms[0][0]
+    elements = [e for link in algebra.chain.links for e in algebra.lifted(link)]
+    turns = {e.joint: (place, e) for place, e in enumerate(elements) if isinstance(e, Turn)}
+    if not {k - 1, k, k + 1} <= set(turns):
+        return None
+    (start, before), (end, behind) = turns[k - 1], turns[k + 1]
+    lean = product(elements[start + 1 : end], algebra).rotation[2][2]
+    by_sine = used == {algebra.index[single(k).sine]}
+    straight = algebra.generator(single(k).cosine if by_sine else single(k).sine)
+    if lean not in (straight, -straight):
+        return None
+    runs = [
+        next(run for run in parallel_groups(algebra.chain) if joint in dict(run))
+        for joint in (k - 1, k + 1)
+    ]
+    facing = before.sign * behind.sign * dict(runs[0])[k - 1] * dict(runs[1])[k + 1]
+    return SumLeft(
+        tuple(joint for run in runs for joint, _ in run),
+        (AngleSum(runs[0]), AngleSum(runs[1])),
+        (cosine if by_sine else sine)(single(k)),
+        facing if lean == straight else -facing,
+    )

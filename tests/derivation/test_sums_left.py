@@ -1,0 +1,64 @@
+"""What singular places leave of two angles is their sum or difference, as the text says."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+from dhgen.derivation.values import letters_of_joints
+from dhgen.kinematics.numeric import numeric_arm
+from tests.derivation.stories import document, story
+
+COMBINATION = r"\$\\theta_(?:{([\d-]+)}|(\d)) ([+-]) \\theta_(?:{([\d-]+)}|(\d))\$"
+WHERE = r" \(\$([cs])_(\d) = (-?1)\$\)"
+TOLD = re.compile(f"{COMBINATION}{WHERE}")
+ARMS = ["rrprrr", "abb_irb120", "scara_wrist", "ur5", "techman_tm5_900", "wrist_cardan", "puma"]
+
+
+def terms(text: str) -> dict[int, int]:
+    """The joints of 12-4, with signs."""
+    return {int(each[-1]): -1 if each[0] == "-" else 1 for each in re.findall(r"-?\d", text)}
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_the_combination_that_is_told_keeps_the_orientation(name: str) -> None:
+    told = set(TOLD.findall(document(name)))
+    assert len(told) == 2
+    arm = numeric_arm(story(name).algebra.chain)
+    draw = np.random.default_rng(5)
+    for group, single, sign, group_2, single_2, function, joint, one in told:
+        before, behind = terms(group or single), terms(group_2 or single_2)
+        facing = {"+": 1, "-": -1}[sign]
+        middle = {"c": 0.0, "s": math.pi / 2}[function] + (math.pi if one == "-1" else 0.0)
+        q = draw.uniform(-3.0, 3.0, arm.chain.dof)
+        here = letters_of_joints(story(name), q.tolist())[f"θ{'₀₁₂₃₄₅₆'[int(joint)]}"]
+        facings = [each.sign for each in arm.chain.joints]
+        q[int(joint) - 1] += facings[int(joint) - 1] * (middle - here)
+        kept, changed = q.copy(), q.copy()
+        first, last = min(before), max(behind)
+        kept[first - 1] += 0.7 * before[first] * facings[first - 1]
+        changed[first - 1] = kept[first - 1]
+        turned = 0.7 * behind[last] * facings[last - 1]
+        kept[last - 1] -= facing * turned
+        changed[last - 1] += facing * turned
+        R, same, other = (arm.pose(each[None])[0][:3, :3] for each in (q, kept, changed))
+        assert np.allclose(R, same, atol=1e-12)
+        assert np.abs(R - other).max() > 0.1
+
+
+def test_the_table_of_the_singular_example_has_them_by_row() -> None:
+    """Document 004's table of configurations: four rows, with q4 + q6 or q4 - q6 of each."""
+    text = document("rrprrr").split("## Singular configurations")[1].split("## Velocity")[0]
+    rows = [line.split(" | ") for line in re.findall(r"^\| (\d .*) \|$", text, re.MULTILINE)]
+    rows = [row for row in rows if len(row) == 9]
+    assert [row[0] for row in rows] == ["0", "2", "4", "6"]
+    for row in rows:
+        q4, q5, q6 = (float(re.sub(r"[^-\d.]", "", cell)) for cell in row[5:8])
+        assert q5 in {0.0, 180.0}
+        sign, value = re.findall(r"4 ([+-]) .*= (-?[\d.]+)", row[8])[0]
+        assert sign == ("+" if q5 == 0.0 else "-")
+        total = q4 + q6 if sign == "+" else q4 - q6
+        assert math.isclose(math.remainder(total - float(value), 360.0), 0.0, abs_tol=1e-2)
