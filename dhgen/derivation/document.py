@@ -80,7 +80,7 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
         *example_section(story),
         *shown.postures,
         *choosing_section(story),
-        *singular_section(places),
+        *singular_section(story, places),
         *singular_blocks(story, places),
         *calibrated_section(story),
         *velocity_section(story, places),

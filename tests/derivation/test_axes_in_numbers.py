@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from functools import cache, reduce
 
 import numpy as np
@@ -57,6 +58,18 @@ def about(direction: list[float], point: list[float], angle: float) -> np.ndarra
     return T
 
 
+def of_the_puma(q: list[float]) -> dict[str, float]:
+    """The cosines and sines of its joints."""
+    functions = {"c": math.cos, "s": math.sin}
+    return {f"{n}_{j}": f(x) for j, x in enumerate(q, start=1) for n, f in functions.items()}
+
+
+def cell_of(cell: str, known: dict[str, float]) -> float:
+    """An entry of a printed matrix in numbers."""
+    python = re.sub(r"(?<=[\w)]) (?=[\w(])", " * ", cell.strip())
+    return float(eval(python, {}, known))  # noqa: S307  our own text
+
+
 def test_frames_come_out_of_the_motions_of_document_001() -> None:
     """The document's K_i, from the axes as the robot file has them."""
     L2, D3, D4 = 0.4318, 0.15005, 0.4318
@@ -74,5 +87,12 @@ def test_frames_come_out_of_the_motions_of_document_001() -> None:
     assert np.allclose(
         forward(of.robot, np.array(q)), reduce(np.matmul, K)
     )  # the tool begins there
-    told = next(line for line in document("puma").splitlines() if line.startswith("Let $K_i$"))
+    lines = document("puma").splitlines()
+    for i, matrix in enumerate(K):
+        printed = next(line for line in lines if f"K_{i + 1} = \\begin" in line)
+        printed = printed.split(f"K_{i + 1} = \\begin{{bmatrix}}")[1].split(r"\end")[0]
+        known = dict(of_the_puma(q), L_2=L2, D_3=D3, D_4=D4)
+        cells = [row.split("&") for row in printed.split(r"\\")]
+        assert np.allclose([[cell_of(cell, known) for cell in row] for row in cells], matrix)
+    told = next(line for line in lines if line.startswith("If $F_i$ is"))
     assert r"$A_i = F_{i-1}^{-1} K_i F_i$" in told

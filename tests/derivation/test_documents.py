@@ -140,8 +140,8 @@ def test_half_a_turn_is_a_root_that_the_half_angle_s_tangent_misses() -> None:
 def test_two_roots_that_meet_are_a_singular_configuration() -> None:
     row = "| 1 | two roots of the equation meet | {} | two solutions become one; they count once"
     assert row.format(r"$\det J = 0$") in document("parallel_123")
-    rows = "the determinant of the first three rows of $J$ is zero"
-    assert row.format(rows) in document("cuspidal_3r")
+    factor = "$c_2 (a_2 s_3 - d_2 c_3) + a_1 s_3 = 0$"
+    assert row.format(factor) in document("cuspidal_3r")
 
 
 def test_a_second_equation_is_told_with_its_element_and_in_numbers() -> None:

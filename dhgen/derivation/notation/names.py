@@ -30,7 +30,10 @@ _PARTS = re.compile(r"([A-Za-z]+)_?(\d+p+|\d*)")  # 3p is a passive row behind j
 
 
 _TAKEN = frozenset("ABCEJKPQRTUVWXYZcqrstw")  # letters that formulas use for other things
-_BARE = _TAKEN | {"D", "POS"}  # and what else is written without an index
+_BARE = _TAKEN | {"D", "H", "POS"}  # and what else is written without an index
+
+BASE, TOOL = Symbol("Z", "Z"), Symbol("E", "E")
+POSE = Symbol(r"\mathit{POS}", "POS")
 
 
 def letter(latex: str, text: str, index: str = "", name: str = "") -> Symbol:

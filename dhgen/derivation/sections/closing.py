@@ -7,8 +7,11 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.notation.names import unknown_symbol
 from dhgen.derivation.sections.shoulder import PSI
 from dhgen.derivation.steps import has_signed_roots
-from dhgen.derivation.text.blocks import Drawing, Heading, Table, paragraph, say
+from dhgen.derivation.text.blocks import Drawing, Heading, Table, joined, paragraph, say
+from dhgen.derivation.text.formula import ZERO, Symbol, equal
+from dhgen.derivation.velocity.position import position_determinant
 from dhgen.program.walk import finds_roots
+from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import Singularity
@@ -42,13 +45,19 @@ def solutions_section(story: Story) -> list[Block]:
     return blocks
 
 
-def singular_section(found: list[Singularity]) -> list[Block]:
-    """One line for every place where a step gives other than its usual number of values."""
+def singular_section(story: Story, found: list[Singularity]) -> list[Block]:
+    """One line for every place where a step gives other than its usual number of values.
+
+    Args:
+        story: The derivation.
+        found: The places.
+    """
     blocks: list[Block] = [Heading(2, say("Singular configurations"))]
     if not found:
         return [
             *blocks,
             paragraph("None: no step degenerates, and no two solutions meet."),
+            *_by_position_alone(story),
         ]
     header = tuple(say(word) for word in ("step", "condition", "in joint angles", "then"))
     rows = tuple(
@@ -61,6 +70,24 @@ def singular_section(found: list[Singularity]) -> list[Block]:
         for each in found
     )
     return [*blocks, Table(header, rows)]
+
+
+def _by_position_alone(story: Story) -> list[Block]:
+    """Where an arm that no given orientation lets be singular would be so without it."""
+    if story.algebra.chain.task.kind is not TaskKind.POSE:
+        return []
+    found = position_determinant(story)
+    vanishing = [each for each in found.factors if not each.is_never_zero] if found else []
+    if not vanishing:
+        return []
+    return [
+        paragraph(
+            "Where {} the rows of {} for the position alone are dependent, as in any arm that is "
+            "stretched or drawn in; the given orientation still fixes the joints.",
+            joined([say("{}", equal(each.formula, ZERO)) for each in vanishing], " or "),
+            Symbol("J", "J"),
+        )
+    ]
 
 
 def tree_text(story: Story) -> str:

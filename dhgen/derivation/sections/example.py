@@ -9,8 +9,8 @@ import numpy as np
 
 from dhgen.derivation.cuspidal import joined_rows
 from dhgen.derivation.example import NEAR_HALF_TURN
-from dhgen.derivation.notation.names import joint_symbol, target, unknown_symbol
-from dhgen.derivation.sections.forward import POSE, moved_left
+from dhgen.derivation.notation.names import POSE, joint_symbol, target, unknown_symbol
+from dhgen.derivation.sections.forward import moved_left
 from dhgen.derivation.sections.roots import quartic_blocks
 from dhgen.derivation.sections.shoulder import PSI
 from dhgen.derivation.singular_example import find_singular

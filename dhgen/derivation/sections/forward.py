@@ -5,7 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.matrices import expanded, forward_of, link_matrix
-from dhgen.derivation.notation.names import forward_matrix, inverse, link, target
+from dhgen.derivation.notation.names import (
+    BASE,
+    POSE,
+    TOOL,
+    forward_matrix,
+    inverse,
+    link,
+    target,
+)
 from dhgen.derivation.sections.jacobian import jacobian_blocks, jacobian_columns
 from dhgen.derivation.sections.transforms import (
     fills_pages,
@@ -185,10 +193,6 @@ def _relations(story: Story) -> list[Block]:
     )
     given = paragraph(text, POSE, given_pose(story), target(0))
     return [given, display(Listing(tuple(found)))]
-
-
-BASE, TOOL = Symbol("Z", "Z"), Symbol("E", "E")
-POSE = Symbol(r"\mathit{POS}", "POS")
 
 
 def moved_left(story: Story) -> tuple[bool, bool]:

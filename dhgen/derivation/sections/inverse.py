@@ -5,10 +5,10 @@ from __future__ import annotations
 from itertools import groupby
 from typing import TYPE_CHECKING
 
+from dhgen.derivation.notation.names import BASE, POSE, TOOL, letter, link, pose_letter, target
 from dhgen.derivation.notation.names import inverse as inverse_name
-from dhgen.derivation.notation.names import letter, link, pose_letter, target
 from dhgen.derivation.notation.polynomial import Writer, alphabet
-from dhgen.derivation.sections.forward import BASE, POSE, TOOL, given_pose, moved_left
+from dhgen.derivation.sections.forward import given_pose, moved_left
 from dhgen.derivation.sections.shoulder import shoulder_blocks
 from dhgen.derivation.sections.types_table import types_table
 from dhgen.derivation.steps import leaves_a_joint_free

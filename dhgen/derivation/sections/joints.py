@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from dhgen.derivation.effects import comparisons
 from dhgen.derivation.notation.expressions import expression_symbol
 from dhgen.derivation.notation.names import joint_symbol, letter, single, theta
@@ -13,9 +15,11 @@ from dhgen.derivation.text.blocks import Paragraph, display, paragraph, say
 from dhgen.derivation.text.formula import Formula, Symbol, add, equal, minus
 from dhgen.derivation.text.words import counted, numeral
 from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.walk import finds_roots
 from dhgen.robot.expression import ZERO as NOTHING
 from dhgen.robot.robot import JointKind
+from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from dhgen.derivation.story import Story
@@ -148,11 +152,23 @@ def _check(story: Story) -> Block:
     chain = story.algebra.chain
     asked, own = chain.task.dimension, chain.dof - chain.given
     joints = counted(own, "joint") + (" to solve for" if chain.given else "")
+    spare = " Without the orientation the arm would be redundant, with infinitely many solutions."
     return paragraph(
         f"The task has {numeral(asked)} independent numbers, the arm {joints}, so it cannot take "
         "every pose. Each solution is put into the forward model; where an entry differs from the "
         "given one, the arm cannot take the pose and the row stays empty."
+        + (spare if _is_redundant_by_position(story) else "")
     )
+
+
+def _is_redundant_by_position(story: Story) -> bool:
+    """Whether joints can move without the tool's origin, at a posture that is no special one."""
+    chain = story.algebra.chain
+    if chain.task.kind is not TaskKind.POSE or chain.given:
+        return False
+    q = np.linspace(0.4, 1.3, chain.dof)[None]
+    rows = numeric_arm(chain).jacobian(q)[0, :3]
+    return bool(np.linalg.matrix_rank(rows, tol=1e-9 * chain.size) < chain.dof)
 
 
 def _tightening(program: Program) -> Block:

@@ -6,15 +6,22 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.matrices import element_of
 from dhgen.derivation.notation.names import unknown_symbol
+from dhgen.derivation.quotes import quotes_of
 from dhgen.derivation.text.blocks import joined, paragraph, say
+from dhgen.derivation.text.formula import equal
+from dhgen.derivation.text.lines import width
 from dhgen.derivation.text.words import counted, numeral
+from dhgen.paul.kind import Kind
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.formula import Relation
     from dhgen.paul.step import Step
+
+SHORT = 40  # visible characters of an equation that may be in a line of text
 
 
 def other_step(story: Story, number: int) -> Step | None:
@@ -43,8 +50,22 @@ def other_way(story: Story, number: int) -> list[Block]:
     why = "but the robot file chooses this step" if chosen else _difference(step, other)
     same = other.unknowns == step.unknowns
     place = "Also possible" if same else "Also possible instead of this step"
-    text = f"{place}: {{}} from {{}}, type {other.kind.number}, {why}."
-    return [paragraph(text, unknowns, elements)]
+    text = f"{place}: {{}} from {{}}, type {other.kind.number}, {why}"
+    equations = _short_equations(story, number, other) if same else []
+    if not equations:
+        return [paragraph(f"{text}.", unknowns, elements)]
+    return [paragraph(f"{text}: {{}} and {{}}.", unknowns, elements, *equations)]
+
+
+def _short_equations(story: Story, number: int, other: Step) -> list[Relation]:
+    """The equations of type 6 that a step could take, as courses do, where they are short."""
+    if other.kind is not Kind.TWO_ANGLES:
+        return []
+    shown = [
+        equal(story.write_forward(quote.left), story.write_quoted(quote.right, number))
+        for quote in quotes_of(story.derivation, other)
+    ]
+    return shown if all(width(each) <= SHORT for each in shown) else []
 
 
 def _others(story: Story, number: int) -> Iterator[Step]:

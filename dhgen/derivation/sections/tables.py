@@ -10,15 +10,29 @@ from dhgen.derivation.notation.expressions import (
     limit_symbol,
     variable_symbol,
 )
-from dhgen.derivation.notation.names import joint_symbol, letter, single, theta
+from dhgen.derivation.notation.names import (
+    BASE,
+    TOOL,
+    inverse,
+    joint_symbol,
+    letter,
+    single,
+    theta,
+)
+from dhgen.derivation.sections.transforms import matrix_of, side_by_side
 from dhgen.derivation.text.blocks import Given, Table, joined, paragraph, say
-from dhgen.derivation.text.formula import Symbol, equal
+from dhgen.derivation.text.formula import Symbol, equal, times
+from dhgen.kinematics.chain import Fixed
+from dhgen.kinematics.product import product, reversed_elements
+from dhgen.kinematics.transform import compose, identity
 from dhgen.robot.expression import ZERO
 from dhgen.robot.robot import AxisJoint, Convention, DhRow, DhTable, JointKind
 
 if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block, Prose
+    from dhgen.derivation.text.formula import Formula
+    from dhgen.kinematics.chain import Element
     from dhgen.robot.expression import Expression
     from dhgen.robot.robot import Coupling
 
@@ -111,26 +125,65 @@ def _of_document_001(story: Story) -> list[Block]:
     if not story.steps:
         return []
     n = str(story.dof)
-    product = Symbol(rf"K_1 \cdots K_{n}", f"K₁⋯{letter('K', 'K', n).text}")
+    moved = Symbol(rf"K_1 \cdots K_{n}", f"K₁⋯{letter('K', 'K', n).text}")
     frames = Symbol(rf"A_1 \cdots A_{n}", f"A₁⋯{letter('A', 'A', n).text}")
     last = letter("F", "F", n)
     return [
         paragraph(
             "Let {} be the motion of joint {} about, or along, its axis where it is in the "
-            f"reference position. Together the joints move the hand by {{}}{_cited(story)}. If "
-            "{} is frame {} in that position, {} and {}. Behind frame {} the tool is where the "
-            "reference position has it, seen from {}.",
+            f"reference position. Together the joints move the hand by {{}}{_cited(story)}:",
             Symbol("K_i", "Kᵢ"),
             _I,
-            product,
+            moved,
+        ),
+        *side_by_side(_motions_about_axes(story)),
+        paragraph(
+            "If {} is frame {} in that position, {} and {}. {}",
             Symbol("F_i", "Fᵢ"),
             _I,
             Symbol(r"A_i = F_{i-1}^{-1} K_i F_i", "Aᵢ = Fᵢ₋₁⁻¹ Kᵢ Fᵢ"),
-            equal(frames, Symbol(f"{product.latex} {last.latex}", f"{product.text} {last.text}")),
-            Symbol(n, n),
-            last,
-        )
+            equal(frames, Symbol(f"{moved.latex} {last.latex}", f"{moved.text} {last.text}")),
+            _tool_behind(story, moved, last),
+        ),
     ]
+
+
+def _motions_about_axes(story: Story) -> list[Formula]:
+    """K_i = F_i R_z(theta_i) F_i^-1 of every joint."""
+    algebra = story.algebra
+    before: list[Element] = []
+    found: list[Formula] = []
+    for element in (e for link in algebra.chain.links for e in algebra.lifted(link)):
+        if isinstance(element, Fixed):
+            before.append(element)
+            continue
+        motion = product([*before, element, *reversed_elements(before, algebra)], algebra)
+        name = letter("K", "K", str(len(found) + 1))
+        found.append(equal(name, matrix_of(motion, story.write_forward)))
+    return found
+
+
+def _tool_behind(story: Story, moved: Symbol, last: Symbol) -> Prose:
+    """What stands behind the last frame, and why: the tool's pose where all joints are zero."""
+    algebra, chain = story.algebra, story.algebra.chain
+    fixed = [e for link in chain.links for e in algebra.lifted(link) if isinstance(e, Fixed)]
+    tool, still = algebra.lift(chain.tool), identity(algebra.ring)
+    base = [] if algebra.lift(chain.base) == still else [BASE]
+    n = Given(str(story.dof))
+    if tool == still:
+        return say("The tool is frame {}.", n)
+    pose, back = Symbol("H", "H"), inverse(last)
+    if compose(product(fixed, algebra), tool, algebra.normal) == still:
+        text = (
+            "In the reference position the tool frame is to be on the base frame, so that its pose "
+            "is {}; {} behind frame {} does that."
+        )
+        return say(text, times(*base, moved), equal(TOOL, back), n)
+    text = (
+        "With {} for the tool where the reference position has it, its pose is {}; {} stands "
+        "behind frame {}."
+    )
+    return say(text, pose, times(*base, moved, pose), equal(TOOL, times(back, pose)), n)
 
 
 def _columns() -> list[Symbol]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.sections.other_ways import other_step
 from dhgen.derivation.steps import has_number_in_002, step_blocks
-from dhgen.derivation.text.blocks import Table, joined, paragraph, say
+from dhgen.derivation.text.blocks import Table, display, joined, paragraph, say
 from dhgen.derivation.text.formula import Listing, Symbol
 from dhgen.derivation.text.walk import symbols_of
 from dhgen.derivation.text.words import many
@@ -54,6 +54,19 @@ TYPE_8 = (
     Symbol(r"c_i = \frac{B_1 Z_1 + B_2 Z_2}{B_1^2 + B_2^2}", "cᵢ = (B₁ Z₁ + B₂ Z₂)/(B₁² + B₂²)"),
     Symbol("B_1 = X + Y c_j", "B₁ = X + Y cⱼ"),
     Symbol("B_2 = Y s_j", "B₂ = Y sⱼ"),
+)
+TYPE_8_BY_HALF_ANGLE = Symbol(
+    r"\theta_j = \pm 2\,\mathrm{atan2}(\sqrt{(X + Y)^2 - Z_1^2 - Z_2^2}, "
+    r"\sqrt{Z_1^2 + Z_2^2 - (X - Y)^2})",
+    "θⱼ = ±2 atan2(√((X + Y)² − Z₁² − Z₂²), √(Z₁² + Z₂² − (X − Y)²))",
+)
+TYPE_8_BY_TRIANGLE = (
+    Symbol(r"\theta_i = \alpha \mp \beta", "θᵢ = α ∓ β"),
+    Symbol(r"\alpha = \mathrm{atan2}(Z_2, Z_1)", "α = atan2(Z₂, Z₁)"),
+    Symbol(
+        r"\cos \beta = \frac{Z_1^2 + Z_2^2 + X^2 - Y^2}{2 X \sqrt{Z_1^2 + Z_2^2}}",
+        "cos β = (Z₁² + Z₂² + X² − Y²)/(2 X √(Z₁² + Z₂²))",
+    ),
 )
 
 
@@ -121,7 +134,30 @@ def _in_the_course(story: Story) -> list[Block]:
                 Symbol("Z_1", "Z₁"),
             )
         )
+        told += _two_links_in_the_course(story)
     return told
+
+
+def _two_links_in_the_course(story: Story) -> list[Block]:
+    """How documents 002 and 000 solve the triangle of two links."""
+    if not story.cites_courses:
+        return []
+    return [
+        paragraph(
+            "Document 002 takes {} from the first equation alone, of type 2, with a sign of its "
+            "own; of the two values the second equation leaves one. For {} and {} positive it has",
+            Symbol(r"\theta_i", "θᵢ"),
+            Symbol("X", "X"),
+            Symbol("Y", "Y"),
+        ),
+        display(TYPE_8_BY_HALF_ANGLE),
+        paragraph(
+            "and document 000 reads the angles off the triangle of the links as well: {} with {} "
+            "and {}, the upper sign for {}.",
+            *TYPE_8_BY_TRIANGLE,
+            Symbol(r"\theta_j > 0", "θⱼ > 0"),
+        ),
+    ]
 
 
 def _steps(story: Story) -> list[Block]:

@@ -11,19 +11,21 @@ from dhgen.derivation.text.formula import Matrix, Power, Symbol, add, equal, ove
 from dhgen.derivation.text.template import blocks_of
 from dhgen.derivation.velocity.determinant import determinant_of
 from dhgen.derivation.velocity.lost import lost_motion
+from dhgen.derivation.velocity.position import position_determinant
 from dhgen.derivation.velocity.wrist import (
     adjugate,
     arm_rows,
     determinant,
     wrist_blocks,
 )
+from dhgen.robot.task import Directions
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
-    from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.derivation.velocity.determinant import Determinant
     from dhgen.derivation.velocity.wrist import ArmRows, WristBlocks
     from dhgen.kinematics.constants import Polynomial
@@ -43,6 +45,8 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
     chain = story.algebra.chain
     redundant = chain.dof > chain.task.dimension
     found = determinant_of(story, places)
+    if found is None and chain.task.directions is Directions.NONE:
+        found = position_determinant(story, places)
     wrist = wrist_blocks(story)
     if found is None and wrist is None and not redundant:
         return []
@@ -50,6 +54,7 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
         "velocity",
         determinant=found and display(equal(DET_J, found.formula)),
         factors=_table(story, found) if found and found.factors else None,
+        listed=found is not None and all(each.place for each in found.factors),
         partial=found is not None and chain.task.dimension < 6,
         planar=found is not None and found.rows < chain.task.dimension,
         solved=joined([say("{}", joint_symbol(joint.number)) for joint in chain.solved]),
@@ -108,9 +113,15 @@ def _table(story: Story, found: Determinant) -> list[Block]:
     rows = []
     for factor in found.factors:
         others = [each.formula for each in found.factors if each is not factor]
-        lost = lost_motion(story, factor.formula, others)
-        step = say(str(factor.place.step)) if factor.place.step else say("{}", PSI)
-        rows.append(
-            (say("{}", factor.formula), step, say("no short name") if lost is None else lost)
-        )
+        lost = lost_motion(story, factor.formula, others) or say("no short name")
+        if factor.is_never_zero:
+            lost = say("never zero with the numbers of this arm")
+        rows.append((say("{}", factor.formula), _step(factor.place), lost))
     return [Table(header, tuple(rows))]
+
+
+def _step(place: Singularity | None) -> Prose:
+    """The step that lists a factor."""
+    if place is None:
+        return say("—")
+    return say(str(place.step)) if place.step else say("{}", PSI)

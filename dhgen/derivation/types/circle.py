@@ -23,12 +23,13 @@ from dhgen.derivation.text.formula import (
     times,
 )
 from dhgen.derivation.text.template import blocks_of
+from dhgen.derivation.velocity.position import position_determinant
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import StepContext
-    from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.kinematics.constants import Polynomial
 
 P1, Q1, R1, P2, Q2, R2 = (type_letter(name) for name in ("P1", "Q1", "R1", "P2", "Q2", "R2"))
@@ -80,18 +81,29 @@ def print_circle(context: StepContext) -> StepText:
 
 def _met(context: StepContext) -> Singularity:
     """Where two roots meet, with them two solutions."""
-    chain = context.story.algebra.chain
-    which = {
-        TaskKind.POSE: say("{}", equal(Symbol(r"\det J", "det J"), ZERO)),
-        TaskKind.POSITION: say("the determinant of the first three rows of {} is zero", JACOBIAN),
-    }
     return Singularity(
         context.number,
         say("two roots of the equation meet"),
-        which.get(chain.task.kind) if chain.dof == chain.task.dimension else None,
+        _singular(context),
         say("two solutions become one"),
         say("they count once, and the rows of the last roots stay empty"),
     )
+
+
+def _singular(context: StepContext) -> Formula | Prose | None:
+    """Where the arm is singular, in short."""
+    chain = context.story.algebra.chain
+    if chain.dof != chain.task.dimension:
+        return None
+    if chain.task.kind is TaskKind.POSE:
+        return equal(Symbol(r"\det J", "det J"), ZERO)
+    if chain.task.kind is not TaskKind.POSITION:
+        return None
+    found = position_determinant(context.story)
+    vanishing = [each for each in found.factors if not each.is_never_zero] if found else []
+    if len(vanishing) == 1:
+        return equal(vanishing[0].formula, ZERO)
+    return say("the determinant of the first three rows of {} is zero", JACOBIAN)
 
 
 def _eliminated(context: StepContext) -> AngleSum:

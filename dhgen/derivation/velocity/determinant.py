@@ -48,12 +48,14 @@ class Factor:
     Attributes:
         formula: What vanishes.
         power: How often it is a factor.
-        place: The first place where it is listed.
+        place: The first place where it is listed; None where no step has it as its condition.
+        is_never_zero: Whether the numbers of the arm keep it from vanishing.
     """
 
     formula: Formula
     power: int
-    place: Singularity
+    place: Singularity | None
+    is_never_zero: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,16 +75,20 @@ class Determinant:
     @property
     def formula(self) -> Formula:
         """All of it."""
-        powers = [f.formula if f.power == 1 else Power(f.formula, f.power) for f in self.factors]
-        return times(self.constant, *powers)
+        return times(self.constant, *(raised(f.formula, f.power) for f in self.factors))
+
+
+def raised(formula: Formula, power: int) -> Formula:
+    """A formula with an exponent that is not one."""
+    return formula if power == 1 else Power(formula, power)
 
 
 def determinant_of(story: Story, places: Sequence[Singularity]) -> Determinant | None:
     """The determinant of a square task's Jacobian; None where the conditions don't make it up."""
     chain = story.algebra.chain
     known = all(constant.is_length for constant in chain.constants)
-    if not known or chain.arm_angle or chain.drives.are_coupled or chain.passive:
-        return None
+    if not known or chain.arm_angle or chain.passive:
+        return None  # coupled drives only add columns to others
     source = random.Random(2)  # noqa: S311 - places, no secrets
     lengths = dict(zip((c.name for c in chain.constants), LENGTHS, strict=False))
     if len(lengths) < len(chain.constants):
@@ -204,4 +210,4 @@ def _at(constant: tuple[int, dict[str, int]], lengths: Mapping[str, int]) -> int
 
 def _written(story: Story, scale: int, exponents: Mapping[str, int]) -> Formula:
     letters = [(story.letters[name], power) for name, power in exponents.items() if power]
-    return times(number(scale), *(each if p == 1 else Power(each, p) for each, p in letters))
+    return times(number(scale), *(raised(each, p) for each, p in letters))

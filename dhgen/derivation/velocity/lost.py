@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 import random
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -57,10 +57,10 @@ class _Wrench:
     moment: FloatArray
     frames: FloatArray
 
-    def in_tool(self) -> FloatArray:
-        """The origins of all frames in the tool's frame, (n + 2, 3)."""
-        tool = self.frames[-1]
-        return np.asarray((self.frames[..., 3] - tool[:, 3]) @ tool[:, :3])
+    def seen_from(self, frame: int) -> FloatArray:
+        """The origins of all frames in one of them, (n + 2, 3)."""
+        own = self.frames[frame]
+        return np.asarray((self.frames[..., 3] - own[:, 3]) @ own[:, :3])
 
     def moment_about(self, frame: int) -> FloatArray:
         """The moment about a frame's origin."""
@@ -86,7 +86,7 @@ def lost_motion(story: Story, factor: Formula, others: Sequence[Formula]) -> Pro
     point = next((k for k in points if all(_is_force_at(w, k) for w in wrenches)), None)
     if point is not None:
         return _lost_velocity(story, wrenches, point)
-    turning = _lost_turning(story, wrenches, _wrist_points(story, wrenches))
+    turning = _lost_turning(story, wrenches, sorted(_wrist_frames(story)))
     if turning is not None:
         return turning
     axis = _axis(story, wrenches, _force)
@@ -101,13 +101,13 @@ def _lost_turning(story: Story, wrenches: list[_Wrench], points: list[int]) -> P
         axis = _axis(story, wrenches, lambda each, at=point: each.moment_about(at))  # type: ignore[misc]
         if axis is not None:
             text = "with {} at rest, turning about {}"
-            return say(text, _point_name(story, wrenches, point), axis)
+            return say(text, _point_name(story, point), axis)
     return None
 
 
 def _lost_velocity(story: Story, wrenches: list[_Wrench], point: int) -> Prose | None:
     """The velocity that a force through a frame's origin resists."""
-    named = _point_name(story, wrenches, point)
+    named = _point_name(story, point)
     axis = _axis(story, wrenches, _force)
     if axis is not None:
         return say("the velocity of {} along {}", named, axis)
@@ -131,7 +131,7 @@ def _lost_velocities(story: Story, pairs: list[tuple[_Wrench, ...]]) -> Prose | 
     left = _axis(story, across, _force, "z") or _axis(story, across, _force)
     if point is None or left is None:
         return None
-    return say("every velocity of {} but along {}", _point_name(story, first, point), left)
+    return say("every velocity of {} but along {}", _point_name(story, point), left)
 
 
 def _force(wrench: _Wrench) -> FloatArray:
@@ -140,9 +140,15 @@ def _force(wrench: _Wrench) -> FloatArray:
 
 def _points(story: Story, wrenches: list[_Wrench]) -> list[int]:
     """Frames whose origins move with the tool, the tool's own first."""
-    first, *others = (each.in_tool() for each in wrenches)
+    held = _held(wrenches, -1)
+    return [frame for frame in reversed(range(story.dof + 2)) if held[frame]]
+
+
+def _held(wrenches: list[_Wrench], frame: int) -> NDArray[np.bool_]:
+    """Which frames' origins have one place in a frame, at all postures."""
+    first, *others = (each.seen_from(frame) for each in wrenches)
     moved = np.max([np.linalg.norm(each - first, axis=1) for each in others], axis=0)
-    return [frame for frame in reversed(range(story.dof + 2)) if moved[frame] < NEAR]
+    return np.asarray(moved < NEAR)
 
 
 def _is_force_at(wrench: _Wrench, frame: int) -> bool:
@@ -295,18 +301,29 @@ def _leads(wrench: _Wrench, start: int, end: int) -> bool:
     return bool(np.linalg.norm(line) > CLEAR) and _are_parallel(line, wrench.force)
 
 
-def _wrist_points(story: Story, wrenches: list[_Wrench]) -> list[int]:
-    """Frames whose origins are the wrist centre, where the arm has one."""
+@lru_cache(maxsize=8)
+def _wrist_frames(story: Story) -> frozenset[int]:
+    """Frames whose origins are the wrist centre, where the arm has one.
+
+    The arm before the wrist holds it, and so does the tool, at postures that are not singular.
+    """
     if story.wrist is None:
-        return []
-    centre, places = story.wrist[0], [each.in_tool() for each in wrenches]
-    apart = np.max([np.linalg.norm(each - each[centre], axis=1) for each in places], axis=0)
-    return np.flatnonzero(apart < NEAR).tolist()
+        return frozenset()
+    source, reach = random.Random(5), _reach(story)  # noqa: S311 - postures, no secrets
+    seen = []
+    for _ in range(POSTURES):
+        values = {j: source.uniform(-most, most) for j, most in reach.items()}
+        frames = np.array(_posture(story, values).frames()[0], float)
+        frames[..., 3] /= story.algebra.chain.size
+        nothing = np.zeros(3)
+        seen.append(_Wrench(nothing, nothing, frames))
+    held = _held(seen, story.wrist[0] - 1) & _held(seen, -1)
+    return frozenset(np.flatnonzero(held).tolist())
 
 
-def _point_name(story: Story, wrenches: list[_Wrench], frame: int) -> Prose:
+def _point_name(story: Story, frame: int) -> Prose:
     """What the origin of a frame is called; the last is the tool's."""
-    if frame in _wrist_points(story, wrenches):
+    if frame in _wrist_frames(story):
         return say("the wrist centre")
     if frame > story.dof:
         return say("the tool's origin")

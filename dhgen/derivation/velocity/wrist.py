@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.transform import Transform
 
 ARM = 3  # joints before the wrist, and the frame in which the blocks are shortest
-CENTRE = 4  # a frame whose origin is the wrist centre
+CENTRES = (4, 5, 6)  # frames of which one has its origin there, as a rule the first
 
 Vector = tuple["Polynomial", ...]
 Block = tuple[Vector, ...]
@@ -49,32 +49,35 @@ def wrist_blocks(story: Story) -> WristBlocks | None:
     plain = plain and not (chain.drives.are_coupled or chain.passive)
     if chain.dof != 2 * ARM or story.wrist is None or chain.given or not (plain and poses):
         return None
-    columns = list(_columns(story.algebra, ARM, 2 * ARM))
-    if any(entry for moved, _ in columns[ARM:] for entry in moved):
-        return None  # no frame has its origin there
-    (first, *others), spins = zip(*columns, strict=True)
-    moved = tuple(_shortest(story.algebra, entry) for entry in first), *others
-    return WristBlocks(_turned(moved[:ARM]), _turned(spins[:ARM]), _turned(spins[ARM:]))
+    for centre in CENTRES:
+        columns = list(_columns(story.algebra, ARM, centre, 2 * ARM))
+        if not any(entry for moved, _ in columns[ARM:] for entry in moved):
+            (first, *others), spins = zip(*columns, strict=True)
+            moved = tuple(_shortest(story.algebra, centre, entry) for entry in first), *others
+            return WristBlocks(_turned(moved[:ARM]), _turned(spins[:ARM]), _turned(spins[ARM:]))
+    return None
 
 
 def _turned(columns: tuple[Vector, ...]) -> Block:
     return tuple(zip(*columns, strict=True))
 
 
-def _columns(algebra: Algebra, frame: int, last: int) -> Iterator[tuple[Vector, Vector]]:
-    """Of joints up to `last` the wrist centre's velocity and the angular velocity, in a frame."""
+def _columns(
+    algebra: Algebra, frame: int, centre: int, last: int
+) -> Iterator[tuple[Vector, Vector]]:
+    """Of joints up to `last` the velocity of a frame's origin and the angular one, in a frame."""
     chain = algebra.chain
     elements: list[Element] = [e for link in chain.links for e in algebra.lifted(link)]
     ends = [0]
     for link in chain.links:
         ends.append(ends[-1] + len(link))
-    point = _between(algebra, elements, ends[frame], ends[CENTRE]).translation
+    point = between(algebra, elements, ends[frame], ends[centre]).translation
     still = (algebra.ring.zero,) * 3
     for place, element in enumerate(elements):
         if not isinstance(element, Turn | Slide) or element.joint > last:
             continue
         sign = element.sign * chain.joints[element.joint - 1].sign
-        at = _between(algebra, elements, ends[frame], place)
+        at = between(algebra, elements, ends[frame], place)
         axis = tuple(sign * entry for entry in at.column(2))
         if isinstance(element, Slide):
             yield axis, still
@@ -83,7 +86,7 @@ def _columns(algebra: Algebra, frame: int, last: int) -> Iterator[tuple[Vector, 
         yield crossed(algebra, axis, arm), axis
 
 
-def _between(algebra: Algebra, elements: list[Element], start: int, end: int) -> Transform:
+def between(algebra: Algebra, elements: list[Element], start: int, end: int) -> Transform:
     """The frame before one element seen from that before another."""
     if start <= end:
         return product(elements[start:end], algebra)
@@ -162,11 +165,11 @@ def _reduced(*forms: Polynomial) -> Vector:
     )
 
 
-def _shortest(algebra: Algebra, entry: Polynomial) -> Polynomial:
+def _shortest(algebra: Algebra, centre: int, entry: Polynomial) -> Polynomial:
     """The same as the entry, as another frame has it if that is shorter."""
     value, found = expanded(algebra, entry), entry
     for frame in (1, 2):
-        moved, _ = next(_columns(algebra, frame, 1))
+        moved, _ = next(_columns(algebra, frame, centre, 1))
         for each in (each for other in moved for each in (other, -other)):
             if len(each) < len(found) and expanded(algebra, each) == value:
                 found = each

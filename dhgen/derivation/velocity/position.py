@@ -1,0 +1,116 @@
+"""The determinant of the Jacobian's rows of the position, in factors, where no step lists them.
+
+It is worked out in every frame, of which one leaves most zeros, and its factors are found there:
+an arm whose steps take roots of a polynomial has no condition that is one of them.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.conditions import are_never_zero, unsigned
+from dhgen.derivation.notation.matrices import expanded
+from dhgen.derivation.text.formula import ONE, ZERO, equal, number, times
+from dhgen.derivation.velocity.determinant import Determinant, Factor, raised
+from dhgen.derivation.velocity.wrist import between, crossed
+from dhgen.kinematics.chain import Fixed, Slide, Turn
+from dhgen.kinematics.transform import identity
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.derivation.step_context import Singularity
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.formula import Formula
+    from dhgen.kinematics.chain import Element
+    from dhgen.kinematics.constants import Polynomial
+
+MOST_TERMS = 200  # of a determinant that is taken apart
+
+
+def position_determinant(story: Story, places: Sequence[Singularity] = ()) -> Determinant | None:
+    """In the frame in which it has most factors; None where no frame leaves it short.
+
+    Rows of a plane are those of the base's frame.
+
+    Args:
+        story: The derivation.
+        places: What the table of singular configurations lists.
+    """
+    algebra, chain = story.algebra, story.algebra.chain
+    rows = chain.task.position_rows
+    plain = not (chain.given or chain.passive) and len(rows) == chain.dof
+    if not plain or (len(rows) == 2 and chain.base != identity(chain.ring)):
+        return None
+    frames = range(chain.dof + 1) if len(rows) == 3 else range(1)
+    found = [each for frame in frames if (each := _in_factors(story, frame)) is not None]
+    if not found:
+        return None
+    scale, taken = min(found, key=lambda each: (-sum(p for _, p in each[1]), str(each)))
+    still: list[Formula] = []
+    moving: list[Factor] = []
+    for polynomial, power in taken:
+        form = min(
+            algebra.normal(polynomial),
+            algebra.normal(expanded(algebra, polynomial)),
+            key=len,
+        )
+        written = unsigned(story, form)
+        if power % 2 and written != story.write_forward(form):
+            scale = -scale
+        if algebra.is_constant(form):
+            still += [] if written == ONE else [raised(written, power)]
+        else:
+            never = are_never_zero(algebra, form)
+            moving.append(Factor(written, power, _place_of(written, places), never))
+    constant = times(number(scale), *still)
+    return Determinant(constant, tuple(moving), len(rows))
+
+
+def _place_of(factor: Formula, places: Sequence[Singularity]) -> Singularity | None:
+    """The place whose condition in joints a factor is."""
+    zero = equal(factor, ZERO)
+    return next((place for place in places if place.joints == zero), None)
+
+
+def _in_factors(story: Story, frame: int) -> tuple[Fraction, list[tuple[Polynomial, int]]] | None:
+    """A number and the factors of the determinant, of velocities in a frame."""
+    columns = _columns(story, frame)
+    if len(columns) == 2:
+        (a, b, *_), (c, d, *_) = ([column[row] for row in _rows(story)] for column in columns)
+        size = a * d - b * c
+    else:
+        first, second, third = columns
+        size = sum(
+            (first[i] * (second[i - 2] * third[i - 1] - second[i - 1] * third[i - 2])
+             for i in range(3)),
+            story.algebra.ring.zero,
+        )  # fmt: skip
+    if not size or len(size) > MOST_TERMS:
+        return None
+    content, factors = size.factor_list()
+    return Fraction(int(content.numerator), int(content.denominator)), factors
+
+
+def _rows(story: Story) -> tuple[int, ...]:
+    return story.algebra.chain.task.position_rows
+
+
+def _columns(story: Story, frame: int) -> list[tuple[Polynomial, ...]]:
+    """The velocities of the tool's origin by the joints, in a frame."""
+    algebra, chain = story.algebra, story.algebra.chain
+    elements: list[Element] = [e for link in chain.links for e in algebra.lifted(link)]
+    start = sum(len(link) for link in chain.links[:frame])
+    elements.append(Fixed(algebra.lift(chain.tool)))
+    point = between(algebra, elements, start, len(elements)).translation
+    found = []
+    for place, element in enumerate(elements):
+        if not isinstance(element, Turn | Slide):
+            continue
+        sign = element.sign * chain.joints[element.joint - 1].sign
+        at = between(algebra, elements, start, place)
+        axis = tuple(sign * entry for entry in at.column(2))
+        arm = tuple(a - b for a, b in zip(point, at.translation, strict=True))
+        found.append(axis if isinstance(element, Slide) else crossed(algebra, axis, arm))
+    return found
