@@ -77,8 +77,9 @@ void delta_take_drives(const double q[3][3], double drives[3]);
 /* The pose of the platform that drives' values make, and the joint values of all legs, refined from
  * T_seed: a pose nearby that the legs reach.
  * Returns DELTA_OK; DELTA_FREE_JOINT where the platform is singular there, so that other
- * poses meet this one, or it can move; or, with NaN in T and q, -DELTA_UNREACHABLE where the
- * legs did not meet the platform or do not reach the seed, or -DELTA_INVALID_POSE. */
+ * poses meet this one, or it or passive joints of a leg can move; or, with NaN in T and q,
+ * -DELTA_UNREACHABLE where the legs did not meet the platform or do not reach the seed, or
+ * -DELTA_INVALID_POSE. */
 int delta_fk(const double drives[3], const double T_seed[16], double T[16], double q[3][3]);
 
 /* All poses of the platform that drives' values allow, at most 2. Returns how many there are. */
@@ -86,13 +87,16 @@ int delta_assemblies(const double drives[3], double T[2][16]);
 
 /* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities
  * (vx, vy, vz), qdot those of the drives. Returns DELTA_OK, or, with NaN in A
- * and B, -DELTA_INVALID_POSE, also for joint values that are not finite. */
+ * and B, -DELTA_FREE_JOINT where passive joints of a leg depend on each other, so that A and B
+ * are not determined, or -DELTA_INVALID_POSE, also for joint values that are not finite. */
 int delta_velocities(const double T[16], const double q[3][3], double A[9], double B[9]);
 
 /* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
  * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
  * drives do not hold): the smallest singular values, lengths in robot sizes.
- * Returns DELTA_OK, or, with NaN in least, -DELTA_INVALID_POSE, likewise. */
+ * Returns DELTA_OK; DELTA_FREE_JOINT where passive joints of a leg depend on each other:
+ * the platform loses a motion, least[0] is 0 and least[1] NaN; or, with NaN in least,
+ * -DELTA_INVALID_POSE, likewise. */
 int delta_singularities(const double T[16], const double q[3][3], double least[2]);
 
 #ifdef __cplusplus

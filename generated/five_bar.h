@@ -77,8 +77,9 @@ void five_bar_take_drives(const double q[2][2], double drives[2]);
 /* The pose of the platform that drives' values make, and the joint values of all legs, refined from
  * T_seed: a pose nearby that the legs reach.
  * Returns FIVE_BAR_OK; FIVE_BAR_FREE_JOINT where the platform is singular there, so that other
- * poses meet this one, or it can move; or, with NaN in T and q, -FIVE_BAR_UNREACHABLE where the
- * legs did not meet the platform or do not reach the seed, or -FIVE_BAR_INVALID_POSE. */
+ * poses meet this one, or it or passive joints of a leg can move; or, with NaN in T and q,
+ * -FIVE_BAR_UNREACHABLE where the legs did not meet the platform or do not reach the seed, or
+ * -FIVE_BAR_INVALID_POSE. */
 int five_bar_fk(const double drives[2], const double T_seed[16], double T[16], double q[2][2]);
 
 /* All poses of the platform that drives' values allow, at most 2. Returns how many there are. */
@@ -86,13 +87,16 @@ int five_bar_assemblies(const double drives[2], double T[2][16]);
 
 /* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities
  * (vx, vy), qdot those of the drives. Returns FIVE_BAR_OK, or, with NaN in A
- * and B, -FIVE_BAR_INVALID_POSE, also for joint values that are not finite. */
+ * and B, -FIVE_BAR_FREE_JOINT where passive joints of a leg depend on each other, so that A and B
+ * are not determined, or -FIVE_BAR_INVALID_POSE, also for joint values that are not finite. */
 int five_bar_velocities(const double T[16], const double q[2][2], double A[4], double B[4]);
 
 /* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
  * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
  * drives do not hold): the smallest singular values, lengths in robot sizes.
- * Returns FIVE_BAR_OK, or, with NaN in least, -FIVE_BAR_INVALID_POSE, likewise. */
+ * Returns FIVE_BAR_OK; FIVE_BAR_FREE_JOINT where passive joints of a leg depend on each other:
+ * the platform loses a motion, least[0] is 0 and least[1] NaN; or, with NaN in least,
+ * -FIVE_BAR_INVALID_POSE, likewise. */
 int five_bar_singularities(const double T[16], const double q[2][2], double least[2]);
 
 #ifdef __cplusplus

@@ -78,23 +78,26 @@ void parallel_3rrr_take_drives(const double q[3][2], double drives[3]);
 
 /* The pose of the platform that drives' values make, and the joint values of all legs, refined from
  * T_seed: a pose nearby that the legs reach. Returns PARALLEL_3RRR_OK; PARALLEL_3RRR_FREE_JOINT
- * where the platform is singular there, so that other poses meet this one, or it can move; or, with
- * NaN in T and q, -PARALLEL_3RRR_UNREACHABLE where the legs did not meet the platform or do not
- * reach the seed, or -PARALLEL_3RRR_INVALID_POSE. */
+ * where the platform is singular there, so that other poses meet this one, or it or passive joints
+ * of a leg can move; or, with NaN in T and q, -PARALLEL_3RRR_UNREACHABLE where the legs did not
+ * meet the platform or do not reach the seed, or -PARALLEL_3RRR_INVALID_POSE. */
 int parallel_3rrr_fk(const double drives[3], const double T_seed[16], double T[16], double q[3][2]);
 
 /* All poses of the platform that drives' values allow, at most 6. Returns how many there are. */
 int parallel_3rrr_assemblies(const double drives[3], double T[6][16]);
 
 /* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities
- * (vx, vy, wz), qdot those of the drives. Returns PARALLEL_3RRR_OK, or, with NaN in A
- * and B, -PARALLEL_3RRR_INVALID_POSE, also for joint values that are not finite. */
+ * (vx, vy, wz), qdot those of the drives. Returns PARALLEL_3RRR_OK, or, with NaN in A and B,
+ * -PARALLEL_3RRR_FREE_JOINT where passive joints of a leg depend on each other, so that A and B are
+ * not determined, or -PARALLEL_3RRR_INVALID_POSE, also for joint values that are not finite. */
 int parallel_3rrr_velocities(const double T[16], const double q[3][2], double A[9], double B[9]);
 
 /* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
  * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
- * drives do not hold): the smallest singular values, lengths in robot sizes.
- * Returns PARALLEL_3RRR_OK, or, with NaN in least, -PARALLEL_3RRR_INVALID_POSE, likewise. */
+ * drives do not hold): the smallest singular values, lengths in robot sizes. Returns
+ * PARALLEL_3RRR_OK; PARALLEL_3RRR_FREE_JOINT where passive joints of a leg depend on each other:
+ * the platform loses a motion, least[0] is 0 and least[1] NaN; or, with NaN in least,
+ * -PARALLEL_3RRR_INVALID_POSE, likewise. */
 int parallel_3rrr_singularities(const double T[16], const double q[3][2], double least[2]);
 
 #ifdef __cplusplus

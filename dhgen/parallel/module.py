@@ -13,7 +13,7 @@ import numpy as np
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.parallel.robot import ORIGIN
 from dhgen.robot.task import Directions, TaskKind
-from dhgen.runtime.python import direct
+from dhgen.runtime.python import assemblies
 from dhgen.runtime.python.platform import COORDINATES, POSE, YAW
 
 if TYPE_CHECKING:
@@ -30,14 +30,14 @@ SAMPLES = 3  # joint values at which they are looked at
 class Elimination(StrEnum):
     """How all poses of a platform follow from its drives, where that is known and small."""
 
-    TWO_CIRCLES = direct.TWO_CIRCLES
-    THREE_CIRCLES = direct.THREE_CIRCLES
-    THREE_SPHERES = direct.THREE_SPHERES
+    TWO_CIRCLES = assemblies.TWO_CIRCLES
+    THREE_CIRCLES = assemblies.THREE_CIRCLES
+    THREE_SPHERES = assemblies.THREE_SPHERES
 
     @property
     def most(self) -> int:
         """How many poses there are at most."""
-        return direct.MOST if self is Elimination.THREE_CIRCLES else 2
+        return assemblies.MOST_ASSEMBLIES if self is Elimination.THREE_CIRCLES else 2
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,8 @@ import numpy as np
 from dhgen.kinematics.numeric import NumericArm, numeric_arm
 from dhgen.parallel.robot import inverse
 from dhgen.program.interpret import interpret
-from dhgen.runtime.python.direct import assemblies, least_values
+from dhgen.runtime.python.assemblies import assemblies
+from dhgen.runtime.python.direct import least_values
 from dhgen.runtime.python.platform import LENGTHS, POSE, YAW, Leg, Platform
 from dhgen.status import Status
 

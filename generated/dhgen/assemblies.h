@@ -9,10 +9,14 @@
 
 #define DHGEN_MOST_ASSEMBLIES 6
 #define DHGEN_DEGREE 6
-/* A root that two of a polynomial's may share is tried where the polynomial is as small as this at
- * an extremum, beside its largest coefficient; circles and spheres that touch may miss each other
- * by this [robot sizes]; two assemblies nearer than this are one [rad, robot sizes]. */
+/* A pose is tried where squares of lengths leave so little below zero [squares of robot sizes], or
+ * a polynomial at an extremum, beside its largest coefficient. Rounding leaves 1e-15 of them, and
+ * more where coefficients cancel; what is tried and is none does not close when it is refined. */
 #define DHGEN_TOUCHES 1e-9
+/* Centres that are no farther apart are one [robot sizes]. */
+#define DHGEN_ONE_CENTER 1e-9
+/* Two assemblies that are no farther apart are one [rad, robot sizes]: a root of what legs may
+ * miss. */
 #define DHGEN_ONE_ASSEMBLY 1e-6
 
 enum {
@@ -142,11 +146,11 @@ DHGEN_FN int dhgen_meet_circles(
     double size, const double *one, const double *other, double r, double s, double points[2][2])
 {
     const double x = other[0] - one[0], y = other[1] - one[1], square = x * x + y * y;
-    if (!(square > DHGEN_TOUCHES * DHGEN_TOUCHES * size * size))
+    if (!(square > DHGEN_ONE_CENTER * DHGEN_ONE_CENTER * size * size))
         return 0;
     const double along = 0.5 * (square + r * r - s * s) / square;
     const double beside = r * r / square - along * along;
-    if (beside < -DHGEN_TOUCHES * size * size / square)
+    if (!(beside >= -DHGEN_TOUCHES * size * size / square))
         return 0;
     const double h = sqrt(fmax(beside, 0.0));
     for (int i = 0; i < 2; i++) {
@@ -166,7 +170,7 @@ DHGEN_FN int dhgen_meet_spheres(
     for (int k = 0; k < 3; k++)
         d += (centers[1][k] - centers[0][k]) * (centers[1][k] - centers[0][k]);
     d = sqrt(d);
-    if (!(d > DHGEN_TOUCHES * size))
+    if (!(d > DHGEN_ONE_CENTER * size))
         return 0;
     for (int k = 0; k < 3; k++) {
         x[k] = (centers[1][k] - centers[0][k]) / d;
@@ -177,7 +181,7 @@ DHGEN_FN int dhgen_meet_spheres(
         j += y[k] * y[k];
     }
     j = sqrt(j);
-    if (!(j > DHGEN_TOUCHES * size))
+    if (!(j > DHGEN_ONE_CENTER * size))
         return 0;
     for (int k = 0; k < 3; k++)
         y[k] /= j;
@@ -186,7 +190,7 @@ DHGEN_FN int dhgen_meet_spheres(
     const double u = 0.5 * (d + (r[0] * r[0] - r[1] * r[1]) / d);
     const double v = 0.5 * (j + (r[0] * r[0] - r[2] * r[2] + i * i) / j) - i * u / j;
     const double square = r[0] * r[0] - u * u - v * v;
-    if (square < -DHGEN_TOUCHES * size * size)
+    if (!(square >= -DHGEN_TOUCHES * size * size))
         return 0;
     const double w = sqrt(fmax(square, 0.0));
     for (int k = 0; k < 3; k++) {
@@ -246,7 +250,7 @@ DHGEN_FN int dhgen_triangle_angles(const struct dhgen_triangle *of, double *angl
             start = angle - DHGEN_HALF_TURN;
         }
     }
-    if (!(largest > 0.0))
+    if (!(largest > 0.0 && isfinite(largest)))
         return 0;
     for (int k = 0; k < 7; k++)
         values[k] = dhgen_triangle_miss(of, start + DHGEN_TURN * k / 7) / largest;
@@ -330,6 +334,35 @@ DHGEN_FN int dhgen_keep_assembly(const struct dhgen_parallel *robot, const doubl
     return count + 1;
 }
 
+/* Whether an assembly comes before another one: by their yaw, those of one yaw by their place. */
+DHGEN_FN int dhgen_comes_before(double size, const double *one, const double *other)
+{
+    double yaw[2] = { atan2(one[4], one[0]), atan2(other[4], other[0]) };
+    for (int i = 0; i < 2; i++)
+        yaw[i] += yaw[i] > DHGEN_ONE_ASSEMBLY - DHGEN_HALF_TURN ? 0.0 : DHGEN_TURN;
+    const double apart[3] = { yaw[1] - yaw[0], (other[3] - one[3]) / size,
+        (other[7] - one[7]) / size };
+    for (int i = 0; i < 3; i++)
+        if (fabs(apart[i]) > DHGEN_ONE_ASSEMBLY)
+            return apart[i] > 0.0;
+    return 0;
+}
+
+/* Takes the last of the assemblies to its place among those before it. */
+DHGEN_FN void dhgen_put_in_order(double size, int count, double *poses)
+{
+    const double *const last = poses + 16 * (count - 1);
+    int place = 0;
+    while (place < count - 1 && !dhgen_comes_before(size, last, poses + 16 * place))
+        place++;
+    for (int i = 0; i < 16; i++) {
+        const double moved = last[i];
+        for (int k = count - 1; k > place; k--)
+            poses[16 * k + i] = poses[16 * (k - 1) + i];
+        poses[16 * place + i] = moved;
+    }
+}
+
 /* The assemblies of a platform on three circles. */
 DHGEN_FN int dhgen_assemblies_of_triangle(const struct dhgen_parallel *robot, const double *drives,
     const double centers[3][3], const double *r, double *poses)
@@ -355,7 +388,10 @@ DHGEN_FN int dhgen_assemblies_of_triangle(const struct dhgen_parallel *robot, co
             const double x = leg[0].end[3], y = leg[0].end[7];
             const double place[3] = { centers[0][0] + points[k][0] - (c * x - s * y),
                 centers[0][1] + points[k][1] - (s * x + c * y), 0.0 };
-            count = dhgen_keep_assembly(robot, drives, place, angles[n], count, poses);
+            const int kept = dhgen_keep_assembly(robot, drives, place, angles[n], count, poses);
+            if (kept > count)
+                dhgen_put_in_order(robot->size, kept, poses);
+            count = kept;
         }
     }
     return count;

@@ -77,53 +77,6 @@ DHGEN_FN void dhgen_move_platform(const struct dhgen_parallel *robot, const doub
     }
 }
 
-/* One step of the direct model: the platform and the passive joints, so that the legs meet it.
- * Returns by how much they missed it before. */
-DHGEN_FN double dhgen_direct_step(const struct dhgen_parallel *robot, double *X, double *q)
-{
-    struct dhgen_leg_motion motions[DHGEN_MOST_LEGS];
-    double M[6][6], y[6], step[6], worst = 0.0, longest = 0.0;
-    for (int i = 0, row = 0; i < robot->legs; i++) {
-        struct dhgen_leg_motion *const motion = motions + i;
-        dhgen_leg_motion_at(robot, i, X, q + i * robot->joints, motion);
-        for (int k = 0; k < motion->rows; k++) /* NaN stays */
-            if (fabs(motion->miss[k]) > worst || isnan(motion->miss[k]))
-                worst = fabs(motion->miss[k]);
-        dhgen_without_passive(robot, motion);
-        for (int k = motion->passive; k < motion->rows && row < 6; k++, row++) {
-            for (int j = 0; j < robot->drives; j++)
-                M[row][j] = motion->V[k][j];
-            y[row] = -motion->miss[k];
-        }
-    }
-    dhgen_damped(robot->drives, M, y, step);
-    for (int j = 0; j < robot->drives; j++)
-        longest = fmax(longest, fabs(step[j]));
-    const double share = longest > DHGEN_DIRECT_STEP ? DHGEN_DIRECT_STEP / longest : 1.0;
-    for (int j = 0; j < robot->drives; j++)
-        step[j] *= share;
-    for (int i = 0; i < robot->legs; i++) {
-        const struct dhgen_leg_motion *const motion = motions + i;
-        double P[6][6], r[6], moved[6], most = 0.0;
-        for (int k = 0; k < motion->passive; k++) {
-            r[k] = share * motion->miss[k];
-            for (int j = 0; j < robot->drives; j++)
-                r[k] += motion->V[k][j] * step[j];
-            for (int j = 0; j < motion->passive; j++)
-                P[k][j] = motion->J[k][j];
-        }
-        dhgen_damped(motion->passive, P, r, moved);
-        for (int k = 0; k < motion->passive; k++)
-            most = fmax(most, fabs(moved[k]));
-        const double longest_turn = 2.0 * DHGEN_DIRECT_STEP;
-        const double less = most > longest_turn ? longest_turn / most : 1.0;
-        for (int k = 0; k < motion->passive; k++)
-            q[i * robot->joints + motion->order[k]] += less * moved[k];
-    }
-    dhgen_move_platform(robot, step, X);
-    return worst;
-}
-
 /* What a joint's value is away from another one: angles by the short way. */
 DHGEN_INLINE double dhgen_drive_miss(int slides, double size, double one, double other)
 {
@@ -165,9 +118,64 @@ DHGEN_FN int dhgen_nearest_drives(const struct dhgen_parallel *robot, int number
     return taken >= 0;
 }
 
+/* One step of the direct model: the platform and the passive joints, so that the legs meet it.
+ * Those of a leg whose passive joints depend on each other can't follow by steps: its inverse model
+ * has them. Returns by how much the legs missed the platform before. */
+DHGEN_FN double dhgen_direct_step(
+    const struct dhgen_parallel *robot, const double *drives, double *X, double *q)
+{
+    struct dhgen_leg_motion motions[DHGEN_MOST_LEGS];
+    double M[6][6], y[6], step[6], worst = 0.0, longest = 0.0;
+    for (int i = 0, row = 0; i < robot->legs; i++) {
+        struct dhgen_leg_motion *const motion = motions + i;
+        dhgen_leg_motion_at(robot, i, X, q + i * robot->joints, motion);
+        for (int k = 0; k < motion->rows; k++) /* NaN stays */
+            if (fabs(motion->miss[k]) > worst || isnan(motion->miss[k]))
+                worst = fabs(motion->miss[k]);
+        dhgen_without_passive(robot, motion);
+        const int end = motion->independent + robot->leg[i].drives;
+        for (int k = motion->independent; k < end && row < 6; k++, row++) {
+            for (int j = 0; j < robot->drives; j++)
+                M[row][j] = motion->V[k][j];
+            y[row] = -motion->miss[k];
+        }
+    }
+    dhgen_damped(robot->drives, M, y, step);
+    for (int j = 0; j < robot->drives; j++)
+        longest = fmax(longest, fabs(step[j]));
+    const double share = longest > DHGEN_DIRECT_STEP ? DHGEN_DIRECT_STEP / longest : 1.0;
+    for (int j = 0; j < robot->drives; j++)
+        step[j] *= share;
+    dhgen_move_platform(robot, step, X);
+    for (int i = 0, first = 0; i < robot->legs; first += robot->leg[i++].drives) {
+        const struct dhgen_leg_motion *const motion = motions + i;
+        double P[6][6], r[6], moved[6], most = 0.0;
+        if (motion->independent < motion->passive) {
+            (void)dhgen_nearest_drives(robot, i, X, drives + first, q + i * robot->joints);
+            continue;
+        }
+        for (int k = 0; k < motion->passive; k++) {
+            r[k] = share * motion->miss[k];
+            for (int j = 0; j < robot->drives; j++)
+                r[k] += motion->V[k][j] * step[j];
+            for (int j = 0; j < motion->passive; j++)
+                P[k][j] = motion->J[k][j];
+        }
+        dhgen_damped(motion->passive, P, r, moved);
+        for (int k = 0; k < motion->passive; k++)
+            most = fmax(most, fabs(moved[k]));
+        const double longest_turn = 2.0 * DHGEN_DIRECT_STEP;
+        const double less = most > longest_turn ? longest_turn / most : 1.0;
+        for (int k = 0; k < motion->passive; k++)
+            q[i * robot->joints + motion->order[k]] += less * moved[k];
+    }
+    return worst;
+}
+
 /* The pose of the platform that drives' values make, and the joint values of all legs, refined from
  * a seed: the pose of the platform nearby. Returns DHGEN_OK; DHGEN_FREE_JOINT where the platform is
- * singular there: other poses meet this one, or it can move; or, with NaN, minus
+ * singular there: other poses meet this one, or it can move, or passive joints of a leg can; or,
+ * with NaN, minus
  * DHGEN_UNREACHABLE where the legs did not meet the platform in so many steps, or one does not
  * reach the seed, or minus DHGEN_INVALID_POSE. */
 DHGEN_FN int dhgen_parallel_fk(const struct dhgen_parallel *robot, const double *drives,
@@ -185,9 +193,9 @@ DHGEN_FN int dhgen_parallel_fk(const struct dhgen_parallel *robot, const double 
         first += robot->leg[i].drives;
     }
     for (int k = 0; k < DHGEN_DIRECT_STEPS && told >= 0 && !(last <= DHGEN_CLOSED); k++)
-        last = dhgen_direct_step(robot, X, q);
+        last = dhgen_direct_step(robot, drives, X, q);
     if (told >= 0 && last <= DHGEN_CLOSED) {
-        dhgen_least_values(robot, X, q, least);
+        (void)dhgen_least_values(robot, X, q, least);
         told = least[1] > DHGEN_SINGULAR_PLATFORM ? DHGEN_OK : DHGEN_FREE_JOINT;
     } else if (told >= 0)
         told = -DHGEN_UNREACHABLE;

@@ -1,4 +1,4 @@
-"""Parallel robots of the project: their files as committed, compiled, and what checks them."""
+"""Parallel robots, as committed and of the tests: compiled, and what checks them."""
 
 from __future__ import annotations
 
@@ -10,18 +10,24 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.atomic_write import write_files
 from dhgen.parallel.compile import ParallelCompilation, compile_file
 from dhgen.parallel.verify import Native, are_inside, compiled
 from dhgen.parallel.worked import reached, square
 from dhgen.robot_files import read_file
 from dhgen.survey.oracle.forward import forward
+from dhgen.verify.native import import_module
 from tests.serial import PARALLEL, ROBOTS
 
 if TYPE_CHECKING:
+    from types import ModuleType
+
     from dhgen.arrays import FloatArray
 
 GENERATED = ROBOTS.parent / "generated"
+HERE = Path(__file__).with_name("robots")
 NAMES = PARALLEL
+OWN = tuple(sorted(path.stem for path in HERE.glob("*.yaml")))
 OK = 0
 COUNT = 100  # poses
 _KEPT: list[tempfile.TemporaryDirectory[str]] = []
@@ -30,7 +36,8 @@ _KEPT: list[tempfile.TemporaryDirectory[str]] = []
 @cache
 def compilation(name: str) -> ParallelCompilation:
     """What the compiler makes of a robot file."""
-    made = compile_file(read_file(ROBOTS / f"{name}.yaml"), out=GENERATED)
+    path = (HERE if name in OWN else ROBOTS) / f"{name}.yaml"
+    made = compile_file(read_file(path), out=GENERATED)
     assert isinstance(made, ParallelCompilation)
     return made
 
@@ -46,14 +53,37 @@ def folder() -> Path:
 
 
 @cache
-def native(name: str) -> Native:
-    """The committed C of a robot and its legs."""
+def written(name: str) -> Path:
+    """Where a robot's files and those of its legs lie: as committed, or as compiled here."""
+    if name in OWN:
+        write_files(folder(), compilation(name).files)
+        return folder()
     for stem in (name, *(chain.name for chain in compilation(name).robot.chains)):
         for suffix in (".c", ".h"):
             shutil.copy(GENERATED / f"{stem}{suffix}", folder())
+    return GENERATED
+
+
+@cache
+def native(name: str) -> Native:
+    """The C of a robot and its legs."""
+    written(name)
     made = compiled(compilation(name).module, folder())
     assert made is not None
     return made
+
+
+@cache
+def python(name: str) -> ModuleType:
+    """The module of a robot."""
+    return import_module(written(name) / f"{name}.py")
+
+
+def both(name: str, drives: FloatArray, seed: FloatArray) -> list[tuple[FloatArray, int]]:
+    """What the direct model finds in C and in Python: a pose and a status."""
+    told, found, _ = native(name).fk(np.ascontiguousarray(drives), seed)
+    pose, _, status = python(name).fk(drives, seed)
+    return [(found, told), (pose, status)]
 
 
 @cache

@@ -5,21 +5,16 @@ from __future__ import annotations
 import ctypes
 import shutil
 import subprocess
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
 
-from dhgen.atomic_write import write_files
-from dhgen.parallel.compile import ParallelCompilation, compile_file
-from dhgen.parallel.verify import compiled
-from dhgen.robot_files import read_file
-from dhgen.verify.native import import_module
-from tests.parallel.made import GENERATED, drives, mode, native, poses
+from tests.parallel.made import GENERATED, drives, mode, native, poses, python
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from pathlib import Path
 
     from numpy.typing import NDArray
 
@@ -80,23 +75,17 @@ def test_a_platform_on_three_cylinders() -> None:
     assert max(counts) >= 4
 
 
-SIX = Path(__file__).with_name("robots") / "six_assemblies.yaml"
 FEET = np.array([[0, 0], [-1.43, -0.14], [-0.77, -1.42]])
 POINTS = np.array([[0, 0], [1.16, 0.79], [0.84, 0.08]])
 # Lengths at which two of the six poses have nearly merged.
 MERGING = (1.3486819263486154, 1.1977335182027558, 1.7947198335229593)
 
 
-def test_two_of_six_poses_that_nearly_merge_hide_no_other(tmp_path: Path) -> None:
-    made = compile_file(read_file(SIX))
-    assert isinstance(made, ParallelCompilation)
-    write_files(tmp_path, made.files)
-    c = compiled(made.module, tmp_path)
-    assert c is not None
-    python = import_module(tmp_path / "six_assemblies.py")
+def test_two_of_six_poses_that_nearly_merge_hide_no_other() -> None:
     wanted = on_three_cylinders(FEET, POINTS, np.array(MERGING))
     assert len(wanted) == 6
-    for found in (c.assemblies(np.array(MERGING)), python.assemblies(MERGING)):
+    robots = native("six_assemblies"), python("six_assemblies")
+    for found in (robot.assemblies(np.array(MERGING)) for robot in robots):
         have = in_the_plane(found)
         assert len(have) == 6
         assert all(np.abs(have - x).max(axis=1).min() < 1e-6 for x in wanted)

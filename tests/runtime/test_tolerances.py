@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from dhgen.runtime import c_runtime_files
-from dhgen.runtime.python import pose, tolerances, velocities
+from dhgen.runtime.python import assemblies, direct, platform, pose, tolerances, velocities
 from dhgen.runtime.python.numerical import (
     descent,
     other_values,
@@ -22,6 +22,8 @@ from dhgen.runtime.python.numerical import (
 from dhgen.tolerances import DOUBLE, SINGLE
 
 if TYPE_CHECKING:
+    from types import ModuleType
+
     from dhgen.tolerances import Precision, Tolerances
 
 DEFINED = re.compile(r"^#define DHGEN_(\w+) ([-+.\de]+)$", re.MULTILINE)
@@ -161,6 +163,15 @@ def test_joint_velocities_are_alike_in_python() -> None:
     found = defined(text.partition("#else")[0])
     assert found == {name: getattr(velocities, name) for name in found}
     assert len(found) == 4
+
+
+@pytest.mark.parametrize("module", [assemblies, direct, platform], ids=lambda each: each.__name__)
+def test_platforms_are_alike_in_python(module: ModuleType) -> None:
+    name = module.__name__.rpartition(".")[2]
+    text = c_runtime_files()[f"dhgen/{name}.h"]
+    found = {name: value for name, value in defined(text).items() if name != "DEGREE"}
+    assert found == {name: getattr(module, name) for name in found}
+    assert found
 
 
 def test_what_follows_from_others_does() -> None:

@@ -7,14 +7,16 @@ JOINTS); a leg with fewer joints or rows has NaN in the rest.
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from .arguments import array_of
-from .direct import assemblies, direct, drive_scale
+from .assemblies import assemblies
+from .direct import direct, drive_scale
 from .entry import poses_of
-from .platform import Leg, Platform, motion_of, place_ends, rates
+from .platform import Leg, Motion, Platform, motion_of, place_ends, rates
 from .status import FREE_JOINT, INVALID_POSE, UNREACHABLE
 
 if TYPE_CHECKING:
@@ -31,7 +33,8 @@ class Singularities(NamedTuple):
 
     Attributes:
         first: The smallest singular value of B: 0 where the platform loses a motion.
-        second: The same of A: 0 where the platform has a motion that the drives do not hold.
+        second: The same of A: 0 where the platform has a motion that the drives do not hold. NaN
+            where passive joints of a leg depend on each other: first is 0, A is not determined.
         lost: The combination of the platform's velocities (6,) that vanishes at the first kind.
         gained: The twist (6,) that the platform has at the second kind with all drives at rest.
     """
@@ -204,9 +207,9 @@ class Functions:
 
         Returns:
             The pose (4, 4), the joint values (LEGS, JOINTS) and a status: OK; FREE_JOINT where
-            the platform is singular there, so that other poses meet this one, or it can move;
-            with NaN UNREACHABLE where the legs did not meet the platform, or do not reach the seed,
-            and INVALID_POSE.
+            the platform is singular there, so that other poses meet this one, or it or passive
+            joints of a leg can move; with NaN UNREACHABLE where the legs did not meet the platform,
+            or do not reach the seed, and INVALID_POSE.
 
         Raises:
             ValueError: An argument has the wrong shape.
@@ -234,9 +237,17 @@ class Functions:
         those of the drives.
 
         Raises:
-            ValueError: T is not a valid pose, or an argument has the wrong shape.
+            ValueError: T is not a valid pose, passive joints of a leg depend on each other, so that
+                A and B are not determined, or an argument has the wrong shape.
         """
-        A, B = self._rates(T, q)
+        motions = self._motions(T, q)
+        for number, motion in enumerate(motions, start=1):
+            if motion.is_free:
+                raise ValueError(
+                    f"passive joints of leg {number} depend on each other: they move while the "
+                    "platform rests, and A and B are not determined"
+                )
+        A, B = rates(self._platform, motions)
         size = self._platform.size
         return A * size / self._platform.scale, B * size
 
@@ -246,24 +257,28 @@ class Functions:
         Raises:
             ValueError: T is not a valid pose, or an argument has the wrong shape.
         """
-        A, B = self._rates(T, q)
-        left, of_B, _ = np.linalg.svd(B * drive_scale(self._platform))
-        _, of_A, right = np.linalg.svd(A)
+        motions = self._motions(T, q)
         scale, freedoms = self._platform.scale, list(self._platform.freedoms)
         lost, gained = np.zeros(6), np.zeros(6)
+        for motion in motions:
+            if motion.is_free:
+                across = np.linalg.svd(motion.J)[0][:, -1]  # where the leg can't move its end
+                lost[freedoms], gained[freedoms] = across @ motion.V / scale, np.nan
+                return Singularities(0.0, math.nan, lost, gained)
+        A, B = rates(self._platform, motions)
+        left, of_B, _ = np.linalg.svd(B * drive_scale(self._platform))
+        _, of_A, right = np.linalg.svd(A)
         lost[freedoms] = left[:, -1] @ A / scale
         gained[freedoms] = right[-1] * scale
         return Singularities(float(of_B[-1]), float(of_A[-1]), lost, gained)
 
-    def _rates(self, T: ArrayLike, q: ArrayLike) -> tuple[Floats, Floats]:
+    def _motions(self, T: ArrayLike, q: ArrayLike) -> list[Motion]:
+        """Of every leg how its end moves."""
         valid, X = self._platform.read(array_of(T, (4, 4), "T"))
         if not valid:
             raise ValueError("T is not a valid pose of the platform")
         own = self._of_legs(q, "q")
-        return rates(
-            self._platform,
-            [motion_of(self._platform, leg, X, own[i]) for i, leg in enumerate(self._legs)],
-        )
+        return [motion_of(self._platform, leg, X, own[i]) for i, leg in enumerate(self._legs)]
 
     @staticmethod
     def _refuse(q: Floats, status: Statuses) -> None:

@@ -27,6 +27,10 @@ if TYPE_CHECKING:
 
 POSE, YAW, COORDINATES = "pose", "yaw", "coordinates"
 LENGTHS = 3  # of six velocities the first are lengths
+# A's smallest singular value below which a platform is singular, lengths in robot sizes, and what a
+# passive joint has to move of its own, beside those before it, not to depend on them [rad, robot
+# sizes]: a root of what legs may miss, so that what is told above it has six digits.
+SINGULAR_PLATFORM = 1e-6
 _HOW = of_file(__file__)
 
 
@@ -167,13 +171,17 @@ class Motion:
         V: Of the platform's freedoms, (m, n).
         J: Of the leg's joints, (m, m).
         miss: From where the leg ends to where the platform has it, (m,).
-        free: Directions that passive joints don't move, (m, driven).
+        free: Directions that passive joints don't move, (m, driven): the first is the one that the
+            first driven joint moves, forwards, the others what the next ones move besides.
+        is_free: Whether passive joints depend on each other: these move while the end rests, and
+            which directions they don't move is not determined.
     """
 
     V: Floats
     J: Floats
     miss: Floats
     free: Floats
+    is_free: bool
 
 
 def motion_of(platform: Platform, leg: Leg, X: Floats, q: Floats) -> Motion:
@@ -189,20 +197,42 @@ def motion_of(platform: Platform, leg: Leg, X: Floats, q: Floats) -> Motion:
     V[:3, 3:] = R @ -_crossing(arm) / platform.size
     rows = list(leg.counted)
     J = J[rows]
-    reflected = np.linalg.qr(J[:, list(leg.passive)], mode="complete")[0]
-    free = reflected[:, len(leg.passive) :]
-    return Motion(V[np.ix_(rows, list(platform.freedoms))], J, (units * miss)[rows], free)
+    slides = [platform.size if leg.module.JOINT_TYPES[i] == "P" else 1.0 for i in leg.passive]
+    free, is_free = _without_passive(slides * J[:, list(leg.passive)], J[:, list(leg.driven)])
+    freedoms = list(platform.freedoms)
+    return Motion(V[np.ix_(rows, freedoms)], J, (units * miss)[rows], free, is_free)
+
+
+def _without_passive(passive: Floats, driven: Floats) -> tuple[Floats, bool]:
+    """Directions that passive joints don't move, and whether these depend on each other.
+
+    Args:
+        passive: What passive joints move (m, passive), slides by robot sizes.
+        driven: What driven joints move (m, driven).
+    """
+    moved = np.empty((len(passive), 0))
+    for column in passive.T:
+        rest = column - moved @ (moved.T @ column)
+        rest -= moved @ (moved.T @ rest)  # the first time leaves rounding of what is taken away
+        length = np.linalg.norm(rest)
+        if length > SINGULAR_PLATFORM:
+            moved = np.column_stack([moved, rest / length])
+    others = np.linalg.qr(moved, mode="complete")[0][:, moved.shape[1] :]
+    turned, R = np.linalg.qr(others.T @ driven, mode="complete")
+    signs = np.where(np.diagonal(R) < 0.0, -1.0, 1.0)
+    free: Floats = others @ turned[:, : driven.shape[1]] * signs
+    return free, moved.shape[1] < passive.shape[1]
 
 
 def rates(platform: Platform, motions: Sequence[Motion]) -> tuple[Floats, Floats]:
-    """A and B, lengths in robot sizes."""
+    """A and B, lengths in robot sizes; B has nothing below its diagonal."""
     count = len(platform.freedoms)
     A, B = np.zeros((count, count)), np.zeros((count, count))
     row = 0
     for leg, motion in zip(platform.legs, motions, strict=True):
         rows = slice(row, row + len(leg.driven))
         A[rows] = motion.free.T @ motion.V
-        B[rows, rows] = motion.free.T @ motion.J[:, list(leg.driven)]
+        B[rows, rows] = np.triu(motion.free.T @ motion.J[:, list(leg.driven)])
         row += len(leg.driven)
     return A, B
 

@@ -8,18 +8,21 @@
 
 #include "parallel.h"
 
-/* A's smallest singular value below which a platform is singular, lengths in robot sizes: a root of
- * what legs may miss. */
+/* A's smallest singular value below which a platform is singular, lengths in robot sizes, and what
+ * a passive joint has to move of its own, beside those before it, not to depend on them [rad, robot
+ * sizes]: a root of what legs may miss, so that what is told above it has six digits. */
 #define DHGEN_SINGULAR_PLATFORM 1e-6
 
-/* How a leg's end moves: of m rows the first belong to passive joints after the reflections below,
- * the others to driven ones. Lengths count in robot sizes, also those of the platform's motion. */
+/* How a leg's end moves: of its rows the first belong to passive joints after the reflections
+ * below, as many as are independent, and the next to driven ones. Lengths count in robot sizes,
+ * also those of the platform's motion. */
 struct dhgen_leg_motion {
-    int rows, passive;
+    int rows, passive, independent;
     double V[6][6]; /* of the platform's freedoms */
     double J[6][6]; /* of the leg's joints: passive ones first, then driven ones */
     double miss[6]; /* from where the leg ends to where the platform has it */
     int order[6];   /* the joint of each column of J */
+    double unit[6]; /* of each of those: a robot size of slides */
 };
 
 /* What a leg's end is away from where the platform carries it: three lengths, then the rotation
@@ -54,8 +57,10 @@ DHGEN_FN void dhgen_leg_motion_at(const struct dhgen_parallel *robot, int number
         for (int joint = 0, next = 0; joint < leg->joints; joint++) {
             const int is_driven = next < leg->drives && leg->driven[next] == joint;
             next += is_driven;
-            if (is_driven == driven)
-                motion->order[place++] = joint;
+            if (is_driven == driven) {
+                motion->order[place] = joint;
+                motion->unit[place++] = leg->types[joint] == 'P' ? robot->size : 1.0;
+            }
         }
     /* the point that the leg carries, from the platform's origin, in the robot's base */
     double arm[3];
@@ -81,61 +86,83 @@ DHGEN_FN void dhgen_leg_motion_at(const struct dhgen_parallel *robot, int number
     }
 }
 
-/* Reflects the rows of a motion so that passive joints move the first ones alone (Householder):
- * what is below is what the platform and the drives have to agree in. */
-DHGEN_FN void dhgen_without_passive(
-    const struct dhgen_parallel *robot, struct dhgen_leg_motion *motion)
+/* Reflects rows of a motion from one on, so that of these a joint moves the first alone
+ * (Householder), and forwards. */
+DHGEN_FN void dhgen_reflect(
+    const struct dhgen_parallel *robot, struct dhgen_leg_motion *motion, int row, int joint)
 {
-    const int m = motion->rows;
-    for (int c = 0; c < motion->passive; c++) {
-        double square = 0.0;
-        for (int i = c; i < m; i++)
-            square += motion->J[i][c] * motion->J[i][c];
-        const double length = motion->J[c][c] > 0.0 ? -sqrt(square) : sqrt(square);
-        double v[6] = { 0.0 }, norm = 0.0;
-        for (int i = c; i < m; i++) {
-            v[i] = motion->J[i][c] - (i == c ? length : 0.0);
-            norm += v[i] * v[i];
+    const int m = motion->rows, last = m + robot->drives;
+    double v[6] = { 0.0 }, square = 0.0, norm = 0.0;
+    for (int i = row; i < m; i++)
+        square += motion->J[i][joint] * motion->J[i][joint];
+    const double length = motion->J[row][joint] > 0.0 ? -sqrt(square) : sqrt(square);
+    for (int i = row; i < m; i++) {
+        v[i] = motion->J[i][joint] - (i == row ? length : 0.0);
+        norm += v[i] * v[i];
+    }
+    for (int column = 0; column <= last && norm > 0.0; column++) {
+        double x[6] = { 0.0 }, sum = 0.0;
+        for (int i = row; i < m; i++) {
+            x[i] = column < m   ? motion->J[i][column]
+                : column < last ? motion->V[i][column - m]
+                                : motion->miss[i];
+            sum += v[i] * x[i];
         }
-        if (!(norm > 0.0))
-            continue;
-        for (int column = 0; column < m + robot->drives + 1; column++) {
-            double sum = 0.0;
-            for (int i = c; i < m; i++)
-                sum += v[i]
-                    * (column < m                        ? motion->J[i][column]
-                            : column - m < robot->drives ? motion->V[i][column - m]
-                                                         : motion->miss[i]);
-            for (int i = c; i < m; i++) {
-                double *const entry = column < m ? &motion->J[i][column]
-                    : column - m < robot->drives ? &motion->V[i][column - m]
-                                                 : &motion->miss[i];
-                *entry -= 2.0 * sum / norm * v[i];
-            }
+        for (int i = row; i < m; i++) {
+            double *const entry = column < m ? &motion->J[i][column]
+                : column < last              ? &motion->V[i][column - m]
+                                             : &motion->miss[i];
+            /* backwards where the reflection turned the joint around */
+            *entry = (i == row && length < 0.0 ? -1.0 : 1.0) * (x[i] - 2.0 * sum / norm * v[i]);
         }
     }
 }
 
+/* Reflects the rows of a motion so that passive joints move the first ones alone. In the next ones,
+ * as many as are driven, the platform and the drives have to agree. Where passive joints depend on
+ * each other rows are left over: there the leg's end can't move. */
+DHGEN_FN void dhgen_without_passive(
+    const struct dhgen_parallel *robot, struct dhgen_leg_motion *motion)
+{
+    int row = 0;
+    motion->independent = 0;
+    for (int joint = 0; joint < motion->rows; joint++) {
+        double square = 0.0;
+        for (int i = row; i < motion->rows; i++)
+            square += motion->J[i][joint] * motion->J[i][joint];
+        if (joint < motion->passive
+            && sqrt(square) * motion->unit[joint] <= DHGEN_SINGULAR_PLATFORM)
+            continue;
+        motion->independent += joint < motion->passive;
+        dhgen_reflect(robot, motion, row++, joint);
+    }
+}
+
 /* The two matrices of A xdot = B qdot, n x n: as many rows and columns as drives. The platform's
- * freedoms are in the order of velocities, then angular velocities; B has a block for each leg. */
-DHGEN_FN void dhgen_platform_rates(
+ * freedoms are in the order of velocities, then angular velocities; B has a block for each leg, and
+ * nothing below its diagonal. Returns whether they are determined: the passive joints of no leg
+ * depend on each other. */
+DHGEN_FN int dhgen_platform_rates(
     const struct dhgen_parallel *robot, const double *X, const double *q, double *A, double *B)
 {
     const int n = robot->drives;
+    int determined = 1;
     for (int i = 0; i < n * n; i++)
         A[i] = B[i] = 0.0;
     for (int i = 0, row = 0; i < robot->legs; i++) {
         struct dhgen_leg_motion motion;
         dhgen_leg_motion_at(robot, i, X, q + i * robot->joints, &motion);
         dhgen_without_passive(robot, &motion);
+        determined = determined && motion.independent == motion.passive;
         const int first = row;
-        for (int k = motion.passive; k < motion.rows; k++, row++) {
+        for (int k = motion.independent; row < first + robot->leg[i].drives; k++, row++) {
             for (int j = 0; j < n; j++)
                 A[n * row + j] = motion.V[k][j] * (robot->freedoms[j] < 3 ? 1.0 : robot->size);
-            for (int j = 0; j < robot->leg[i].drives; j++)
+            for (int j = row - first; j < robot->leg[i].drives; j++)
                 B[n * row + first + j] = motion.J[k][motion.passive + j] * robot->size;
         }
     }
+    return determined;
 }
 
 /* The smallest singular value of a matrix, n x n: by turning its columns until they are orthogonal
@@ -174,13 +201,18 @@ DHGEN_FN double dhgen_least_singular(int n, double *M)
 
 /* How near a robot is to a singularity of the first kind (B loses a rank: the platform loses a
  * motion) and of the second (A does: the platform has a motion that the drives do not hold): their
- * smallest singular values, lengths in robot sizes. */
-DHGEN_FN void dhgen_least_values(
+ * smallest singular values, lengths in robot sizes. Where passive joints of a leg depend on each
+ * other the leg takes a motion away, and A is not determined: 0 and NaN. Returns whether it is. */
+DHGEN_FN int dhgen_least_values(
     const struct dhgen_parallel *robot, const double *X, const double *q, double least[2])
 {
     double A[36], B[36];
     const int n = robot->drives;
-    dhgen_platform_rates(robot, X, q, A, B);
+    if (!dhgen_platform_rates(robot, X, q, A, B)) {
+        least[0] = 0.0;
+        least[1] = DHGEN_NAN;
+        return 0;
+    }
     for (int row = 0; row < n; row++)
         for (int j = 0; j < n; j++)
             A[n * row + j] *= robot->freedoms[j] < 3 ? robot->size : 1.0;
@@ -190,6 +222,7 @@ DHGEN_FN void dhgen_least_values(
                 B[n * row + j] *= robot->leg[leg].slides[k] ? robot->size : 1.0;
     least[0] = dhgen_least_singular(n, B) / robot->size;
     least[1] = dhgen_least_singular(n, A) / robot->size;
+    return 1;
 }
 
 /* Reads a pose of the platform, and whether all joint values of the legs are finite. */
@@ -204,29 +237,29 @@ DHGEN_FN int dhgen_read_posture(
 }
 
 /* dhgen_platform_rates of a pose as it is given. Returns DHGEN_OK, or, with NaN, minus
- * DHGEN_INVALID_POSE, also for joint values that are not finite. */
+ * DHGEN_FREE_JOINT where passive joints of a leg depend on each other, or minus DHGEN_INVALID_POSE,
+ * also for joint values that are not finite. */
 DHGEN_FN int dhgen_parallel_velocities(
     const struct dhgen_parallel *robot, const double *T, const double *q, double *A, double *B)
 {
     double X[12];
-    if (dhgen_read_posture(robot, T, q, X)) {
-        dhgen_platform_rates(robot, X, q, A, B);
-        return DHGEN_OK;
-    }
-    for (int i = 0; i < robot->drives * robot->drives; i++)
+    int told = -DHGEN_INVALID_POSE;
+    if (dhgen_read_posture(robot, T, q, X))
+        told = dhgen_platform_rates(robot, X, q, A, B) ? DHGEN_OK : -DHGEN_FREE_JOINT;
+    for (int i = 0; i < robot->drives * robot->drives && told < 0; i++)
         A[i] = B[i] = DHGEN_NAN;
-    return -DHGEN_INVALID_POSE;
+    return told;
 }
 
-/* dhgen_least_values, likewise. */
+/* dhgen_least_values of a pose as it is given. Returns DHGEN_OK; DHGEN_FREE_JOINT where passive
+ * joints of a leg depend on each other; or, with NaN, minus DHGEN_INVALID_POSE, also for joint
+ * values that are not finite. */
 DHGEN_FN int dhgen_parallel_singularities(
     const struct dhgen_parallel *robot, const double *T, const double *q, double least[2])
 {
     double X[12];
-    if (dhgen_read_posture(robot, T, q, X)) {
-        dhgen_least_values(robot, X, q, least);
-        return DHGEN_OK;
-    }
+    if (dhgen_read_posture(robot, T, q, X))
+        return dhgen_least_values(robot, X, q, least) ? DHGEN_OK : DHGEN_FREE_JOINT;
     least[0] = least[1] = DHGEN_NAN;
     return -DHGEN_INVALID_POSE;
 }
