@@ -21,7 +21,8 @@ from benchmarks.options import parallel_names, parser
 from benchmarks.report import table
 from dhgen.atomic_write import write_files
 from dhgen.parallel.compile import ParallelCompilation, compile_file
-from dhgen.parallel.verify import Native, are_inside, compiled
+from dhgen.parallel.native import Native, compiled
+from dhgen.parallel.verify import are_inside
 from dhgen.parallel.worked import reached, square
 from dhgen.robot_files import read_file
 from dhgen.status import Status

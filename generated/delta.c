@@ -326,11 +326,7 @@ int delta_fk(const double drives[3], const double T_seed[16], double T[16], doub
 
 int delta_assemblies(const double drives[3], double T[2][16])
 {
-    double poses[16 * DHGEN_MOST_ASSEMBLIES];
-    const int count = dhgen_assemblies(&robot, DHGEN_THREE_SPHERES, drives, poses);
-    for (int i = 0; i < count * 16; i++)
-        T[i / 16][i % 16] = poses[i];
-    return count;
+    return dhgen_assemblies(&robot, DHGEN_THREE_SPHERES, drives, &T[0][0]);
 }
 
 int delta_velocities(const double T[16], const double q[3][3], double A[9], double B[9])

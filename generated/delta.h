@@ -82,7 +82,9 @@ void delta_take_drives(const double q[3][3], double drives[3]);
  * -DELTA_INVALID_POSE. */
 int delta_fk(const double drives[3], const double T_seed[16], double T[16], double q[3][3]);
 
-/* All poses of the platform that drives' values allow, at most 2. Returns how many there are. */
+/* All poses of the platform that drives' values allow, at most 2. Returns how many there
+ * are, or, with T of no use, -DELTA_FREE_JOINT where they are a continuum, as the platform can
+ * move while its drives are held, or -DELTA_INVALID_POSE for drives that are not finite. */
 int delta_assemblies(const double drives[3], double T[2][16]);
 
 /* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities

@@ -127,6 +127,5 @@ _PLATFORM = _parallel.Platform(
 _FUNCTIONS = _parallel.Functions(_PLATFORM, Unreachable, "three spheres")
 ik, ik_all, ik_batch = _FUNCTIONS.ik, _FUNCTIONS.ik_all, _FUNCTIONS.ik_batch
 ik_drives, ik_drives_batch = _FUNCTIONS.ik_drives, _FUNCTIONS.ik_drives_batch
-fk, drives = _FUNCTIONS.fk, _FUNCTIONS.drives
-assemblies = _FUNCTIONS.assemblies
+fk, drives, assemblies = _FUNCTIONS.fk, _FUNCTIONS.drives, _FUNCTIONS.assemblies
 velocities, singularities = _FUNCTIONS.velocities, _FUNCTIONS.singularities

@@ -256,11 +256,7 @@ int five_bar_fk(const double drives[2], const double T_seed[16], double T[16], d
 
 int five_bar_assemblies(const double drives[2], double T[2][16])
 {
-    double poses[16 * DHGEN_MOST_ASSEMBLIES];
-    const int count = dhgen_assemblies(&robot, DHGEN_TWO_CIRCLES, drives, poses);
-    for (int i = 0; i < count * 16; i++)
-        T[i / 16][i % 16] = poses[i];
-    return count;
+    return dhgen_assemblies(&robot, DHGEN_TWO_CIRCLES, drives, &T[0][0]);
 }
 
 int five_bar_velocities(const double T[16], const double q[2][2], double A[4], double B[4])

@@ -82,7 +82,9 @@ void five_bar_take_drives(const double q[2][2], double drives[2]);
  * -FIVE_BAR_INVALID_POSE. */
 int five_bar_fk(const double drives[2], const double T_seed[16], double T[16], double q[2][2]);
 
-/* All poses of the platform that drives' values allow, at most 2. Returns how many there are. */
+/* All poses of the platform that drives' values allow, at most 2. Returns how many there
+ * are, or, with T of no use, -FIVE_BAR_FREE_JOINT where they are a continuum, as the platform can
+ * move while its drives are held, or -FIVE_BAR_INVALID_POSE for drives that are not finite. */
 int five_bar_assemblies(const double drives[2], double T[2][16]);
 
 /* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities

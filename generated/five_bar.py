@@ -113,6 +113,5 @@ _PLATFORM = _parallel.Platform(
 _FUNCTIONS = _parallel.Functions(_PLATFORM, Unreachable, "two circles")
 ik, ik_all, ik_batch = _FUNCTIONS.ik, _FUNCTIONS.ik_all, _FUNCTIONS.ik_batch
 ik_drives, ik_drives_batch = _FUNCTIONS.ik_drives, _FUNCTIONS.ik_drives_batch
-fk, drives = _FUNCTIONS.fk, _FUNCTIONS.drives
-assemblies = _FUNCTIONS.assemblies
+fk, drives, assemblies = _FUNCTIONS.fk, _FUNCTIONS.drives, _FUNCTIONS.assemblies
 velocities, singularities = _FUNCTIONS.velocities, _FUNCTIONS.singularities

@@ -271,11 +271,7 @@ int parallel_3rpr_fk(const double drives[3], const double T_seed[16], double T[1
 
 int parallel_3rpr_assemblies(const double drives[3], double T[6][16])
 {
-    double poses[16 * DHGEN_MOST_ASSEMBLIES];
-    const int count = dhgen_assemblies(&robot, DHGEN_THREE_CIRCLES, drives, poses);
-    for (int i = 0; i < count * 16; i++)
-        T[i / 16][i % 16] = poses[i];
-    return count;
+    return dhgen_assemblies(&robot, DHGEN_THREE_CIRCLES, drives, &T[0][0]);
 }
 
 int parallel_3rpr_velocities(const double T[16], const double q[3][2], double A[9], double B[9])

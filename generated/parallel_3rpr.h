@@ -83,7 +83,9 @@ void parallel_3rpr_take_drives(const double q[3][2], double drives[3]);
  * meet the platform or do not reach the seed, or -PARALLEL_3RPR_INVALID_POSE. */
 int parallel_3rpr_fk(const double drives[3], const double T_seed[16], double T[16], double q[3][2]);
 
-/* All poses of the platform that drives' values allow, at most 6. Returns how many there are. */
+/* All poses of the platform that drives' values allow, at most 6. Returns how many there are, or,
+ * with T of no use, -PARALLEL_3RPR_FREE_JOINT where they are a continuum, as the platform can move
+ * while its drives are held, or -PARALLEL_3RPR_INVALID_POSE for drives that are not finite. */
 int parallel_3rpr_assemblies(const double drives[3], double T[6][16]);
 
 /* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities

@@ -7,19 +7,18 @@ and B are what differences of the inverse model say.
 
 from __future__ import annotations
 
-import ctypes
-import subprocess
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhgen.errors import VerificationError
+from dhgen.parallel.native import Native, compiled
 from dhgen.parallel.worked import DRAWN, reached, square, turn_about
+from dhgen.runtime.python.platform import SINGULAR_PLATFORM
 from dhgen.status import Status
 from dhgen.survey.oracle.forward import forward
 from dhgen.verify.compiled import import_temporary
-from dhgen.verify.native import C_FLAGS, c_compiler
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -78,6 +77,7 @@ def verify_parallel(
     checker = _Checker(module, python, native)
     for T in poses:
         checker.pose(T)
+    checker.drives_hold()
     checker.batch(poses)
     checker.no_pose(poses[0])
     code = {name: own for report in chains for name, own in report.code.items()}
@@ -105,123 +105,13 @@ def are_inside(status: Statuses) -> NDArray[np.bool_]:
     return np.asarray((status == Status.OK).any(axis=2).all(axis=1))
 
 
-class Native:
-    """The compiled functions of a parallel robot, with arrays as Python's have them."""
-
-    def __init__(self, module: ParallelModule, library: Any) -> None:  # noqa: ANN401
-        self._library = library
-        self._name = module.name
-        self._shape = len(module.legs), module.rows, module.joints
-        self._driven = len(module.legs), module.rows, module.driven
-        self._drives = module.robot.drives
-
-    def _call(self, function: str, *arrays: FloatArray | None) -> int:
-        pointers = [None if a is None else a.ctypes.data_as(ctypes.c_void_p) for a in arrays]
-        return int(self._library[f"{self._name}_{function}"](*pointers))
-
-    def ik(self, T: FloatArray) -> tuple[int, FloatArray, Statuses]:
-        """How many working modes there are, q and status."""
-        q, status = np.empty(self._shape), np.empty(self._shape[:2], np.uint8)
-        return self._call("ik", np.ascontiguousarray(T), None, q, status), q, status
-
-    def nearest(self, T: FloatArray, seed: FloatArray) -> tuple[int, FloatArray]:
-        """What ik_nearest returns, and q."""
-        q = np.empty((self._shape[0], self._shape[2]))
-        pose = np.ascontiguousarray(T)
-        return self._call("ik_nearest", pose, np.ascontiguousarray(seed), q), q
-
-    def batch(self, T: FloatArray) -> tuple[FloatArray, Statuses]:
-        """All q and statuses."""
-        q = np.empty((len(T), *self._shape))
-        status = np.empty((len(T), *self._shape[:2]), np.uint8)
-        poses = np.ascontiguousarray(T)
-        self.call_batch(
-            len(T), *(each.ctypes.data_as(ctypes.c_void_p) for each in (poses, q, status))
-        )
-        return q, status
-
-    def ik_drives(self, T: FloatArray) -> tuple[int, FloatArray, Statuses]:
-        """How many working modes there are, the driven joints of all rows, and status."""
-        q, status = np.empty(self._driven), np.empty(self._shape[:2], np.uint8)
-        return self._call("ik_drives", np.ascontiguousarray(T), q, status), q, status
-
-    def drives_batch(self, T: FloatArray) -> tuple[FloatArray, Statuses]:
-        """The same of many poses."""
-        q = np.empty((len(T), *self._driven))
-        status = np.empty((len(T), *self._shape[:2]), np.uint8)
-        poses = np.ascontiguousarray(T)
-        self.call_drives_batch(
-            len(T), *(each.ctypes.data_as(ctypes.c_void_p) for each in (poses, q, status))
-        )
-        return q, status
-
-    def call_drives_batch(self, count: int, *arrays: ctypes.c_void_p) -> None:
-        """ik_drives_batch of poses, q and status by their addresses."""
-        self._library[f"{self._name}_ik_drives_batch"](ctypes.c_size_t(count), *arrays)
-
-    def call_batch(self, count: int, *arrays: ctypes.c_void_p) -> None:
-        """ik_batch of poses, q and status by their addresses."""
-        self._library[f"{self._name}_ik_batch"](ctypes.c_size_t(count), *arrays)
-
-    def fk(self, drives: FloatArray, seed: FloatArray) -> tuple[int, FloatArray, FloatArray]:
-        """What fk returns, the pose and q."""
-        T, q = np.empty((4, 4)), np.empty((self._shape[0], self._shape[2]))
-        return self._call("fk", drives, np.ascontiguousarray(seed), T, q), T, q
-
-    def assemblies(self, drives: FloatArray) -> FloatArray:
-        """All poses of drives' values."""
-        T = np.empty((6, 4, 4))
-        return T[: self._call("assemblies", drives, T)]
-
-    def velocities(self, T: FloatArray, q: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """A and B."""
-        A, B = np.empty((2, self._drives, self._drives))
-        self._call("velocities", np.ascontiguousarray(T), np.ascontiguousarray(q), A, B)
-        return A, B
-
-    def singularities(self, T: FloatArray, q: FloatArray) -> FloatArray:
-        """The smallest singular values of B and A."""
-        least = np.empty(2)
-        self._call("singularities", np.ascontiguousarray(T), np.ascontiguousarray(q), least)
-        return least
-
-
-def compiled(
-    module: ParallelModule,
-    folder: Path,
-    flags: Sequence[str] = ("-O1",),
-    compiler: str | None = None,
-) -> Native | None:
-    """The C of a robot and its legs, warnings as errors; None without a compiler.
-
-    Args:
-        module: The robot.
-        folder: Where its files are, and the library goes.
-        flags: For the compiler.
-        compiler: Its path, if it is not the first one found.
-
-    Raises:
-        VerificationError: The compiler refuses the files.
-    """
-    compiler = compiler or c_compiler()
-    if compiler is None:
-        return None
-    names = [module.name, *(chain.name for chain in module.robot.chains)]
-    sources = [str(folder / f"{name}.c") for name in names]
-    library = folder / f"{module.name}{len(list(folder.glob('*.so')))}.so"
-    command = [compiler, *C_FLAGS, *flags, "-shared", "-fPIC", *sources, "-o", str(library), "-lm"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
-    if done.returncode:
-        raise VerificationError(f"{module.name}.c does not compile:\n{done.stderr.strip()}")
-    return Native(module, ctypes.CDLL(str(library)))
-
-
 class _Checker:
     def __init__(self, module: ParallelModule, python: ModuleType, native: Native | None) -> None:
         self._module = module
         self._python = python
         self._native = native
         self.modes, self.residual = 0, 0.0
+        self._least: list[Sequence[float]] = []  # of all poses the singular values of B and A
 
     def pose(self, T: FloatArray) -> None:
         """Everything about a pose that all legs reach."""
@@ -236,6 +126,7 @@ class _Checker:
         mode = np.array([rows[told][0] for rows, told in zip(q, good, strict=True)])
         self._languages(T, q, status, mode, where)
         least = self._python.singularities(T, mode)
+        self._least.append(np.nan_to_num(least[:2]))
         if min(least.first, least.second) > REGULAR:
             self._slopes(T, mode, where)
             self._direct(T, mode, where)
@@ -361,6 +252,21 @@ class _Checker:
     def _same_pose(self, one: FloatArray, other: FloatArray) -> bool:
         units = np.array([1.0, 1.0, 1.0, self._module.size])
         return bool((np.abs((one - other)[:3] / units) <= AGREED / REGULAR).all())
+
+    def drives_hold(self) -> None:
+        """At some pose the drives move the platform in all ways, and hold it."""
+        first, second = np.max(self._least, axis=0)
+        every = f"{self._module.name}: at all {len(self._least)} poses"
+        if first <= SINGULAR_PLATFORM:
+            raise VerificationError(
+                f"{every} a drive does not move what its leg carries: do the legs drive the right "
+                "joints?"
+            )
+        if second <= SINGULAR_PLATFORM:
+            raise VerificationError(
+                f"{every} the platform can move while its drives are held: where the legs stand, "
+                "and what they carry, leaves it a motion that the count of freedoms does not see"
+            )
 
     def batch(self, poses: FloatArray) -> None:
         """Batches say what single poses say."""

@@ -13,7 +13,7 @@ import numpy as np
 
 from dhgen.atomic_write import write_files
 from dhgen.errors import DhgenError
-from dhgen.parallel.verify import compiled
+from dhgen.parallel.native import compiled
 from dhgen.parallel.worked import reached, square
 from dhgen.survey.ask import SAME, Singular, among, ask_singular, distinct, missed
 from dhgen.survey.oracle.arm import arm, arm_size
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from dhgen.compiler import Compilation
     from dhgen.parallel.compile import ParallelCompilation
     from dhgen.parallel.module import ParallelModule
-    from dhgen.parallel.verify import Native
+    from dhgen.parallel.native import Native
 
 SINGULAR_SHARE = 4  # random poses for one of each singular kind of a leg
 

@@ -222,13 +222,20 @@ class Functions:
         """All poses (k, 4, 4) of the platform that drives' values allow.
 
         Raises:
-            ValueError: drives has the wrong shape.
-            NotImplementedError: For this robot no elimination is known: see ASSEMBLIES.
+            ValueError: drives has the wrong shape, or is not finite, or the platform can move while
+                these drives are held, so that its poses are a continuum.
+            NotImplementedError: For this robot no elimination is known: ASSEMBLIES is 0.
         """
         values = array_of(drives, (self._drives,), "drives")
         if not self._elimination:
-            raise NotImplementedError("all assemblies of this robot are not known: take fk")
-        return assemblies(self._platform, self._elimination, values, self._joints)
+            raise NotImplementedError(
+                "how many poses drives allow is not known of this robot: `fk` finds the one near "
+                "a seed"
+            )
+        if not np.isfinite(values).all():
+            raise ValueError("drives are not finite")
+        with np.errstate(over="ignore", invalid="ignore"):  # far away nothing closes
+            return assemblies(self._platform, self._elimination, values, self._joints)
 
     def velocities(self, T: ArrayLike, q: ArrayLike) -> tuple[Floats, Floats]:
         """A and B, with A xdot = B qdot at a pose and its joint values.

@@ -69,6 +69,8 @@ def half_way(arm: Floats, x: Floats, q: Floats, half: Floats) -> float:
     most = 0.0
     for i in range(int(arm[DOF])):
         off = q[i] - x[i]
+        if not math.isfinite(off):
+            return math.inf  # far away steps overflow
         if arm[TURNS + RECORD * i] > 0.0:
             off -= TURN * math.floor(off / TURN + 0.5)
         most = max(most, abs(off) * math.sqrt(arm[WEIGHT + RECORD * i]))

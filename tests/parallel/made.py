@@ -12,7 +12,8 @@ import numpy as np
 
 from dhgen.atomic_write import write_files
 from dhgen.parallel.compile import ParallelCompilation, compile_file
-from dhgen.parallel.verify import Native, are_inside, compiled
+from dhgen.parallel.native import Native, compiled
+from dhgen.parallel.verify import are_inside
 from dhgen.parallel.worked import reached, square
 from dhgen.robot_files import read_file
 from dhgen.survey.oracle.forward import forward

@@ -94,7 +94,7 @@ def test_two_of_six_poses_that_nearly_merge_hide_no_other() -> None:
 ROOTS = """
 #define DHGEN_SCALAR
 #define DHGEN_LIBM
-#include "dhgen/assemblies.h"
+#include "dhgen/triangle.h"
 int roots(const double *p, int degree, double *found);
 int roots(const double *p, int degree, double *found) { return dhgen_real_roots(p, degree, found); }
 """

@@ -14,7 +14,8 @@ import pytest
 from dhgen.atomic_write import write_files
 from dhgen.parallel.compile import ParallelCompilation, compile_file
 from dhgen.parallel.driven import driven
-from dhgen.parallel.verify import Native, compiled, drives_of
+from dhgen.parallel.native import Native, compiled
+from dhgen.parallel.verify import drives_of
 from dhgen.parallel.worked import turn_about
 from dhgen.robot_files import read_file
 from tests.serial import PARALLEL, ROBOTS

@@ -16,7 +16,7 @@ import pytest
 from dhgen.atomic_write import write_files
 from dhgen.cli import main
 from dhgen.parallel.compile import compile_file
-from dhgen.parallel.verify import compiled
+from dhgen.parallel.native import compiled
 from dhgen.robot_files import read_file
 from tests.parallel.made import compilation, native, poses
 from tests.parallel.test_parallel_c import COMPILERS, WARNINGS, told

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.parallel.module import LegModule, ParallelModule
 
-FILES = (*NAMES, *OWN)
+FILES = tuple(name for name in (*NAMES, *OWN) if name != "one_rail")  # which is singular everywhere
 STEP = 1e-3  # of differences [rad, robot sizes]
 NEAR = 1e-8  # what these may be away, to A's and B's size
 REGULAR = 0.02  # smallest singular value above which a pose is asked for

@@ -18,7 +18,7 @@ from .platform import LENGTHS, Leg, Platform
 from .status import FREE_JOINT, OK
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
@@ -33,13 +33,26 @@ TOUCHES = 1e-9
 ONE_CENTER = 1e-9
 # Two assemblies that are no farther apart are one [rad, robot sizes]: a root of what legs may miss.
 ONE_ASSEMBLY = 1e-6
+# Where both equations of a platform on three circles have rows no longer than this [robot sizes] it
+# nearly goes around: up to four roots have nearly merged, none has more than a fourth of the
+# digits, and so many places on the first point's circle are tried.
+NEARLY_AROUND, PLACES_AROUND = 1e-3, 8
 TWO_CIRCLES, THREE_CIRCLES, THREE_SPHERES = "two circles", "three circles", "three spheres"
 
 
+class ContinuumError(ValueError):
+    """The poses that drives' values allow are not single ones."""
+
+    def __init__(self) -> None:
+        super().__init__("the platform can move while its drives are held: no pose is one of few")
+
+
 def assemblies(platform: Platform, elimination: str, drives: Floats, width: int) -> Floats:
-    """All poses (k, 4, 4) that drives' values allow, refined."""
-    if not np.isfinite(drives).all():
-        return np.empty((0, 4, 4))
+    """All poses (k, 4, 4) that drives' values allow, refined.
+
+    Raises:
+        ContinuumError: The platform can move while its drives are held.
+    """
     centers, radii = np.empty((len(platform.legs), 3)), np.empty(len(platform.legs))
     first = 0
     for number, leg in enumerate(platform.legs):
@@ -108,39 +121,58 @@ def _placed(point: Floats, angle: float) -> Floats:
 
 
 def _circles(centers: Floats, radii: Floats, size: float) -> list[Floats]:
-    """Where two circles in the plane meet."""
+    """Where two circles in the plane meet.
+
+    Raises:
+        ContinuumError: They are one circle.
+    """
     one, apart = centers[0, :2], (centers[1] - centers[0])[:2]
-    square = apart @ apart
+    r, s = (radii**2).tolist()
+    square, touches = float(apart @ apart), TOUCHES * size**2
     if not square > (ONE_CENTER * size) ** 2:
+        if abs(r - s) <= touches:
+            raise ContinuumError
         return []
-    along = 0.5 * (square + radii[0] ** 2 - radii[1] ** 2) / square
-    beside = radii[0] ** 2 / square - along**2
-    if not beside >= -TOUCHES * size**2 / square:
+    along = 0.5 * (square + r - s) / square
+    beside = r / square - along**2
+    if not beside >= -touches / square:
         return []
     across = math.sqrt(max(beside, 0.0)) * np.array([-apart[1], apart[0]])
     return [one + along * apart + sign * across for sign in (1.0, -1.0)]
 
 
 def _spheres(centers: Floats, radii: Floats, size: float) -> list[Floats]:
-    """Where three spheres meet (F. Thomas and L. Ros, Revisiting trilateration, 2005)."""
-    one, other = centers[1:] - centers[0]
-    r, s, t = radii**2
-    d = float(np.linalg.norm(one))
+    """Where three spheres meet (F. Thomas and L. Ros, Revisiting trilateration, 2005).
+
+    Raises:
+        ContinuumError: They have a circle in common, or are one sphere.
+    """
+    lengths = ((centers - centers[0]) ** 2).sum(axis=1)
+    one, other = (2, 1) if lengths[2] > lengths[1] else (1, 2)
+    d, touches = math.sqrt(lengths[one]), TOUCHES * size**2
+    square = float(radii[0] ** 2)
+    less, less_other = (square - float(radii[k] ** 2) for k in (one, other))
     if not d > ONE_CENTER * size:
+        if max(abs(less), abs(less_other)) <= touches:
+            raise ContinuumError
         return []
-    x = one / d
-    i = float(x @ other)
-    j = float(np.linalg.norm(other - i * x))
-    if not j > ONE_CENTER * size:
+    x = (centers[one] - centers[0]) / d
+    i = float(x @ (centers[other] - centers[0]))
+    y = centers[other] - centers[0] - i * x
+    j, u = float(np.linalg.norm(y)), 0.5 * (d + less / d)
+    if not j > ONE_CENTER * size:  # in a line
+        if not abs(less_other + i * i - 2.0 * i * u) <= touches or not square - u * u >= -touches:
+            return []
+        if square - u * u > touches:
+            raise ContinuumError
+        return [centers[0] + u * x]
+    v = 0.5 * (j + (less_other + i * i) / j) - i * u / j
+    square -= u * u + v * v
+    if not square >= -touches:
         return []
-    y = (other - i * x) / j
-    u = 0.5 * (d + (r - s) / d)
-    v = 0.5 * (j + (r - t + i * i) / j) - i * u / j
-    square = r - u * u - v * v
-    if not square >= -TOUCHES * size**2:
-        return []
-    across = math.sqrt(max(square, 0.0)) * np.cross(x, y)
-    return [centers[0] + u * x + v * y + sign * across for sign in (1.0, -1.0)]
+    w = (1.0 if one == 1 else -1.0) * math.sqrt(max(square, 0.0))
+    across = w * np.cross(x, y / j)
+    return [centers[0] + u * x + v * y / j + sign * across for sign in (1.0, -1.0)]
 
 
 def real_roots(p: Sequence[float]) -> list[float]:
@@ -242,27 +274,46 @@ class _Triangle:
             p += (2.0 if n else 1.0) * (series[n] * power).real
         return [start + 2.0 * math.atan(t) for t in real_roots(p.tolist())]
 
-    def points(self, angle: float, size: float) -> Iterator[Floats]:
+    def goes_around(self, size: float) -> bool:
+        """Whether the platform is as large as what it stands on, on equal circles."""
+        (x, y), (X, Y) = self.e[0], self.E[0]
+        square = x * x + y * y
+        if not square > 0.0:
+            return False
+        c, s = (x * X + y * Y) / square, (x * Y - y * X) / square
+        off = [self.e @ np.array([[c, s], [-s, c]]) - self.E, self.s - self.r]
+        off.append((c * c + s * s - 1.0) * math.sqrt(square))
+        return bool(max(np.abs(each).max() for each in off) <= ONE_ASSEMBLY * size)
+
+    def points(self, angle: float, size: float) -> list[Floats]:
         """The places of the first point at an angle of the platform."""
         rows, right = self.rows(angle)
         (a, b), (c, d) = rows
         det, squares = a * d - b * c, (rows**2).sum(axis=1)
-        if abs(det) > ONE_ASSEMBLY * math.sqrt(squares.prod()):
-            yield np.array([right[0] * d - right[1] * b, a * right[1] - c * right[0]]) / det
-            return
-        i = int(squares[0] < squares[1])  # both lines are one: it meets the circle twice
-        if not squares[i] > TOUCHES * size**2:
-            return
+        i = int(squares[0] < squares[1])
+        if not squares[i] > (NEARLY_AROUND * size) ** 2:
+            ways = (TURN * k / PLACES_AROUND for k in range(PLACES_AROUND))
+            return [self.r * np.array([math.cos(way), math.sin(way)]) for way in ways]
+        is_single = squares[1 - i] > (ONE_ASSEMBLY * size) ** 2
+        if is_single and abs(det) > ONE_ASSEMBLY * math.sqrt(squares.prod()):
+            return [np.array([right[0] * d - right[1] * b, a * right[1] - c * right[0]]) / det]
+        # both lines are one, or one is none: the other meets the circle twice
         along = right[i] / squares[i]
         beside = math.sqrt(max(self.r**2 / squares[i] - along**2, 0.0))
-        for sign in (1.0, -1.0):
-            yield along * rows[i] + sign * beside * np.array([-rows[i, 1], rows[i, 0]])
+        across = beside * np.array([-rows[i, 1], rows[i, 0]])
+        return [along * rows[i] + sign * across for sign in (1.0, -1.0)]
 
 
 def _on_three_circles(platform: Platform, centers: Floats, radii: Floats) -> list[Floats]:
-    """Poses of a platform on three circles, to be refined."""
+    """Poses of a platform on three circles, to be refined.
+
+    Raises:
+        ContinuumError: It goes around.
+    """
     ends = np.array([leg.end[:2, 3] for leg in platform.legs])
     of = _Triangle(ends[1:] - ends[0], (centers[1:] - centers[0])[:, :2], radii[0], radii[1:])
+    if of.goes_around(platform.size):
+        raise ContinuumError
     poses: list[Floats] = []
     for angle in of.angles():
         carried = _placed(np.zeros(2), angle)[:2, :2] @ ends[0]
