@@ -96,7 +96,7 @@ def _singular(context: StepContext) -> Formula | Prose | None:
     if chain.dof != chain.task.dimension:
         return None
     if chain.task.kind is TaskKind.POSE:
-        return equal(Symbol(r"\det J", "det J"), ZERO)
+        return say("{}", equal(Symbol(r"\det J", "det J"), ZERO))
     if chain.task.kind is not TaskKind.POSITION:
         return None
     found = position_determinant(context.story)
