@@ -102,8 +102,8 @@ def _common_normal(
         normal = across if np.linalg.norm(across) > SNAP * size else x
         foot, landing = origin, origin + across
     else:
-        lean = z @ direction
-        along = (between @ z - lean * (between @ direction)) / (1.0 - lean * lean)
+        # Of nearly parallel axes the sine has digits that one minus the squared cosine has lost.
+        along = np.cross(between, direction) @ normal / (normal @ normal)
         foot = origin + along * z
         if abs(along) > FAR * size:
             foot = origin

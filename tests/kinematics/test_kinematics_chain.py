@@ -155,6 +155,23 @@ def test_nearly_parallel_axes_have_frames_inside_the_arm() -> None:
     np.testing.assert_allclose(numeric_arm(chain).pose(q), forward(tilted, q), atol=1e-12)
 
 
+@pytest.mark.parametrize("angle", ["5e-9", "3e-8", "1e-7", "1e-5", "1e-3"])
+@pytest.mark.parametrize("apart", [0.0, 0.1])
+def test_nearly_parallel_axes_that_meet_do_so_where_they_do(angle: str, apart: float) -> None:
+    """One minus the squared cosine of 5e-9 is zero, and of 1e-7 it has two digits."""
+    tilted = axes(
+        "type: revolute, direction: [0, 0, 1], point: [0.1, 0.2, 0]",
+        f"type: revolute, direction: [{angle}, 0, 1], point: [0.1 - {apart}*{angle}, 0.2, 0]",
+        "type: revolute, direction: [0.3, 1, 0.2], point: [0.4, 0, 0.3]",
+        home="{xyz: [0.6, 0, 0.3]}",
+    )
+    chain = build_chain(tilted)
+    q = random_joints(tilted, 20, seed=1)
+    np.testing.assert_allclose(numeric_arm(chain).pose(q), forward(tilted, q), atol=1e-9)
+    found = {each.meaning: each.value for each in chain.constants}
+    assert found.get("joint offset 1", 0.0) == pytest.approx(apart, abs=1e-6)
+
+
 def test_coordinates_that_agree_by_value_are_one() -> None:
     arm = axes(
         "type: revolute, direction: [0, 0, 1], point: [0, 0, 0]",
