@@ -9,6 +9,7 @@ from dhgen.derivation.sums_left import sum_left
 from dhgen.derivation.text.blocks import Given, joined, say
 from dhgen.derivation.text.formula import ONE, ZERO, equal, minus
 from dhgen.derivation.text.words import many
+from dhgen.kinematics.algebra import POSE_NAMES
 from dhgen.kinematics.ring import used_places
 from dhgen.kinematics.transform import identity
 from dhgen.paul.form import Length
@@ -46,9 +47,22 @@ def meaning_of_root(context: StepContext) -> Prose:
     if _is_about_first_axis(context):
         text = "{} is as close to axis 1 as the offset of the arm allows"
         return say(text, point_name(context))
+    if not _holds_a_place(context):
+        return say("the tool's direction is at the edge of what the joints can give")
     given = [str(joint) for joint in context.story.algebra.chain.free]
     ending = f", with {many('joint', given)} as given" if given else ""
     return say(f"the arm is at the edge of its reach{ending}")
+
+
+def _holds_a_place(context: StepContext) -> bool:
+    """Whether an equation holds more of the pose than its directions."""
+    algebra = context.story.algebra
+    pose = {
+        algebra.ring.symbols[place].name
+        for form in context.step.forms
+        for place in used_places(form.equation.difference)
+    } & {*POSE_NAMES, *algebra.coordinates}
+    return not pose or any(not name.startswith("t") or name.endswith("4") for name in pose)
 
 
 def _is_about_first_axis(context: StepContext) -> bool:

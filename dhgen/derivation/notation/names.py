@@ -54,8 +54,12 @@ def is_primed(name: str) -> bool:
 def parameter(name: str) -> Symbol:
     """A parameter of the robot file: L1 and L_1 with an index, a word as a word.
 
-    A prime distinguishes it from what formulas call so themselves.
+    A prime distinguishes it from what formulas call so themselves, and numbers without a name from
+    the parameter whose name they would have (a2_).
     """
+    if name.endswith("_"):
+        other = parameter(name[:-1])
+        return Symbol(f"{other.latex}'", f"{other.text}′", name)
     if is_primed(name):
         return Symbol(rf"\mathit{{{name}}}'", f"{name}′", name)
     match = _PARTS.fullmatch(name)

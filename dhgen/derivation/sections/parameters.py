@@ -16,7 +16,7 @@ from dhgen.kinematics.chain import Fixed
 from dhgen.kinematics.constants import TURN_TOLERANCE
 from dhgen.kinematics.expressions import multiple_of_pi
 from dhgen.kinematics.ring import used_places
-from dhgen.robot.expression import Negate, Number, evaluate
+from dhgen.robot.expression import Name, Negate, Number, evaluate, parts
 from dhgen.robot.robot import DhTable, JointKind
 
 if TYPE_CHECKING:
@@ -31,8 +31,10 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Parameter
 
 
-ANGLES = ("twist", "the angle", "the parameter")
+CELLS = ("twist", "the angle")
+ANGLES = (*CELLS, "the parameter")
 TURNED = ("cosine of", "sine of")
+EXACT = 1e-12  # of a length: rounding
 
 
 def constant_blocks(story: Story) -> list[Block]:
@@ -46,11 +48,27 @@ def constant_blocks(story: Story) -> list[Block]:
         prime = " A prime tells a parameter from what else its name means here." if primed else ""
         blocks.append(paragraph("Parameters: {}." + prime, joined(shown)))
     made = [each for each in constants if each.parameter is None and each.square is None]
-    if made:
-        numbers = joined([_constant(story, each) for each in made])
+    unsaid = [each for each in made if not _is_of_a_shown_angle(each)]
+    if unsaid:
+        numbers = joined([_constant(story, each) for each in unsaid])
         blocks.append(paragraph("Further numbers of the table get letters here: {}.", numbers))
+    if made:
         blocks += reference_angles(story)
+    if any(_is_in_radians(cell) for _, cell in _angles(story, moving=True)):
+        blocks.append(paragraph("Angles without a degree sign are in radians."))
     return blocks
+
+
+def _is_of_a_shown_angle(constant: Constant) -> bool:
+    """Whether it is the cosine or sine of a cell of the table."""
+    function, of, what = constant.meaning.partition(" of ")
+    return f"{function}{of}".strip() in TURNED and what.startswith(CELLS)
+
+
+def _is_in_radians(cell: Expression) -> bool:
+    """Whether an angle is written as a number, and neither in degrees nor in parts of pi."""
+    text = expression_symbol(cell).text
+    return re.search("[1-9]", text) is not None and not {"°", "π"} & set(text)
 
 
 def _written(chain: Chain) -> list[Constant]:
@@ -79,10 +97,38 @@ def _parameter(each: Parameter, constant: Constant | None, story: Story) -> Pros
     plain = isinstance(written, Number) or (
         isinstance(written, Negate) and isinstance(written.operand, Number)
     )
-    sides = [parameter(each.name), *([] if plain else [expression_symbol(written)]), value]
+    shown = expression_symbol(written)
+    if shown.text.endswith("°"):
+        return say("{}", equal(parameter(each.name), shown))
+    sides = [parameter(each.name), *([] if plain else [shown]), value]
     is_length = constant is not None and constant.is_length
+    is_length = is_length or each.name in _lengths_that_make_others(story)
     unit = say(" {}", Given(story.robot.length_unit)) if is_length else say("")
+    if constant is None and _is_an_angle(each.name, story):
+        unit = say(" rad")
     return say("{}{}", equal(*sides), unit)
+
+
+def _lengths_that_make_others(story: Story) -> set[str]:
+    """Parameters that stand in another one, which is a length: twice they are twice that."""
+    values = {each.name: each.value for each in story.robot.parameters}
+    lengths = {each.parameter for each in story.algebra.chain.constants if each.is_length}
+    found: set[str] = set()
+    for each in story.robot.parameters:
+        names = {part.name for part in parts(each.expression) if isinstance(part, Name)}
+        twice = values | {name: 2.0 * values[name] for name in names}
+        if each.name in lengths and names:
+            off = evaluate(each.expression, twice) - 2.0 * each.value
+            found |= names if abs(off) < EXACT * abs(each.value) else set()
+    return found
+
+
+def _is_an_angle(name: str, story: Story) -> bool:
+    """Whether a parameter is in an angle of the table, or its cosine or sine is a letter."""
+    if any(Name(name) in parts(cell) for _, cell in _angles(story, moving=True)):
+        return True
+    meanings = tuple(f"{function} the parameter {name}" for function in TURNED)
+    return any(each.meaning in meanings for each in story.algebra.chain.constants)
 
 
 def _constant(story: Story, constant: Constant) -> Prose:
@@ -165,12 +211,17 @@ def _turned(angle: float, reference: Symbol) -> Formula:
     return subtract(reference, PI) if folded else minus(reference)
 
 
-def _angles(story: Story) -> Iterator[tuple[Symbol, Expression]]:
-    """The angles of the table that do not move, with their letters."""
+def _angles(story: Story, *, moving: bool = False) -> Iterator[tuple[Symbol, Expression]]:
+    """The angles of the table that do not move, with their letters; or what is added to those too.
+
+    Args:
+        story: The arm.
+        moving: Whether angles of revolute joints are asked for as well.
+    """
     geometry = story.robot.geometry
     if not isinstance(geometry, DhTable):
         return
     for label, row in zip(geometry.labels, geometry.rows, strict=True):
-        if row.kind is JointKind.PRISMATIC:
+        if moving or row.kind is JointKind.PRISMATIC:
             yield letter(r"\theta", "θ", label), row.theta
         yield letter(r"\alpha", "α", label), row.alpha

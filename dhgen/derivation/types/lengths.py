@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.derivation.conditions import vanishing
 from dhgen.derivation.effects import free_effect, is_left_to_the_pose, merged_effect, others_decide
 from dhgen.derivation.notation.names import letter, unknown_symbol
 from dhgen.derivation.step_context import Singularity, StepText, type_letter
@@ -25,7 +26,7 @@ from dhgen.paul.types.lengths import line_of
 
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import StepContext
-    from dhgen.derivation.text.blocks import Block
+    from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.derivation.text.formula import Formula
 
 
@@ -82,7 +83,7 @@ def print_squared_length(context: StepContext) -> StepText:
     met = Singularity(
         context.number,
         equal(D, ZERO),
-        None,
+        _where_roots_meet(context),
         say(NEAREST if one else TOUCHING),
         merged_effect(context),
     )
@@ -107,6 +108,12 @@ def print_squared_length(context: StepContext) -> StepText:
         ),
     )
     return StepText(blocks, (met,))
+
+
+def _where_roots_meet(context: StepContext) -> Formula | Prose | None:
+    """2 X r + Y = 0 by joints."""
+    r = context.story.algebra.generator(context.step.length.name)
+    return vanishing(context, 2 * context.polynomial("X") * r + context.polynomial("Y"))
 
 
 X1, Y1, Z1, X2, Y2, Z2 = (type_letter(name) for name in ("X1", "Y1", "Z1", "X2", "Y2", "Z2"))

@@ -6,15 +6,15 @@ an arm whose steps take roots of a polynomial has no condition that is one of th
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.conditions import are_never_zero, unsigned
 from dhgen.derivation.notation.matrices import expanded
-from dhgen.derivation.text.formula import ONE, ZERO, equal, number, times
-from dhgen.derivation.velocity.determinant import Determinant, Factor, raised
+from dhgen.derivation.text.formula import ZERO, equal
+from dhgen.derivation.velocity.determinant import Determinant, Factor
 from dhgen.derivation.velocity.wrist import between, crossed
 from dhgen.kinematics.chain import Fixed, Slide, Turn
+from dhgen.kinematics.ring import primitive
 from dhgen.kinematics.transform import identity
 
 if TYPE_CHECKING:
@@ -47,25 +47,23 @@ def position_determinant(story: Story, places: Sequence[Singularity] = ()) -> De
     found = [each for frame in frames if (each := _in_factors(story, frame)) is not None]
     if not found:
         return None
-    scale, taken = min(found, key=lambda each: (-sum(p for _, p in each[1]), str(each)))
-    still: list[Formula] = []
-    moving: list[Factor] = []
-    for polynomial, power in taken:
-        form = min(
-            algebra.normal(polynomial),
-            algebra.normal(expanded(algebra, polynomial)),
-            key=len,
-        )
+    size, taken = min(found, key=_length)
+    moving = []
+    for form, power in taken:
         written = unsigned(story, form)
         if power % 2 and written != story.write_forward(form):
-            scale = -scale
-        if algebra.is_constant(form):
-            still += [] if written == ONE else [raised(written, power)]
-        else:
-            never = are_never_zero(algebra, form)
-            moving.append(Factor(written, power, _place_of(written, places), never))
-    constant = times(number(scale), *still)
-    return Determinant(constant, tuple(moving), len(rows))
+            size = -size
+        never = are_never_zero(algebra, form)
+        moving.append(Factor(written, power, _place_of(written, places), never))
+    return Determinant(story.write_forward(size), tuple(moving), len(rows))
+
+
+Factored = tuple["Polynomial", list[tuple["Polynomial", int]]]
+
+
+def _length(factored: Factored) -> tuple[int, str]:
+    """How many terms all factors have; then by alphabet."""
+    return sum(len(form) for form, _ in factored[1]), str(factored)
 
 
 def _place_of(factor: Formula, places: Sequence[Singularity]) -> Singularity | None:
@@ -74,23 +72,30 @@ def _place_of(factor: Formula, places: Sequence[Singularity]) -> Singularity | N
     return next((place for place in places if place.joints == zero), None)
 
 
-def _in_factors(story: Story, frame: int) -> tuple[Fraction, list[tuple[Polynomial, int]]] | None:
-    """A number and the factors of the determinant, of velocities in a frame."""
+def _in_factors(story: Story, frame: int) -> Factored | None:
+    """What does not move, and the other factors, of the determinant of velocities in a frame."""
     columns = _columns(story, frame)
+    algebra = story.algebra
     if len(columns) == 2:
-        (a, b, *_), (c, d, *_) = ([column[row] for row in _rows(story)] for column in columns)
+        (a, b), (c, d) = ([column[row] for row in _rows(story)] for column in columns)
         size = a * d - b * c
     else:
         first, second, third = columns
-        size = sum(
-            (first[i] * (second[i - 2] * third[i - 1] - second[i - 1] * third[i - 2])
-             for i in range(3)),
-            story.algebra.ring.zero,
-        )  # fmt: skip
+        across = (second[i - 2] * third[i - 1] - second[i - 1] * third[i - 2] for i in range(3))
+        size = sum((a * b for a, b in zip(first, across, strict=True)), algebra.ring.zero)
     if not size or len(size) > MOST_TERMS:
         return None
-    content, factors = size.factor_list()
-    return Fraction(int(content.numerator), int(content.denominator)), factors
+    scale, factors = size.factor_list()
+    still, moving = algebra.ring.ground_new(scale), []
+    for factor, power in factors:
+        forms = (algebra.normal(factor), algebra.normal(expanded(algebra, factor)))
+        number_, form = primitive(min(forms, key=len))
+        still *= number_**power
+        if algebra.is_constant(form):
+            still *= form**power
+        else:
+            moving.append((form, power))
+    return algebra.normal(still), moving
 
 
 def _rows(story: Story) -> tuple[int, ...]:
