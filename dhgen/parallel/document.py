@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from math import prod
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,7 +25,7 @@ from dhgen.parallel.worked import example_of, square
 from dhgen.runtime.python.platform import LENGTHS
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from dhgen.arrays import FloatArray
     from dhgen.derivation.figures.figure import Figure
@@ -44,8 +45,15 @@ NO_TURNS = {
 }
 
 
-def parallel_blocks(module: ParallelModule) -> tuple[list[Block], list[Figure]]:
-    """The document and its figures."""
+def parallel_blocks(
+    module: ParallelModule, documents: Mapping[str, str] = MappingProxyType({})
+) -> tuple[list[Block], list[Figure]]:
+    """The document and its figures.
+
+    Args:
+        module: The robot.
+        documents: Of kinds of legs, by their names, the paths of their documents.
+    """
     example = example_of(module)
     figures = [] if example is None else [example_figure(module, example)]
     values = {
@@ -60,10 +68,12 @@ def parallel_blocks(module: ParallelModule) -> tuple[list[Block], list[Figure]]:
         "bases": [display(*_bases(module))],
         "picture": [figure.picture for figure in figures],
         "count": _count_symbol(count_of(module)),
-        "solved": [paragraph(text, *parts) for text, parts in _solved(module)],
+        "solved": [paragraph(text, *parts) for text, parts in _solved(module, documents)],
         "two_circles": module.elimination is Elimination.TWO_CIRCLES,
         "three_circles": module.elimination is Elimination.THREE_CIRCLES,
         "three_spheres": module.elimination is Elimination.THREE_SPHERES,
+        "turns": module.freedoms[-1] >= LENGTHS,
+        "carries_frame": any(leg.leg.carries_frame for leg in module.legs),
         "pose": [] if example is None else [display(_matrix(r"X", "X", example.T))],
         "example": [] if example is None else [_rows(module, example)],
         "smallest": [] if example is None else [_smallest(example)],
@@ -136,7 +146,9 @@ def _carried(end: Sequence[float]) -> Symbol:
     return Symbol(f"({latex})", f"({text})")
 
 
-def _solved(module: ParallelModule) -> list[tuple[str, tuple[Formula | Given, ...]]]:
+def _solved(
+    module: ParallelModule, documents: Mapping[str, str]
+) -> list[tuple[str, tuple[Formula | Given, ...]]]:
     """How each kind of leg is solved, and what its rows are called."""
     kinds = {leg.solver.name: leg.solver for leg in module.legs}
     found: list[tuple[str, tuple[Formula | Given, ...]]] = []
@@ -144,7 +156,8 @@ def _solved(module: ParallelModule) -> list[tuple[str, tuple[Formula | Given, ..
         rows = numeral(solver.solver.rows)
         text = "The derivation of {} is in a document of its own. It has at most"
         names = ", ".join(f"{row} {branch}" for row, branch in enumerate(solver.branches))
-        found.append((f"{text} {rows} rows: {{}}.", (_name(name), Given(names))))
+        leg = Given(name, documents.get(name, ""))
+        found.append((f"{text} {rows} rows: {{}}.", (leg, Given(names))))
     return found
 
 

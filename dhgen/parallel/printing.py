@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.figures.tikz import tikz
@@ -24,14 +25,21 @@ if TYPE_CHECKING:
     from dhgen.parallel.module import ParallelModule
 
 
-def parallel_document(module: ParallelModule, language: Language = ENGLISH) -> dict[str, str]:
+def parallel_document(
+    module: ParallelModule,
+    language: Language = ENGLISH,
+    documents: Mapping[str, str] | None = None,
+) -> dict[str, str]:
     """The Markdown and its figures, by their paths.
 
     Args:
         module: The robot.
         language: That of the document and of its figures.
+        documents: Of kinds of legs, by their names, the paths of their documents; where these are
+            not given they lie beside it, each called like its solver.
     """
-    blocks, figures = parallel_blocks(module)
+    beside = {chain.name: f"{chain.name}.md" for chain in module.robot.chains}
+    blocks, figures = parallel_blocks(module, beside if documents is None else documents)
     name, source = module.name, plain_path(module.source)
     written = tuple(markdown(language.block(block)) for block in blocks)
     text = render("derivation/document.md.jinja", name=name, source=source, blocks=written)
@@ -60,20 +68,29 @@ def derivations_as(
     Raises:
         CommandError: A package is missing that the format needs.
     """
-    text, beside = parallel_derivation_as(wished, module, language)
+    documents = {} if out is None else {each.robot.name: _beside(each, out) for each in legs}
+    text, beside = parallel_derivation_as(wished, module, language, documents)
     files = dict(beside)
     for story in legs:
         own, figures = derivation_as(wished, story, module.source, language)
         if wished == "text":
             text += f"\n\n{own}"
         elif out is not None:
-            leg = story.robot.name[story.robot.name.rindex(SUFFIX) :]
-            files |= {f"{out.stem}{leg}{out.suffix}": own, **figures}
+            files |= {_beside(story, out): own, **figures}
     return text, files
 
 
+def _beside(leg: Story, out: Path) -> str:
+    """The document of a leg, called like that of its robot."""
+    name = leg.robot.name
+    return f"{out.stem}{name[name.rindex(SUFFIX) :]}{out.suffix}"
+
+
 def parallel_derivation_as(
-    wished: str, module: ParallelModule, language: Language = ENGLISH
+    wished: str,
+    module: ParallelModule,
+    language: Language = ENGLISH,
+    documents: Mapping[str, str] = MappingProxyType({}),
 ) -> tuple[str, Mapping[str, str]]:
     """The document, and texts of files beside it by their paths.
 
@@ -81,14 +98,15 @@ def parallel_derivation_as(
         wished: `text`, `markdown`, `latex` or `html`.
         module: The robot.
         language: That of the document.
+        documents: Of kinds of legs, by their names, the paths of their documents.
 
     Raises:
         CommandError: A package is missing that the format needs.
     """
     if wished == "markdown":
-        files = parallel_document(module, language)
+        files = parallel_document(module, language, documents)
         return files.pop(f"{module.name}.md"), files
-    english, figures = parallel_blocks(module)
+    english, figures = parallel_blocks(module, documents)
     blocks = list(map(language.block, english))
     drawn = list(map(language.figure, figures))
     if wished == "latex":

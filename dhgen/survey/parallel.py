@@ -23,6 +23,8 @@ from dhgen.verify.demands import RESIDUAL
 from dhgen.verify.native import PORTABLE, compile_solver
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from numpy.typing import NDArray
 
     from dhgen.arrays import FloatArray
@@ -34,13 +36,16 @@ if TYPE_CHECKING:
 SINGULAR_SHARE = 4  # random poses for one of each singular kind of a leg
 
 
-def parallel_answers(made: ParallelCompilation, poses: int, cpu: float) -> Answers:
+def parallel_answers(
+    made: ParallelCompilation, poses: int, cpu: float, tell: Callable[[str], None]
+) -> Answers:
     """How the solver of a parallel robot does.
 
     Args:
         made: The robot.
         poses: How many random poses of the platform it is asked.
         cpu: What it took to make it [s].
+        tell: Is told what is being done.
     """
     with tempfile.TemporaryDirectory(prefix="dhgen-") as name:
         folder = Path(name)
@@ -50,8 +55,11 @@ def parallel_answers(made: ParallelCompilation, poses: int, cpu: float) -> Answe
             raise DhgenError("a survey needs a C compiler: cc, gcc, clang or $CC")
         trials = {each.robot.name: _trial(each, folder) for each in made.chains}
         random = _Random(made.module, native, trials)
+        what = f"searching for all solutions of {len(made.module.legs)} legs"
+        tell(f"{made.module.name}: {what} on {poses} random poses")
         for number, T in enumerate(_reached(made.module, native, poses)):
             random.ask(T, number)
+        tell(f"{made.module.name}: singular poses of its legs")
         count = -(-poses // SINGULAR_SHARE)
         singular = [ask_singular(trial, count, RESIDUAL) for trial in trials.values()]
     return _counted(made, random, singular, poses, cpu)

@@ -49,7 +49,7 @@ def survey(
         given: Where the arms are.
         poses: Random poses of each; a quarter as many of every singular kind.
         recall: Random poses of each on which only its own joint values are looked for.
-        tell: Is told of every arm that is done.
+        tell: Is told of every arm that is done, and of a single one what is being done.
 
     Raises:
         RobotFileError: A path leads nowhere, or a list can't be read. Mistakes in single robot
@@ -58,29 +58,34 @@ def survey(
     lines: list[Line] = []
     with tempfile.TemporaryDirectory(prefix="dhgen-survey-") as folder:
         files = robot_files(given, Path(folder))
-        for line in side_by_side(partial(survey_arm, poses=poses, recall=recall), files):
+        make = partial(survey_arm, poses=poses, recall=recall)
+        if len(files) == 1:  # which is made in this process
+            make = partial(make, tell=tell)
+        for line in side_by_side(make, files):
             lines.append(_alone(line, lines))
             tell(f"{len(lines)} of {len(files)}: {line.name}")
     return tuple(lines)
 
 
-def survey_arm(source: Source, poses: int, recall: int = 0) -> Line:
+def survey_arm(
+    source: Source, poses: int, recall: int = 0, tell: Callable[[str], None] = lambda _: None
+) -> Line:
     """One arm's line; the same at every run but for the CPU time."""
     name, joints, structure = source.name, "", ""
     remarks: tuple[str, ...] = ()
     try:
         file = read_file(source.path)
         if isinstance(file, ParallelFile):
-            return _parallel_line(file, source, poses)
+            return _parallel_line(file, source, poses, tell)
         robot = file.robot
         name = robot.name
         remarks = tuple(f"note: {source.tell(notice)}" for notice in robot.notices)
         chain = build_chain(robot)
         joints, structure = joint_letters(chain), arm_class(chain)
         start = time.process_time()
-        compilation = compile_loaded(file)
+        compilation = compile_loaded(file, tell)
         cpu = time.process_time() - start
-        answers = _answers(compilation, poses, recall, cpu)
+        answers = _answers(compilation, poses, recall, cpu, tell)
     except RobotFileError as error:
         notes = (f"note: {source.tell(note)}" for note in error.notes)
         remarks = (*map(source.tell, error.diagnostics), *notes)
@@ -92,7 +97,9 @@ def survey_arm(source: Source, poses: int, recall: int = 0) -> Line:
     return Line(name, joints, structure, answers, remarks=remarks)
 
 
-def _parallel_line(file: ParallelFile, source: Source, poses: int) -> Line:
+def _parallel_line(
+    file: ParallelFile, source: Source, poses: int, tell: Callable[[str], None]
+) -> Line:
     """The line of a parallel robot; joints are those of its legs, each once."""
     robot = file.robot
     remarks = tuple(f"note: {source.tell(notice)}" for notice in robot.notices)
@@ -101,9 +108,9 @@ def _parallel_line(file: ParallelFile, source: Source, poses: int) -> Line:
     joints = f"{len(chains)}-{'/'.join(types)}"
     structure = f"parallel, {robot.task.text.strip('[]')}"
     start = time.process_time()
-    made = compile_parallel(file)
+    made = compile_parallel(file, tell)
     cpu = time.process_time() - start
-    answers = parallel_answers(made, poses, cpu)
+    answers = parallel_answers(made, poses, cpu, tell)
     return Line(robot.name, joints, structure, answers, remarks=remarks)
 
 
@@ -115,7 +122,9 @@ def _alone(line: Line, others: Sequence[Line]) -> Line:
     return replace(line, answers=None, reason=reason, mistaken=True)
 
 
-def _answers(compilation: Compilation, poses: int, recall: int, cpu: float) -> Answers:
+def _answers(
+    compilation: Compilation, poses: int, recall: int, cpu: float, tell: Callable[[str], None]
+) -> Answers:
     robot, module = compilation.robot, compilation.module
     derivation = compilation.derivation
     bound = RESIDUAL if derivation.whole is None else GENERAL_RESIDUAL
@@ -129,8 +138,11 @@ def _answers(compilation: Compilation, poses: int, recall: int, cpu: float) -> A
         if c is None or fast is None:
             raise DhgenError("a survey needs a C compiler: cc, gcc, clang or $CC")
         trial = Trial(robot, arm(robot), arm_size(robot), c)
+        tell(f"{robot.name}: searching for all solutions on {poses} random poses")
         random = ask_random(trial, poses, bound)
+        tell(f"{robot.name}: singular poses")
         singular = ask_singular(trial, -(-poses // SINGULAR_SHARE), bound)
+        tell(f"{robot.name}: looking for its own joint values on {recall} random poses")
         recalled = ask_recall(replace(trial, solver=fast), recall)
     return Answers(
         method=module.method,

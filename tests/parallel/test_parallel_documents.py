@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [*NAMES, "mixed_legs"])
 def test_nothing_stays_english(name: str) -> None:
     language = French()
     text, beside = parallel_derivation_as("markdown", compilation(name).module, language)
@@ -36,7 +36,9 @@ def test_every_format_has_the_text(name: str) -> None:
     latex = parallel_derivation_as("latex", module)[0]
     assert r"\begin{document}" in latex
     assert r"A \dot{x} = B \dot{q}" in latex.replace("&", "").replace("  ", " ")
-    assert "A ẋ = B q̇" in parallel_derivation_as("text", module)[0]
+    text = parallel_derivation_as("text", module)[0]
+    assert "A ẋ = B q̇" in text
+    assert "Vᵢ ẋ = Qᵢᵀ (v + ω × R pᵢ)" in text
     assert "<math" in parallel_derivation_as("html", module)[0]
 
 
@@ -79,7 +81,19 @@ def test_the_example_is_what_the_c_gives() -> None:
     told = np.array(rows, float) * (1.0, 1.0, math.radians(1.0))
     have = [[P[0, 3], P[1, 3], np.arctan2(P[1, 0], P[0, 0])] for P in found]
     assert len(told) == len(have) == 4
-    assert all(np.abs(np.array(have) - each).max(axis=1).min() < 5e-3 for each in told)
+    np.testing.assert_allclose(have, told, rtol=0, atol=5e-3)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_jacobian_that_a_leg_s_document_writes_out_is_there(name: str) -> None:
+    """The document of the robot names it and leads there."""
+    text = (GENERATED / f"{name}.md").read_text(encoding="utf-8")
+    paths = re.findall(r"\]\((\w+\.md)\)", text)
+    assert paths == [f"{chain.name}.md" for chain in compilation(name).robot.chains]
+    assert "The derivation of the leg writes it out, with its forward model." in text
+    for path in paths:
+        forward = (GENERATED / path).read_text(encoding="utf-8").split("\n## Forward\n")[1]
+        assert re.search(r"^J = \\begin\{bmatrix\}", forward.split("\n## ")[0], re.MULTILINE)
 
 
 def test_the_command_explains(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -95,8 +109,14 @@ def test_the_command_explains(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     assert "modèle géométrique inverse" in leg
     linked = set(re.findall(r"\]\((figures/\w+\.svg)\)", out.read_text("utf-8") + leg))
     assert {str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*.svg")} == linked
+    assert r"[five\_bar\_leg](five_leg.md)" in out.read_text(encoding="utf-8")
     assert capsys.readouterr().out == f"wrote {out}, {tmp_path / 'five_leg.md'}\n"
     assert main(["explain", file, "--format", "html"]) == 0
     assert "of the legs are written beside --out FILE" in capsys.readouterr().err
+    page = tmp_path / "page.html"
+    assert main(["explain", file, "--out", str(page)]) == 0
+    assert '<a href="page_leg.html">five_bar_leg</a>' in page.read_text(encoding="utf-8")
+    assert (tmp_path / "page_leg.html").exists()
+    capsys.readouterr()
     assert main(["explain", file, "--program"]) != 0
     assert "is for serial arms" in capsys.readouterr().err

@@ -12,6 +12,7 @@ import pytest
 from dhgen.cli import main
 from dhgen.errors import RobotFileError
 from dhgen.robot.load import load
+from dhgen.survey.survey import survey
 from tests.robots.cases import ROBOTS
 
 if TYPE_CHECKING:
@@ -28,6 +29,15 @@ def test_plain_text_and_exit_codes(capsys: pytest.CaptureFixture[str]) -> None:
     assert [line.split()[0] for line in out.splitlines()[1:3]] == ["planar_rr", "scara"]
     assert "16 of 16 solutions found on 8 random poses, 0 spurious." in out
     assert "\x1b" not in out
+
+
+@pytest.mark.parametrize(("name", "legs"), [("planar_rr", ""), ("five_bar", " of 2 legs")])
+def test_who_waits_for_one_arm_is_told_what_is_being_done(name: str, legs: str) -> None:
+    told: list[str] = []
+    survey([ROBOTS / f"{name}.yaml"], 4, 2, told.append)
+    assert f"{name}: searching for all solutions{legs} on 4 random poses" in told
+    assert any(each.startswith(f"{name}: singular poses") for each in told)
+    assert told[-1] == f"1 of 1: {name}"
 
 
 @pytest.mark.breadth

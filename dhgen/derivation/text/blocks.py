@@ -17,9 +17,15 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """A text that the user wrote, or a name: escaped where printed, the same in all languages."""
+    """A text that the user wrote, or a name: escaped where printed, the same in all languages.
+
+    Attributes:
+        text: It.
+        path: The document that it leads to, where a format can do that; empty for none.
+    """
 
     text: str
+    path: str = ""
 
 
 @dataclass(frozen=True, slots=True)

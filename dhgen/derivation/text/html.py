@@ -71,7 +71,11 @@ def html(block: Block, drawings: Mapping[str, str]) -> str:
 
 def inline(prose: Prose) -> str:
     """Prose in one line."""
-    return in_line(prose, escape, escape, _in_text)
+    return in_line(prose, escape, escape, _in_text, _link)
+
+
+def _link(text: str, path: str) -> str:
+    return f'<a href="{escape(path, quote=True)}">{text}</a>'
 
 
 def _in_text(formula: Formula) -> str:

@@ -19,6 +19,7 @@ def in_line(
     words: Callable[[str], str],
     given: Callable[[str], str],
     formula: Callable[[Formula], str],
+    link: Callable[[str, str], str] = lambda text, _: text,
 ) -> str:
     """Prose, its places filled.
 
@@ -27,12 +28,14 @@ def in_line(
         words: Writes words of the derivation's own.
         given: Writes a text of the user, without line breaks.
         formula: Writes a formula; of several side by side each is one.
+        link: Makes a written text lead to a document, by its path.
     """
 
     def written(part: Formula | Given | Prose) -> str:
         match part:
-            case Given(text):
-                return given(" ".join(text.split()))
+            case Given(text, path):
+                own = given(" ".join(text.split()))
+                return link(own, path) if path else own
             case Prose():
                 return "".join(pieces(part))
             case Listing(items, separator):

@@ -54,7 +54,7 @@ def markdown(block: Block) -> str:
 
 def inline(prose: Prose) -> str:
     """Prose in one line."""
-    return in_line(prose, str, escaped, inline_formula)
+    return in_line(prose, str, escaped, inline_formula, lambda text, path: f"[{text}]({path})")
 
 
 def inline_formula(formula: Formula) -> str:
