@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -14,7 +15,7 @@ from dhgen.robot.expression import ZERO
 from dhgen.robot.frames import IDENTITY_FRAME, from_rpy, read_lengths
 from dhgen.robot.names import MAX_ROBOT_NAME
 from dhgen.robot.report import LEGS
-from dhgen.robot.robot import DhTable, Frame, Robot, joints_of
+from dhgen.robot.robot import Convention, DhTable, Frame, JointKind, Robot, joints_of
 from dhgen.robot.schema import LegEntry, RobotFile
 from dhgen.robot.shape import Shape
 from dhgen.robot.task import Task, TaskKind
@@ -143,10 +144,13 @@ class _Reading:
         )
 
     def _actuated(self, path: Path, numbers: Sequence[int], joints: int) -> tuple[int, ...]:
+        # of rows with mistakes there is no joint, and that is no mistake of the numbers
+        written = sum(self.report.document.count((*path, key)) for key in ("joints", "axes"))
+        most = max(joints, written) if joints and self.report.errors else joints
         for i, number in enumerate(numbers):
             place = (*path, "actuated", i)
-            if joints and not 1 <= number <= joints:
-                message = f"there is no joint {number}: joints are numbered from 1 to {joints}"
+            if most and not 1 <= number <= most:
+                message = f"there is no joint {number}: joints are numbered from 1 to {most}"
                 self.report.error(place, message)
             elif i and number <= numbers[i - 1]:
                 self.report.error(place, "list driven joints in ascending order, each once")
@@ -173,6 +177,7 @@ class _Reading:
                 self.report.error_at_key((*leg.path, "frame"), message)
             if task in (PLANE, TURNED_PLANE):
                 self._demand_level(leg)
+                self._demand_slides_in_the_plane(leg)
         joints = [len(joints_of(leg.geometry)) for leg in each]
         driven = sum(len(leg.actuated) for leg in each)
         meant = "" if self.report.document.has("task") else "; without `task` it is the whole pose"
@@ -199,6 +204,35 @@ class _Reading:
             if abs(row[0]) > LEVEL or abs(row[1]) > LEVEL or row[2] < 0.0:
                 message = f"the task is in the plane of x and y: z of this {key} has to be theirs"
                 self.report.error_at_key((*leg.path, key), message)
+
+    def _demand_slides_in_the_plane(self, leg: _Read) -> None:
+        """Reports slides of a leg of a planar platform that lead out of the plane."""
+        by_rows = isinstance(leg.geometry, DhTable)
+        message = "this joint slides along z, out of the plane of x and y that the task names"
+        if by_rows:
+            message += (
+                ": a leg that begins with a slide in the plane is written with `axes`, where a "
+                "slide has any direction"
+            )
+        for i, leads_out in enumerate(self._slides_along_z(leg.geometry)):
+            if leads_out:
+                self.report.error((*leg.path, "joints" if by_rows else "axes", i), message)
+
+    def _slides_along_z(self, geometry: DhTable | ReferenceAxes) -> list[bool]:
+        """Of every row or axis whether it slides along z of the leg's base, whatever turns."""
+        if not isinstance(geometry, DhTable):
+            aside = [max(abs(self.cells.value(x)) for x in a.direction[:2]) for a in geometry.axes]
+            return [
+                axis.kind is JointKind.PRISMATIC and x <= LEVEL
+                for axis, x in zip(geometry.axes, aside, strict=True)
+            ]
+        found, is_upright = [], True
+        for row in geometry.rows:
+            tilts = abs(math.sin(self.cells.value(row.alpha))) > LEVEL
+            before = is_upright and not (geometry.convention is Convention.MODIFIED and tilts)
+            found.append(before and row.kind is JointKind.PRISMATIC and row.sign != 0)
+            is_upright = is_upright and not tilts
+        return found
 
     def _chain(
         self,

@@ -106,6 +106,45 @@ def test_what_follows_from_a_mistake_is_none(tmp_path: Path) -> None:
         "      - {theta: q, a: 0.2}\n      - {theta: q, a: 0.3}\n", "      - {}\n", 1
     )
     assert not any("numbered from 1 to 0" in each for each in mistakes(unread, tmp_path))
+    torn = TWO.replace("{theta: q, a: 0.2}", "{theta: 5, a: 0.2}", 1)
+    torn = torn.replace("actuated: [1]", "actuated: [2]", 1)
+    assert [each[:3] for each in mistakes(torn, tmp_path)] == ["5:9"]
+
+
+SLIDE = "the plane of x and y that the task names"
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_a_slide_out_of_the_plane_is_told_with_what_to_write(
+    convention: str, tmp_path: Path
+) -> None:
+    text = f"convention: {convention}\n" + TWO.replace("{theta: q, a: 0.2}", "{d: q}", 1)
+    (told,) = mistakes(text, tmp_path)
+    assert told.startswith("6:9 this joint slides along z, out of")
+    assert "begins with a slide in the plane is written with `axes`" in told
+    second = f"convention: {convention}\n" + TWO.replace("{theta: q, a: 0.3}", "{d: q}", 1)
+    assert [each[:3] for each in mistakes(second, tmp_path)] == ["7:9"]
+    alpha = 1 if convention == "modified" else 0
+    rows = ["{theta: q, alpha: 90 deg}", "{d: q}"]
+    rows = ["{theta: q}", "{d: q, alpha: 90 deg}"] if alpha else rows
+    right = TWO
+    for old, new in zip(("{theta: q, a: 0.2}", "{theta: q, a: 0.3}"), rows, strict=True):
+        right = right.replace(old, new, 1)
+    assert len(read(f"convention: {convention}\n{right}", tmp_path).robot.legs) == 2
+
+
+def test_so_is_one_by_axes(tmp_path: Path) -> None:
+    axes = """\
+    axes:
+      - {type: prismatic, direction: [0, 0, 1]}
+      - {type: revolute, direction: [0, 0, 1], point: [0, 0, 0]}
+    home: {xyz: [0.3, 0, 0]}
+"""
+    rows = "    joints:\n      - {theta: q, a: 0.2}\n      - {theta: q, a: 0.3}\n"
+    (told,) = mistakes(TWO.replace(rows, axes, 1), tmp_path)
+    assert told == f"5:9 this joint slides along z, out of {SLIDE}"
+    flat = axes.replace("prismatic, direction: [0, 0, 1]", "prismatic, direction: [1, 0, 0]")
+    assert len(read(TWO.replace(rows, flat, 1), tmp_path).robot.legs) == 2
 
 
 def test_the_count_is_told() -> None:
