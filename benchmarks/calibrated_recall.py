@@ -43,7 +43,9 @@ if TYPE_CHECKING:
 POSES = 200_000
 ERRORS = (1e-6, 1e-5, 1e-4, 1e-3)  # [rad, arm sizes]
 AT_ONCE = 2000  # poses
-SAME = 1e-6  # [rad] solutions that differ by less are one
+SAME = (
+    1e-5  # [rad] solutions that differ by less are one: the root of what a row may miss its pose by
+)
 MEETS = 1e-9  # [rad, arm sizes] a row that misses its pose by more is wrong
 HEAD = ("arm", "errors", "poses", "solutions", "lost", "lacks", "more", "wrong")
 
