@@ -36,8 +36,9 @@ def read_description(path: Path, outside: Outside) -> Description:
     try:
         with path.open("rb") as file:
             content = file.read(MAX_BYTES + 1)
-    except OSError as error:
-        raise _refusal(path, f"the file can't be read: {error.strerror}") from None
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise _refusal(path, f"the file can't be read: {reason}") from None
     kind = kind_of_xml(content)
     if kind == "an SDF":
         raise _refusal(path, "this is an SDF, which is not read: convert it to URDF first")

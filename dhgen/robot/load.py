@@ -127,7 +127,7 @@ def is_description(path: Path) -> bool:
     try:
         with path.open("rb") as file:
             return kind_of_xml(file.read(HEAD)) is not None
-    except OSError:
+    except (OSError, ValueError):  # what no file can be called is a ValueError
         return False
 
 

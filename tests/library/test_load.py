@@ -146,3 +146,9 @@ def test_why_an_arm_is_not_solved_is_told_with_its_notes() -> None:
 def test_numerical_is_what_the_command_means_by_it() -> None:
     three = {**PLANAR, "joints": [*PLANAR["joints"], {"theta": "q", "a": 0.2}]}
     assert "damped least squares" in dhgen.load(three, numerical=True).derivation()
+
+
+@pytest.mark.parametrize("path", ["arm\0.yaml", "arm\0.urdf", "arm\0"])
+def test_what_no_file_can_be_called_is_a_file_that_can_not_be_read(path: str) -> None:
+    with pytest.raises(dhgen.errors.RobotFileError, match="the file can't be read"):
+        dhgen.load(path)

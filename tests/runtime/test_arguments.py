@@ -30,7 +30,15 @@ def test_numbers_in_any_form(values: Any) -> None:
 
 @pytest.mark.parametrize(
     "values",
-    ["12", ["1", "2"], [1j, 2], [None, 2], np.array(["2020-01-01"] * 2, "M8[D]"), [[1], 2]],
+    [
+        "12",
+        ["1", "2"],
+        [1j, 2],
+        [None, 2],
+        np.array(["2020-01-01"] * 2, "M8[D]"),
+        [[1], 2],
+        [10**400, 1],
+    ],
 )
 def test_what_is_no_number(values: Any) -> None:
     with pytest.raises(ValueError, match=r"^q must hold real numbers, with shape \(2,\)$"):

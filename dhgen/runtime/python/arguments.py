@@ -41,7 +41,7 @@ def numbers(values: Any, shape: object, name: str) -> FloatArray:  # noqa: ANN40
             if kind not in "biufO" or any(isinstance(o, (str, bytes, NONE)) for o in objects):
                 raise TypeError  # noqa: TRY301  numpy raises the same where it refuses
             array = array.astype(FLOAT)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         # an array of another library has a reason of its own: its device, or a type of its own
         why = f": {error}" if hasattr(values, "__array__") and str(error) else ""
         raise ValueError(f"{name} must hold real numbers, with shape {shape}{why}") from None
