@@ -17,6 +17,7 @@ from dhgen.derivation.sections.forward import forward_in_short, forward_section
 from dhgen.derivation.sections.general import general_section, numerical_section
 from dhgen.derivation.sections.inverse import inverse_beginning
 from dhgen.derivation.sections.joints import joint_values
+from dhgen.derivation.sections.listing import listing_blocks
 from dhgen.derivation.sections.nearest import nearest_blocks
 from dhgen.derivation.sections.other_ways import other_way
 from dhgen.derivation.sections.robot import opening, robot_section
@@ -77,6 +78,7 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
         *_steps(story, [blocks for blocks, _ in steps]),
         *joint_values(story),
         *solutions_section(story),
+        *listing_blocks(story),
         *example_section(story),
         *shown.postures,
         *choosing_section(story),

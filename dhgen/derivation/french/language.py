@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.blocks import Block
     from dhgen.derivation.text.formula import Formula
 
+# The words of the steps as an algorithm.
+_SAID = re.compile(r"\b(?:for|if|else|alone)\b|no solution|the seed's value")
 _ROW, _ROOT = re.compile(r" row (\d+)(?: (?= ))?"), "root "
 _FIRST = ord(MARKS[0])
 _MARK = re.compile(MARK)
@@ -68,7 +70,7 @@ class French:
                 written = tuple(tuple(map(self.prose, row)) for row in rows)
                 return Table(tuple(map(self.prose, header)), written)
             case Drawing(text):
-                return Drawing(_tree(text))
+                return Drawing(_listing(text) or _tree(text))
             case Picture(path, title, caption):
                 return Picture(french_path(path), self.words(title), self.prose(caption))
             case Folded(title, blocks):
@@ -120,6 +122,13 @@ class French:
         found = [(each, french(each)) for each in sentences(text)]
         self.missing.extend(each for each, there in found if there is None)
         return " ".join(each if there is None else there for each, there in found)
+
+
+def _listing(text: str) -> str:
+    """An algorithm with its words in French; nothing for a tree."""
+    if _ROW.search(text):
+        return ""
+    return _SAID.sub(lambda word: french(word[0]) or "", text).replace(": ", " : ")
 
 
 def _tree(text: str) -> str:

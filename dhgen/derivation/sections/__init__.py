@@ -2,6 +2,6 @@
 
 In the order of a document: `robot` with `tables`, `parameters` and `frames`; `drives`; `forward`
 with `transforms` and `jacobian`; `inverse` with `types_table`, `elements` and `shoulder`; behind
-the steps `joints`, `example`, `choosing`, `velocity` and `closing`. In place of all that follows
-the forward model, arms without a closed form have `general`.
+the steps `joints`, `closing`, `listing`, `example`, `choosing` and `velocity`. In place of all that
+follows the forward model, arms without a closed form have `general` with `constant_transforms`.
 """
