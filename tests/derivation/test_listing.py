@@ -19,7 +19,7 @@ from tests.derivation.stories import NAMES, document, story
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-LISTING = re.compile(r"The steps as an algorithm</summary>\n\n```text\n(.*?)\n```", re.DOTALL)
+LISTING = re.compile(r"become known, with the branches:\n\n```text\n(.*?)\n```", re.DOTALL)
 LETTER = "[A-Za-zα-ωΔ]"
 TOKEN = re.compile(rf"atan2|sgn|\d+(?:\.\d+)?|{LETTER}+[₀-₉₋]*(?:_[xyz\d]+)?′*|√|²|[-+−*/(),|]")
 DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉₋", "0123456789-")

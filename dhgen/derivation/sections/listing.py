@@ -11,7 +11,7 @@ from dhgen.derivation.sections.inverse import inverse_beginning
 from dhgen.derivation.sections.joints import joint_values
 from dhgen.derivation.step_context import StepContext
 from dhgen.derivation.steps import step_blocks
-from dhgen.derivation.text.blocks import Display, Drawing, Folded, Paragraph
+from dhgen.derivation.text.blocks import Display, Drawing, Folded, Paragraph, paragraph
 from dhgen.derivation.text.formula import ONE, Listing, Relation, Symbol, equal, minus
 from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import PLAIN
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
 
 TITLE = "The steps as an algorithm"
+SAID = "The letters in the order in which they become known, with the branches:"
 INDENT = "  "
 WIDE = 100  # characters of a line; longer ones are left to the steps
 MOST = 60  # lines, about a page
@@ -42,7 +43,7 @@ def listing_blocks(story: Story) -> list[Block]:
     lines = list(_lines(story))
     if len(lines) > MOST or max(map(len, lines)) > WIDE:
         return []
-    return [Folded(TITLE, (Drawing("\n".join(lines)),))]
+    return [Folded(TITLE, (paragraph(SAID), Drawing("\n".join(lines))))]
 
 
 def _lines(story: Story) -> Iterator[str]:
