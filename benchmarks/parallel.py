@@ -25,6 +25,7 @@ from dhgen.parallel.native import Native, compiled
 from dhgen.parallel.verify import are_inside
 from dhgen.parallel.worked import reached, square
 from dhgen.robot_files import read_file
+from dhgen.runtime.python.platform import drives_of
 from dhgen.status import Status
 from dhgen.survey.oracle.arm import arm
 from dhgen.survey.oracle.forward import forward
@@ -108,7 +109,7 @@ def led_back(module: ParallelModule, native: Native, poses: FloatArray) -> int:
     for T in poses:
         _, q, status = native.ik(T)
         mode = np.array([rows[told == Status.OK][0] for rows, told in zip(q, status, strict=True)])
-        drives = np.array([mode[i, j] for i, leg in enumerate(module.legs) for j in leg.driven])
+        drives = drives_of(module.driven_joints, mode)
         seed = T.copy()
         seed[0, 3] += BESIDE * module.size
         told, found, _ = native.fk(drives, seed)

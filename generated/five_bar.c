@@ -70,11 +70,7 @@ DHGEN_INLINE dhgen_wide_mask solve_driven(
         return five_bar_leg_drives(T, q, kind);
     default: /* no program for regular poses */
         (void)T;
-        for (int i = 0; i < DHGEN_LEG_SIZE; i++)
-            q[i] = dhgen_all_wide(DHGEN_NAN);
-        for (int row = 0; row < DHGEN_LEG_ROWS; row++)
-            kind[row] = dhgen_kind_wide(q[0]);
-        return dhgen_where_wide(1);
+        return dhgen_all_with_care(q, kind);
     }
 }
 

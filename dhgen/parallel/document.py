@@ -132,7 +132,7 @@ def _table(module: ParallelModule) -> Table:
         (
             say(f"{number}"),
             say("{}", _name(leg.solver.name)),
-            joined([say("{}", _place("q", joint)) for joint in leg.leg.actuated]),
+            joined([say("{}", _place("q", joint + 1)) for joint in leg.driven]),
             say("{}", _carried(leg.leg.end)),
         )
         for number, leg in enumerate(module.legs, start=1)

@@ -55,7 +55,7 @@ class LegModule:
     @property
     def driven(self) -> tuple[int, ...]:
         """Its driven joints, from 0."""
-        return tuple(number - 1 for number in self.leg.actuated)
+        return self.leg.driven
 
     @property
     def counted(self) -> tuple[int, ...]:
@@ -97,9 +97,14 @@ class ParallelModule:
         return max(leg.solver.chain.dof for leg in self.legs)
 
     @property
+    def driven_joints(self) -> tuple[tuple[int, ...], ...]:
+        """Of every leg its driven joints, from 0."""
+        return tuple(leg.driven for leg in self.legs)
+
+    @property
     def driven(self) -> int:
         """Joints of the leg with the most that are driven."""
-        return max(len(leg.driven) for leg in self.legs)
+        return max(map(len, self.driven_joints))
 
     @property
     def size(self) -> float:
@@ -163,8 +168,8 @@ def elimination_of(robot: ParallelRobot, solvers: Sequence[SolverModule]) -> Eli
 def _goes_around(leg: Leg, solver: SolverModule) -> bool:
     """Whether a leg lets what it carries go around a point."""
     chain = solver.chain
-    passive = [joint for joint in range(chain.dof) if joint + 1 not in leg.actuated]
-    if leg.carries_frame or len(leg.actuated) > 1 or not all(chain.turning[j] for j in passive):
+    passive = [joint for joint in range(chain.dof) if joint not in leg.driven]
+    if leg.carries_frame or len(leg.driven) > 1 or not all(chain.turning[j] for j in passive):
         return False
     if len(passive) == 1:
         return True

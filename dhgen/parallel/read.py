@@ -62,7 +62,7 @@ class _Read:
         geometry: Its table or axes.
         base: Its place on the base.
         end: What it carries.
-        actuated: Its driven joints.
+        driven: Its driven joints, from 0.
         carries_frame: Whether that is a frame.
         turns: The angles by which it is turned.
     """
@@ -71,7 +71,7 @@ class _Read:
     geometry: DhTable | ReferenceAxes
     base: Frame
     end: Frame
-    actuated: tuple[int, ...]
+    driven: tuple[int, ...]
     carries_frame: bool
     turns: tuple[Frame, ...]
 
@@ -138,12 +138,12 @@ class _Reading:
             geometry=geometry,
             base=base,
             end=Frame(point, IDENTITY_FRAME.rotation) if "point" in given else frame,
-            actuated=self._actuated(path, entry.actuated, joints),
+            driven=self._driven(path, entry.actuated, joints),
             carries_frame="point" not in given,
             turns=tuple(map(self._turn, angles)) or (IDENTITY_FRAME,),
         )
 
-    def _actuated(self, path: Path, numbers: Sequence[int], joints: int) -> tuple[int, ...]:
+    def _driven(self, path: Path, numbers: Sequence[int], joints: int) -> tuple[int, ...]:
         # of rows with mistakes there is no joint, and that is no mistake of the numbers
         written = sum(self.report.document.count((*path, key)) for key in ("joints", "axes"))
         most = max(joints, written) if joints and self.report.errors else joints
@@ -154,7 +154,7 @@ class _Reading:
                 self.report.error(place, message)
             elif i and number <= numbers[i - 1]:
                 self.report.error(place, "list driven joints in ascending order, each once")
-        return tuple(numbers)
+        return tuple(number - 1 for number in numbers)
 
     def _turn(self, angle: Expression) -> Frame:
         rotation = from_rpy((ZERO, ZERO, angle), (0.0, 0.0, self.cells.value(angle)))
@@ -179,7 +179,7 @@ class _Reading:
                 self._demand_level(leg)
                 self._demand_slides_in_the_plane(leg)
         joints = [len(joints_of(leg.geometry)) for leg in each]
-        driven = sum(len(leg.actuated) for leg in each)
+        driven = sum(len(leg.driven) for leg in each)
         meant = "" if self.report.document.has("task") else "; without `task` it is the whole pose"
         for fault in faults(counted(task, joints, [not leg.carries_frame for leg in each], driven)):
             self.report.error_at_key((LEGS,), f"{fault}{meant}")
@@ -257,7 +257,7 @@ class _Reading:
         base, end = self._numbers(leg.base), self._numbers(leg.end)
         turns = [self._numbers(turn) for turn in leg.turns]
         return [
-            Leg(robot, product(turn, base), product(turn, end), leg.actuated, leg.carries_frame)
+            Leg(robot, product(turn, base), product(turn, end), leg.driven, leg.carries_frame)
             for turn in turns
         ]
 

@@ -24,14 +24,14 @@ class Leg:
         chain: The chain in the frame of its base; its task is what it carries, seen from there.
         base: Where its base is on the robot's.
         end: The frame, or the point, of the platform that it carries, in the platform's frame.
-        actuated: Its joints that are driven, from 1.
+        driven: Its joints that are driven, from 0: `actuated` in the file, from 1 there.
         carries_frame: Whether its last link is fixed to the platform; else a joint at a point is.
     """
 
     chain: Robot
     base: Rows
     end: Rows
-    actuated: tuple[int, ...]
+    driven: tuple[int, ...]
     carries_frame: bool
 
 
@@ -67,7 +67,7 @@ class ParallelRobot:
     @property
     def drives(self) -> int:
         """How many joints are driven."""
-        return sum(len(leg.actuated) for leg in self.legs)
+        return sum(len(leg.driven) for leg in self.legs)
 
     def with_numerical(self) -> ParallelRobot:
         """The same with chains that the numerical solver may take."""

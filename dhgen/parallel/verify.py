@@ -15,7 +15,7 @@ import numpy as np
 from dhgen.errors import VerificationError
 from dhgen.parallel.native import Native, compiled
 from dhgen.parallel.worked import DRAWN, reached, square, turn_about
-from dhgen.runtime.python.platform import SINGULAR_PLATFORM
+from dhgen.runtime.python.platform import SINGULAR_PLATFORM, driven_of_rows
 from dhgen.status import Status
 from dhgen.survey.oracle.forward import forward
 from dhgen.verify.compiled import import_temporary
@@ -166,7 +166,7 @@ class _Checker:
     def _drives(self, T: FloatArray, q: FloatArray, status: Statuses, where: str) -> None:
         """The driven joints alone are those of all, also one pose alone."""
         assert self._native is not None
-        wanted = drives_of(self._module, q)
+        wanted = driven_of_rows(self._module.driven_joints, q)
         taken = [self._native.ik_drives(pose) for pose in T]
         alone = np.array([rows for _, rows, _ in taken]), np.array([told for _, _, told in taken])
         for found, told in (self._native.drives_batch(T), alone):
@@ -297,15 +297,6 @@ class _Checker:
             for each in told:
                 if not set(each.ravel().tolist()) <= statuses:
                     raise VerificationError(f"{self._module.name}: takes {pose.tolist()}")
-
-
-def drives_of(module: ParallelModule, q: FloatArray) -> FloatArray:
-    """The driven joints of rows of all legs (..., LEGS, ROWS, JOINTS), NaN where one has fewer."""
-    taken = np.full((*q.shape[:-1], module.driven), np.nan)
-    for number, leg in enumerate(module.legs):
-        rows = q[..., number, :, :]
-        taken[..., number, :, : len(leg.driven)] = rows[..., list(leg.driven)]
-    return taken
 
 
 def moved_pose(T: FloatArray, freedom: int, step: float) -> FloatArray:

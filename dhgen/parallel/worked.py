@@ -13,7 +13,7 @@ from dhgen.parallel.robot import inverse
 from dhgen.program.interpret import interpret
 from dhgen.runtime.python.assemblies import assemblies
 from dhgen.runtime.python.direct import least_values
-from dhgen.runtime.python.platform import LENGTHS, POSE, YAW, Leg, Platform
+from dhgen.runtime.python.platform import LENGTHS, POSE, YAW, Leg, Platform, drives_of
 from dhgen.status import Status
 
 if TYPE_CHECKING:
@@ -179,9 +179,7 @@ def example_of(module: ParallelModule) -> Example | None:
         least = least_values(platform, X, mode)
         if min(least) < 0.1:
             continue
-        drives = np.array(
-            [mode[i, joint] for i, leg in enumerate(platform.legs) for joint in leg.driven]
-        )
+        drives = drives_of(module.driven_joints, mode)
         found = np.empty((0, 4, 4))
         if module.elimination is not None:
             found = assemblies(platform, module.elimination, drives, module.joints)

@@ -45,33 +45,71 @@ class Singular:
     faults: tuple[str, ...]
 
 
+class Tally:
+    """Counts the rows of random poses against the oracle's solutions, one to one.
+
+    Args:
+        bound: What a row may miss its pose by [arm sizes].
+    """
+
+    def __init__(self, bound: float) -> None:
+        self._bound = bound
+        self._expected = self._found = self._spurious = self._unmet = 0
+        self._residual = 0.0
+        self._faults: list[str] = []
+
+    def add(
+        self,
+        trial: Trial,
+        T: FloatArray,
+        rows: FloatArray,
+        start: FloatArray,
+        number: int,
+        where: str,
+    ) -> None:
+        """The rows of a pose.
+
+        Args:
+            trial: The arm.
+            T: The pose.
+            rows: The joint values of its rows.
+            start: Joint values at which the oracle's search begins, among others.
+            number: Of the pose, by which the search draws.
+            where: How faults say which pose it is.
+        """
+        residuals = trial.residuals(rows, T)
+        self._residual = max(self._residual, float(residuals.max(initial=0.0)))
+        true = distinct(trial, rows[residuals <= self._bound])
+        self._spurious += len(rows) - len(true)
+        if len(rows) > len(true):
+            self._faults.append(f"{len(rows) - len(true)} spurious, {where}")
+        if is_redundant(trial.robot):  # of a family one is expected
+            self._expected += 1
+            self._found += len(true) > 0
+            return
+        held = trial.search(T, start, seed=number, at_least=len(true))
+        lost = missed(trial, held.regular, true, SAME)
+        met = np.concatenate([held.regular, held.singular])
+        self._expected += len(held.regular)
+        self._found += len(held.regular) - lost
+        self._unmet += sum(not among(trial, row, met, SAME) for row in true)
+        if lost:
+            self._faults.append(f"{lost} of {len(held.regular)} missed, {where}")
+
+    def counted(self) -> Random:
+        """What was counted."""
+        counts = self._expected, self._found, self._spurious, self._unmet
+        return Random(*counts, self._residual, _told("random", self._faults))
+
+
 def ask_random(trial: Trial, count: int, bound: float) -> Random:
     """Compares the rows with the oracle's solutions, one to one; of a family one is expected."""
-    redundant = is_redundant(trial.robot)
-    expected = found = spurious = unmet = 0
-    worst = 0.0
-    faults = []
+    tally = Tally(bound)
     q = random_joints(trial.robot, count, seed=1)
     for number, (joints, T) in enumerate(zip(q, trial.poses(q), strict=True)):
         rows, _ = trial.solve(T, joints)
-        residuals = trial.residuals(rows, T)
-        worst = max(worst, float(residuals.max(initial=0.0)))
-        true = distinct(trial, rows[residuals <= bound])
-        spurious += len(rows) - len(true)
-        if len(rows) > len(true):
-            faults.append(f"{len(rows) - len(true)} spurious, q = {joints.tolist()}")
-        if redundant:
-            expected, found = expected + 1, found + (len(true) > 0)
-            continue
-        held = trial.search(T, joints, seed=number, at_least=len(true))
-        lost = missed(trial, held.regular, true, SAME)
-        met = np.concatenate([held.regular, held.singular])
-        expected += len(held.regular)
-        found += len(held.regular) - lost
-        unmet += sum(not among(trial, row, met, SAME) for row in true)
-        if lost:
-            faults.append(f"{lost} of {len(held.regular)} missed, q = {joints.tolist()}")
-    return Random(expected, found, spurious, unmet, worst, _told("random", faults))
+        tally.add(trial, T, rows, joints, number, f"q = {joints.tolist()}")
+    return tally.counted()
 
 
 def ask_singular(trial: Trial, count: int, bound: float) -> Singular:

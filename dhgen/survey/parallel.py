@@ -15,7 +15,7 @@ from dhgen.atomic_write import write_files
 from dhgen.errors import DhgenError
 from dhgen.parallel.native import compiled
 from dhgen.parallel.worked import reached, square
-from dhgen.survey.ask import SAME, Singular, among, ask_singular, distinct, missed
+from dhgen.survey.ask import Random, Singular, Tally, ask_singular
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.table import Answers
 from dhgen.survey.trial import Trial
@@ -54,11 +54,9 @@ def parallel_answers(
         if native is None:
             raise DhgenError("a survey needs a C compiler: cc, gcc, clang or $CC")
         trials = {each.robot.name: _trial(each, folder) for each in made.chains}
-        random = _Random(made.module, native, trials)
         what = f"searching for all solutions of {len(made.module.legs)} legs"
         tell(f"{made.module.name}: {what} on {poses} random poses")
-        for number, T in enumerate(_reached(made.module, native, poses)):
-            random.ask(T, number)
+        random = _ask(made.module, native, trials, _reached(made.module, native, poses))
         tell(f"{made.module.name}: singular poses of its legs")
         count = -(-poses // SINGULAR_SHARE)
         singular = [ask_singular(trial, count, RESIDUAL) for trial in trials.values()]
@@ -67,7 +65,7 @@ def parallel_answers(
 
 def _counted(
     made: ParallelCompilation,
-    random: _Random,
+    random: Random,
     singular: list[Singular],
     poses: int,
     cpu: float,
@@ -112,39 +110,16 @@ def _reached(module: ParallelModule, native: Native, count: int) -> FloatArray:
     return reached(module, keeps, count, seed=1)
 
 
-class _Random:
-    """What random poses of the platform are answered."""
-
-    def __init__(self, module: ParallelModule, native: Native, trials: dict[str, Trial]) -> None:
-        self._module = module
-        self._native = native
-        self._trials = trials
-        self.expected = self.found = self.spurious = self.unmet = 0
-        self.residual = 0.0
-        self.faults: list[str] = []
-
-    def ask(self, T: FloatArray, number: int) -> None:
-        """All legs at a pose."""
-        rows = self._native.ik(T)[1]
-        for leg, of_leg in zip(self._module.legs, rows, strict=True):
-            trial = self._trials[leg.solver.name]
-            dof = leg.solver.chain.dof
-            held = of_leg[~np.isnan(of_leg[:, :dof]).any(axis=1), :dof]
+def _ask(
+    module: ParallelModule, native: Native, trials: dict[str, Trial], poses: FloatArray
+) -> Random:
+    """What all legs answer at poses of the platform."""
+    tally = Tally(RESIDUAL)
+    for number, T in enumerate(poses):
+        for leg, of_leg in zip(module.legs, native.ik(T)[1], strict=True):
+            trial, dof = trials[leg.solver.name], leg.solver.chain.dof
+            rows = of_leg[~np.isnan(of_leg[:, :dof]).any(axis=1), :dof]
             pose = np.linalg.inv(square(leg.leg.base)) @ T @ square(leg.leg.end)
-            self._count(trial, pose, held, number)
-
-    def _count(self, trial: Trial, pose: FloatArray, rows: FloatArray, number: int) -> None:
-        residuals = trial.residuals(rows, pose)
-        self.residual = max(self.residual, float(residuals.max(initial=0.0)))
-        true = distinct(trial, rows[residuals <= RESIDUAL])
-        self.spurious += len(rows) - len(true)
-        none = np.zeros(rows.shape[1])
-        held = trial.search(pose, none, seed=number, at_least=len(true))
-        lost = missed(trial, held.regular, true, SAME)
-        met = np.concatenate([held.regular, held.singular])
-        self.expected += len(held.regular)
-        self.found += len(held.regular) - lost
-        self.unmet += sum(not among(trial, row, met, SAME) for row in true)
-        if lost or len(rows) > len(true):
-            fault = f"{lost} of {len(held.regular)} missed, {len(rows) - len(true)} spurious"
-            self.faults.append(f"{fault}, leg at {pose[:3, 3].tolist()}")
+            where = f"leg at {pose[:3, 3].tolist()}"
+            tally.add(trial, pose, rows, np.zeros(dof), number, where)
+    return tally.counted()

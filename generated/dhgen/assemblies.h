@@ -24,8 +24,7 @@ DHGEN_FN double dhgen_leg_center(
     double q[DHGEN_MOST_JOINTS] = { 0.0 }, T[16], J[6 * DHGEN_MOST_JOINTS];
     double points[2][3] = { { 0.0 } }, lines[2][3] = { { 0.0 } }, own[3];
     int found = 0;
-    for (int k = 0; k < leg->drives; k++)
-        q[leg->driven[k]] = drives[k];
+    dhgen_set_leg_drives(leg, drives, q);
     leg->fk(q, T);
     leg->jacobian(q, J);
     for (int joint = 0, next = 0; joint < leg->joints; joint++) {

@@ -97,10 +97,10 @@ DHGEN_FN int dhgen_nearest_drives(const struct dhgen_parallel *robot, int number
     dhgen_leg_pose(leg, X, pose);
     (void)leg->ik(pose, NULL, rows, status);
     for (int row = 0; row < leg->rows; row++) {
-        const double *const one = rows + row * leg->joints;
-        double miss = 0.0;
+        double own[DHGEN_MOST_JOINTS], miss = 0.0;
+        dhgen_leg_drives(leg, rows + row * leg->joints, own);
         for (int k = 0; k < leg->drives; k++)
-            miss += dhgen_drive_miss(leg->slides[k], robot->size, one[leg->driven[k]], drives[k]);
+            miss += dhgen_drive_miss(leg->slides[k], robot->size, own[k], drives[k]);
         misses[row] = miss;
         nearest = miss < nearest ? miss : nearest;
     }
@@ -113,8 +113,7 @@ DHGEN_FN int dhgen_nearest_drives(const struct dhgen_parallel *robot, int number
     }
     for (int i = 0; i < leg->joints && taken >= 0; i++)
         q[i] = rows[taken * leg->joints + i];
-    for (int k = 0; k < leg->drives; k++)
-        q[leg->driven[k]] = drives[k];
+    dhgen_set_leg_drives(leg, drives, q);
     return taken >= 0;
 }
 
@@ -209,9 +208,8 @@ DHGEN_FN int dhgen_parallel_fk(const struct dhgen_parallel *robot, const double 
             const int turns = joint < robot->leg[i].joints && robot->leg[i].types[joint] == 'R';
             *value = told < 0 ? DHGEN_NAN : turns ? dhgen_wrap(*value) : *value;
         }
-    for (int i = 0, place = 0; i < robot->legs && told >= 0; i++)
-        for (int k = 0; k < robot->leg[i].drives; k++)
-            q[i * robot->joints + robot->leg[i].driven[k]] = drives[place++];
+    for (int i = 0; i < robot->legs && told >= 0; drives += robot->leg[i++].drives)
+        dhgen_set_leg_drives(robot->leg + i, drives, q + i * robot->joints);
     return told;
 }
 

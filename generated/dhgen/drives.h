@@ -138,12 +138,25 @@ DHGEN_APART int dhgen_driven_with_care(const struct dhgen_parallel *robot, int n
     const int count = leg->ik(pose, NULL, rows, statuses);
     for (int row = 0; row < DHGEN_LEG_ROWS; row++) {
         const int has = row < leg->rows;
+        double *const drives = q + row * DHGEN_LEG_DRIVES;
         status[row] = has ? statuses[row] : (unsigned char)DHGEN_UNREACHABLE;
         for (int k = 0; k < DHGEN_LEG_DRIVES; k++)
-            q[row * DHGEN_LEG_DRIVES + k] =
-                has && k < leg->drives ? rows[row * leg->joints + leg->driven[k]] : DHGEN_NAN;
+            drives[k] = DHGEN_NAN;
+        if (has)
+            dhgen_leg_drives(leg, rows + row * leg->joints, drives);
     }
     return count >= 0;
+}
+
+/* Of a chain without a program for regular poses: no solutions, and all lanes need care. */
+DHGEN_ALWAYS
+DHGEN_INLINE dhgen_wide_mask dhgen_all_with_care(dhgen_wide *q, dhgen_wide_mask *kind)
+{
+    for (int i = 0; i < DHGEN_LEG_SIZE; i++)
+        q[i] = dhgen_all_wide(DHGEN_NAN);
+    for (int row = 0; row < DHGEN_LEG_ROWS; row++)
+        kind[row] = dhgen_kind_wide(q[0]);
+    return dhgen_where_wide(1);
 }
 
 /* Empties the rows of all legs: the pose is none. Returns what says so. */

@@ -16,6 +16,7 @@ from dhgen.parallel.native import Native, compiled
 from dhgen.parallel.verify import are_inside
 from dhgen.parallel.worked import reached, square
 from dhgen.robot_files import read_file
+from dhgen.runtime.python.platform import drives_of
 from dhgen.survey.oracle.forward import forward
 from dhgen.verify.native import import_module
 from tests.serial import PARALLEL, ROBOTS
@@ -103,8 +104,7 @@ def mode(name: str, T: FloatArray, row: int = 0) -> FloatArray:
 
 def drives(name: str, q: FloatArray) -> FloatArray:
     """The driven ones of joint values (legs, joints)."""
-    legs = compilation(name).module.legs
-    return np.array([q[i, joint] for i, leg in enumerate(legs) for joint in leg.driven])
+    return drives_of(compilation(name).module.driven_joints, q)
 
 
 def miss(name: str, T: FloatArray, q: FloatArray) -> float:

@@ -15,9 +15,9 @@ from dhgen.atomic_write import write_files
 from dhgen.parallel.compile import ParallelCompilation, compile_file
 from dhgen.parallel.driven import driven
 from dhgen.parallel.native import Native, compiled
-from dhgen.parallel.verify import drives_of
 from dhgen.parallel.worked import turn_about
 from dhgen.robot_files import read_file
+from dhgen.runtime.python.platform import driven_of_rows
 from tests.serial import PARALLEL, ROBOTS
 from tests.structures import first_of
 
@@ -91,7 +91,7 @@ def test_rows_and_statuses_are_those_of_all_joints(path: Path, flags: tuple[str,
     q, status = native.batch(poses)
     found, told = native.drives_batch(poses)
     np.testing.assert_array_equal(told, status)
-    np.testing.assert_allclose(found, drives_of(module, q), rtol=0, atol=NEAR)
+    np.testing.assert_allclose(found, driven_of_rows(module.driven_joints, q), rtol=0, atol=NEAR)
     seen = set(status.ravel().tolist())
     assert {OK, INVALID} < seen
     assert seen & {UNREACHABLE, OUT}
@@ -99,7 +99,9 @@ def test_rows_and_statuses_are_those_of_all_joints(path: Path, flags: tuple[str,
     for k in range(400):
         modes, own, told = native.ik_drives(poses[k])
         np.testing.assert_array_equal(told, status[k])
-        np.testing.assert_allclose(own, drives_of(module, q[k]), rtol=0, atol=NEAR)
+        np.testing.assert_allclose(
+            own, driven_of_rows(module.driven_joints, q[k]), rtol=0, atol=NEAR
+        )
         assert modes == native.ik(poses[k])[0]
 
 
@@ -127,7 +129,9 @@ def test_limits_of_passive_joints_take_no_angle() -> None:
         _, rows, status = native.ik(T)
         _, found, told = native.ik_drives(T)
         np.testing.assert_array_equal(told, status)
-        np.testing.assert_allclose(found, drives_of(module, rows), rtol=0, atol=NEAR)
+        np.testing.assert_allclose(
+            found, driven_of_rows(module.driven_joints, rows), rtol=0, atol=NEAR
+        )
         edges += {OK, OUT} <= set(status[0].tolist())
     assert edges > 100
 

@@ -68,7 +68,7 @@ def wanted_of_leg(
         unit = size if freedom < 3 else 1.0
         return slope(lambda step: moved_pose(T, freedom, step) @ end, unit)
 
-    driven = [joint - 1 for joint in leg.leg.actuated]
+    driven = list(leg.leg.driven)
     passive = [joint for joint in range(dof) if joint not in driven]
     moved = units * np.array([of_joint(joint) for joint in range(dof)]).T[rows]
     V = units * np.array([of_platform(freedom) for freedom in module.freedoms]).T[rows]

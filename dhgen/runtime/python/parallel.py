@@ -16,7 +16,16 @@ from .arguments import array_of
 from .assemblies import assemblies
 from .direct import direct, drive_scale
 from .entry import poses_of
-from .platform import Leg, Motion, Platform, motion_of, place_ends, rates
+from .platform import (
+    Leg,
+    Motion,
+    Platform,
+    driven_of_rows,
+    drives_of,
+    motion_of,
+    place_ends,
+    rates,
+)
 from .status import FREE_JOINT, INVALID_POSE, UNREACHABLE
 
 if TYPE_CHECKING:
@@ -64,6 +73,7 @@ class Functions:
         self._joints = max(leg.module.DOF for leg in self._legs)
         self._rows = max(leg.module.MAX_SOLUTIONS for leg in self._legs)
         self._drives = len(platform.freedoms)
+        self._driven = [leg.driven for leg in self._legs]
         self._bases = np.array([leg.base for leg in self._legs])
         self._ends = np.array([leg.end for leg in self._legs])
         chains: dict[str, tuple[Any, list[int]]] = {}
@@ -135,7 +145,7 @@ class Functions:
             ValueError: T has the wrong shape.
         """
         q, status = self.ik_all(T)
-        return self._driven(q), status
+        return driven_of_rows(self._driven, q), status
 
     def ik_drives_batch(self, T: ArrayLike) -> tuple[Floats, Statuses]:
         """ik_drives for N poses (N, 4, 4).
@@ -144,14 +154,7 @@ class Functions:
             ValueError: T has the wrong shape.
         """
         q, status = self.ik_batch(T)
-        return self._driven(q), status
-
-    def _driven(self, q: Floats) -> Floats:
-        """The driven joints of rows of all legs (..., LEGS, ROWS, JOINTS)."""
-        taken = np.full((*q.shape[:-1], max(len(leg.driven) for leg in self._legs)), np.nan)
-        for number, leg in enumerate(self._legs):
-            taken[..., number, :, : len(leg.driven)] = q[..., number, :, :][..., list(leg.driven)]
-        return taken
+        return driven_of_rows(self._driven, q), status
 
     def ik(
         self,
@@ -195,8 +198,7 @@ class Functions:
 
     def drives(self, q: ArrayLike) -> Floats:
         """The driven ones, in the order of DRIVES, of all joint values (LEGS, JOINTS)."""
-        own = self._of_legs(q, "q", finite=False)
-        return np.array([own[i, j] for i, leg in enumerate(self._legs) for j in leg.driven])
+        return drives_of(self._driven, self._of_legs(q, "q", finite=False))
 
     def fk(self, drives: ArrayLike, T_seed: ArrayLike) -> tuple[Floats, Floats, int]:
         """The platform's pose that drives' values make, refined from a pose nearby.

@@ -97,6 +97,30 @@ def place_ends(X: Floats, bases: Floats, ends: Floats, poses: Floats) -> None:
                 poses[k, leg, 3, j] = last
 
 
+def drives_of(driven: Sequence[Sequence[int]], q: Floats) -> Floats:
+    """The drives: values of driven joints, leg by leg, out of joint values (..., LEGS, JOINTS).
+
+    Args:
+        driven: Of every leg its joints that are driven, from 0.
+        q: The joint values.
+    """
+    legs = [number for number, own in enumerate(driven) for _ in own]
+    return q[..., legs, [joint for own in driven for joint in own]]
+
+
+def driven_of_rows(driven: Sequence[Sequence[int]], q: Floats) -> Floats:
+    """The driven joints of rows (..., LEGS, ROWS, JOINTS), NaN where a leg has fewer.
+
+    Args:
+        driven: Of every leg its joints that are driven, from 0.
+        q: The rows.
+    """
+    taken = np.full((*q.shape[:-1], max(map(len, driven))), np.nan)
+    for number, own in enumerate(driven):
+        taken[..., number, :, : len(own)] = q[..., number, :, :][..., list(own)]
+    return taken
+
+
 @dataclass(frozen=True, slots=True)
 class Leg:
     """A leg: its chain's module, and where it stands.

@@ -224,12 +224,25 @@ DHGEN_FN void dhgen_parallel_batch(
     }
 }
 
-/* The values of the driven joints, out of those of all joints of all legs. */
+/* The drives of a leg, the values of its driven joints, out of all its joint values. */
+DHGEN_INLINE void dhgen_leg_drives(const struct dhgen_leg *leg, const double *q, double *drives)
+{
+    for (int k = 0; k < leg->drives; k++)
+        drives[k] = q[leg->driven[k]];
+}
+
+/* Takes the driven joints of a leg to its drives. */
+DHGEN_INLINE void dhgen_set_leg_drives(const struct dhgen_leg *leg, const double *drives, double *q)
+{
+    for (int k = 0; k < leg->drives; k++)
+        q[leg->driven[k]] = drives[k];
+}
+
+/* The drives of all legs, one after the other. */
 DHGEN_FN void dhgen_take_drives(const struct dhgen_parallel *robot, const double *q, double *drives)
 {
-    for (int i = 0, place = 0; i < robot->legs; i++)
-        for (int k = 0; k < robot->leg[i].drives; k++)
-            drives[place++] = q[i * robot->joints + robot->leg[i].driven[k]];
+    for (int i = 0; i < robot->legs; drives += robot->leg[i++].drives)
+        dhgen_leg_drives(robot->leg + i, q + i * robot->joints, drives);
 }
 
 #endif
