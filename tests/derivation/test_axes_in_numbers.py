@@ -87,12 +87,12 @@ def test_frames_come_out_of_the_motions_of_document_001() -> None:
     assert np.allclose(
         forward(of.robot, np.array(q)), reduce(np.matmul, K)
     )  # the tool begins there
-    lines = document("puma").splitlines()
+    text = document("puma").splitlines()
     for i, matrix in enumerate(K):
-        printed = next(line for line in lines if f"K_{i + 1} = \\begin" in line)
+        printed = next(line for line in text if f"K_{i + 1} = \\begin" in line)
         printed = printed.split(f"K_{i + 1} = \\begin{{bmatrix}}")[1].split(r"\end")[0]
         known = dict(of_the_puma(q), L_2=L2, D_3=D3, D_4=D4)
         cells = [row.split("&") for row in printed.split(r"\\")]
         assert np.allclose([[cell_of(cell, known) for cell in row] for row in cells], matrix)
-    told = next(line for line in lines if line.startswith("If $F_i$ is"))
+    told = next(line for line in text if line.startswith("If $F_i$ is"))
     assert r"$A_i = F_{i-1}^{-1} K_i F_i$" in told

@@ -93,8 +93,8 @@ def run(lines: list[str], known: Known) -> Iterator[Known]:
                     return
             continue
         for each in line.removeprefix("else ").split(",  "):
-            name, value = each.split(" = ", 1)
-            known[name] = worth(value, known)
+            name, formula = each.split(" = ", 1)
+            known[name] = worth(formula, known)
     yield known
 
 
