@@ -34,6 +34,8 @@ from dhgen.targets.reserved import RESERVED
 from dhgen.verify.calibrated import poses_of
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from benchmarks.native import Native
     from dhgen.arrays import FloatArray
     from dhgen.targets.calibrated import Kind
@@ -99,9 +101,9 @@ def measure(kind: Kind, solvers: list[Native], error: float, count: int) -> tupl
         choose(solver, numbers)
     own, plain = solvers
     seconds, alone = own.each(T, PASSES), plain.each(T, PASSES)
-    pairs = list(zip(own.solve(T), plain.solve(T), strict=True))
-    left = np.mean([np.array_equal(*both) for both in pairs])
-    differ = sum(unlike(*both) + unlike(*both[::-1]) for both in pairs)
+    rows, others = own.rows(T), plain.rows(T)
+    left = np.mean([np.array_equal(*b, equal_nan=True) for b in zip(rows, others, strict=True)])
+    differ = unlike(rows, others) + unlike(others, rows)
     times = [seconds.mean(), *np.quantile(seconds, [0.5, 0.99, 1.0])]
     told = [time_text(1e9 * each) for each in (*times, alone.mean())]
     return (*told[:4], f"{100.0 * left:.1f} %", told[4], str(differ))
@@ -127,10 +129,30 @@ def solver_of(kind: Kind, folder: Path, *, plain: bool) -> Native:
     return compiled(folder / f"{name}.c", interface, (*NATIVE, *flags), folder)
 
 
+def holding(rows: FloatArray) -> NDArray[np.bool_]:
+    """Which rows (..., n) hold joint values."""
+    return np.asarray(~np.isnan(rows).any(axis=-1))
+
+
+def without_partner(rows: FloatArray, others: FloatArray, same: float) -> NDArray[np.bool_]:
+    """Which rows (..., k, n) hold a solution that is not among others (..., l, n).
+
+    Args:
+        rows: NaN where there is none.
+        others: Likewise.
+        same: Solutions that differ by no more are one [rad].
+    """
+    missing = holding(rows)
+    for i in range(others.shape[-2]):
+        apart = rows - others[..., i : i + 1, :]
+        off = np.abs(apart - 2.0 * np.pi * np.round(apart / (2.0 * np.pi)))
+        missing &= ~(off.max(axis=-1) <= same)
+    return missing
+
+
 def unlike(rows: FloatArray, others: FloatArray) -> int:
     """How many solutions are not among others."""
-    off = np.abs(np.mod(rows[:, None] - others[None] + np.pi, 2.0 * np.pi) - np.pi)
-    return int((off.max(axis=2).min(axis=1, initial=np.inf) > SAME).sum())
+    return int(without_partner(rows, others, SAME).sum())
 
 
 if __name__ == "__main__":

@@ -23,7 +23,14 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 
-from benchmarks.calibrated import choose, read_kind, solver_of, with_errors
+from benchmarks.calibrated import (
+    choose,
+    holding,
+    read_kind,
+    solver_of,
+    with_errors,
+    without_partner,
+)
 from benchmarks.options import parser, show
 from benchmarks.report import table
 from dhgen.atomic_write import write_files
@@ -34,8 +41,6 @@ from dhgen.verify.calibrated import poses_of
 from dhgen.workers import side_by_side
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from benchmarks.native import Native
     from dhgen.arrays import FloatArray
     from dhgen.targets.calibrated import Kind
@@ -43,9 +48,8 @@ if TYPE_CHECKING:
 POSES = 200_000
 ERRORS = (1e-6, 1e-5, 1e-4, 1e-3)  # [rad, arm sizes]
 AT_ONCE = 2000  # poses
-SAME = (
-    1e-5  # [rad] solutions that differ by less are one: the root of what a row may miss its pose by
-)
+# Solutions that differ by no more are one [rad]: the root of what a row may miss its pose by.
+SAME = 1e-5
 MEETS = 1e-9  # [rad, arm sizes] a row that misses its pose by more is wrong
 HEAD = ("arm", "errors", "poses", "solutions", "lost", "lacks", "more", "wrong")
 
@@ -90,33 +94,18 @@ def _counts(kind: Kind, own: Native, alone: Native, error: float, count: int) ->
         rows, others = own.rows(T), alone.rows(T)
         total += (
             len(q),
-            _holding(rows).sum(),
-            without_partner(q[:, None], rows).sum(),
-            without_partner(others, rows).sum(),
-            without_partner(rows, others).sum(),
+            holding(rows).sum(),
+            without_partner(q[:, None], rows, SAME).sum(),
+            without_partner(others, rows, SAME).sum(),
+            without_partner(rows, others, SAME).sum(),
             wrong_rows(kind, numbers, T, rows),
         )
     return tuple(map(str, total))
 
 
-def _holding(rows: FloatArray) -> NDArray[np.bool_]:
-    """Which rows hold joint values."""
-    return np.asarray(~np.isnan(rows).any(axis=-1))
-
-
-def without_partner(rows: FloatArray, others: FloatArray) -> NDArray[np.bool_]:
-    """Which rows (N, k, 6) hold a solution that is not among others (N, l, 6)."""
-    missing = _holding(rows)
-    for i in range(others.shape[1]):
-        apart = rows - others[:, i : i + 1]
-        off = np.abs(apart - 2.0 * np.pi * np.round(apart / (2.0 * np.pi)))
-        missing &= ~(off.max(axis=-1) <= SAME)
-    return missing
-
-
 def wrong_rows(kind: Kind, numbers: FloatArray, T: FloatArray, rows: FloatArray) -> int:
     """How many rows miss their pose."""
-    held = _holding(rows)
+    held = holding(rows)
     miss = np.abs(poses_of(kind, numbers, rows[held]) - np.repeat(T, held.sum(axis=1), axis=0))
     miss[:, :3, 3] /= kind.nominal.chain.size
     return int((miss.max(axis=(1, 2), initial=0.0) > MEETS).sum())

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from benchmarks.arms import robot_path
-from benchmarks.calibrated import ARMS, read_kind, unlike
-from benchmarks.calibrated_recall import without_partner, wrong_rows
+from benchmarks.calibrated import ARMS, read_kind, unlike, without_partner
+from benchmarks.calibrated_recall import SAME, wrong_rows
 from dhgen.verify.calibrated import poses_of
 
 
@@ -27,8 +27,8 @@ def test_solutions_without_a_partner() -> None:
     nothing = np.full(3, np.nan)
     rows = np.array([[[0.1, np.pi, 0.2], [0.1, 3.0, 0.2], nothing]])
     others = np.array([[nothing, [0.1, -np.pi, 0.2 + 1e-9]]])
-    assert without_partner(rows, others).tolist() == [[False, True, False]]
-    assert without_partner(others, rows).tolist() == [[False, False]]
+    assert without_partner(rows, others, SAME).tolist() == [[False, True, False]]
+    assert without_partner(others, rows, SAME).tolist() == [[False, False]]
 
 
 def test_rows_that_miss_their_pose() -> None:

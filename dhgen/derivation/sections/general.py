@@ -11,7 +11,7 @@ import math
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.geometry import size_in_words
-from dhgen.derivation.notation.names import letter
+from dhgen.derivation.notation.names import DET_J, letter
 from dhgen.derivation.sections.constant_transforms import (
     constant_matrices,
     triangle_of_the_offset_wrist,
@@ -80,7 +80,7 @@ def general_section(
         matrices=[] if motions or not _has_six_own(kernel) else constant_matrices(story),
         shared_roots=kernel.wrist is not None and not kernel.wrist.sine,
         or_length=say(" or {}", Symbol("r_i = 0", "rᵢ = 0")) if kernel.loop.slides else say(""),
-        singular=equal(Symbol(r"\det J", "det J"), ZERO),
+        singular=equal(DET_J, ZERO),
         size=size_in_words(chain),
         **values,
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.notation.names import joint_symbol, letter
+from dhgen.derivation.notation.names import DET_J, joint_symbol, letter
 from dhgen.derivation.sections.shoulder import PSI
 from dhgen.derivation.text.blocks import Table, display, joined, say
 from dhgen.derivation.text.formula import Matrix, Power, Symbol, add, equal, over, subtract, times
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from dhgen.derivation.velocity.wrist import ArmRows, WristBlocks
     from dhgen.kinematics.constants import Polynomial
 
-DET_J = Symbol(r"\det J", "det J")
 J_11, J_22 = letter("J", "J", "11"), letter("J", "J", "22")
 DET_22 = Symbol(r"\det J_{22}", "det J₂₂")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.effects import free_effect, nothing_said
-from dhgen.derivation.notation.names import cosine, letter, sine, theta
+from dhgen.derivation.notation.names import DET_J, cosine, letter, sine, theta
 from dhgen.derivation.step_context import Singularity, StepText, type_letter
 from dhgen.derivation.text.blocks import display, paragraph, say
 from dhgen.derivation.text.formula import (
@@ -96,7 +96,7 @@ def _singular(context: StepContext) -> Formula | Prose | None:
     if chain.dof != chain.task.dimension:
         return None
     if chain.task.kind is TaskKind.POSE:
-        return say("{}", equal(Symbol(r"\det J", "det J"), ZERO))
+        return say("{}", equal(DET_J, ZERO))
     if chain.task.kind is not TaskKind.POSITION:
         return None
     found = position_determinant(context.story)

@@ -12,8 +12,7 @@ from dhgen.derivation.conditions import are_never_zero, unsigned
 from dhgen.derivation.notation.matrices import expanded
 from dhgen.derivation.text.formula import ZERO, equal
 from dhgen.derivation.velocity.determinant import Determinant, Factor
-from dhgen.derivation.velocity.wrist import between, crossed
-from dhgen.kinematics.chain import Fixed, Slide, Turn
+from dhgen.derivation.velocity.wrist import velocity_columns
 from dhgen.kinematics.ring import primitive
 from dhgen.kinematics.transform import identity
 
@@ -23,7 +22,6 @@ if TYPE_CHECKING:
     from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.formula import Formula
-    from dhgen.kinematics.chain import Element
     from dhgen.kinematics.constants import Polynomial
 
 MOST_TERMS = 200  # of a determinant that is taken apart
@@ -74,8 +72,8 @@ def _place_of(factor: Formula, places: Sequence[Singularity]) -> Singularity | N
 
 def _in_factors(story: Story, frame: int) -> Factored | None:
     """What does not move, and the other factors, of the determinant of velocities in a frame."""
-    columns = _columns(story, frame)
     algebra = story.algebra
+    columns = [moved for moved, _ in velocity_columns(algebra, frame, None, story.dof)]
     if len(columns) == 2:
         (a, b), (c, d) = ([column[row] for row in _rows(story)] for column in columns)
         size = a * d - b * c
@@ -100,22 +98,3 @@ def _in_factors(story: Story, frame: int) -> Factored | None:
 
 def _rows(story: Story) -> tuple[int, ...]:
     return story.algebra.chain.task.position_rows
-
-
-def _columns(story: Story, frame: int) -> list[tuple[Polynomial, ...]]:
-    """The velocities of the tool's origin by the joints, in a frame."""
-    algebra, chain = story.algebra, story.algebra.chain
-    elements: list[Element] = [e for link in chain.links for e in algebra.lifted(link)]
-    start = sum(len(link) for link in chain.links[:frame])
-    elements.append(Fixed(algebra.lift(chain.tool)))
-    point = between(algebra, elements, start, len(elements)).translation
-    found = []
-    for place, element in enumerate(elements):
-        if not isinstance(element, Turn | Slide):
-            continue
-        sign = element.sign * chain.joints[element.joint - 1].sign
-        at = between(algebra, elements, start, place)
-        axis = tuple(sign * entry for entry in at.column(2))
-        arm = tuple(a - b for a, b in zip(point, at.translation, strict=True))
-        found.append(axis if isinstance(element, Slide) else crossed(algebra, axis, arm))
-    return found

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.matrices import expanded
-from dhgen.kinematics.chain import Slide, Turn
+from dhgen.kinematics.chain import Fixed, Slide, Turn
 from dhgen.kinematics.product import product, reversed_elements
 from dhgen.robot.task import Directions
 
@@ -50,7 +50,7 @@ def wrist_blocks(story: Story) -> WristBlocks | None:
     if chain.dof != 2 * ARM or story.wrist is None or chain.given or not (plain and poses):
         return None
     for centre in CENTRES:
-        columns = list(_columns(story.algebra, ARM, centre, 2 * ARM))
+        columns = list(velocity_columns(story.algebra, ARM, centre, 2 * ARM))
         if not any(entry for moved, _ in columns[ARM:] for entry in moved):
             (first, *others), spins = zip(*columns, strict=True)
             moved = tuple(_shortest(story.algebra, centre, entry) for entry in first), *others
@@ -62,16 +62,25 @@ def _turned(columns: tuple[Vector, ...]) -> Block:
     return tuple(zip(*columns, strict=True))
 
 
-def _columns(
-    algebra: Algebra, frame: int, centre: int, last: int
+def velocity_columns(
+    algebra: Algebra, frame: int, centre: int | None, last: int
 ) -> Iterator[tuple[Vector, Vector]]:
-    """Of joints up to `last` the velocity of a frame's origin and the angular one, in a frame."""
+    """What joints give a point of velocity, and the angular velocity, in a frame.
+
+    Args:
+        algebra: The arm's ring.
+        frame: In which the columns are written.
+        centre: The frame of which the point is the origin; None for the tool.
+        last: The last joint that is asked.
+    """
     chain = algebra.chain
     elements: list[Element] = [e for link in chain.links for e in algebra.lifted(link)]
     ends = [0]
     for link in chain.links:
         ends.append(ends[-1] + len(link))
-    point = between(algebra, elements, ends[frame], ends[centre]).translation
+    elements.append(Fixed(algebra.lift(chain.tool)))
+    end = len(elements) if centre is None else ends[centre]
+    point = between(algebra, elements, ends[frame], end).translation
     still = (algebra.ring.zero,) * 3
     for place, element in enumerate(elements):
         if not isinstance(element, Turn | Slide) or element.joint > last:
@@ -169,7 +178,7 @@ def _shortest(algebra: Algebra, centre: int, entry: Polynomial) -> Polynomial:
     """The same as the entry, as another frame has it if that is shorter."""
     value, found = expanded(algebra, entry), entry
     for frame in (1, 2):
-        moved, _ = next(_columns(algebra, frame, centre, 1))
+        moved, _ = next(velocity_columns(algebra, frame, centre, 1))
         for each in (each for other in moved for each in (other, -other)):
             if len(each) < len(found) and expanded(algebra, each) == value:
                 found = each
