@@ -39,20 +39,11 @@ class NumericArm:
 
     def pose(self, q: FloatArray) -> FloatArray:
         """T of joint values, shape (..., n) to (..., 4, 4)."""
-        values = self.values(np.asarray(q, np.float64))
-        turns = self.turning
-        x, y, z, at = (np.broadcast_to(each, (*values.shape[:-1], 4)) for each in self.base.T)
+        steps = self.steps(np.asarray(q, np.float64))
+        T = self.base
         for element in (*self.elements, self.tool):
-            if not isinstance(element, int):
-                x, y, z, at = _times((x, y, z, at), element)
-                continue
-            value = values[..., element - 1, None]
-            if turns[element - 1]:
-                c, s = np.cos(value), np.sin(value)
-                x, y = c * x + s * y, c * y - s * x
-            else:
-                at = at + value * z
-        return np.stack([x, y, z, at], axis=-1)
+            T = T @ (steps[..., element - 1, :, :] if isinstance(element, int) else element)
+        return T
 
     def axes(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Directions and points (..., n, 3) of the joints' axes at joint values (..., n)."""
@@ -129,17 +120,6 @@ class NumericArm:
             else:
                 T = T @ element
         return T @ self.tool, frames
-
-
-def _times(columns: Sequence[FloatArray], element: FloatArray) -> list[FloatArray]:
-    """The columns of a product; most entries of a constant transform are zero."""
-    return [
-        sum(
-            (number * each for number, each in zip(column, columns, strict=True) if number),
-            np.zeros(1),
-        )
-        for column in element.T
-    ]
 
 
 def numeric_arm(chain: Chain) -> NumericArm:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,7 +13,7 @@ from dhgen.kinematics.given import given_values
 from dhgen.kinematics.task import task_jacobian, units
 from dhgen.program.walk import whole_arm
 from dhgen.tolerances import TOLERANCES
-from dhgen.verify.measures import Measures
+from dhgen.verify.measures import Measures, filled
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -46,21 +47,34 @@ class Demands:
         self._chain = module.chain
 
     def forward(self, solver: Any, q: FloatArray, T: FloatArray, J: FloatArray, where: str) -> None:  # noqa: ANN401
-        """A language's pose and Jacobian are right."""
-        miss = self.measures.pose_miss(solver.fk(q), T)
-        self.at_most(miss, AGREEMENT, f"{where} fk is off")
-        miss = self.measures.jacobian_miss(solver.jacobian(q), J)
-        self.at_most(miss, JACOBIAN, f"{where} Jacobian is off")
-        self.at_most(self._velocities(solver, q), AGREEMENT, f"{where} joint velocities are off")
+        """A language's poses, Jacobians and joint velocities are right.
 
-    def _velocities(self, solver: Any, q: FloatArray) -> float:  # noqa: ANN401
-        """By how much joint velocities miss a twist that the arm can do, where it is regular."""
+        Args:
+            solver: Its functions.
+            q: Joint values (N, n).
+            T: Their poses (N, 4, 4).
+            J: Their Jacobians (N, 6, n).
+            where: Begins the message, before the joint values.
+        """
+        got = np.array([solver.fk(each) for each in q])
+        self._all_at_most(self.measures.pose_miss(got, T), AGREEMENT, q, f"{where} fk is off")
+        got = np.array([solver.jacobian(each) for each in q])
+        misses = self.measures.jacobian_miss(got, J)
+        self._all_at_most(misses, JACOBIAN, q, f"{where} Jacobian is off")
+        misses = self._velocity_miss(solver, q)
+        self._all_at_most(misses, AGREEMENT, q, f"{where} joint velocities are off")
+
+    def _velocity_miss(self, solver: Any, q: FloatArray) -> FloatArray:  # noqa: ANN401
+        """By how much joint velocities miss twists that the arm can do, where it is regular."""
         arm, scale = self.measures.arm, units(self._chain)
         rates = task_jacobian(arm, q)
-        if not np.linalg.svd(rates, compute_uv=False)[-1] > UNDAMPED:
-            return 0.0
-        found = solver.joint_velocities(q, arm.jacobian(q) @ scale)
-        return float(np.abs(rates @ (found / scale - 1.0)).max())
+        regular = np.linalg.svd(rates, compute_uv=False)[:, -1] > UNDAMPED
+        twists = arm.jacobian(q) @ scale
+        misses = np.zeros(len(q))
+        for k in np.flatnonzero(regular):
+            found = solver.joint_velocities(q[k], twists[k])
+            misses[k] = np.abs(rates[k] @ (found / scale - 1.0)).max()
+        return misses
 
     def agree(
         self, rows: FloatArray, others: FloatArray, T: FloatArray, what: str, where: str
@@ -95,7 +109,7 @@ class Demands:
         Where the arm is singular rounding decides in which row a solution stands, and which of
         those that differ by a free joint. Rows elsewhere are compared one by one.
         """
-        held, its = (np.isfinite(each).all(axis=1) for each in (rows, others))
+        held, its = filled(rows), filled(others)
         missed = max(self.reproduce(each, T, where) for each in (rows[held], others[its]))
         apart = held != its
         if (both := held & its).any():
@@ -110,7 +124,13 @@ class Demands:
         return all(any(self._stand_for_one(row, other, T) for other in others) for row in rows)
 
     def reproduce(self, rows: FloatArray, T: FloatArray, where: str) -> float:
-        """Every row reproduces its pose; by how much they miss it at most."""
+        """Every row reproduces its pose; by how much they miss it at most.
+
+        Args:
+            rows: Joint values (R, n).
+            T: Their pose (4, 4), or a pose for each (R, 4, 4).
+            where: Begins the message.
+        """
         if not len(rows):
             return 0.0
         miss = self.measures.residual(rows, T)
@@ -121,8 +141,15 @@ class Demands:
 
     def recover(self, rows: FloatArray, q: FloatArray, enough: float, where: str) -> None:
         """The generating joint values are among the rows: free joints took them from the seed."""
-        miss = float(self.measures.joint_miss(rows, q).max(axis=1).min())
+        miss = self._nearest_miss(rows, q)
         self.at_most(miss, enough, f"{where}: q is not among the solutions, the nearest is off")
+
+    def has(self, rows: FloatArray, q: FloatArray, enough: float) -> bool:
+        """Whether joint values are among rows."""
+        return self._nearest_miss(rows, q) <= enough
+
+    def _nearest_miss(self, rows: FloatArray, q: FloatArray) -> float:
+        return float(self.measures.joint_miss(rows, q).max(axis=1).min())
 
     def is_as_good(self, rows: FloatArray, q: FloatArray, T: FloatArray) -> bool:
         """Whether the pose hardly tells joint values from those of a row with no free joint.
@@ -133,8 +160,7 @@ class Demands:
         """
         if self.measures.fixed(q) > FIXED:
             return False
-        held = rows[np.isfinite(rows).all(axis=1)]
-        return any(self._lead(row, q, T, GENERAL_RESIDUAL) for row in held)
+        return any(self._lead(row, q, T, GENERAL_RESIDUAL) for row in rows[filled(rows)])
 
     def _stand_for_one(self, row: FloatArray, other: FloatArray, T: FloatArray) -> bool:
         """Whether branches have met where these are."""
@@ -142,7 +168,7 @@ class Demands:
 
     def _lead(self, row: FloatArray, q: FloatArray, T: FloatArray, enough: float) -> bool:
         """Whether all joint values on a way from a row to others nearly reach the pose."""
-        ways = (*self.measures.ways(row, q), *self.measures.curves(row, q, T))
+        ways = chain(self.measures.ways(row, q), self.measures.curves(row, q, T))
         return any(self.measures.residual(way, T) <= enough for way in ways)
 
     def are_at_an_edge(self, rows: FloatArray) -> bool:
@@ -166,6 +192,11 @@ class Demands:
     def given(self, q: FloatArray) -> list[FloatArray]:
         """The argument for them, where there are any."""
         return [self.values(q)] if self._chain.given else []
+
+    def _all_at_most(self, misses: FloatArray, enough: float, q: FloatArray, what: str) -> None:
+        """The misses at joint values (N, n) are small enough."""
+        worst = int(np.argmax(np.where(np.isnan(misses), np.inf, misses)))
+        self.at_most(float(misses[worst]), enough, f"{what} at q = {q[worst].tolist()}")
 
     def at_most(self, miss: float, enough: float, what: str) -> None:
         """A miss is small enough."""

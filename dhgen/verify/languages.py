@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.errors import VerificationError
+from dhgen.verify.measures import filled
 
 if TYPE_CHECKING:
     from types import ModuleType
@@ -46,8 +47,9 @@ class Languages:
         self._chain = module.chain
         self._demands = demands
 
-    def forward(self, q: FloatArray, T: FloatArray, J: FloatArray, where: str) -> None:
-        """The pose and the Jacobian of joint values are right."""
+    def forward(self, q: FloatArray, T: FloatArray, where: str) -> None:
+        """Poses (N, 4, 4), Jacobians and joint velocities of joint values (N, n) are right."""
+        J = self._demands.measures.jacobians(q, T)
         compiled = [("C", build) for build in self._builds]
         for language, solver in [("Python", self.python), *compiled]:
             self._demands.forward(solver, q, T, J, f"{where}: {language}'s")
@@ -68,9 +70,9 @@ class Languages:
             other, other_status = build.ik(T, seed, *given)
             # where an arm is singular, an instruction that rounds once moves double roots
             if not compared or (singular and place > 0):
-                self._demands.reproduce(other[np.isfinite(other).all(axis=1)], T, where)
+                self._demands.reproduce(other[filled(other)], T, where)
                 continue
-            told, other_told = np.isfinite(rows).all(axis=1), np.isfinite(other).all(axis=1)
+            told, other_told = filled(rows), filled(other)
             differ = status != other_status
             doubted = np.concatenate([rows[differ & told], other[differ & other_told]])
             if (
@@ -103,9 +105,9 @@ class Languages:
         found = [("Python", *self.python.ik_all(T, *given))]
         found += [("C", *build.ik(T, zeros, *given)) for build in self._builds]
         for language, rows, _ in found:
-            held = np.isfinite(rows).all(axis=1)
-            self._demands.reproduce(rows[held], T, f"{where}, without a seed")
-            if not held.any():
+            held = rows[filled(rows)]
+            self._demands.reproduce(held, T, f"{where}, without a seed")
+            if not len(held):
                 raise VerificationError(f"{where}: without a seed {language} finds no solution")
 
     def batch(self, sample: Sample, poses: FloatArray) -> None:
@@ -118,17 +120,19 @@ class Languages:
             for build in self._builds
         ]
         for language, batch, alone in languages:
+            where = f"{self._module.name}, {sample.name}, a batch of the {language}"
             many, statuses = batch(poses, *given)
+            at, row = np.nonzero(filled(many))
+            self._demands.reproduce(many[at, row], poses[at], where)
+            if not (sample.name == "random" and self._demands.has_branches):
+                continue
             for number, (T, rows, status) in enumerate(zip(poses, many, statuses, strict=True)):
-                where = f"{self._module.name}, {sample.name}, pose {number} of a batch"
                 one, one_status = alone(T, *(g[number] for g in given))
-                self._demands.reproduce(rows[np.isfinite(rows).all(axis=1)], T, where)
-                if sample.name == "random" and self._demands.has_branches:
-                    if not np.array_equal(status, one_status):
-                        told = f"{language} gives {status}, for the pose alone {one_status}"
-                        raise VerificationError(f"{where}: {told}")
-                    held = np.isfinite(one).all(axis=1)
-                    self._demands.agree(rows[held], one[held], T, language, where)
+                if not np.array_equal(status, one_status):
+                    told = f"pose {number} has {status}, alone {one_status}"
+                    raise VerificationError(f"{where}: {told}")
+                held = filled(one)
+                self._demands.agree(rows[held], one[held], T, language, f"{where}, pose {number}")
 
     def refuse(self, q: FloatArray, poses: FloatArray) -> None:
         """Batches refuse poses that are none.
@@ -159,7 +163,7 @@ class Languages:
         calls["careful"](pose, values, q, others, kinds)
         if not np.array_equal(status, kinds):
             raise VerificationError(f"{where}: Python gives {status}, its careful solver {kinds}")
-        held = np.isfinite(rows).all(axis=1)
+        held = filled(rows)
         self._demands.agree(rows[held], others[held], T, "its careful solver", where)
 
     def nearest(self, q: FloatArray, T: FloatArray, where: str) -> None:

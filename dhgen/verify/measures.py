@@ -11,6 +11,10 @@ from dhgen.kinematics.numeric import NumericArm, numeric_arm
 from dhgen.kinematics.task import task_entries, task_rates
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from numpy.typing import NDArray
+
     from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
 
@@ -21,6 +25,11 @@ ONTO = 3  # steps from a straight way onto a curve of solutions beside it
 NULL = 1e-6  # of the largest singular value: directions that these steps leave alone
 LEAP = 3.0  # times as far as on the straight way: neighbours that are farther apart are no way
 LITTLE = 1e-3  # [rad or arm sizes] a double solution moves by less with rounding
+
+
+def filled(rows: FloatArray) -> NDArray[np.bool_]:
+    """Which of some rows (..., n) hold joint values."""
+    return np.asarray(np.isfinite(rows).all(axis=-1))
 
 
 class Measures:
@@ -35,15 +44,23 @@ class Measures:
         self._chain = chain
         self._turns = np.array(chain.turning)
 
-    def pose_miss(self, got: FloatArray, T: FloatArray) -> float:
-        """The largest difference of two poses' entries, relative to how far the pose is away."""
-        scale = np.ones((4, 4))
-        scale[:3, 3] = max(self._chain.size, float(np.abs(T[:3, 3]).max()))
-        return float(np.abs((got - T) / scale).max())
+    def pose_miss(self, got: FloatArray, T: FloatArray) -> FloatArray:
+        """The largest difference of two poses' entries, relative to how far the pose is away.
 
-    def jacobian_miss(self, got: FloatArray, wanted: FloatArray) -> float:
-        """The largest difference of two Jacobians, relative to their size."""
-        return float(np.abs(got - wanted).max()) / max(1.0, float(np.abs(wanted).max()))
+        Poses (..., 4, 4), to (...).
+        """
+        scale = np.ones_like(T)
+        scale[..., :3, 3] = self._away(T)[..., None]
+        return np.asarray(np.abs((got - T) / scale).max(axis=(-2, -1)))
+
+    def jacobian_miss(self, got: FloatArray, wanted: FloatArray) -> FloatArray:
+        """The largest difference of two Jacobians (..., 6, n), relative to their size: (...)."""
+        miss, size = (np.abs(each).max(axis=(-2, -1)) for each in (got - wanted, wanted))
+        return np.asarray(miss / np.maximum(1.0, size))
+
+    def _away(self, T: FloatArray) -> FloatArray:
+        """How far poses (..., 4, 4) are away, at least the size of the arm."""
+        return np.asarray(np.maximum(self._chain.size, np.abs(T[..., :3, 3]).max(axis=-1)))
 
     def joint_miss(self, rows: FloatArray, others: FloatArray) -> FloatArray:
         """Differences of joint values, whole turns aside."""
@@ -60,21 +77,19 @@ class Measures:
         bent = np.where(little, np.minimum(2.0 * part, 1.0), np.maximum(2.0 * part - 1.0, 0.0))
         return np.asarray(row + np.stack([part * moved, bent * moved]))
 
-    def curves(self, row: FloatArray, q: FloatArray, T: FloatArray) -> list[FloatArray]:
+    def curves(self, row: FloatArray, q: FloatArray, T: FloatArray) -> Iterator[FloatArray]:
         """The ways from a row to others, bent onto solutions of the pose beside them.
 
         Solutions of which a joint is free, or nearly, are seldom on a straight way. Those that leap
         are left out.
         """
-        found = []
         for way in self.ways(row, q):
             curve = way.copy()
             for _ in range(ONTO):
                 curve[1:-1] += self._step_onto(curve[1:-1], T)
             steps = np.abs(np.diff(curve, axis=0)).max(axis=1)
             if steps.max() <= LEAP * np.abs(np.diff(way, axis=0)).max():
-                found.append(curve)
-        return found
+                yield curve
 
     def _step_onto(self, q: FloatArray, T: FloatArray) -> FloatArray:
         """Least-squares steps from joint values (N, n) to a pose, across what is nearly free."""
@@ -106,15 +121,17 @@ class Measures:
         return np.asarray(moved - np.where(self._turns, turns, 0.0))
 
     def residual(self, rows: FloatArray, T: FloatArray) -> float:
-        """The largest miss of the pose's entries that the task names, by any row."""
-        reached = self.arm.pose(rows)
-        worst = 0.0
-        for name in sorted(task_entries(self._chain.task)):
-            i, j = POSE_PLACES[name]
-            away = max(self._chain.size, float(np.abs(T[:3, 3]).max()))
-            miss = float(np.abs(reached[:, i, j] - T[i, j]).max()) / (away if j == 3 else 1.0)
-            worst = max(worst, miss) if miss == miss else np.inf  # noqa: PLR0124 - NaN
-        return worst
+        """The largest miss of the pose's entries that the task names, by any row.
+
+        Args:
+            rows: Joint values (..., n).
+            T: Their poses, (4, 4) or (..., 4, 4).
+        """
+        off = np.abs(self.arm.pose(rows) - T)
+        off[..., :3, 3] /= self._away(T)[..., None]
+        i, j = zip(*(POSE_PLACES[name] for name in task_entries(self._chain.task)), strict=True)
+        worst = float(off[..., i, j].max(initial=0.0))
+        return np.inf if np.isnan(worst) else worst
 
     def fixed(self, q: FloatArray) -> float:
         """How well poses fix joint values (..., n): the task's least singular value of all."""

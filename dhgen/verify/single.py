@@ -70,7 +70,8 @@ class _Checker:
         for q, exact in zip(sample.q, self._measures.arm.pose(sample.q), strict=True):
             T = np.asarray(exact, np.float32)
             where = f"{self._module.name}, {sample.name}, q = {q.tolist()}"
-            self._demand(self._measures.pose_miss(self._fk(q), exact), FORWARD, f"{where}: fk")
+            miss = float(self._measures.pose_miss(self._fk(q), exact))
+            self._demand(miss, FORWARD, f"{where}: fk")
             rows, status = self._ik(T, q)
             held = rows[np.isin(status, HELD)]
             if not len(held):

@@ -123,10 +123,9 @@ class _Checker:
         meant = None
         if random and self._repeatable:
             meant = interpret(self._module.solver, poses, sample.q, self._demands.values(sample.q))
-        jacobians = self._demands.measures.jacobians(sample.q, poses)
+        self._languages.forward(sample.q, poses, f"{self._module.name}, {sample.name}")
         for number, (q, T) in enumerate(zip(sample.q, poses, strict=True)):
             where = f"{self._module.name}, {sample.name}, q = {q.tolist()}"
-            self._languages.forward(q, T, jacobians[number], where)
             compared = meant is not None or self._demands.has_branches
             rows, status = self._languages.call(T, q, where, compared=compared, singular=not random)
             solved = np.isin(status, (self._python.OK, self._python.FREE_JOINT))
@@ -141,8 +140,12 @@ class _Checker:
                 and not self._may_be_moved(q, status)
             ):
                 certain = rows[status != self._python.FREE_JOINT]
-                if random or not self._demands.is_as_good(certain, q, T):
-                    self._demands.recover(rows[held], q, FOUND if random else FOUND_SINGULAR, where)
+                enough = FOUND if random else FOUND_SINGULAR
+                if random or not (
+                    self._demands.has(rows[held], q, enough)
+                    or self._demands.is_as_good(certain, q, T)
+                ):
+                    self._demands.recover(rows[held], q, enough, where)
             if random:
                 self._demands.recover(rows[solved], q, FOUND, where)
                 self._languages.nearest(q, T, where)

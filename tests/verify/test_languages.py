@@ -151,6 +151,6 @@ def test_values_of_a_free_joint_stand_for_each_other_along_a_curve() -> None:
     straight = demands.measures.ways(ON_AXIS, other)[0]
     assert demands.measures.residual(straight, T) > 1e-3
     assert hold_the_same([ON_AXIS], [other])
-    bent = demands.measures.curves(ON_AXIS, other, T)[0]
+    bent = next(demands.measures.curves(ON_AXIS, other, T))
     for values in bent:
         np.testing.assert_allclose(values, with_joint_2(ON_AXIS, values[1]), atol=1e-6)
