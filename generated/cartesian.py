@@ -28,7 +28,7 @@ def _runtime(name):
 
 _HOW = _runtime("jit").of_file(__file__, interface=1)
 _arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
-_of_joints = _runtime("entry").of_joints(_HOW, 3)
+_of_joints, _zeros = _runtime("entry").of_joints(_HOW, 3), _runtime("arrays").zeros
 
 NAME = "cartesian"
 METHOD = "closed form"
@@ -100,7 +100,7 @@ def fk(q):
     """The pose (4, 4) of the joint values q (3,)."""
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
-    T = np.zeros((4, 4))
+    T = _zeros(4, 4)
     T[0, 2] = 1.0
     T[0, 3] = q[2]
     T[1, 1] = -1.0
@@ -116,7 +116,7 @@ def jacobian(q):
     """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
-    J = np.zeros((6, 3))
+    J = _zeros(6, 3)
     J[0, 2] = 1.0
     J[1, 1] = 1.0
     J[2, 0] = 1.0

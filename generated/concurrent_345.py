@@ -32,7 +32,7 @@ _arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("func
 _atan2 = _runtime("angles").atan2
 _circle = _runtime("circle_roots")
 _circle_roots = _circle.circle_roots
-_of_joints = _runtime("entry").of_joints(_HOW, 6)
+_of_joints, _zeros = _runtime("entry").of_joints(_HOW, 6), _runtime("arrays").zeros
 
 NAME = "concurrent_345"
 METHOD = "quartic"
@@ -208,7 +208,7 @@ def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
-    T = np.zeros((4, 4))
+    T = _zeros(4, 4)
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
     v1 = s1 * f1
@@ -285,7 +285,7 @@ def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
-    J = np.zeros((6, 6))
+    J = _zeros(6, 6)
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
     p1_x = c1 * a1

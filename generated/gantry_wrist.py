@@ -30,7 +30,7 @@ def _runtime(name):
 _HOW = _runtime("jit").of_file(__file__, interface=1)
 _arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
-_of_joints = _runtime("entry").of_joints(_HOW, 6)
+_of_joints, _zeros = _runtime("entry").of_joints(_HOW, 6), _runtime("arrays").zeros
 
 NAME = "gantry_wrist"
 METHOD = "closed form"
@@ -109,7 +109,7 @@ def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
-    T = np.zeros((4, 4))
+    T = _zeros(4, 4)
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
     c5 = math.cos(q[4])
@@ -141,7 +141,7 @@ def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
-    J = np.zeros((6, 6))
+    J = _zeros(6, 6)
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
     p4_x = q[2] + d4

@@ -29,7 +29,7 @@ def _runtime(name):
 
 _HOW = _runtime("jit").of_file(__file__, interface=1)
 _arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
-_of_joints = _runtime("entry").of_joints(_HOW, 6)
+_of_joints, _zeros = _runtime("entry").of_joints(_HOW, 6), _runtime("arrays").zeros
 
 NAME = "general_rpprrr"
 METHOD = "general 4R2P"
@@ -186,7 +186,7 @@ def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
-    T = np.zeros((4, 4))
+    T = _zeros(4, 4)
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
     v1 = s1 * ca1
@@ -260,7 +260,7 @@ def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
-    J = np.zeros((6, 6))
+    J = _zeros(6, 6)
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
     v1 = s1 * ca1
@@ -407,38 +407,14 @@ _LOOP = _loops.Loop(
 )
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
 _all_joints = _runtime("general.rows").all_joints
+_NONE_NEAR = np.zeros((0, 6))
 _NO_FREE = np.zeros(0)
 
 
 @_HOW.apart(_arms.SOLVES)
 def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    nearby = np.empty((0, 6))
-    # all joints: the general 4R2P loop
-    solution_roots, solution_found, solution_chosen = _all_joints(
-        _NUMBERS, pose, _NO_FREE, seed, nearby
-    )
-
-    for i1 in range(8):  # root1 to root8
-        q1 = solution_roots[i1, 0]
-        q2 = solution_roots[i1, 1]
-        q3 = solution_roots[i1, 2]
-        q4 = solution_roots[i1, 3]
-        q5 = solution_roots[i1, 4]
-        q6 = solution_roots[i1, 5]
-        found = solution_found[i1]
-        chosen = solution_chosen[i1]
-        # all joints: the general 4R2P loop
-        if not found:
-            continue  # out of reach
-        row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
-        q[row, 3] = q4
-        q[row, 4] = q5
-        q[row, 5] = q6
-        status[row] = FREE_JOINT if chosen else OK
+    _all_joints(_NUMBERS, pose, _NO_FREE, seed, _NONE_NEAR, q, status)
 
 
 _CALLS = _functions.of_robot(

@@ -31,7 +31,7 @@ def _runtime(name):
 _HOW = _runtime("jit").of_file(__file__, interface=1)
 _arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
-_of_joints = _runtime("entry").of_joints(_HOW, 6)
+_of_joints, _zeros = _runtime("entry").of_joints(_HOW, 6), _runtime("arrays").zeros
 
 NAME = "kuka_kr6_r900_calibrated"
 METHOD = "general 6R"
@@ -237,7 +237,7 @@ def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
-    T = np.zeros((4, 4))
+    T = _zeros(4, 4)
     v1 = q[0] + offset1
     c1 = math.cos(v1)
     s1 = math.sin(v1)
@@ -335,7 +335,7 @@ def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
-    J = np.zeros((6, 6))
+    J = _zeros(6, 6)
     v1 = q[0] + offset1
     c1 = math.cos(v1)
     s1 = math.sin(v1)
@@ -528,6 +528,7 @@ _LOOP = _loops.Loop(
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
 _all_joints = _runtime("general.rows").all_joints
 _nearest, _COMPILED = _runtime("general.near"), _runtime("jit").COMPILED
+_NONE_NEAR = np.zeros((0, 6))
 _NO_FREE = np.zeros(0)
 
 
@@ -1101,32 +1102,8 @@ def _nearby(pose, q_free):
 @_HOW.apart(_arms.SOLVES)
 def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    nearby = _nearby(pose, q_free) if _COMPILED else np.empty((0, 6))
-    # all joints: the general 6R loop
-    solution_roots, solution_found, solution_chosen = _all_joints(
-        _NUMBERS, pose, _NO_FREE, seed, nearby
-    )
-
-    for i1 in range(16):  # root1 to root16
-        q1 = solution_roots[i1, 0]
-        q2 = solution_roots[i1, 1]
-        q3 = solution_roots[i1, 2]
-        q4 = solution_roots[i1, 3]
-        q5 = solution_roots[i1, 4]
-        q6 = solution_roots[i1, 5]
-        found = solution_found[i1]
-        chosen = solution_chosen[i1]
-        # all joints: the general 6R loop
-        if not found:
-            continue  # out of reach
-        row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
-        q[row, 3] = q4
-        q[row, 4] = q5
-        q[row, 5] = q6
-        status[row] = FREE_JOINT if chosen else OK
+    nearby = _nearby(pose, q_free) if _COMPILED else _NONE_NEAR
+    _all_joints(_NUMBERS, pose, _NO_FREE, seed, nearby, q, status)
 
 
 _CALLS = _functions.of_robot(

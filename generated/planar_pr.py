@@ -29,7 +29,7 @@ def _runtime(name):
 _HOW = _runtime("jit").of_file(__file__, interface=1)
 _arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
-_of_joints = _runtime("entry").of_joints(_HOW, 2)
+_of_joints, _zeros = _runtime("entry").of_joints(_HOW, 2), _runtime("arrays").zeros
 
 NAME = "planar_pr"
 METHOD = "closed form"
@@ -111,7 +111,7 @@ def fk(q):
     """The pose (4, 4) of the joint values q (2,)."""
     if len(q) != DOF:
         raise ValueError("q must hold 2 joint values")
-    T = np.zeros((4, 4))
+    T = _zeros(4, 4)
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
     x2_x = f3 * c2
@@ -132,7 +132,7 @@ def jacobian(q):
     """The geometric Jacobian (6, 2): velocity of the tool's origin, then angular velocity."""
     if len(q) != DOF:
         raise ValueError("q must hold 2 joint values")
-    J = np.zeros((6, 2))
+    J = _zeros(6, 2)
     p1_x = f2 * q[0]
     p1_y = f1 * q[0]
     c2 = math.cos(q[1])

@@ -30,7 +30,7 @@ _HOW = _runtime("jit").of_file(__file__, interface=1)
 _arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
-_of_joints = _runtime("entry").of_joints(_HOW, 3)
+_of_joints, _zeros = _runtime("entry").of_joints(_HOW, 3), _runtime("arrays").zeros
 
 NAME = "planar_rrr"
 METHOD = "closed form"
@@ -122,7 +122,7 @@ def fk(q):
     """The pose (4, 4) of the joint values q (3,)."""
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
-    T = np.zeros((4, 4))
+    T = _zeros(4, 4)
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
@@ -149,7 +149,7 @@ def jacobian(q):
     """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
-    J = np.zeros((6, 3))
+    J = _zeros(6, 3)
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
     p1_x = c1 * a1

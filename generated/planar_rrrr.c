@@ -127,29 +127,9 @@ DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
-    double (*const q)[4] = (double (*)[4])rows;
     (void)free_joints;
     (void)moved;
-
-    /* all joints: damped least squares */
-    double solution_roots[1][4];
-    int solution_found[1], solution_chosen[1];
-    dhgen_numerical_rows(&descents, T, NULL, seed, solution_roots[0], solution_found,
-        solution_chosen);
-
-    for (int i1 = 0; i1 < 1; i1++) { /* nearest */
-        const double q1 = solution_roots[i1][0];
-        const double q2 = solution_roots[i1][1];
-        const double q3 = solution_roots[i1][2];
-        const double q4 = solution_roots[i1][3];
-        const int found = solution_found[i1];
-        const int chosen = solution_chosen[i1];
-        /* all joints: damped least squares */
-        if (!found) continue; /* out of reach */
-        const int row = i1;
-        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-        status[row] = chosen ? DHGEN_FREE_JOINT : DHGEN_OK;
-    }
+    dhgen_numerical_rows(&descents, T, NULL, seed, rows, status);
 }
 
 DHGEN_TABLE int entries[2] = { 3, 7 };

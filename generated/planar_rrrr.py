@@ -29,7 +29,7 @@ def _runtime(name):
 
 _HOW = _runtime("jit").of_file(__file__, interface=1)
 _arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
-_of_joints = _runtime("entry").of_joints(_HOW, 4)
+_of_joints, _zeros = _runtime("entry").of_joints(_HOW, 4), _runtime("arrays").zeros
 
 NAME = "planar_rrrr"
 METHOD = "numerical"
@@ -122,7 +122,7 @@ def fk(q):
     """The pose (4, 4) of the joint values q (4,)."""
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
-    T = np.zeros((4, 4))
+    T = _zeros(4, 4)
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
@@ -153,7 +153,7 @@ def jacobian(q):
     """The geometric Jacobian (6, 4): velocity of the tool's origin, then angular velocity."""
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
-    J = np.zeros((6, 4))
+    J = _zeros(6, 4)
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
     p1_x = c1 * a
@@ -198,25 +198,7 @@ _NO_FREE = np.zeros(0)
 @_HOW.apart(_arms.SOLVES)
 def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    # all joints: damped least squares
-    solution_roots, solution_found, solution_chosen = _all_joints(_NUMBERS, pose, _NO_FREE, seed)
-
-    for i1 in range(1):  # nearest
-        q1 = solution_roots[i1, 0]
-        q2 = solution_roots[i1, 1]
-        q3 = solution_roots[i1, 2]
-        q4 = solution_roots[i1, 3]
-        found = solution_found[i1]
-        chosen = solution_chosen[i1]
-        # all joints: damped least squares
-        if not found:
-            continue  # out of reach
-        row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
-        q[row, 3] = q4
-        status[row] = FREE_JOINT if chosen else OK
+    _all_joints(_NUMBERS, pose, _NO_FREE, seed, q, status)
 
 
 _CALLS = _functions.of_robot(

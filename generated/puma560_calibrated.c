@@ -656,7 +656,6 @@ DHGEN_FN void solve(
     const double *T, const double *free_joints, const double *seed, double moved, double *rows,
     unsigned char *status)
 {
-    double (*const q)[6] = (double (*)[6])rows;
     (void)free_joints;
     (void)moved;
     double nearby[16][6];
@@ -665,29 +664,7 @@ DHGEN_FN void solve(
 #else
     const int nearby_count = dhgen_near_solutions(&nearest_arm, solve_regular, T, NULL, nearby);
 #endif
-
-    /* all joints: the general 6R loop */
-    double solution_roots[16][6];
-    int solution_found[16], solution_chosen[16];
-    dhgen_general_rows(&general, &descents, T, NULL, seed, nearby, nearby_count, solution_roots[0],
-        solution_found, solution_chosen);
-
-    for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
-        const double q1 = solution_roots[i1][0];
-        const double q2 = solution_roots[i1][1];
-        const double q3 = solution_roots[i1][2];
-        const double q4 = solution_roots[i1][3];
-        const double q5 = solution_roots[i1][4];
-        const double q6 = solution_roots[i1][5];
-        const int found = solution_found[i1];
-        const int chosen = solution_chosen[i1];
-        /* all joints: the general 6R loop */
-        if (!found) continue; /* out of reach */
-        const int row = i1;
-        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-        q[row][5] = q6;
-        status[row] = chosen ? DHGEN_FREE_JOINT : DHGEN_OK;
-    }
+    dhgen_general_rows(&general, &descents, T, NULL, seed, nearby, nearby_count, rows, status);
 }
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };

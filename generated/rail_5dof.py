@@ -29,7 +29,7 @@ def _runtime(name):
 _HOW = _runtime("jit").of_file(__file__, interface=1)
 _arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
 _atan2 = _runtime("angles").atan2
-_of_joints = _runtime("entry").of_joints(_HOW, 5)
+_of_joints, _zeros = _runtime("entry").of_joints(_HOW, 5), _runtime("arrays").zeros
 
 NAME = "rail_5dof"
 METHOD = "closed form"
@@ -143,7 +143,7 @@ def fk(q):
     """The pose (4, 4) of the joint values q (5,)."""
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
-    T = np.zeros((4, 4))
+    T = _zeros(4, 4)
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
     c3 = math.cos(q[2])
@@ -183,7 +183,7 @@ def jacobian(q):
     """The geometric Jacobian (6, 5): velocity of the tool's origin, then angular velocity."""
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
-    J = np.zeros((6, 5))
+    J = _zeros(6, 5)
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
     p3_x = a1 + s2 * d3

@@ -32,7 +32,7 @@ _atan2 = _runtime("angles").atan2
 _wrap = _runtime("angles").wrap
 _circle = _runtime("circle_roots")
 _circle_roots = _circle.circle_roots
-_of_joints = _runtime("entry").of_joints(_HOW, 5)
+_of_joints, _zeros = _runtime("entry").of_joints(_HOW, 5), _runtime("arrays").zeros
 
 NAME = "welding_5r"
 METHOD = "quartic"
@@ -169,7 +169,7 @@ def fk(q):
     """The pose (4, 4) of the joint values q (5,)."""
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
-    T = np.zeros((4, 4))
+    T = _zeros(4, 4)
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
@@ -223,7 +223,7 @@ def jacobian(q):
     """The geometric Jacobian (6, 5): velocity of the tool's origin, then angular velocity."""
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
-    J = np.zeros((6, 5))
+    J = _zeros(6, 5)
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
     p1_x = c1 * a1

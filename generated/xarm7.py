@@ -28,7 +28,7 @@ def _runtime(name):
 
 _HOW = _runtime("jit").of_file(__file__, interface=1)
 _arms, _status, _functions = _runtime("arm"), _runtime("status"), _runtime("functions")
-_of_joints = _runtime("entry").of_joints(_HOW, 7)
+_of_joints, _zeros = _runtime("entry").of_joints(_HOW, 7), _runtime("arrays").zeros
 
 NAME = "xarm7"
 METHOD = "general 6R"
@@ -148,7 +148,7 @@ def fk(q):
     """The pose (4, 4) of the joint values q (7,)."""
     if len(q) != DOF:
         raise ValueError("q must hold 7 joint values")
-    T = np.zeros((4, 4))
+    T = _zeros(4, 4)
     v1 = q[0] + offset1
     c1 = math.cos(v1)
     s1 = math.sin(v1)
@@ -214,7 +214,7 @@ def jacobian(q):
     """The geometric Jacobian (6, 7): velocity of the tool's origin, then angular velocity."""
     if len(q) != DOF:
         raise ValueError("q must hold 7 joint values")
-    J = np.zeros((6, 7))
+    J = _zeros(6, 7)
     v1 = q[0] + offset1
     c1 = math.cos(v1)
     s1 = math.sin(v1)
@@ -379,39 +379,13 @@ _LOOP = _loops.Loop(
 )
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
 _all_joints = _runtime("general.rows").all_joints
+_NONE_NEAR = np.zeros((0, 6))
 
 
 @_HOW.apart(_arms.SOLVES)
 def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    nearby = np.empty((0, 6))
-    # all joints: the general 6R loop
-    solution_roots, solution_found, solution_chosen = _all_joints(
-        _NUMBERS, pose, q_free, seed, nearby
-    )
-
-    for i1 in range(16):  # root1 to root16
-        q1 = solution_roots[i1, 0]
-        q2 = solution_roots[i1, 1]
-        q3 = solution_roots[i1, 2]
-        q4 = solution_roots[i1, 3]
-        q5 = solution_roots[i1, 4]
-        q6 = solution_roots[i1, 5]
-        q7 = solution_roots[i1, 6]
-        found = solution_found[i1]
-        chosen = solution_chosen[i1]
-        # all joints: the general 6R loop
-        if not found:
-            continue  # out of reach
-        row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
-        q[row, 3] = q4
-        q[row, 4] = q5
-        q[row, 5] = q6
-        q[row, 6] = q7
-        status[row] = FREE_JOINT if chosen else OK
+    _all_joints(_NUMBERS, pose, q_free, seed, _NONE_NEAR, q, status)
 
 
 _CALLS = _functions.of_robot(

@@ -15,6 +15,7 @@ from dhgen.program.all_joints import whole_numbers
 from dhgen.program.interpret import wrap
 from dhgen.program.ir import AllJoints
 from dhgen.runtime.plain import plain
+from dhgen.runtime.python.status import FREE_JOINT, UNREACHABLE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -85,9 +86,10 @@ def _solved(
     """The pose of joint values; None where its solutions or its roots are in doubt."""
     q, T, given = case
     chain, entries = story.algebra.chain, tuple(map(float, T[:3].ravel()))
-    every, solved, chosen = plain("general.rows").solve_whole(
+    every, status = plain("general.rows").solve_whole(
         numbers, entries, given.copy(), np.zeros(chain.dof)
     )
+    solved = every[status != UNREACHABLE]
     flat = np.array(entries)
     if kernel.pointing:
         plain("general.rows").any_turn(T[:3].copy(), flat)
@@ -96,12 +98,12 @@ def _solved(
     count = plain("general.search").solve_loop(
         numbers, flat, given.copy(), np.empty((0, 6)), loops, missing
     )
-    certified = count > 0 and not chosen.any()
+    certified = count > 0 and not (status == FREE_JOINT).any()
     found = _polynomial(kernel, numbers, flat, given) if certified else None
     if found is None:
         return None
     coefficients, roots, sign = found
-    rows = turned_rows(chain, every[solved])
+    rows = turned_rows(chain, solved)
     followed = int(np.abs(turned_rows(chain, rows - q)).max(axis=1).argmin())
     own = kernel.asked
     asked = [number - 1 for number in kernel.numbers[:own]]
@@ -112,7 +114,7 @@ def _solved(
     taken = int(gaps.argmin())
     if np.abs(off).max(axis=1).min() > SAME or gaps[taken] > SAME:
         return None
-    inside = are_inside(chain, every[solved])
+    inside = are_inside(chain, solved)
     return WholeExample(q, T, given, rows, inside, loop, followed, coefficients, roots, taken)
 
 

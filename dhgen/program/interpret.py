@@ -23,7 +23,7 @@ from dhgen.program.ir import (
     Roots,
     Variable,
 )
-from dhgen.runtime.python.status import CLOSE, OK, UNREACHABLE
+from dhgen.runtime.python.status import CLOSE, FREE_JOINT, OK, UNREACHABLE
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -234,7 +234,8 @@ class _Run:
         for k, pose in enumerate(self._poses):
             entries = tuple(map(float, pose[:3].ravel()))
             seed, free = self._given["seed"][k].copy(), self._given["free"][k].copy()
-            values[k], found[k], chosen[k] = solve(arm, entries, free, seed)
+            values[k], status = solve(arm, entries, free, seed)
+            found[k], chosen[k] = status != UNREACHABLE, status == FREE_JOINT
         places = {name: values[..., place] for place, name in enumerate(statement.names)}
         return places | {statement.found: found, statement.chosen: chosen}
 

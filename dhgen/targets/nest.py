@@ -22,20 +22,16 @@ class Loop:
         axis: The axis.
         place: Its number, from 0.
         is_sign: Whether it is a sign.
-        names: The variables of one place, where there are several.
-        truths: The truth values of one place.
         body: What is done for each value.
     """
 
     axis: Axis
     place: int
     is_sign: bool
-    names: tuple[str, ...]
-    truths: tuple[str, ...]
     body: tuple[Nested, ...]
 
 
-Nested = AllJoints | Let | Guard | Roots | Heading | Loop
+Nested = Let | Guard | Roots | Heading | Loop
 
 
 def nest(program: Program) -> tuple[Nested, ...]:
@@ -51,23 +47,18 @@ def _level(program: Program, depth: int, told: set[Heading]) -> tuple[Nested, ..
     for statement in program.body:
         if isinstance(statement, Heading):
             heading = statement
-        elif _depth(statement) == depth:
+        elif not isinstance(statement, AllJoints) and _depth(statement) == depth:
             if heading is not None and heading != shown:
                 body.append(Heading(heading.text) if heading in told else heading)
                 told.add(heading)
                 shown = heading
             body.append(statement)
     if depth < len(program.axes):
-        sources = {s.axis: s for s in program.body if isinstance(s, Roots | AllJoints)}
-        source = sources.get(depth)
-        names: tuple[str, ...] = ()
-        truths: tuple[str, ...] = ()
-        if isinstance(source, AllJoints):
-            names, truths = source.names, (source.found, source.chosen)
+        has_roots = any(s.axis == depth for s in program.body if isinstance(s, Roots))
         inner = _level(program, depth + 1, told)
-        body.append(Loop(program.axes[depth], depth, source is None, names, truths, inner))
+        body.append(Loop(program.axes[depth], depth, not has_roots, inner))
     return tuple(body)
 
 
-def _depth(statement: Let | Guard | Roots | AllJoints) -> int:
+def _depth(statement: Let | Guard | Roots) -> int:
     return max(statement.axes, default=-1) + 1

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from dhgen.program.ir import (
-    AllJoints,
     Apply,
     Failure,
     Guard,
@@ -48,10 +47,6 @@ class ScalarLanguage(Dialect, Protocol):
         """Finds the roots of a polynomial."""
         ...
 
-    def all_joints(self, axis: Axis, statement: AllJoints) -> list[str]:
-        """Finds all joints of all solutions at once."""
-        ...
-
     def open_loop(self, loop: Loop) -> list[str]:
         """The head of a loop over a sign; its last line is followed by the indented body."""
         ...
@@ -70,7 +65,7 @@ class ScalarLanguage(Dialect, Protocol):
 
 
 def solver_lines(program: Program, language: ScalarLanguage, indent: str) -> list[str]:
-    """The body of a solver, indented."""
+    """The body of a solver, indented; not of one that finds all joints at once."""
     return _Printer(program, language).lines(nest(program), 0, indent)
 
 
@@ -150,9 +145,7 @@ class _Printer:
                 lines += self._other(node, depth, indent)
         return lines + self._language.lets(values, indent)
 
-    def _other(
-        self, node: AllJoints | Guard | Roots | Heading | Loop, depth: int, indent: str
-    ) -> list[str]:
+    def _other(self, node: Guard | Roots | Heading | Loop, depth: int, indent: str) -> list[str]:
         language = self._language
         match node:
             case Heading(text, detail):
@@ -161,8 +154,6 @@ class _Printer:
                 texts = [expression_text(each, language) for each in coefficients]
                 lines = _indented(language.roots(self._program.axes[axis], texts), indent)
                 return [part for line in lines for part in wrapped(line, indent)]
-            case AllJoints(axis):
-                return _indented(language.all_joints(self._program.axes[axis], node), indent)
             case Guard():
                 return _indented(self._guard(node, depth), indent)
             case Loop(body=body):

@@ -56,6 +56,8 @@ class Demands:
             J: Their Jacobians (N, 6, n).
             where: Begins the message, before the joint values.
         """
+        if not len(q):
+            return
         got = np.array([solver.fk(each) for each in q])
         self._all_at_most(self.measures.pose_miss(got, T), AGREEMENT, q, f"{where} fk is off")
         got = np.array([solver.jacobian(each) for each in q])

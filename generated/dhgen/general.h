@@ -42,13 +42,13 @@ DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double
 DHGEN_API int dhgen_general_correct(const dhgen_general_arm *arm, const double T[16],
     const double *free_joints, double (*angle)[6], int count);
 
-/* All solutions, sorted by the first joint, then by the second and so on: rows of joint values,
- * which of them there are, and which were chosen from a continuum. Where it is not certain that
- * these are all, the seed and evenly spread starts are followed, too; singular solutions out of a
- * continuum go to the seed. nearby, nearby_count: as above. */
+/* Fills rows with all solutions, by the first joint, then by the second and so on; other rows are
+ * left as they are. Where it is not certain that these are all, the seed and evenly spread starts
+ * are followed, too; singular solutions out of a continuum go to the seed. nearby, nearby_count: as
+ * above. */
 DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
     const struct dhgen_numerical_arm *arm, const double *T, const double *free_joints,
-    const double *seed, double (*nearby)[6], int nearby_count, double *q, int *found, int *chosen);
+    const double *seed, double (*nearby)[6], int nearby_count, double *q, unsigned char *status);
 
 #if defined(__cplusplus) && defined(DHGEN_SHARED)
 }

@@ -13,10 +13,10 @@
 extern "C" {
 #endif
 
-/* The solutions that are found, sorted by the first joint, then by the second and so on: rows of
- * joint values, which of them there are, and which were chosen from a continuum. */
+/* Fills rows with the solutions that are found, by the first joint, then by the second and so on;
+ * other rows are left as they are. */
 DHGEN_API void dhgen_numerical_rows(const struct dhgen_numerical_arm *arm, const double *T,
-    const double *free_joints, const double *seed, double *q, int *found, int *chosen);
+    const double *free_joints, const double *seed, double *q, unsigned char *status);
 
 #if defined(__cplusplus) && defined(DHGEN_SHARED)
 }

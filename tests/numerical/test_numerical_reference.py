@@ -13,6 +13,7 @@ from dhgen.numerical.runtime_arm import runtime_arm
 from dhgen.robot.load import load
 from dhgen.runtime.python.numerical.arm import arm_numbers, strides
 from dhgen.runtime.python.numerical.search import solve_whole
+from dhgen.runtime.python.status import FREE_JOINT, UNREACHABLE
 from tests.structures import first_of
 from tests.targets.made import ROBOTS, in_c
 
@@ -31,8 +32,9 @@ class Found:
 
 def solve(T: np.ndarray, seed: np.ndarray, arm: NumericalKernel) -> Found:
     numbers, entries = arm_numbers(runtime_arm(arm)), tuple(map(float, T[:3].ravel()))
-    q, found, chosen = solve_whole(numbers, entries, np.zeros(0), seed)
-    return Found(q[found], chosen[found])
+    q, status = solve_whole(numbers, entries, np.zeros(0), seed)
+    found = status != UNREACHABLE
+    return Found(q[found], status[found] == FREE_JOINT)
 
 
 @pytest.mark.parametrize("name", first_of(["cuspidal_3r", "rrprrr", "puma560"]))

@@ -45,7 +45,7 @@ from .numerical.arm import Arm as Descents
 from .numerical.arm import ChainJoint, Joint
 from .numerical.places import BASE, CHAIN, CHAIN_RECORD, JOINT_AFTER
 from .rigid import follow, invert, slide, take, take_from, turn
-from .status import FREE_JOINT, OK
+from .status import OK
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -459,9 +459,4 @@ def calibrated_rows(
         q: Is filled where a row has a solution.
         status: Likewise.
     """
-    rows, found, chosen = all_joints(descents_of(arm), pose, np.empty(0), seed, nearby)
-    for row in range(len(found)):
-        if found[row]:
-            for i in range(JOINTS):
-                q[row, i] = rows[row, i]
-            status[row] = FREE_JOINT if chosen[row] else OK
+    all_joints(descents_of(arm), pose, np.empty(0), seed, nearby, q, status)

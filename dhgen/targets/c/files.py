@@ -62,6 +62,7 @@ class CSolver:
         prototypes: Functions without their bodies.
         motion: Defines what forward kinematics and the Jacobian begin with, where that is apart.
         bodies: The programs.
+        whole: The call that finds all joints at once, where that is done.
         general: The table of the general algorithm, where that solves the arm.
         descents: The table of least squares, where these do or may complete rows.
         coupling: Of drives whose whole turns hang together, where some do.
@@ -81,6 +82,7 @@ class CSolver:
     prototypes: Prototypes
     motion: Sequence[str]
     bodies: Bodies
+    whole: str
     general: str
     descents: str
     coupling: CCoupling | None
@@ -148,6 +150,7 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
         prototypes=c_prototypes(module),
         motion=motion.macro,
         bodies=bodies_of(motion.module, C(), _assignments, entry_lines),
+        whole=_whole(module),
         general="" if kernel is None else general_source(kernel),
         descents="" if descents is None else render("c/descents.c.jinja", descents=descents),
         coupling=coupling,
@@ -205,6 +208,18 @@ def _unused(module: SolverModule) -> list[str]:
     given = reads(solver, "free") or (whole is not None and whole.given)
     used = {"free_joints": given, "seed": reads(solver, "seed"), "moved": finds_roots(solver)}
     return [name for name, needed in used.items() if not needed]
+
+
+def _whole(module: SolverModule) -> str:
+    """The call that finds all joints at once; empty where a program does."""
+    whole = whole_arm(module.solver)
+    if whole is None:
+        return ""
+    given = "free_joints" if whole.given else "NULL"
+    if whole.general is None:
+        return f"dhgen_numerical_rows(&descents, T, {given}, seed, rows, status);"
+    near = "NULL, 0" if module.nominal is None else "nearby, nearby_count"
+    return f"dhgen_general_rows(&general, &descents, T, {given}, seed, {near}, rows, status);"
 
 
 def _assignments(array: str, entries: list[str], columns: int) -> list[str]:

@@ -9,7 +9,7 @@ from dhgen.targets.layout import WIDTH, packed, wrapped
 from dhgen.targets.scalar import close_name, close_texts, output_texts, row_text
 
 if TYPE_CHECKING:
-    from dhgen.program.ir import AllJoints, Axis, Choice, Program
+    from dhgen.program.ir import Axis, Choice, Program
     from dhgen.targets.dialect import NamedText
     from dhgen.targets.nest import Loop
 
@@ -101,31 +101,15 @@ class C:
             f"dhgen_circle_roots({arguments});",
         ]
 
-    def all_joints(self, axis: Axis, statement: AllJoints) -> list[str]:
-        """Fills a table with all solutions, and arrays with what is true of each."""
-        name, count = axis.name, axis.count
-        arms = "numerical_rows(" if statement.general is None else "general_rows(&general, "
-        given = "free_joints" if statement.given else "NULL"
-        nearby = "" if statement.general is None else "nearby, nearby_count, "
-        found = f"{name}_roots[0], {name}_found, {name}_chosen"
-        return [
-            f"double {name}_roots[{count}][{len(statement.names)}];",
-            f"int {name}_found[{count}], {name}_chosen[{count}];",
-            f"dhgen_{arms}&descents, T, {given}, seed, {nearby}{found});",
-        ]
-
     def open_loop(self, loop: Loop) -> list[str]:
         """A loop over a sign or the roots of a polynomial."""
         index, name, count = f"i{loop.place + 1}", loop.axis.name, loop.axis.count
         value = f"{index} == 0 ? 1.0 : -1.0" if loop.is_sign else f"{name}_roots[{index}]"
-        values = {each: f"{value}[{place}]" for place, each in enumerate(loop.names)}
-        truths = {truth: f"{name}_{truth}[{index}]" for truth in loop.truths}
         meaning = loop.axis.words
         words = ", ".join(meaning) if count <= MOST_WORDS else f"{meaning[0]} to {meaning[-1]}"
         return [
             f"for (int {index} = 0; {index} < {count}; {index}++) {{ /* {words} */",
-            *(f"    const double {n} = {v};" for n, v in (values or {name: value}).items()),
-            *(f"    const int {n} = {v};" for n, v in truths.items()),
+            f"    const double {name} = {value};",
         ]
 
     def close_loop(self) -> list[str]:

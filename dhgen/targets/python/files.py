@@ -85,7 +85,7 @@ def python_solver(module: SolverModule) -> PythonSolver:
         tables=python_tables(module, flat or near),
         pose=python_pose(module),
         bodies=bodies_of(module, Python(), _assignments, _entries),
-        whole=python_whole(module.solver),
+        whole=python_whole(module),
         functions=_functions(module),
         compiled=_compiled(module),
         regular=None if flat is None else formulas_of(flat, module.chain.given),

@@ -8,7 +8,7 @@ from dhgen.targets.layout import WIDTH, paragraph, wrapped
 from dhgen.targets.scalar import close_name, close_texts, output_texts, row_text
 
 if TYPE_CHECKING:
-    from dhgen.program.ir import AllJoints, Axis, Choice, Program
+    from dhgen.program.ir import Axis, Choice, Program
     from dhgen.targets.dialect import NamedText
     from dhgen.targets.nest import Loop
 
@@ -95,28 +95,15 @@ class Python:
         given = ", ".join([*coefficients, "moved"])
         return [f"{axis.name}_roots, {close_name(axis)} = _circle_roots({given})"]
 
-    def all_joints(self, axis: Axis, statement: AllJoints) -> list[str]:
-        """All solutions as a table, with what is true of each."""
-        name = axis.name
-        given = "q_free" if statement.given else "_NO_FREE"
-        nearby = "" if statement.general is None else ", nearby"
-        taken = f"_NUMBERS, pose, {given}, seed{nearby}"
-        found = f"{name}_roots, {name}_found, {name}_chosen"
-        if statement.general is None:
-            return [f"{found} = _all_joints({taken})"]
-        return [f"{found} = _all_joints(", f"    {taken}", ")"]
-
     def open_loop(self, loop: Loop) -> list[str]:
         """A loop over a sign or the roots of a polynomial."""
         index, name = f"i{loop.place + 1}", loop.axis.name
         value = f"1.0 - 2.0 * {index}" if loop.is_sign else f"{name}_roots[{index}]"
-        values = {n: f"{name}_roots[{index}, {k}]" for k, n in enumerate(loop.names)}
-        values |= {truth: f"{name}_{truth}[{index}]" for truth in loop.truths}
         meaning, count = loop.axis.words, loop.axis.count
         words = ", ".join(meaning) if count <= MOST_WORDS else f"{meaning[0]} to {meaning[-1]}"
         return [
             f"for {index} in range({count}):  # {words}",
-            *(f"    {n} = {v}" for n, v in (values or {name: value}).items()),
+            f"    {name} = {value}",
         ]
 
     def close_loop(self) -> list[str]:

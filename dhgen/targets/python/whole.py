@@ -14,6 +14,7 @@ from dhgen.targets.python.literal import literal
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Program
+    from dhgen.targets.module import SolverModule
 
 MODULES = {Arm.__module__: "_joints", Loop.__module__: "_loops"}
 
@@ -25,10 +26,15 @@ class Whole:
     Attributes:
         loop: The loop of the general algorithm; empty where descents alone find solutions.
         given: Whether the caller gives values of joints.
+        free: These values, or none.
+        nearby: Joint values near all solutions, as a further argument; empty where descents alone
+            find solutions.
     """
 
     loop: str
     given: bool
+    free: str
+    nearby: str
 
 
 def python_links(program: Program) -> str:
@@ -37,10 +43,13 @@ def python_links(program: Program) -> str:
     return "" if kernel is None else literal(runtime_arm(kernel), MODULES)
 
 
-def python_whole(program: Program) -> Whole | None:
+def python_whole(module: SolverModule) -> Whole | None:
     """What solves for all joints at once, where that is done."""
-    whole = whole_arm(program)
+    whole = whole_arm(module.solver)
     if whole is None:
         return None
-    loop = "" if whole.general is None else literal(runtime_loop(whole.general), MODULES)
-    return Whole(loop, whole.given)
+    free = "q_free" if whole.given else "_NO_FREE"
+    if whole.general is None:
+        return Whole("", whole.given, free, "")
+    nearby = ", _NONE_NEAR" if module.nominal is None else ", nearby"
+    return Whole(literal(runtime_loop(whole.general), MODULES), whole.given, free, nearby)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.program.walk import whole_arm
 from dhgen.targets.layout import INDENT
 from dhgen.targets.scalar import output_texts, solver_lines, straight_lines
 
@@ -80,8 +81,9 @@ def bodies_of(
     """
     forward = output_texts(module.forward, language)
     jacobian = output_texts(module.jacobian, language)
+    whole = whole_arm(module.solver) is not None
     return Bodies(
-        solver=solver_lines(module.solver, language, INDENT),
+        solver=[] if whole else solver_lines(module.solver, language, INDENT),
         forward=straight_lines(module.forward, language, INDENT),
         forward_rows=assignments("T", forward, 4),
         jacobian=straight_lines(module.jacobian, language, INDENT),

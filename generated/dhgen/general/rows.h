@@ -132,7 +132,7 @@ DHGEN_FN void dhgen_keep_loop(
 
 DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
     const struct dhgen_numerical_arm *arm, const double *T, const double *free_joints,
-    const double *seed, double (*nearby)[6], int nearby_count, double *q, int *found, int *chosen)
+    const double *seed, double (*nearby)[6], int nearby_count, double *q, unsigned char *status)
 {
     struct dhgen_descent d;
     struct dhgen_kept kept;
@@ -164,7 +164,7 @@ DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
     }
     if (!certain)
         dhgen_complete_pairs(&d, &kept);
-    dhgen_sort_rows(&d, &kept, q, found, chosen);
+    dhgen_sort_rows(&d, &kept, q, status);
 }
 
 #endif

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..jit import of_file
 from ..rigid import take
+from ..status import FREE_JOINT, OK
 from ..turns import TURN
 from .descent import (
     FLOOR,
@@ -31,7 +32,7 @@ from .places import (
 )
 
 if TYPE_CHECKING:
-    from ..arrays import Bools, Floats, Ints
+    from ..arrays import Bools, Bytes, Floats, Ints
     from .goal import Goal
 
     Ahead = tuple[Floats, Bools]
@@ -227,7 +228,7 @@ def order_blocks(value: Floats, tie: float, count: int, order: Ints, first: Bool
 
 @apart(
     "void(float64[::1], float64[:, ::1], int64[::1], int64, float64[::1], float64[:, ::1], "
-    "boolean[::1], boolean[::1])"
+    "uint8[::1])"
 )
 def sort_rows(
     arm: Floats,
@@ -236,8 +237,7 @@ def sort_rows(
     count: int,
     joints: Floats,
     q: Floats,
-    found: Bools,
-    chosen: Bools,
+    status: Bytes,
 ) -> None:
     """Fills rows by the first joint, then by the second and so on."""
     order, first, value = np.empty(count, np.int64), np.zeros(count, np.bool_), np.empty(count)
@@ -253,5 +253,4 @@ def sort_rows(
     for row in range(count):
         take_units(arm, kept[order[row]], joints)
         take(q[row], joints)
-        chosen[row] = kinds[order[row]] == 1
-        found[row] = True
+        status[row] = FREE_JOINT if kinds[order[row]] == 1 else OK

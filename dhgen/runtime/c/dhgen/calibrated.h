@@ -90,20 +90,12 @@ DHGEN_FN void dhgen_calibrated_rows(const dhgen_kind *kind, const dhgen_calibrat
     const double *T, const double *seed, double *q, unsigned char *status)
 {
     const dhgen_general_arm general = dhgen_general_arm_of(kind, of);
-    double nearby[DHGEN_ROWS][6], rows[DHGEN_ROWS][6];
-    int found[DHGEN_ROWS], chosen[DHGEN_ROWS];
+    double nearby[DHGEN_ROWS][6];
     struct dhgen_calibrated_descents descents;
     descents.arm = *kind->descents;
     descents.calibration = of;
     const int count = dhgen_near_nominal(kind, of, T, nearby);
-    dhgen_general_rows(
-        &general, &descents.arm, T, NULL, seed, nearby, count, rows[0], found, chosen);
-    for (int row = 0; row < DHGEN_ROWS; row++)
-        if (found[row]) {
-            for (int i = 0; i < 6; i++)
-                q[6 * row + i] = rows[row][i];
-            status[row] = chosen[row] ? DHGEN_FREE_JOINT : DHGEN_OK;
-        }
+    dhgen_general_rows(&general, &descents.arm, T, NULL, seed, nearby, count, q, status);
 }
 
 #endif

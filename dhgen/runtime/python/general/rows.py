@@ -32,13 +32,15 @@ from ..numerical.places import (
 )
 from ..numerical.solutions import sort_rows
 from ..rigid import take
+from ..status import UNREACHABLE
 from ..tolerances import EXACT
 from .candidates import PLACES
 from .places import POINTING_LOOP
 from .search import solve_loop
 
 if TYPE_CHECKING:
-    from ..arrays import Bools, Floats, Ints
+    from ..arm import Pose
+    from ..arrays import Bytes, Floats, Ints
     from ..numerical.goal import Goal
     from ..numerical.solutions import Ahead
 
@@ -203,16 +205,22 @@ def _keep_ahead(
 
 
 @apart(
-    "Tuple((float64[:, ::1], boolean[::1], boolean[::1]))(float64[::1], UniTuple(float64, 12), "
-    "float64[::1], float64[::1], float64[:, ::1])"
+    "void(float64[::1], UniTuple(float64, 12), float64[::1], float64[::1], float64[:, ::1], "
+    "float64[:, ::1], uint8[::1])"
 )
 def all_joints(
-    arm: Floats, pose: tuple[float, ...], q_free: Floats, seed: Floats, nearby: Floats
-) -> tuple[Floats, Bools, Bools]:
-    """Returns rows of joint values, which hold a solution, and in which a joint was indeterminate.
+    arm: Floats,
+    pose: Pose,
+    q_free: Floats,
+    seed: Floats,
+    nearby: Floats,
+    q: Floats,
+    status: Bytes,
+) -> None:
+    """Fills rows with all solutions, by the first joint, then by the second and so on.
 
-    Such a joint follows the seed. `nearby` holds joint values of the loop near which all solutions
-    are, one near each, or none.
+    Other rows are left as they are. A joint that is indeterminate follows the seed. `nearby` holds
+    joint values of the loop near which all solutions are, one near each, or none.
     """
     goal = goal_of(pose, q_free, NO_ARM_ANGLE)
     T, joints, near = goal[0], given_joints(arm, q_free), in_units(arm, seed)
@@ -223,8 +231,6 @@ def all_joints(
     angles, residual = np.empty((PLACES, 6)), np.empty(PLACES)
     known = solve_loop(arm, flat, q_free, nearby, angles, residual)
     certain, many = known >= 0, known if known >= 0 else -1 - known
-    q = np.zeros((rows, int(arm[DOF])))
-    found, chosen = np.zeros(rows, np.bool_), np.zeros(rows, np.bool_)
     kept, kinds = np.empty((rows, solved)), np.full(rows, -1, np.int64)
     ahead, n = (np.empty((PLACES + STARTS, solved)), np.ones(PLACES + STARTS, np.bool_)), 0
     if not certain:
@@ -242,13 +248,13 @@ def all_joints(
         count = _keep_ahead(arm, goal, joints, near, kept, kinds, count, ahead)
     if not certain:
         count = complete_pairs(arm, goal, joints, near, kept, kinds, count)
-    sort_rows(arm, kept, kinds, count, joints, q, found, chosen)
-    return q, found, chosen
+    sort_rows(arm, kept, kinds, count, joints, q, status)
 
 
 @jit
-def solve_whole(
-    arm: Floats, pose: tuple[float, ...], q_free: Floats, seed: Floats
-) -> tuple[Floats, Bools, Bools]:
-    """Returns what `all_joints` does, for callers in Python."""
-    return all_joints(arm, pose, q_free, seed, np.empty((0, 6)))
+def solve_whole(arm: Floats, pose: Pose, q_free: Floats, seed: Floats) -> tuple[Floats, Bytes]:
+    """Returns the rows that `all_joints` fills and what they hold, for callers in Python."""
+    rows = int(arm[ROWS])
+    q, status = np.full((rows, int(arm[DOF])), math.nan), np.full(rows, UNREACHABLE, np.uint8)
+    all_joints(arm, pose, q_free, seed, np.empty((0, 6)), q, status)
+    return q, status

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..jit import of_file
 from ..rigid import take
+from ..status import OK, UNREACHABLE
 from .descent import descend, descend_towards, start_of, wrap_angles
 from .goal import GOAL, NO_ARM_ANGLE, given_joints, goal_of, in_units, take_units
 from .keep import keep
@@ -27,7 +28,8 @@ from .places import (
 from .solutions import nothing_ahead, sort_rows
 
 if TYPE_CHECKING:
-    from ..arrays import Bools, Floats
+    from ..arm import Pose
+    from ..arrays import Bytes, Floats
     from .goal import Goal
 
 OWN = of_file(__file__)
@@ -67,41 +69,43 @@ def _nearest_solution(
 
 @inner
 def _one_of_many(
-    arm: Floats, goal: Goal, joints: Floats, near: Floats, q: Floats, found: Bools
+    arm: Floats, goal: Goal, joints: Floats, near: Floats, q: Floats, status: Bytes
 ) -> None:
     """Fills the only row of an arm with infinitely many solutions; inside the limits if it can."""
     solved = int(arm[SOLVED])
     u, low, high = np.zeros(solved), np.empty(solved), np.empty(solved)
     for j in range(solved):
         low[j], high[j] = arm[LOWEST + RECORD * j], arm[HIGHEST + RECORD * j]
-    found[0] = _nearest_solution(arm, goal, joints, near, low, high, u)
-    if not found[0]:
+    if not _nearest_solution(arm, goal, joints, near, low, high, u):
         low[:], high[:] = -math.inf, math.inf
-        found[0] = _nearest_solution(arm, goal, joints, near, low, high, u)
+        if not _nearest_solution(arm, goal, joints, near, low, high, u):
+            return
+    status[0] = OK
     wrap_angles(arm, u)
     take(q[0], joints)
     take_units(arm, u, q[0])
 
 
 @apart(
-    "Tuple((float64[:, ::1], boolean[::1], boolean[::1]))(float64[::1], UniTuple(float64, 12), "
-    "float64[::1], float64[::1])"
+    "void(float64[::1], UniTuple(float64, 12), float64[::1], float64[::1], float64[:, ::1], "
+    "uint8[::1])"
 )
 def all_joints(
-    arm: Floats, pose: tuple[float, ...], q_free: Floats, seed: Floats
-) -> tuple[Floats, Bools, Bools]:
-    """Returns rows of joint values, which hold a solution, and where a joint was indeterminate."""
+    arm: Floats, pose: Pose, q_free: Floats, seed: Floats, q: Floats, status: Bytes
+) -> None:
+    """Fills rows with what is found, by the first joint, then by the second and so on.
+
+    Other rows are left as they are.
+    """
     goal, joints, near = (
         goal_of(pose, q_free, NO_ARM_ANGLE),
         given_joints(arm, q_free),
         in_units(arm, seed),
     )
     rows, solved = int(arm[ROWS]), int(arm[SOLVED])
-    q = np.zeros((rows, int(arm[DOF])))
-    found, chosen = np.zeros(rows, np.bool_), np.zeros(rows, np.bool_)
     if arm[REDUNDANT] > 0.0:
-        _one_of_many(arm, goal, joints, near, q, found)
-        return q, found, chosen
+        _one_of_many(arm, goal, joints, near, q, status)
+        return
     u = np.zeros(solved)
     kept, kinds = np.empty((rows, solved)), np.empty(rows, np.int64)
     count, before = 0, -1
@@ -114,13 +118,13 @@ def all_joints(
         if descend(arm, goal, joints, u) <= arm[RESIDUAL]:
             count = keep(arm, goal, joints, near, kept, kinds, count, u, nothing_ahead(arm))
     count = complete_pairs(arm, goal, joints, near, kept, kinds, count)
-    sort_rows(arm, kept, kinds, count, joints, q, found, chosen)
-    return q, found, chosen
+    sort_rows(arm, kept, kinds, count, joints, q, status)
 
 
 @jit
-def solve_whole(
-    arm: Floats, pose: tuple[float, ...], q_free: Floats, seed: Floats
-) -> tuple[Floats, Bools, Bools]:
-    """Returns what `all_joints` does, for callers in Python."""
-    return all_joints(arm, pose, q_free, seed)
+def solve_whole(arm: Floats, pose: Pose, q_free: Floats, seed: Floats) -> tuple[Floats, Bytes]:
+    """Returns the rows that `all_joints` fills and what they hold, for callers in Python."""
+    rows = int(arm[ROWS])
+    q, status = np.full((rows, int(arm[DOF])), math.nan), np.full(rows, UNREACHABLE, np.uint8)
+    all_joints(arm, pose, q_free, seed, q, status)
+    return q, status

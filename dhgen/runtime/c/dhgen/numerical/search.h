@@ -34,13 +34,14 @@ DHGEN_FN int dhgen_nearest_solution(
 }
 
 /* The one row of an arm whose solutions are families, beyond limits where none is inside. */
-DHGEN_FN void dhgen_redundant_row(struct dhgen_descent *d, double *q, int *found, int *chosen)
+DHGEN_FN void dhgen_redundant_row(struct dhgen_descent *d, double *q, unsigned char *status)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
     double u[DHGEN_JOINTS] = { 0.0 };
-    found[0] = dhgen_nearest_solution(d, arm->lowest, arm->highest, u)
-        || dhgen_nearest_solution(d, dhgen_no_lowest, dhgen_no_highest, u);
-    chosen[0] = 0;
+    if (!dhgen_nearest_solution(d, arm->lowest, arm->highest, u)
+        && !dhgen_nearest_solution(d, dhgen_no_lowest, dhgen_no_highest, u))
+        return;
+    status[0] = DHGEN_OK;
     dhgen_wrap_units(arm, u);
     for (int i = 0; i < dhgen_dof(arm); i++)
         q[i] = d->q[i];
@@ -49,13 +50,13 @@ DHGEN_FN void dhgen_redundant_row(struct dhgen_descent *d, double *q, int *found
 }
 
 DHGEN_API void dhgen_numerical_rows(const struct dhgen_numerical_arm *arm, const double *T,
-    const double *free_joints, const double *seed, double *q, int *found, int *chosen)
+    const double *free_joints, const double *seed, double *q, unsigned char *status)
 {
     struct dhgen_descent d;
     struct dhgen_kept kept;
     dhgen_begin_descent(arm, T, free_joints, seed, &d);
     if (arm->redundant) {
-        dhgen_redundant_row(&d, q, found, chosen);
+        dhgen_redundant_row(&d, q, status);
         return;
     }
     kept.count = 0;
@@ -72,7 +73,7 @@ DHGEN_API void dhgen_numerical_rows(const struct dhgen_numerical_arm *arm, const
             dhgen_keep(&d, &kept, u);
     }
     dhgen_complete_pairs(&d, &kept);
-    dhgen_sort_rows(&d, &kept, q, found, chosen);
+    dhgen_sort_rows(&d, &kept, q, status);
 }
 
 #endif

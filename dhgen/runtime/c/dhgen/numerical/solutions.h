@@ -156,10 +156,9 @@ DHGEN_FN void dhgen_pass_by(
             ahead->passed[k] = dhgen_is_same(d, member, ahead->u[k], 1);
 }
 
-/* Rows of joint values by the first joint, then by the second and so on; which rows there are, and
- * which were chosen from a continuum. */
+/* Fills rows by the first joint, then by the second and so on. */
 DHGEN_FN void dhgen_sort_rows(
-    struct dhgen_descent *d, const struct dhgen_kept *kept, double *q, int *found, int *chosen)
+    struct dhgen_descent *d, const struct dhgen_kept *kept, double *q, unsigned char *status)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
     const int dof = dhgen_dof(arm);
@@ -173,15 +172,12 @@ DHGEN_FN void dhgen_sort_rows(
             value[k] = dhgen_order_of(kept->u[k][j], arm->turning[j]);
         single = dhgen_order_blocks(value, DHGEN_TIE, kept->count, order, first);
     }
-    for (int row = 0; row < dhgen_rows(arm); row++)
-        found[row] = chosen[row] = 0;
     for (int row = 0; row < kept->count; row++) {
         for (int j = 0; j < arm->solved; j++)
             d->q[arm->joint[j]] = arm->unit[j] * kept->u[order[row]][j];
         for (int i = 0; i < dof; i++)
             q[dof * row + i] = d->q[i];
-        found[row] = 1;
-        chosen[row] = kept->chosen[order[row]];
+        status[row] = kept->chosen[order[row]] ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
 
