@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.notation.matrices import element_of, form_of, sides
 from dhgen.derivation.text.blocks import joined, say
 from dhgen.derivation.text.words import many
+from dhgen.paul.kind import Kind
 
 if TYPE_CHECKING:
     from dhgen.derivation.story import Story
@@ -28,9 +29,7 @@ class Quote:
         left: The side with the joints, unless that is a constant.
         right: The other side.
         joints_left: Whether the side with the joints is left.
-        facing: +1 when left - right is the equation of the pool, -1 when it is the opposite. The
-            letters of a type are quoted with this sign, so that they belong to the equation as it
-            is quoted.
+        facing: +1 when left - right is the equation of the pool, -1 when it is the opposite.
     """
 
     origin: Origin
@@ -43,12 +42,12 @@ class Quote:
 def quotes_of(derivation: Derivation, step: Step) -> tuple[Quote, ...]:
     """The equations of a step, in its order."""
     return tuple(
-        _quote(derivation, form, origin)
+        _quote(derivation, step.kind, form, origin)
         for form, origin in zip(step.forms, step.origins, strict=True)
     )
 
 
-def _quote(derivation: Derivation, form: Form, origin: Origin) -> Quote:
+def _quote(derivation: Derivation, kind: Kind, form: Form, origin: Origin) -> Quote:
     if origin.row:
         matrices = form_of(derivation.pool, origin.matrix)
         known, joints = sides(matrices, origin.row, origin.column)
@@ -56,6 +55,8 @@ def _quote(derivation: Derivation, form: Form, origin: Origin) -> Quote:
         known, joints = form.equation.left, form.equation.right
     joints_left = not derivation.problem.algebra.is_constant(joints)
     left, right = (joints, known) if joints_left else (known, joints)
+    if kind is Kind.ANGLE and not right:
+        left = form.equation.difference  # zero has no sign: that of the step's letters
     facing = 1 if left - right == form.equation.difference else -1
     assert facing * (left - right) == form.equation.difference
     return Quote(origin, left, right, joints_left, facing)

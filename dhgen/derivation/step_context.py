@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.geometry import NEAR
 from dhgen.derivation.notation.names import letter, unknown_symbol
-from dhgen.derivation.text.formula import equal, number, times
+from dhgen.derivation.text.formula import equal
 from dhgen.derivation.text.lines import width
 from dhgen.derivation.text.walk import occurs
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import terms_in_numbers
+from dhgen.paul.kind import Kind
 
 if TYPE_CHECKING:
     from dhgen.derivation.quotes import Quote
@@ -91,11 +92,6 @@ class StepContext:
         return self.story.sign_of(self.number)
 
     @property
-    def facing_sign(self) -> Formula:
-        """The branch sign for letters of type 2, which belong to the equation as it is quoted."""
-        return times(number(self.quotes[0].facing), self.sign)
-
-    @property
     def unknown(self) -> Symbol:
         """The letter of the first unknown."""
         return unknown_symbol(self.step.unknowns[0])
@@ -117,10 +113,12 @@ class StepContext:
         )
 
     def polynomial(self, name: str) -> Polynomial:
-        """The value of a letter of the type, for the equation as it is quoted."""
+        """The value of a letter of the type, for the equation as it is read."""
         return self.step.coefficient(name) * self._facing(name)
 
     def _facing(self, name: str) -> int:
+        if self.step.kind is Kind.ANGLE:
+            return 1  # its sign is that of the rule for the two values
         facings = [quote.facing for quote in self.quotes]
         if len(facings) == 1:
             return facings[0]

@@ -23,7 +23,6 @@ from dhgen.derivation.notation.names import (
 from dhgen.derivation.notation.polynomial import Alphabet, Writer, alphabet
 from dhgen.derivation.quotes import quotes_of
 from dhgen.derivation.text.formula import ONE, times
-from dhgen.derivation.text.walk import leads_negative
 from dhgen.kinematics.ring import content, primitive
 from dhgen.paul.arm_plane import SHOULDER
 from dhgen.paul.kind import Kind
@@ -60,15 +59,13 @@ class Remembered:
 
     Attributes:
         step: The number of the step, from 1.
-        form: Y s - X c of the equation as it is quoted, or the opposite.
+        form: Y s - X c.
         letter: What it is called.
-        facing: -1 when it is the opposite.
     """
 
     step: int
     form: Polynomial
     letter: Symbol
-    facing: int
 
 
 @dataclass(frozen=True, eq=False)  # itself and no other: what is worked out of it is remembered
@@ -222,16 +219,14 @@ class Story:
         return tuple(found)
 
     def combination(self, number: int) -> Remembered:
-        """Y s - X c of a step of type 2, with the sign that reads best."""
+        """Y s - X c of a step of type 2."""
         step = self.steps[number - 1]
         angle = step.angle
         s, c = self.algebra.generator(angle.sine), self.algebra.generator(angle.cosine)
         form = step.coefficient("Y") * s - step.coefficient("X") * c
-        form *= self.quotes[number - 1][0].facing
-        facing = -1 if leads_negative(self.write(form)) else 1
         used = {self.letters[constant.name].text[0] for constant in self.algebra.chain.constants}
         base = next(each for each in "DFGHM" if each not in used)
-        return Remembered(number, form * facing, letter(base, base, joint_index(angle)), facing)
+        return Remembered(number, form, letter(base, base, joint_index(angle)))
 
     def sign_of(self, step: int) -> Formula:
         """The branch sign that a step brings in; 1 when it has one value."""

@@ -30,21 +30,28 @@ _SPELLED = (
     ("_j", "ⱼ"),
 )
 
-SIGN = Symbol(r"\varepsilon = \pm 1", "ε = ±1")
+SIGN = Symbol(r"\varepsilon_i = \pm 1", "εᵢ = ±1")
+RULE = (
+    ("X s_i + Y c_i = Z", "X sᵢ + Y cᵢ = Z"),
+    (
+        r"Y s_i - X c_i = \varepsilon_i \sqrt{X^2 + Y^2 - Z^2}",
+        "Y sᵢ − X cᵢ = εᵢ √(X² + Y² − Z²)",
+    ),
+)
 TYPE_2 = (
     Symbol(
-        r"s_i = \frac{X Z + \varepsilon Y \sqrt{X^2 + Y^2 - Z^2}}{X^2 + Y^2}",
-        "sᵢ = (X Z + ε Y √(X² + Y² − Z²))/(X² + Y²)",
+        r"s_i = \frac{X Z + \varepsilon_i Y \sqrt{X^2 + Y^2 - Z^2}}{X^2 + Y^2}",
+        "sᵢ = (X Z + εᵢ Y √(X² + Y² − Z²))/(X² + Y²)",
     ),
     Symbol(
-        r"c_i = \frac{Y Z - \varepsilon X \sqrt{X^2 + Y^2 - Z^2}}{X^2 + Y^2}",
-        "cᵢ = (Y Z − ε X √(X² + Y² − Z²))/(X² + Y²)",
+        r"c_i = \frac{Y Z - \varepsilon_i X \sqrt{X^2 + Y^2 - Z^2}}{X^2 + Y^2}",
+        "cᵢ = (Y Z − εᵢ X √(X² + Y² − Z²))/(X² + Y²)",
     ),
 )
 TYPE_2_BY_ANGLES = (
     Symbol(
-        r"\theta_i = \varphi - \mathrm{atan2}(Z, \pm \sqrt{X^2 + Y^2 - Z^2})",
-        "θᵢ = φ − atan2(Z, ±√(X² + Y² − Z²))",
+        r"\theta_i = \varphi - \mathrm{atan2}(Z, \varepsilon_i \sqrt{X^2 + Y^2 - Z^2})",
+        "θᵢ = φ − atan2(Z, εᵢ √(X² + Y² − Z²))",
     ),
     Symbol(r"\varphi = \mathrm{atan2}(Y, -X)", "φ = atan2(Y, −X)"),
 )
@@ -103,7 +110,31 @@ def types_table(story: Story) -> list[Block]:
     capitals = [joined([say("{}", Symbol(each, each)) for each in own])] if own else []
     apart = [Symbol("Z", "Z")] if frame else []
     head = paragraph(text, *letters, *capitals, *apart)
-    return [head, Table(header, rows), *_in_the_course(story)]
+    return [head, Table(header, rows), *_rule_of_signs(story), *_in_the_course(story)]
+
+
+def _rule_of_signs(story: Story) -> list[Block]:
+    """Which of its two values an angle has, for all steps at once."""
+    taken = {step.kind for step in story.steps}
+    links = sorted((kind for kind in taken if kind.is_two_links), key=lambda kind: kind.number)
+    if Kind.ANGLE not in taken and not links:
+        return []
+    text = (
+        "The sign {} chooses between the two values of an angle, by one rule in every step: from "
+        "{} follows {}."
+    )
+    right = "Z" if Kind.ANGLE in taken else "K"
+    shown = [SIGN, *(Symbol(*(each.replace("Z", right) for each in pair)) for pair in RULE)]
+    if Kind.ANGLE in taken and links:
+        types = many("type", [str(kind.number) for kind in links])
+        text += f" In steps of {types} {{}} takes the place of {{}}."
+        shown += [Symbol("K", "K"), Symbol("Z", "Z")]
+    if any(
+        step.kind is Kind.ANGLE and quotes[0].facing < 0
+        for step, quotes in zip(story.steps, story.quotes, strict=True)
+    ):
+        text += " Some equations are read with the opposite sign, so that it holds."
+    return [paragraph(text, *shown)]
 
 
 def _in_the_course(story: Story) -> list[Block]:
@@ -113,11 +144,10 @@ def _in_the_course(story: Story) -> list[Block]:
     if any(step.kind is Kind.ANGLE and step.coefficient("Z") for step in story.steps):
         told.append(
             paragraph(
-                "Khalil and Dombre write the solution of type 2 as {}, with {}. The steps leave "
-                "out the divisor, a positive factor that both share and atan2 takes no notice of. "
-                f"{angle} {{}} with {{}}.",
+                "Khalil and Dombre write the solution of type 2 as {}, with the same sign. The "
+                "steps leave out the divisor, a positive factor that both share and atan2 takes "
+                f"no notice of. {angle} {{}} with {{}}.",
                 Listing(TYPE_2),
-                SIGN,
                 *TYPE_2_BY_ANGLES,
             )
         )

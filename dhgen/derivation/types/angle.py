@@ -23,7 +23,6 @@ from dhgen.derivation.notation.names import cosine, sine, theta
 from dhgen.derivation.step_context import Singularity, StepText, type_letter
 from dhgen.derivation.text.blocks import display, paragraph, say
 from dhgen.derivation.text.formula import (
-    ONE,
     ZERO,
     Formula,
     Listing,
@@ -31,8 +30,6 @@ from dhgen.derivation.text.formula import (
     atan2,
     equal,
     minus,
-    number,
-    over,
     relation,
     root,
     square,
@@ -40,7 +37,7 @@ from dhgen.derivation.text.formula import (
     times,
 )
 from dhgen.derivation.types.fallback_equation import ADDED, Fallback
-from dhgen.kinematics.ring import constant_value
+from dhgen.derivation.types.two_angles import by_one_function
 
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import StepContext
@@ -62,20 +59,23 @@ def print_angle(context: StepContext) -> StepText:
     return _general(context)
 
 
-def _letters(context: StepContext, right: Formula, names: str) -> list[Block]:
+def _letters(context: StepContext, right: Formula, *names: str) -> list[Block]:
     """This is X s + Y c = Z with ..."""
-    left = add(times(X, sine(context.angle)), times(Y, cosine(context.angle)))
+    functions = {"X": sine(context.angle), "Y": cosine(context.angle)}
+    parts = [times(type_letter(name), functions[name]) for name in names if name in functions]
+    read = equal(add(*parts), right)
+    this_is = "This is" if context.quotes[0].facing > 0 else "This is, with the opposite sign,"
     if context.are_short(*names):
         listed = Listing(tuple(context.definition(name) for name in names))
-        return [paragraph("This is {} with {}.", equal(left, right), listed)]
+        return [paragraph(f"{this_is} {{}} with {{}}.", read, listed)]
     return [
-        paragraph("This is {} with", equal(left, right)),
+        paragraph(f"{this_is} {{}} with", read),
         display(*(context.definition(name) for name in names)),
     ]
 
 
 def _homogeneous(context: StepContext) -> StepText:
-    sign = context.facing_sign
+    sign = context.sign
     second = Fallback.of(context)
     general = atan2(times(sign, Y), minus(times(sign, X)))
     special = general
@@ -83,7 +83,7 @@ def _homogeneous(context: StepContext) -> StepText:
         x, y = context.value("X"), context.value("Y")
         special = atan2(times(sign, y), minus(times(sign, x)))
     blocks = [
-        *_letters(context, ZERO, "XY"),
+        *_letters(context, ZERO, "X", "Y"),
         paragraph(
             "{} and {} are proportional to {} and {}, with either sign:",
             sine(context.angle),
@@ -118,40 +118,31 @@ def _homogeneous(context: StepContext) -> StepText:
 def _combination(context: StepContext, remembered: Remembered, size: Formula) -> Formula:
     """D = Y s - X c = ... = e sqrt(...)."""
     s, c = sine(context.angle), cosine(context.angle)
-    facing = number(remembered.facing)
-    full = subtract(times(facing, Y, s), times(facing, X, c))
     written = context.in_full(remembered.form)
-    return equal(remembered.letter, full, written, times(facing, context.facing_sign, size))
+    return equal(
+        remembered.letter, subtract(times(Y, s), times(X, c)), written, times(context.sign, size)
+    )
 
 
 def _single(context: StepContext) -> StepText:
     """Y c = Z or X s = Z: the cosine or the sine is known, the other up to its sign."""
     by_cosine = not context.polynomial("X")
-    known, other = (cosine, sine) if by_cosine else (sine, cosine)
-    name = "Y" if by_cosine else "X"
-    given, rest = known(context.angle), other(context.angle)
-    sign = context.facing_sign if by_cosine else minus(context.facing_sign)
-    if constant_value(context.story.algebra, context.polynomial(name)) < 0.0:
-        sign = minus(sign)
-    length = root(subtract(ONE, square(given)))
-    meets = equal(square(given), ONE)
+    name, other = ("Y", sine) if by_cosine else ("X", cosine)
+    letter = type_letter(name)
+    meets = equal(square(Z), square(letter))
     met = Singularity(
         context.number,
         meets,
-        equal(rest, ZERO),
+        equal(other(context.angle), ZERO),
         meaning_of_root(context),
         merged_effect(context),
     )
-    lines = (
-        equal(given, over(context.value("Z"), context.value(name))),
-        equal(rest, times(sign, length)),
-        equal(theta(context.angle), atan2(sine(context.angle), cosine(context.angle))),
-    )
     blocks = (
-        display(*lines),
+        *_letters(context, Z, name, "Z"),
+        display(*by_one_function(context, letter, Z, by_cosine=by_cosine)),
         paragraph(
             "No solution when {}. The two solutions meet when {}: {}. Then {}.",
-            relation(square(given), ">", ONE),
+            relation(square(Z), ">", square(letter)),
             meets,
             met.meaning,
             met.effect,
@@ -164,9 +155,9 @@ def _general(context: StepContext) -> StepText:
     s, c = sine(context.angle), cosine(context.angle)
     remembered = context.story.combination(context.number)
     radicand = root(subtract(SQUARES, square(Z)))
-    d = times(number(remembered.facing), remembered.letter)
+    d = remembered.letter
     blocks: list[Block] = [
-        *_letters(context, Z, "XYZ"),
+        *_letters(context, Z, "X", "Y", "Z"),
         paragraph(
             "The squares of {} and {} add up to {}, so the second is known up to its sign,",
             add(times(X, s), times(Y, c)),

@@ -145,12 +145,22 @@ def _solution(context: StepContext, x: Polynomial, y: Polynomial) -> list[Block]
                 equal(name, solution),
             ),
         ]
-    below = Y if y else X
-    length = root(subtract(square(below), square(K)))
-    known = over(K, below)
-    free = over(times(sign if y else minus(sign), length), below)
-    lines = (equal(c, known), equal(s, free)) if y else (equal(s, known), equal(c, free))
-    return [display(*lines, equal(name, atan2(s, c)))]
+    return [display(*by_one_function(context, Y if y else X, K, by_cosine=bool(y)))]
+
+
+def by_one_function(
+    context: StepContext, factor: Formula, right: Formula, *, by_cosine: bool
+) -> tuple[Formula, ...]:
+    """Y c = Z or X s = Z: the cosine or the sine is known, the other up to its sign."""
+    s, c = sine(context.angle), cosine(context.angle)
+    known, other = (c, s) if by_cosine else (s, c)
+    sign = context.sign if by_cosine else minus(context.sign)
+    length = root(subtract(square(factor), square(right)))
+    return (
+        equal(known, over(right, factor)),
+        equal(other, over(times(sign, length), factor)),
+        equal(theta(context.angle), atan2(s, c)),
+    )
 
 
 def _met(context: StepContext, x: Polynomial, y: Polynomial) -> Singularity:
