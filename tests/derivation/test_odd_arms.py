@@ -72,7 +72,7 @@ def test_the_determinant_of_a_position_is_in_reduced_factors(twist: str) -> None
     )
     of = story_of(table(*rows, parameters="{h: 0.35, e: 0.06, L: 0.42, M: 0.38}", task="position"))
     text = section(derivation_document(of, "x.yaml"), "Velocity")
-    assert r"\det J = L M s_3 (e + L c_2 + M c_{23})" in text
+    assert r"\det J = L M (e + L c_2 + M c_{23}) s_3" in text
     q = np.array([[0.4, -0.9, 1.3]])
     two, three = -0.9 - math.pi / 2, -1.3
     reach = 0.06 + 0.42 * math.cos(two) + 0.38 * math.cos(two + three)

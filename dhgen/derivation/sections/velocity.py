@@ -11,14 +11,13 @@ from dhgen.derivation.text.formula import Matrix, Power, Symbol, add, equal, ove
 from dhgen.derivation.text.template import blocks_of
 from dhgen.derivation.velocity.determinant import determinant_of
 from dhgen.derivation.velocity.lost import lost_motion
-from dhgen.derivation.velocity.position import position_determinant
+from dhgen.derivation.velocity.worked_out import worked_out
 from dhgen.derivation.velocity.wrist import (
     adjugate,
     arm_rows,
     determinant,
     wrist_blocks,
 )
-from dhgen.robot.task import Directions
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -44,8 +43,8 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
     chain = story.algebra.chain
     redundant = chain.dof > chain.task.dimension
     found = determinant_of(story, places)
-    if found is None and chain.task.directions is Directions.NONE:
-        found = position_determinant(story, places)
+    if found is None:
+        found = worked_out(story, places)
     wrist = wrist_blocks(story)
     if found is None and wrist is None and not redundant:
         return []

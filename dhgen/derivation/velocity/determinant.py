@@ -25,6 +25,7 @@ from dhgen.derivation.text.formula import (
     times,
 )
 from dhgen.derivation.velocity.posture import Posture, exact_value
+from dhgen.robot.task import Directions
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -34,9 +35,10 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
     from dhgen.derivation.velocity.posture import Real
 
-PRIME = 2**127 - 1
+PRIME = 2**127 - 801  # leaves 23 when it is divided by 24: 2 and 3 have square roots
 POWERS = 3  # exponents of factors are below this
 SIMPLE = 64  # a number that may stand before a product
+MOST_ANGLES = 4  # cosines and sines of the arm's own, of which powers are tried
 # In the places of lengths, so that their powers can be read off a product.
 LENGTHS = (101, 103, 107, 109, 113, 127, 131, 137, 139, 149, 151, 157, 163, 167, 173, 179, 181, 191)
 
@@ -86,44 +88,78 @@ def raised(formula: Formula, power: int) -> Formula:
 def determinant_of(story: Story, places: Sequence[Singularity]) -> Determinant | None:
     """The determinant of a square task's Jacobian; None where the conditions don't make it up."""
     chain = story.algebra.chain
-    known = all(constant.is_length for constant in chain.constants)
-    if not known or chain.arm_angle or chain.passive:
+    if chain.arm_angle or any(each.apart for each in chain.passive):
         return None  # coupled drives only add columns to others
     source = random.Random(2)  # noqa: S311 - places, no secrets
-    lengths = dict(zip((c.name for c in chain.constants), LENGTHS, strict=False))
-    if len(lengths) < len(chain.constants):
+    names = [constant.name for constant in chain.constants if constant.is_length]
+    lengths = dict(zip(names, LENGTHS, strict=False))
+    if len(lengths) < len(names):
         return None
-    named = _named_rows(drawn(story, lengths, source))
-    if len(named) != len(chain.solved):
+    first = drawn(story, lengths, source)
+    named = _named_rows(first)
+    if len(named) != len(chain.solved) or not _is_yaw_plain(first):
         return None
     candidates = _candidates(places)
     formulas = [formula for formula, _ in candidates]
-    compared = [_values(drawn(story, lengths, source), named, formulas) for _ in range(3)]
+    compared = [_values(drawn(story, first.constants, source), named, formulas) for _ in range(3)]
     powers = _powers(compared)
     if powers is None:
         return None
-    constant = _monomial(_quotient(*compared[0], powers), lengths)
+    left = _quotient(*_values(first, named, formulas), powers)
+    constant = _monomial(left, lengths, _angles(first))
     others = {name: source.randrange(1, PRIME) for name in lengths}
-    value, forms = _values(drawn(story, others, source), named, formulas)
-    if constant is None or _quotient(value, forms, powers) != _at(constant, others):
+    other = drawn(story, others, source)
+    again = _quotient(*_values(other, named, formulas), powers)
+    if constant is None or again != _at(constant, other.constants):
         return None
     found = zip(candidates, powers, strict=True)
     factors = tuple(Factor(formula, p, place) for (formula, place), p in found if p)
     return Determinant(_written(story, *constant), factors, len(named))
 
 
-def drawn(story: Story, lengths: Mapping[str, int], source: random.Random) -> Posture:
-    """A random posture: a half-angle tangent t makes (1 - t^2) / (1 + t^2) a cosine."""
+def drawn(story: Story, known: Mapping[str, Real], source: random.Random) -> Posture:
+    """A random posture of an arm of which some constants are known, the lengths among them."""
     turns: dict[int, tuple[int, int]] = {}
     slides: dict[int, int] = {}
     for joint in story.algebra.chain.joints:
-        t = source.randrange(2, PRIME - 1)
         if joint.number in story.algebra.slides:
-            slides[joint.number] = t
+            slides[joint.number] = source.randrange(2, PRIME - 1)
         else:
-            below = pow(1 + t * t, -1, PRIME)
-            turns[joint.number] = (1 - t * t) * below % PRIME, 2 * t * below % PRIME
-    return Posture(story, turns, slides, lengths)
+            turns[joint.number] = _turn(source)
+    constants = dict(known)
+    for constant in story.algebra.chain.constants:
+        if constant.square is not None:
+            constants.setdefault(constant.name, _root(constant.square))
+        elif constant.cosine is not None and constant.name not in constants:
+            constants[constant.cosine], constants[constant.name] = _turn(source)
+    return Posture(story, turns, slides, constants)
+
+
+def _turn(source: random.Random) -> tuple[int, int]:
+    """A random cosine and its sine: (1 - t^2) / (1 + t^2) and 2 t / (1 + t^2)."""
+    t = source.randrange(2, PRIME - 1)
+    below = pow(1 + t * t, -1, PRIME)
+    return (1 - t * t) * below % PRIME, 2 * t * below % PRIME
+
+
+def _root(square: Fraction) -> int:
+    """A square root of 2 or of 3."""
+    return pow(_reduced(square), (PRIME + 1) // 4, PRIME)
+
+
+def _is_yaw_plain(posture: Posture) -> bool:
+    """Whether the tool's x axis stays level, where the task names the yaw."""
+    if posture.story.algebra.chain.task.directions is not Directions.YAW:
+        return True
+    tool = posture.frames()[0][-1]
+    return not _reduced(tool[2][0])
+
+
+def _angles(posture: Posture) -> dict[str, int]:
+    """The cosines and sines of the arm's own angles."""
+    chain = posture.story.algebra.chain
+    names = [c.name for c in chain.constants if not c.is_length and c.square is None]
+    return {name: _reduced(posture.constants[name]) for name in names}
 
 
 def _named_rows(posture: Posture) -> list[int]:
@@ -192,20 +228,29 @@ def _quotient(value: int, forms: list[int], powers: tuple[int, ...]) -> int:
     return int(value * pow(below, -1, PRIME) % PRIME)
 
 
-def _monomial(value: int, lengths: Mapping[str, int]) -> tuple[int, dict[str, int]] | None:
-    """A value as a small whole number and powers of lengths."""
-    scale = value if value < PRIME // 2 else value - PRIME
-    exponents = dict.fromkeys(lengths, 0)
-    for name, length in lengths.items():
-        while scale % length == 0:
-            scale //= length
-            exponents[name] += 1
-    return (scale, exponents) if abs(scale) <= SIMPLE else None
+def _monomial(
+    value: int, lengths: Mapping[str, int], angles: Mapping[str, int]
+) -> tuple[int, dict[str, int]] | None:
+    """A value as a small whole number and powers of lengths, cosines and sines."""
+    if len(angles) > MOST_ANGLES:
+        return None
+    for powers in product(range(POWERS), repeat=len(angles)):
+        left = _quotient(value, list(angles.values()), powers)
+        scale = left if left < PRIME // 2 else left - PRIME
+        exponents = {**dict.fromkeys(lengths, 0), **dict(zip(angles, powers, strict=True))}
+        for name, length in lengths.items():
+            while scale % length == 0:
+                scale //= length
+                exponents[name] += 1
+        if abs(scale) <= SIMPLE:
+            return scale, exponents
+    return None
 
 
-def _at(constant: tuple[int, dict[str, int]], lengths: Mapping[str, int]) -> int:
+def _at(constant: tuple[int, dict[str, int]], constants: Mapping[str, Real]) -> int:
     scale, exponents = constant
-    return int(scale * prod(lengths[name] ** power for name, power in exponents.items()) % PRIME)
+    powers = (_reduced(constants[name]) ** power for name, power in exponents.items())
+    return int(scale * prod(powers) % PRIME)
 
 
 def _written(story: Story, scale: int, exponents: Mapping[str, int]) -> Formula:

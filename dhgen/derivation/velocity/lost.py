@@ -19,8 +19,7 @@ import numpy as np
 
 from dhgen.derivation.notation.names import letter
 from dhgen.derivation.text.blocks import Given, say
-from dhgen.derivation.velocity.posture import Posture, exact_value
-from dhgen.robot.task import Directions
+from dhgen.derivation.velocity.posture import Posture, exact_value, spins_that_count
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -258,6 +257,7 @@ def _lost(story: Story, values: Values, named: NDArray[np.intp]) -> tuple[_Wrenc
     frames = np.array(_posture(story, values).frames()[0], float)
     frames[..., 3] /= chain.size
     rows = len(chain.task.position_rows)
+    directions = spins_that_count(chain.task.directions, frames[-1].tolist())
     J = _jacobian(story, values)
     U, s, _ = np.linalg.svd(J[named])
     if np.any((s > NEAR) & (s < CLEAR)):
@@ -268,10 +268,8 @@ def _lost(story: Story, values: Values, named: NDArray[np.intp]) -> tuple[_Wrenc
         whole[named] = column
         force, moment = np.zeros(3), np.zeros(3)
         force[list(chain.task.position_rows)] = whole[:rows]
-        if chain.task.directions is Directions.ROTATION:
-            moment = whole[rows:]
-        elif chain.task.directions is Directions.POINTING:
-            moment = frames[-1][:, :2] @ whole[rows:]
+        if directions:
+            moment = np.array(directions, float).T @ whole[rows:]
         found.append(_Wrench(force, moment, frames))
     return tuple(found)
 

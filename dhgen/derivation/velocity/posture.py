@@ -8,15 +8,15 @@ from math import prod
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.text.formula import Minus, Number, Power, Product, Sum, Symbol
-from dhgen.kinematics.chain import Fixed, Slide, Turn
+from dhgen.kinematics.chain import Fixed, Passive, Turn
 from dhgen.robot.task import Directions
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.formula import Formula
-    from dhgen.kinematics.chain import Element
+    from dhgen.kinematics.chain import Element, Slide
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
 
@@ -24,7 +24,27 @@ if TYPE_CHECKING:
 Real = Fraction | float
 Vector = list[Real]
 Rows = list[Vector]
-Axis = tuple[Vector, Vector | None]  # a direction, and a point where the joint turns
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """What turns about, or slides along, an axis.
+
+    Attributes:
+        joints: The joints that move it, each with a factor: one, or those of a passive row.
+        axis: Its direction.
+        point: Where it is; None for what slides.
+    """
+
+    joints: tuple[tuple[int, int], ...]
+    axis: Vector
+    point: Vector | None
+
+    def velocity(self, tip: Vector) -> tuple[Vector, Vector]:
+        """What it gives a point of velocity, and the angular velocity."""
+        if self.point is None:
+            return self.axis, [0, 0, 0]
+        return crossed(self.axis, [a - b for a, b in zip(tip, self.point, strict=True)]), self.axis
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,67 +68,66 @@ class Posture:
         algebra, letters = self.story.algebra, self.story.letters
         found = {letters[name].text: value for name, value in self.constants.items()}
         for angle in algebra.angles:
-            cosine: Real = 1
-            sine: Real = 0
-            for joint, sign in angle.terms:
-                c, s = self.turns[joint]
-                cosine, sine = cosine * c - sign * sine * s, sine * c + sign * cosine * s
+            cosine, sine = self._turned(angle.terms)
             found[letters[angle.cosine].text] = cosine
             found[letters[angle.sine].text] = sine
         return found | {letters[name].text: self.slides[j] for j, name in algebra.slides.items()}
 
-    def frames(self) -> tuple[list[Rows], list[Axis]]:
-        """Frames 0 to n and the tool's, three rows each; axes with a point where they turn."""
+    def _turned(self, terms: Sequence[tuple[int, int]]) -> tuple[Real, Real]:
+        """Cosine and sine of a sum of joints' angles, each times a whole number."""
+        cosine: Real = 1
+        sine: Real = 0
+        for joint, times in terms:
+            c, s = self.turns[joint]
+            s = s if times > 0 else -s
+            for _ in range(abs(times)):
+                cosine, sine = cosine * c - sine * s, sine * c + cosine * s
+        return cosine, sine
+
+    def frames(self) -> tuple[list[Rows], list[Motion]]:
+        """Frames 0 to n and the tool's, three rows each, and what moves from base to tool."""
         chain = self.story.algebra.chain
         T = self._matrix(chain.base)
         frames: list[Rows] = [T]
-        axes: list[Axis] = []
+        motions: list[Motion] = []
         for link in chain.links:
             for element in link:
                 if not isinstance(element, Fixed):
-                    axis: Vector = [element.sign * row[2] for row in T]
-                    axes.append(
-                        (axis, [row[3] for row in T] if isinstance(element, Turn) else None)
+                    axis, point = ([row[column] for row in T] for column in (2, 3))
+                    motions.append(
+                        Motion(_movers(element), axis, point if _turns(element) else None)
                     )
                 T = _chained(T, self._element(element))
             frames.append(T)
         frames.append(_chained(T, self._matrix(chain.tool)))
-        return frames, axes
+        return frames, motions
 
     def jacobian(self) -> Rows:
         """The rows of the Jacobian that the task names, of the joints that are solved for."""
         chain = self.story.algebra.chain
-        frames, axes = self.frames()
+        frames, motions = self.frames()
         tip = [row[3] for row in frames[-1]]
-        columns: list[Vector] = []
-        for joint, (axis, point) in zip(chain.joints, axes, strict=True):
-            arm = None if point is None else [a - b for a, b in zip(tip, point, strict=True)]
-            still: Vector = [0, 0, 0]
-            spin = axis if arm is not None else still
-            moved = axis if arm is None else crossed(axis, arm)
-            if joint.number not in chain.free:
-                columns.append([joint.sign * each for each in self._named(moved, spin, frames[-1])])
-        return [list(row) for row in zip(*columns, strict=True)]
-
-    def _named(self, moved: Vector, spin: Vector, tool: Rows) -> Vector:
-        """What the task names of a velocity and an angular velocity."""
-        task = self.story.algebra.chain.task
-        named = [moved[row] for row in task.position_rows]
-        if task.directions is Directions.ROTATION:
-            return named + spin
-        if task.directions is Directions.POINTING:
-            return named + [sum(tool[k][i] * spin[k] for k in range(3)) for i in range(2)]
-        return named
+        directions = spins_that_count(chain.task.directions, frames[-1])
+        size = len(chain.task.position_rows) + len(directions)
+        columns: dict[int, Vector] = {joint.number: [0] * size for joint in chain.solved}
+        for motion in motions:
+            moved, spin = motion.velocity(tip)
+            named = [moved[row] for row in chain.task.position_rows]
+            named += [sum(a * b for a, b in zip(each, spin, strict=True)) for each in directions]
+            for joint, times in motion.joints:
+                if joint in columns:
+                    factor = times * chain.joints[joint - 1].sign
+                    added = zip(columns[joint], named, strict=True)
+                    columns[joint] = [old + factor * new for old, new in added]
+        return [list(row) for row in zip(*columns.values(), strict=True)]
 
     def _element(self, element: Element) -> Rows:
         if isinstance(element, Fixed):
             return self._matrix(element.transform)
-        if isinstance(element, Turn):
-            c, s = self.turns[element.joint]
-            s = element.sign * s
+        if _turns(element):
+            c, s = self._turned(_movers(element))
             return [[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0]]
-        assert isinstance(element, Slide), "no arm with passive rows"
-        length = element.sign * self.slides[element.joint]
+        length = sum(times * self.slides[joint] for joint, times in _movers(element))
         return [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, length]]
 
     def _matrix(self, transform: Transform) -> Rows:
@@ -124,6 +143,30 @@ class Posture:
             used = zip(names, powers, strict=True)
             total += factor * prod(self.constants[name] ** power for name, power in used if power)
         return total
+
+
+def _turns(element: Turn | Slide | Passive) -> bool:
+    return element.turns if isinstance(element, Passive) else isinstance(element, Turn)
+
+
+def _movers(element: Turn | Slide | Passive) -> tuple[tuple[int, int], ...]:
+    """The joints that move an element, each with a factor."""
+    return element.signed if isinstance(element, Passive) else ((element.joint, element.sign),)
+
+
+def spins_that_count(directions: Directions, tool: Rows) -> list[Vector]:
+    """What the task names of an angular velocity is its product with these vectors.
+
+    That of the yaw is for tools whose x axis stays level. Of roll and pitch nothing is given.
+    """
+    match directions:
+        case Directions.ROTATION:
+            return [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        case Directions.POINTING:
+            return [[row[column] for row in tool] for column in (0, 1)]
+        case Directions.YAW:
+            return [[0, 0, 1]]
+    return []
 
 
 def crossed(a: Vector, b: Vector) -> Vector:

@@ -95,6 +95,13 @@ def velocity_columns(
         yield crossed(algebra, axis, arm), axis
 
 
+def approach(algebra: Algebra, frame: int) -> Vector:
+    """The tool's z axis in a frame."""
+    links = algebra.chain.links
+    behind: list[Element] = [e for link in links[frame:] for e in algebra.lifted(link)]
+    return product([*behind, Fixed(algebra.lift(algebra.chain.tool))], algebra).column(2)
+
+
 def between(algebra: Algebra, elements: list[Element], start: int, end: int) -> Transform:
     """The frame before one element seen from that before another."""
     if start <= end:

@@ -1,0 +1,148 @@
+"""The determinant of the Jacobian, worked out and then taken apart, where no conditions make it up.
+
+It is the same in every frame, of which one leaves most zeros, and its factors are found there: an
+arm whose steps take roots of a polynomial has no condition for each of them. Of a direction the
+task names two numbers; a turn about it at the tool, which changes nothing that the task names,
+makes the rows six.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING
+
+from dhgen.derivation.conditions import are_never_zero, unsigned
+from dhgen.derivation.notation.matrices import expanded
+from dhgen.derivation.text.formula import ZERO, equal
+from dhgen.derivation.velocity.determinant import Determinant, Factor
+from dhgen.derivation.velocity.wrist import approach, velocity_columns
+from dhgen.kinematics.ring import primitive
+from dhgen.kinematics.transform import identity
+from dhgen.robot.task import Directions
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.derivation.step_context import Singularity
+    from dhgen.derivation.story import Story
+    from dhgen.derivation.text.formula import Formula
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.kinematics.constants import Polynomial
+
+MOST_TERMS = 200  # of a determinant that is taken apart, and of the minors that it is made of
+FEW = 3  # rows whose minors stay as they are: in normal form factors may be lost
+LONGEST = 8  # terms of a factor that still says something to a reader
+
+Rows = tuple[tuple["Polynomial", ...], ...]
+Factored = tuple["Polynomial", list[tuple["Polynomial", int]]]
+
+
+def worked_out(
+    story: Story, places: Sequence[Singularity] = (), *, by_position: bool = False
+) -> Determinant | None:
+    """In the frame in which it has most factors; None where no frame leaves it short.
+
+    Rows of a plane are those of the base's frame.
+
+    Args:
+        story: The derivation.
+        places: What the table of singular configurations lists.
+        by_position: Whether the rows are those of the position alone.
+    """
+    algebra, chain = story.algebra, story.algebra.chain
+    named = Directions.NONE if by_position else chain.task.directions
+    count = len(chain.task.position_rows) + named.dimension
+    plain = not (chain.given or chain.passive) and count == chain.dof
+    flat = len(chain.task.position_rows) == 2
+    if not plain or not story.steps or (flat and chain.base != identity(chain.ring)):
+        return None
+    frames = range(1) if flat else range(chain.dof + 1)
+    found = [each for frame in frames if (each := _in_factors(story, named, frame)) is not None]
+    if not found:
+        return None
+    size, taken = min(found, key=_length)
+    moving = []
+    for form, power in taken:
+        written = unsigned(story, form)
+        if power % 2 and written != story.write_forward(form):
+            size = -size
+        never = are_never_zero(algebra, form)
+        moving.append(Factor(written, power, _place_of(written, places), never))
+    return Determinant(story.write_forward(size), tuple(moving), count)
+
+
+def _length(factored: Factored) -> tuple[int, str]:
+    """How many terms all factors have; then by alphabet."""
+    return sum(len(form) for form, _ in factored[1]), str(factored)
+
+
+def _place_of(factor: Formula, places: Sequence[Singularity]) -> Singularity | None:
+    """The place whose condition in joints a factor is."""
+    zero = equal(factor, ZERO)
+    return next((place for place in places if place.joints == zero), None)
+
+
+def _in_factors(story: Story, named: Directions, frame: int) -> Factored | None:
+    """What does not move, and the other factors, of the determinant of velocities in a frame."""
+    algebra = story.algebra
+    rows = _rows(story, named, frame)
+    size = None if rows is None else determinant(algebra, rows)
+    if not size:
+        return None
+    scale, factors = size.factor_list()
+    still, moving = algebra.ring.ground_new(scale), []
+    for factor, power in factors:
+        forms = (algebra.normal(factor), algebra.normal(expanded(algebra, factor)))
+        number_, form = primitive(min(forms, key=len))
+        still *= number_**power
+        if algebra.is_constant(form):
+            still *= form**power
+        elif len(form) > LONGEST:
+            return None
+        else:
+            moving.append((form, power))
+    return algebra.normal(still), moving
+
+
+def _rows(story: Story, named: Directions, frame: int) -> Rows | None:
+    """What the task names of joints' velocities, in a frame; None for a part of the rotation."""
+    algebra, chain = story.algebra, story.algebra.chain
+    columns = list(velocity_columns(algebra, frame, None, chain.dof))
+    match named:
+        case Directions.NONE:
+            return tuple(
+                tuple(moved[row] for moved, _ in columns) for row in chain.task.position_rows
+            )
+        case Directions.ROTATION | Directions.POINTING if chain.task.position_rows:
+            whole = [moved + spin for moved, spin in columns]
+            if named is Directions.POINTING:
+                whole.append((algebra.ring.zero,) * 3 + approach(algebra, frame))
+            return tuple(zip(*whole, strict=True))
+    return None
+
+
+def determinant(algebra: Algebra, rows: Rows) -> Polynomial | None:
+    """By minors, rows with most zeros first; None where one has too many terms."""
+    count = len(rows)
+    order = sorted(range(count), key=lambda row: sum(map(bool, rows[row])))
+    turned = sum(order[i] > order[j] for j in range(count) for i in range(j))
+
+    @cache
+    def minor(left: tuple[int, ...]) -> Polynomial | None:
+        """Of the last rows, in these columns."""
+        if not left:
+            return algebra.ring.one
+        total = algebra.ring.zero
+        for place, column in enumerate(left):
+            entry = rows[order[count - len(left)]][column]
+            if entry:
+                below = minor(left[:place] + left[place + 1 :])
+                if below is None:
+                    return None
+                total += (-1) ** place * entry * below
+        if count > FEW:
+            total = algebra.normal(total)
+        return None if len(total) > MOST_TERMS else total
+
+    size = minor(tuple(range(count)))
+    return None if size is None else (-1) ** turned * size
