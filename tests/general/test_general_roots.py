@@ -73,6 +73,28 @@ def test_a_stretch_that_is_flat_is_looked_at_to_both_its_ends(part: int, off: fl
     np.testing.assert_allclose(np.sort(np.mod(found.simple, 2 * np.pi)), expected, atol=1e-6)
 
 
+@pytest.mark.parametrize("noise", [1e-11, 4e-11])
+@pytest.mark.parametrize("edge", [15 / 256, 1 / 16])
+@pytest.mark.parametrize("off", np.linspace(-3e-4, 3e-4, 13).tolist())
+def test_a_look_may_end_in_the_middle_of_a_pair(edge: float, off: float, noise: float) -> None:
+    """Two pairs of real roots, and their opposites, of which the fit shows double ones alone."""
+    apart = edge + off
+    pairs = [(at, at + 3e-4) for first in (2.3, 2.3 + apart) for at in (first, first + np.pi)]
+    real = sorted(root for pair in pairs for root in pair)
+    rest = product((1.0, 1.0), (4.0, 1.0), (5.5, 1.0), (0.2, 1.0), real=real)
+
+    def at(cosine: np.ndarray, sine: np.ndarray) -> np.ndarray:
+        rounding = noise * np.sin(1e4 * np.arctan2(sine, cosine))
+        return np.asarray(rest(cosine, sine) * (1.0 + rounding))
+
+    assert plain(at).double
+    found = real_roots(at)
+    assert found is not None
+    assert found.complete
+    assert not found.double
+    np.testing.assert_allclose(np.sort(np.mod(found.simple, 2 * np.pi)), real, atol=1e-6)
+
+
 def test_a_double_root_stays_one() -> None:
     found = real_roots(product((1.0, 0.0), (2.0, 0.5)))
     assert found is not None

@@ -267,7 +267,12 @@ SHARED = {
     recover: ("SMALLEST PLANE", {}),
     roots: (
         "NOISE CLEAR VANISHING ROUNDING NOISE_FACTOR LOOKS STRENGTH REACH LIFTED_CLOSER",
-        {"LOOK_COSINE": "NEAR_COSINE", "LIFTED": "LIFTED_BY", "INDEPENDENT": "INDEPENDENT"},
+        {
+            "LOOK_COSINE": "NEAR_COSINE",
+            "WITHIN_COSINE": "WITHIN_COSINE",
+            "LIFTED": "LIFTED_BY",
+            "INDEPENDENT": "INDEPENDENT",
+        },
     ),
     wrist: ("NEARLY_RIGHT BARELY", {}),
     equations: ("", {"HIDDEN_UNIT": "UNIT", "HIDDEN_SQUARE": "SQUARE"}),

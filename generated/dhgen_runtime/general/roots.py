@@ -51,6 +51,10 @@ LOOKS = 4  # more closely, at most
 # How far a closer look reaches to both sides [rad], nearly, and its cosine from half the tangent.
 NEAR = 1 / 16
 NEAR_COSINE = (1 - (NEAR / 2) ** 2) / (1 + (NEAR / 2) ** 2)
+# Double roots between this and NEAR have a look of their own: what a look shows of them may end in
+# the middle of one, where two simple roots are.
+WITHIN = 15 / 256
+WITHIN_COSINE = (1 - (WITHIN / 2) ** 2) / (1 + (WITHIN / 2) ** 2)
 STRENGTH = (1 - NEAR) / (1 + NEAR)  # in the middle a lens of this strength magnifies 1 / NEAR times
 REACH = 38  # in cells: from tan(psi/2) = tan(phi/2) / NEAR, NEAR becomes 0.93 rad
 # An extremum beside zero may be a double root that rounding has lifted off, also that of the
@@ -165,9 +169,9 @@ def _seen(
 
 
 @inner
-def _is_near(x: float, middle: float) -> bool:
-    """Whether an angle is as near to another as a closer look reaches."""
-    return math.cos(x - middle) >= NEAR_COSINE
+def _is_near(x: float, middle: float, twice: int) -> bool:
+    """Whether a root, simple or double, is as near to an angle as a closer look shows it whole."""
+    return math.cos(x - middle) >= (WITHIN_COSINE if twice == DOUBLE else NEAR_COSINE)
 
 
 @apart("void(float64[:, ::1], int64[::1], float64[:, ::1], int64[::1], float64)")
@@ -178,11 +182,11 @@ def _replace(
     for twice in range(2):
         kept = 0
         for i in range(counts[twice]):
-            if not _is_near(roots[twice, i], middle):
+            if not _is_near(roots[twice, i], middle, twice):
                 roots[twice, kept] = roots[twice, i]
                 kept += 1
         for i in range(closer_counts[twice]):
-            if _is_near(closer[twice, i], middle) and kept < ROOTS:
+            if _is_near(closer[twice, i], middle, twice) and kept < ROOTS:
                 roots[twice, kept] = closer[twice, i]
                 kept += 1
         counts[twice] = kept
@@ -194,7 +198,7 @@ def _any_near(roots: Floats, counts: Ints, middle: float) -> bool:
     near = False
     for twice in range(2):
         for i in range(counts[twice]):
-            near = near or _is_near(roots[twice, i], middle)
+            near = near or _is_near(roots[twice, i], middle, twice)
     return near
 
 
@@ -204,7 +208,7 @@ def _next_double(roots: Floats, counts: Ints, seen: Floats, looks: int) -> int:
     for i in range(counts[DOUBLE]):
         near = False
         for k in range(looks):
-            near = near or _is_near(roots[DOUBLE, i], seen[k])
+            near = near or _is_near(roots[DOUBLE, i], seen[k], DOUBLE)
         if not near:
             return i
     return int(counts[DOUBLE])

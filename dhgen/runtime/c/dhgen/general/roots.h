@@ -12,6 +12,9 @@
 /* How far a closer look reaches to both sides is nearly 1/16 rad; its cosine, from half the
  * tangent. */
 #define DHGEN_LOOK_COSINE 0.9980487804878049
+/* Double roots between 15/256 rad and that have a look of their own: what a look shows of them may
+ * end in the middle of one, where two simple roots are. */
+#define DHGEN_WITHIN_COSINE 0.9982848583483567
 /* In its middle a map of this strength magnifies 16 times. */
 #define DHGEN_STRENGTH 0.8823529411764706
 /* How far a closer look reaches, in cells: 1/16 rad becomes 0.93 rad. */
@@ -47,18 +50,19 @@ typedef struct {
     const void *of;
 } dhgen_source;
 
-/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
-DHGEN_FN int dhgen_is_near(double c, double s, double cosine, double sine)
+/* Whether two angles, by their cosines and sines, are as near as `reach`, the cosine of the angle
+ * between them: that to which a closer look reaches, or shows double roots whole. */
+DHGEN_FN int dhgen_is_near(double c, double s, double cosine, double sine, double reach)
 {
-    return c * cosine + s * sine >= DHGEN_LOOK_COSINE;
+    return c * cosine + s * sine >= reach;
 }
 
 /* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
-DHGEN_FN int dhgen_select_roots(int near, double cosine, double sine, const double *from_c,
-    const double *from_s, int many, double *c, double *s, int count)
+DHGEN_FN int dhgen_select_roots(int near, double cosine, double sine, double reach,
+    const double *from_c, const double *from_s, int many, double *c, double *s, int count)
 {
     for (int i = 0; i < many && count < DHGEN_ROOTS; i++) {
-        if (dhgen_is_near(from_c[i], from_s[i], cosine, sine) == near) {
+        if (dhgen_is_near(from_c[i], from_s[i], cosine, sine, reach) == near) {
             c[count] = from_c[i];
             s[count] = from_s[i];
             count++;
@@ -108,14 +112,14 @@ DHGEN_FN int dhgen_magnify(
     dhgen_undo_moebius(&map, found.doubles, found.double_c, found.double_s);
     dhgen_undo_moebius(&map, found.lifted, found.lifted_c, found.lifted_s);
     dhgen_take_lifted(source, &found);
-    roots->simple = dhgen_select_roots(
-        0, cosine, sine, roots->c, roots->s, roots->simple, roots->c, roots->s, 0);
-    roots->doubles = dhgen_select_roots(0, cosine, sine, roots->double_c, roots->double_s,
-        roots->doubles, roots->double_c, roots->double_s, 0);
-    roots->simple = dhgen_select_roots(
-        1, cosine, sine, found.c, found.s, found.simple, roots->c, roots->s, roots->simple);
-    roots->doubles = dhgen_select_roots(1, cosine, sine, found.double_c, found.double_s,
-        found.doubles, roots->double_c, roots->double_s, roots->doubles);
+    roots->simple = dhgen_select_roots(0, cosine, sine, DHGEN_LOOK_COSINE, roots->c, roots->s,
+        roots->simple, roots->c, roots->s, 0);
+    roots->doubles = dhgen_select_roots(0, cosine, sine, DHGEN_WITHIN_COSINE, roots->double_c,
+        roots->double_s, roots->doubles, roots->double_c, roots->double_s, 0);
+    roots->simple = dhgen_select_roots(1, cosine, sine, DHGEN_LOOK_COSINE, found.c, found.s,
+        found.simple, roots->c, roots->s, roots->simple);
+    roots->doubles = dhgen_select_roots(1, cosine, sine, DHGEN_WITHIN_COSINE, found.double_c,
+        found.double_s, found.doubles, roots->double_c, roots->double_s, roots->doubles);
     return 1;
 }
 
@@ -124,10 +128,11 @@ DHGEN_FN int dhgen_any_near(const dhgen_roots *roots, double cosine, double sine
 {
     int any = 0;
     for (int i = 0; i < roots->simple; i++) {
-        any |= dhgen_is_near(roots->c[i], roots->s[i], cosine, sine);
+        any |= dhgen_is_near(roots->c[i], roots->s[i], cosine, sine, DHGEN_LOOK_COSINE);
     }
     for (int i = 0; i < roots->doubles; i++) {
-        any |= dhgen_is_near(roots->double_c[i], roots->double_s[i], cosine, sine);
+        any |= dhgen_is_near(
+            roots->double_c[i], roots->double_s[i], cosine, sine, DHGEN_WITHIN_COSINE);
     }
     return any;
 }
@@ -145,7 +150,8 @@ DHGEN_FN void dhgen_look_closer(const dhgen_source *source, dhgen_roots *roots)
     while (i < roots->doubles) {
         int seen = 0;
         for (int k = 0; k < looks; k++) {
-            seen |= dhgen_is_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
+            seen |= dhgen_is_near(
+                roots->double_c[i], roots->double_s[i], c[k], s[k], DHGEN_WITHIN_COSINE);
         }
         if (seen) {
             i++;
