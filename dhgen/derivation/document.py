@@ -14,11 +14,12 @@ from dhgen.derivation.sections.drives import drives_section
 from dhgen.derivation.sections.elements import element_blocks, known_side_blocks
 from dhgen.derivation.sections.example import example_section, singular_blocks
 from dhgen.derivation.sections.forward import forward_in_short, forward_section
-from dhgen.derivation.sections.general import general_section, numerical_section
+from dhgen.derivation.sections.general import general_section
 from dhgen.derivation.sections.inverse import inverse_beginning
 from dhgen.derivation.sections.joints import joint_values
 from dhgen.derivation.sections.listing import listing_blocks
 from dhgen.derivation.sections.nearest import nearest_blocks
+from dhgen.derivation.sections.numerical import numerical_section
 from dhgen.derivation.sections.other_ways import other_way
 from dhgen.derivation.sections.robot import opening, robot_section
 from dhgen.derivation.sections.shoulder import arm_angle_places
@@ -68,7 +69,7 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
             example = whole_example_section(story, whole)
             inverse = general_section(story, whole, nearest, example)
             return [*forward_section(story), *inverse, *velocity_section(story, [])]
-        inverse = numerical_section(whole, story.algebra.chain)
+        inverse = numerical_section(story, whole)
         return [*forward_in_short(story), *inverse, *velocity_section(story, [])]
     steps = [step_blocks(story, number) for number in range(1, len(story.steps) + 1)]
     places = [*arm_angle_places(story), *(each for _, found in steps for each in found)]

@@ -106,7 +106,7 @@ def least_singular(arm: NumericArm, q: FloatArray) -> FloatArray:
     scale = np.array([1.0 if turns else chain.size for turns in chain.turning])
     J = arm.jacobian(q) * scale
     J[:, :3] /= chain.size
-    rank = min(6, chain.dof)
+    rank = min(6, len(chain.solved))
     return np.asarray(np.linalg.svd(J, compute_uv=False)[:, rank - 1])
 
 

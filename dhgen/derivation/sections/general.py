@@ -1,8 +1,7 @@
 """The inverse of an arm without a closed form: what its templates name.
 
 The prose is `templates/derivation/general.md.jinja`, with a template for each of the algorithms:
-the elimination, the offset wrist's polynomial before it, or four turns and two slides. Arms that
-are solved numerically have `numerical.md.jinja`.
+the elimination, the offset wrist's polynomial before it, or four turns and two slides.
 """
 
 from __future__ import annotations
@@ -25,7 +24,6 @@ from dhgen.general.no_turn import NEARLY_NONE, NEARLY_NONE_IN_DOUBT
 from dhgen.kinematics.chain import Slide, Turn
 from dhgen.kinematics.neighbours import EXACT, axis_triples, short_number
 from dhgen.paul.refusal.unsolved import NEARLY_CONCURRENT, NEARLY_PARALLEL
-from dhgen.runtime.plain import plain
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
@@ -36,7 +34,6 @@ if TYPE_CHECKING:
     from dhgen.general.offset_wrist import OffsetWrist
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.neighbours import Triple
-    from dhgen.numerical.kernel import NumericalKernel
 
 
 def general_section(
@@ -289,19 +286,3 @@ def joint_symbol(kernel: GeneralKernel, place: int) -> Symbol:
     if place in kernel.loop.slides:
         return Symbol(f"r_{number}", f"r{number}")
     return Symbol(rf"\theta_{number}", f"θ{number}")
-
-
-def numerical_section(kernel: NumericalKernel, chain: Chain) -> list[Block]:
-    """What replaces the steps of Paul's method."""
-    search = plain("numerical.search")
-    return blocks_of(
-        "numerical",
-        redundant=kernel.redundant,
-        size=size_in_words(chain),
-        damping=plain("numerical.descent").DAMPING,
-        starts=search.STARTS,
-        more_starts=search.REDUNDANT_STARTS - 1,
-        rounds=search.ROUNDS,
-        rows=kernel.rows,
-        residual=f"{kernel.residual:.0e}",
-    )
