@@ -13,7 +13,7 @@ from shlex import quote
 from typing import TYPE_CHECKING, TypeVar
 
 from dhgen.arguments import ENDINGS, FORMATS, LANGUAGES, OUT
-from dhgen.errors import CommandError, DhgenError, VerificationError, about
+from dhgen.errors import CommandError, DhgenError, ImmobileError, VerificationError, about
 from dhgen.generated_header import SUFFIXES, robot_of, source_of
 from dhgen.method import Method
 
@@ -77,8 +77,9 @@ def write(options: argparse.Namespace) -> int:
             _write_one(file, options)
         except DhgenError as error:
             print(error, file=sys.stderr)
-            if isinstance(error, VerificationError):
+            if isinstance(error, (ImmobileError, VerificationError)):
                 _tell_notes(file.robot.doubts)
+            if isinstance(error, VerificationError):
                 whose = WHOSE_NOTED if file.robot.notices + file.robot.doubts else WHOSE
                 print(FAULT.format(whose=whose), file=sys.stderr)
             worst = max(worst, error.exit_code)
@@ -144,7 +145,8 @@ def _write_parallel(file: ParallelFile, options: argparse.Namespace) -> None:
         made = compile_parallel(file, _tell, out=options.out, single_file=options.single_file)
     print(f"{made.robot.name}: {made.robot.title}")
     print(parallel_summary(made.module))
-    report = _written(made.files, lambda: verified_parallel(made, _tell), options.out)
+    with about(file.path):
+        report = _written(made.files, lambda: verified_parallel(made, _tell), options.out)
     compared = "Python and C agree" if report.compiled else "no C compiler found: C not tested"
     print(
         f"verified on {report.poses} poses of the platform: {report.modes} working modes, largest "

@@ -93,6 +93,12 @@ class CompilerError(DhgenError):
     """The C compiler can't build anything: a fault of what is installed."""
 
 
+class ImmobileError(DhgenError):
+    """Legs that can't move their platform: a mistake in the file that no count of joints shows."""
+
+    exit_code = 2
+
+
 class VerificationError(DhgenError):
     """The written files do not do what they promise: a fault of the compiler, never the user's."""
 
@@ -102,5 +108,5 @@ def about(file: Path) -> Iterator[None]:
     """Puts a file's name before what is said of the arm in it."""
     try:
         yield
-    except (UnsolvedError, PrecisionError) as error:
+    except (UnsolvedError, PrecisionError, ImmobileError) as error:
         raise type(error)(f"{file}: {error}") from error

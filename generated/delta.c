@@ -178,7 +178,7 @@ static const struct dhgen_parallel robot = {
 
 /* The legs chain by chain, side by side. */
 static const int first_leg[2] = { 0, 3 };
-static const size_t legs_by_chain[3] = { 0, 1, 2 };
+static const size_t legs_by_chain[DHGEN_LEG_COLUMNS] = { 0, 1, 2, 2, 2, 2, 2, 2, 2, 2 };
 static const double bases[12][DHGEN_LEG_COLUMNS] = {
     {
         1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
@@ -285,9 +285,9 @@ int delta_ik(const double T[16], const double *q_seed, double q[3][4][3], unsign
     return dhgen_parallel_ik(&robot, T, q_seed, &q[0][0][0], &status[0][0]);
 }
 
-int delta_ik_nearest(const double T[16], const double q_seed[3][3], double q[3][3])
+int delta_ik_nearest(const double T[16], const double *q_seed, double q[3][3])
 {
-    return dhgen_parallel_nearest(&robot, T, &q_seed[0][0], &q[0][0]);
+    return dhgen_parallel_nearest(&robot, T, q_seed, &q[0][0]);
 }
 
 void delta_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
@@ -310,9 +310,9 @@ void delta_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *
     dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
 }
 
-void delta_take_drives(const double q[3][3], double drives[3])
+void delta_take_drives(const double *q, double drives[3])
 {
-    dhgen_take_drives(&robot, &q[0][0], drives);
+    dhgen_take_drives(&robot, q, drives);
 }
 
 int delta_fk(const double drives[3], const double T_seed[16], double T[16], double q[3][3])
@@ -325,12 +325,12 @@ int delta_assemblies(const double drives[3], double T[2][16])
     return dhgen_assemblies(&robot, DHGEN_THREE_SPHERES, drives, &T[0][0]);
 }
 
-int delta_velocities(const double T[16], const double q[3][3], double A[9], double B[9])
+int delta_velocities(const double T[16], const double *q, double A[9], double B[9])
 {
-    return dhgen_parallel_velocities(&robot, T, &q[0][0], A, B);
+    return dhgen_parallel_velocities(&robot, T, q, A, B);
 }
 
-int delta_singularities(const double T[16], const double q[3][3], double least[2])
+int delta_singularities(const double T[16], const double *q, double least[2])
 {
-    return dhgen_parallel_singularities(&robot, T, &q[0][0], least);
+    return dhgen_parallel_singularities(&robot, T, q, least);
 }

@@ -23,7 +23,7 @@ enum {
     DELTA_LEGS = 3,
     DELTA_JOINTS = 3, /* of a leg, passive ones among them */
     DELTA_ROWS = 4, /* branches of a leg */
-    DELTA_DRIVES = 3 /* driven joints, as many as the platform has freedoms */
+    DELTA_DOF = 3 /* of the platform, which has as many driven joints */
 };
 
 /* What a row of delta_ik holds. */
@@ -46,6 +46,9 @@ extern const char *const *const delta_branches[3];
 /* The leg and the joint of every drive, from 0. */
 extern const int delta_drives[3][2];
 
+/* Joint values of all legs are a double q[3][3]. Where they are read, as `const double *`, they are
+ * passed as q[0]: C99 takes no pointer to arrays for one to arrays of constants. */
+
 /* All solutions of all legs. Row b of a leg is always its branch b. q_seed gives the values of
  * joints that are indeterminate at this pose (NULL: zeros).
  * Returns how many working modes there are, the product of the legs' rows that are OK or
@@ -58,7 +61,7 @@ int delta_ik(const double T[16], const double *q_seed, double q[3][4][3], unsign
  * Returns DELTA_OK or DELTA_FREE_JOINT, or, with NaN in q, minus what is wrong with a
  * leg: DELTA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that
  * is not finite. */
-int delta_ik_nearest(const double T[16], const double q_seed[3][3], double q[3][3]);
+int delta_ik_nearest(const double T[16], const double *q_seed, double q[3][3]);
 
 /* delta_ik without a seed for n poses: T holds n x 16 numbers,
  * q n x 3 x 4 x 3, status n x 3 x 4. */
@@ -72,7 +75,7 @@ int delta_ik_drives(const double T[16], double q[3][4][1], unsigned char status[
 void delta_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 /* The values of the driven joints. */
-void delta_take_drives(const double q[3][3], double drives[3]);
+void delta_take_drives(const double *q, double drives[3]);
 
 /* The pose of the platform that drives' values make, and the joint values of all legs, refined from
  * T_seed: a pose nearby that the legs reach.
@@ -91,7 +94,7 @@ int delta_assemblies(const double drives[3], double T[2][16]);
  * (vx, vy, vz), qdot those of the drives. Returns DELTA_OK, or, with NaN in A
  * and B, -DELTA_FREE_JOINT where passive joints of a leg depend on each other, so that A and B
  * are not determined, or -DELTA_INVALID_POSE, also for joint values that are not finite. */
-int delta_velocities(const double T[16], const double q[3][3], double A[9], double B[9]);
+int delta_velocities(const double T[16], const double *q, double A[9], double B[9]);
 
 /* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
  * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
@@ -99,7 +102,7 @@ int delta_velocities(const double T[16], const double q[3][3], double A[9], doub
  * Returns DELTA_OK; DELTA_FREE_JOINT where passive joints of a leg depend on each other:
  * the platform loses a motion, least[0] is 0 and least[1] NaN; or, with NaN in least,
  * -DELTA_INVALID_POSE, likewise. */
-int delta_singularities(const double T[16], const double q[3][3], double least[2]);
+int delta_singularities(const double T[16], const double *q, double least[2]);
 
 #ifdef __cplusplus
 }

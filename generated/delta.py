@@ -39,6 +39,7 @@ NAME = "delta"
 METHOD = "legs"
 TASK = "position"
 LEGS = 3
+DOF = 3  # of the platform, which has as many driven joints
 JOINTS = 3  # of a leg, passive ones among them
 CHAINS = ("delta_leg", "delta_leg", "delta_leg", )
 _MODULES = tuple(map(_leg, CHAINS))

@@ -121,7 +121,7 @@ static const struct dhgen_parallel robot = {
 
 /* The legs chain by chain, side by side. */
 static const int first_leg[2] = { 0, 2 };
-static const size_t legs_by_chain[2] = { 0, 1 };
+static const size_t legs_by_chain[DHGEN_LEG_COLUMNS] = { 0, 1, 1, 1, 1, 1, 1, 1, 1 };
 static const double bases[12][DHGEN_LEG_COLUMNS] = {
     {
         1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
@@ -215,9 +215,9 @@ int five_bar_ik(const double T[16], const double *q_seed, double q[2][2][2], uns
     return dhgen_parallel_ik(&robot, T, q_seed, &q[0][0][0], &status[0][0]);
 }
 
-int five_bar_ik_nearest(const double T[16], const double q_seed[2][2], double q[2][2])
+int five_bar_ik_nearest(const double T[16], const double *q_seed, double q[2][2])
 {
-    return dhgen_parallel_nearest(&robot, T, &q_seed[0][0], &q[0][0]);
+    return dhgen_parallel_nearest(&robot, T, q_seed, &q[0][0]);
 }
 
 void five_bar_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
@@ -240,9 +240,9 @@ void five_bar_ik_drives_batch(size_t n, const double *T, double *q, unsigned cha
     dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
 }
 
-void five_bar_take_drives(const double q[2][2], double drives[2])
+void five_bar_take_drives(const double *q, double drives[2])
 {
-    dhgen_take_drives(&robot, &q[0][0], drives);
+    dhgen_take_drives(&robot, q, drives);
 }
 
 int five_bar_fk(const double drives[2], const double T_seed[16], double T[16], double q[2][2])
@@ -255,12 +255,12 @@ int five_bar_assemblies(const double drives[2], double T[2][16])
     return dhgen_assemblies(&robot, DHGEN_TWO_CIRCLES, drives, &T[0][0]);
 }
 
-int five_bar_velocities(const double T[16], const double q[2][2], double A[4], double B[4])
+int five_bar_velocities(const double T[16], const double *q, double A[4], double B[4])
 {
-    return dhgen_parallel_velocities(&robot, T, &q[0][0], A, B);
+    return dhgen_parallel_velocities(&robot, T, q, A, B);
 }
 
-int five_bar_singularities(const double T[16], const double q[2][2], double least[2])
+int five_bar_singularities(const double T[16], const double *q, double least[2])
 {
-    return dhgen_parallel_singularities(&robot, T, &q[0][0], least);
+    return dhgen_parallel_singularities(&robot, T, q, least);
 }

@@ -23,7 +23,7 @@ enum {
     FIVE_BAR_LEGS = 2,
     FIVE_BAR_JOINTS = 2, /* of a leg, passive ones among them */
     FIVE_BAR_ROWS = 2, /* branches of a leg */
-    FIVE_BAR_DRIVES = 2 /* driven joints, as many as the platform has freedoms */
+    FIVE_BAR_DOF = 2 /* of the platform, which has as many driven joints */
 };
 
 /* What a row of five_bar_ik holds. */
@@ -46,6 +46,9 @@ extern const char *const *const five_bar_branches[2];
 /* The leg and the joint of every drive, from 0. */
 extern const int five_bar_drives[2][2];
 
+/* Joint values of all legs are a double q[2][2]. Where they are read, as `const double *`, they are
+ * passed as q[0]: C99 takes no pointer to arrays for one to arrays of constants. */
+
 /* All solutions of all legs. Row b of a leg is always its branch b. q_seed gives the values of
  * joints that are indeterminate at this pose (NULL: zeros).
  * Returns how many working modes there are, the product of the legs' rows that are OK or
@@ -58,7 +61,7 @@ int five_bar_ik(const double T[16], const double *q_seed, double q[2][2][2], uns
  * Returns FIVE_BAR_OK or FIVE_BAR_FREE_JOINT, or, with NaN in q, minus what is wrong with a
  * leg: FIVE_BAR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that
  * is not finite. */
-int five_bar_ik_nearest(const double T[16], const double q_seed[2][2], double q[2][2]);
+int five_bar_ik_nearest(const double T[16], const double *q_seed, double q[2][2]);
 
 /* five_bar_ik without a seed for n poses: T holds n x 16 numbers,
  * q n x 2 x 2 x 2, status n x 2 x 2. */
@@ -72,7 +75,7 @@ int five_bar_ik_drives(const double T[16], double q[2][2][1], unsigned char stat
 void five_bar_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 /* The values of the driven joints. */
-void five_bar_take_drives(const double q[2][2], double drives[2]);
+void five_bar_take_drives(const double *q, double drives[2]);
 
 /* The pose of the platform that drives' values make, and the joint values of all legs, refined from
  * T_seed: a pose nearby that the legs reach.
@@ -91,7 +94,7 @@ int five_bar_assemblies(const double drives[2], double T[2][16]);
  * (vx, vy), qdot those of the drives. Returns FIVE_BAR_OK, or, with NaN in A
  * and B, -FIVE_BAR_FREE_JOINT where passive joints of a leg depend on each other, so that A and B
  * are not determined, or -FIVE_BAR_INVALID_POSE, also for joint values that are not finite. */
-int five_bar_velocities(const double T[16], const double q[2][2], double A[4], double B[4]);
+int five_bar_velocities(const double T[16], const double *q, double A[4], double B[4]);
 
 /* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
  * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
@@ -99,7 +102,7 @@ int five_bar_velocities(const double T[16], const double q[2][2], double A[4], d
  * Returns FIVE_BAR_OK; FIVE_BAR_FREE_JOINT where passive joints of a leg depend on each other:
  * the platform loses a motion, least[0] is 0 and least[1] NaN; or, with NaN in least,
  * -FIVE_BAR_INVALID_POSE, likewise. */
-int five_bar_singularities(const double T[16], const double q[2][2], double least[2]);
+int five_bar_singularities(const double T[16], const double *q, double least[2]);
 
 #ifdef __cplusplus
 }

@@ -39,6 +39,7 @@ NAME = "five_bar"
 METHOD = "legs"
 TASK = "[x, y]"
 LEGS = 2
+DOF = 2  # of the platform, which has as many driven joints
 JOINTS = 2  # of a leg, passive ones among them
 CHAINS = ("five_bar_leg", "five_bar_leg", )
 _MODULES = tuple(map(_leg, CHAINS))

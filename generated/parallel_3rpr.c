@@ -135,7 +135,7 @@ static const struct dhgen_parallel robot = {
 
 /* The legs chain by chain, side by side. */
 static const int first_leg[2] = { 0, 3 };
-static const size_t legs_by_chain[3] = { 0, 1, 2 };
+static const size_t legs_by_chain[DHGEN_LEG_COLUMNS] = { 0, 1, 2, 2, 2, 2, 2, 2, 2, 2 };
 static const double bases[12][DHGEN_LEG_COLUMNS] = {
     {
         1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
@@ -230,9 +230,9 @@ int parallel_3rpr_ik(const double T[16], const double *q_seed, double q[3][2][2]
     return dhgen_parallel_ik(&robot, T, q_seed, &q[0][0][0], &status[0][0]);
 }
 
-int parallel_3rpr_ik_nearest(const double T[16], const double q_seed[3][2], double q[3][2])
+int parallel_3rpr_ik_nearest(const double T[16], const double *q_seed, double q[3][2])
 {
-    return dhgen_parallel_nearest(&robot, T, &q_seed[0][0], &q[0][0]);
+    return dhgen_parallel_nearest(&robot, T, q_seed, &q[0][0]);
 }
 
 void parallel_3rpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
@@ -255,9 +255,9 @@ void parallel_3rpr_ik_drives_batch(size_t n, const double *T, double *q, unsigne
     dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
 }
 
-void parallel_3rpr_take_drives(const double q[3][2], double drives[3])
+void parallel_3rpr_take_drives(const double *q, double drives[3])
 {
-    dhgen_take_drives(&robot, &q[0][0], drives);
+    dhgen_take_drives(&robot, q, drives);
 }
 
 int parallel_3rpr_fk(const double drives[3], const double T_seed[16], double T[16], double q[3][2])
@@ -270,12 +270,12 @@ int parallel_3rpr_assemblies(const double drives[3], double T[6][16])
     return dhgen_assemblies(&robot, DHGEN_THREE_CIRCLES, drives, &T[0][0]);
 }
 
-int parallel_3rpr_velocities(const double T[16], const double q[3][2], double A[9], double B[9])
+int parallel_3rpr_velocities(const double T[16], const double *q, double A[9], double B[9])
 {
-    return dhgen_parallel_velocities(&robot, T, &q[0][0], A, B);
+    return dhgen_parallel_velocities(&robot, T, q, A, B);
 }
 
-int parallel_3rpr_singularities(const double T[16], const double q[3][2], double least[2])
+int parallel_3rpr_singularities(const double T[16], const double *q, double least[2])
 {
-    return dhgen_parallel_singularities(&robot, T, &q[0][0], least);
+    return dhgen_parallel_singularities(&robot, T, q, least);
 }

@@ -24,7 +24,7 @@ enum {
     PARALLEL_3RPR_LEGS = 3,
     PARALLEL_3RPR_JOINTS = 2, /* of a leg, passive ones among them */
     PARALLEL_3RPR_ROWS = 2, /* branches of a leg */
-    PARALLEL_3RPR_DRIVES = 3 /* driven joints, as many as the platform has freedoms */
+    PARALLEL_3RPR_DOF = 3 /* of the platform, which has as many driven joints */
 };
 
 /* What a row of parallel_3rpr_ik holds. */
@@ -47,6 +47,9 @@ extern const char *const *const parallel_3rpr_branches[3];
 /* The leg and the joint of every drive, from 0. */
 extern const int parallel_3rpr_drives[3][2];
 
+/* Joint values of all legs are a double q[3][2]. Where they are read, as `const double *`, they are
+ * passed as q[0]: C99 takes no pointer to arrays for one to arrays of constants. */
+
 /* All solutions of all legs. Row b of a leg is always its branch b. q_seed gives the values of
  * joints that are indeterminate at this pose (NULL: zeros).
  * Returns how many working modes there are, the product of the legs' rows that are OK or
@@ -59,7 +62,7 @@ int parallel_3rpr_ik(const double T[16], const double *q_seed, double q[3][2][2]
  * Returns PARALLEL_3RPR_OK or PARALLEL_3RPR_FREE_JOINT, or, with NaN in q, minus what is wrong with
  * a leg: PARALLEL_3RPR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */
-int parallel_3rpr_ik_nearest(const double T[16], const double q_seed[3][2], double q[3][2]);
+int parallel_3rpr_ik_nearest(const double T[16], const double *q_seed, double q[3][2]);
 
 /* parallel_3rpr_ik without a seed for n poses: T holds n x 16 numbers,
  * q n x 3 x 2 x 2, status n x 3 x 2. */
@@ -74,7 +77,7 @@ int parallel_3rpr_ik_drives(const double T[16], double q[3][2][1], unsigned char
 void parallel_3rpr_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 /* The values of the driven joints. */
-void parallel_3rpr_take_drives(const double q[3][2], double drives[3]);
+void parallel_3rpr_take_drives(const double *q, double drives[3]);
 
 /* The pose of the platform that drives' values make, and the joint values of all legs, refined from
  * T_seed: a pose nearby that the legs reach. Returns PARALLEL_3RPR_OK; PARALLEL_3RPR_FREE_JOINT
@@ -92,7 +95,7 @@ int parallel_3rpr_assemblies(const double drives[3], double T[6][16]);
  * (vx, vy, wz), qdot those of the drives. Returns PARALLEL_3RPR_OK, or, with NaN in A and B,
  * -PARALLEL_3RPR_FREE_JOINT where passive joints of a leg depend on each other, so that A and B are
  * not determined, or -PARALLEL_3RPR_INVALID_POSE, also for joint values that are not finite. */
-int parallel_3rpr_velocities(const double T[16], const double q[3][2], double A[9], double B[9]);
+int parallel_3rpr_velocities(const double T[16], const double *q, double A[9], double B[9]);
 
 /* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
  * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
@@ -100,7 +103,7 @@ int parallel_3rpr_velocities(const double T[16], const double q[3][2], double A[
  * PARALLEL_3RPR_OK; PARALLEL_3RPR_FREE_JOINT where passive joints of a leg depend on each other:
  * the platform loses a motion, least[0] is 0 and least[1] NaN; or, with NaN in least,
  * -PARALLEL_3RPR_INVALID_POSE, likewise. */
-int parallel_3rpr_singularities(const double T[16], const double q[3][2], double least[2]);
+int parallel_3rpr_singularities(const double T[16], const double *q, double least[2]);
 
 #ifdef __cplusplus
 }

@@ -41,6 +41,7 @@ NAME = "parallel_3rpr"
 METHOD = "legs"
 TASK = "[x, y, yaw]"
 LEGS = 3
+DOF = 3  # of the platform, which has as many driven joints
 JOINTS = 2  # of a leg, passive ones among them
 CHAINS = ("parallel_3rpr_leg", "parallel_3rpr_leg", "parallel_3rpr_leg", )
 _MODULES = tuple(map(_leg, CHAINS))

@@ -188,7 +188,7 @@ static const struct dhgen_parallel robot = {
 
 /* The legs chain by chain, side by side. */
 static const int first_leg[2] = { 0, 6 };
-static const size_t legs_by_chain[6] = { 0, 1, 2, 3, 4, 5 };
+static const size_t legs_by_chain[DHGEN_LEG_COLUMNS] = { 0, 1, 2, 3, 4, 5, 5, 5, 5, 5, 5, 5, 5 };
 static const double bases[12][DHGEN_LEG_COLUMNS] = {
     {
         1.0, -0.5, -0.5, 1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
@@ -306,9 +306,9 @@ int stewart_ik(const double T[16], const double *q_seed, double q[6][4][3], unsi
     return dhgen_parallel_ik(&robot, T, q_seed, &q[0][0][0], &status[0][0]);
 }
 
-int stewart_ik_nearest(const double T[16], const double q_seed[6][3], double q[6][3])
+int stewart_ik_nearest(const double T[16], const double *q_seed, double q[6][3])
 {
-    return dhgen_parallel_nearest(&robot, T, &q_seed[0][0], &q[0][0]);
+    return dhgen_parallel_nearest(&robot, T, q_seed, &q[0][0]);
 }
 
 void stewart_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
@@ -331,9 +331,9 @@ void stewart_ik_drives_batch(size_t n, const double *T, double *q, unsigned char
     dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
 }
 
-void stewart_take_drives(const double q[6][3], double drives[6])
+void stewart_take_drives(const double *q, double drives[6])
 {
-    dhgen_take_drives(&robot, &q[0][0], drives);
+    dhgen_take_drives(&robot, q, drives);
 }
 
 int stewart_fk(const double drives[6], const double T_seed[16], double T[16], double q[6][3])
@@ -341,12 +341,12 @@ int stewart_fk(const double drives[6], const double T_seed[16], double T[16], do
     return dhgen_parallel_fk(&robot, drives, T_seed, T, &q[0][0]);
 }
 
-int stewart_velocities(const double T[16], const double q[6][3], double A[36], double B[36])
+int stewart_velocities(const double T[16], const double *q, double A[36], double B[36])
 {
-    return dhgen_parallel_velocities(&robot, T, &q[0][0], A, B);
+    return dhgen_parallel_velocities(&robot, T, q, A, B);
 }
 
-int stewart_singularities(const double T[16], const double q[6][3], double least[2])
+int stewart_singularities(const double T[16], const double *q, double least[2])
 {
-    return dhgen_parallel_singularities(&robot, T, &q[0][0], least);
+    return dhgen_parallel_singularities(&robot, T, q, least);
 }

@@ -23,7 +23,7 @@ enum {
     STEWART_LEGS = 6,
     STEWART_JOINTS = 3, /* of a leg, passive ones among them */
     STEWART_ROWS = 4, /* branches of a leg */
-    STEWART_DRIVES = 6 /* driven joints, as many as the platform has freedoms */
+    STEWART_DOF = 6 /* of the platform, which has as many driven joints */
 };
 
 /* What a row of stewart_ik holds. */
@@ -46,6 +46,9 @@ extern const char *const *const stewart_branches[6];
 /* The leg and the joint of every drive, from 0. */
 extern const int stewart_drives[6][2];
 
+/* Joint values of all legs are a double q[6][3]. Where they are read, as `const double *`, they are
+ * passed as q[0]: C99 takes no pointer to arrays for one to arrays of constants. */
+
 /* All solutions of all legs. Row b of a leg is always its branch b. q_seed gives the values of
  * joints that are indeterminate at this pose (NULL: zeros).
  * Returns how many working modes there are, the product of the legs' rows that are OK or
@@ -58,7 +61,7 @@ int stewart_ik(const double T[16], const double *q_seed, double q[6][4][3], unsi
  * Returns STEWART_OK or STEWART_FREE_JOINT, or, with NaN in q, minus what is wrong with a
  * leg: STEWART_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that
  * is not finite. */
-int stewart_ik_nearest(const double T[16], const double q_seed[6][3], double q[6][3]);
+int stewart_ik_nearest(const double T[16], const double *q_seed, double q[6][3]);
 
 /* stewart_ik without a seed for n poses: T holds n x 16 numbers,
  * q n x 6 x 4 x 3, status n x 6 x 4. */
@@ -72,7 +75,7 @@ int stewart_ik_drives(const double T[16], double q[6][4][1], unsigned char statu
 void stewart_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 /* The values of the driven joints. */
-void stewart_take_drives(const double q[6][3], double drives[6]);
+void stewart_take_drives(const double *q, double drives[6]);
 
 /* The pose of the platform that drives' values make, and the joint values of all legs, refined from
  * T_seed: a pose nearby that the legs reach.
@@ -86,7 +89,7 @@ int stewart_fk(const double drives[6], const double T_seed[16], double T[16], do
  * (vx, vy, vz, wx, wy, wz), qdot those of the drives. Returns STEWART_OK, or, with NaN in A
  * and B, -STEWART_FREE_JOINT where passive joints of a leg depend on each other, so that A and B
  * are not determined, or -STEWART_INVALID_POSE, also for joint values that are not finite. */
-int stewart_velocities(const double T[16], const double q[6][3], double A[36], double B[36]);
+int stewart_velocities(const double T[16], const double *q, double A[36], double B[36]);
 
 /* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
  * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
@@ -94,7 +97,7 @@ int stewart_velocities(const double T[16], const double q[6][3], double A[36], d
  * Returns STEWART_OK; STEWART_FREE_JOINT where passive joints of a leg depend on each other:
  * the platform loses a motion, least[0] is 0 and least[1] NaN; or, with NaN in least,
  * -STEWART_INVALID_POSE, likewise. */
-int stewart_singularities(const double T[16], const double q[6][3], double least[2]);
+int stewart_singularities(const double T[16], const double *q, double least[2]);
 
 #ifdef __cplusplus
 }

@@ -39,6 +39,7 @@ NAME = "stewart"
 METHOD = "legs"
 TASK = "pose"
 LEGS = 6
+DOF = 6  # of the platform, which has as many driven joints
 JOINTS = 3  # of a leg, passive ones among them
 CHAINS = ("stewart_leg", "stewart_leg", "stewart_leg", "stewart_leg", "stewart_leg", "stewart_leg", )
 _MODULES = tuple(map(_leg, CHAINS))

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import tempfile
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from dhgen.atomic_write import write_files
 from dhgen.compiler import Compilation, compile_loaded, source_name, verified, worked_out
+from dhgen.errors import UnsolvedError
+from dhgen.kinematics.build import build_chain
 from dhgen.parallel.module import LegModule, ParallelModule, elimination_of
 from dhgen.parallel.printing import parallel_document
 from dhgen.parallel.targets import parallel_files
+from dhgen.paul.mobility import surplus
+from dhgen.paul.refusal.redundancy import why_redundant
 from dhgen.robot_files import ParallelFile
 
 if TYPE_CHECKING:
@@ -21,8 +26,10 @@ if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.parallel.robot import ParallelRobot
     from dhgen.parallel.verify import ParallelReport
-    from dhgen.robot_files import AnyFile
+    from dhgen.robot_files import AnyFile, RobotFile
     from dhgen.targets.module import SolverModule
+
+Made = TypeVar("Made")
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +82,8 @@ def compile_parallel(
 ) -> ParallelCompilation:
     """The same of a parallel robot."""
     chains = tuple(
-        compile_loaded(chain, tell, out=out, single_file=single_file) for chain in file.chains
+        _of_legs(file, chain, partial(compile_loaded, out=out, single_file=single_file), tell)
+        for chain in file.chains
     )
     module = _joined(file, [each.module for each in chains], out)
     files: dict[str, str] = {}
@@ -94,8 +102,33 @@ def parallel_stories(
     Raises:
         UnsolvedError: No derivation solves a leg.
     """
-    made = [worked_out(chain, tell) for chain in file.chains]
+    made = [_of_legs(file, chain, worked_out, tell) for chain in file.chains]
     return _joined(file, [solver for _, solver in made], None), tuple(story for story, _ in made)
+
+
+def _of_legs(
+    file: ParallelFile,
+    chain: RobotFile,
+    make: Callable[[RobotFile, Callable[[str], None]], Made],
+    tell: Callable[[str], None],
+) -> Made:
+    """What is made of a kind of leg, all of whose joints are to be solved for.
+
+    Raises:
+        UnsolvedError: It can't be, or joints of the leg depend on each other; the message begins
+            with the numbers of the legs.
+    """
+    alike = [n for n, leg in enumerate(file.robot.legs, 1) if leg.chain == chain.robot]
+    which = f"leg{'s' * (len(alike) > 1)} {', '.join(map(str, alike))}"
+    model = build_chain(chain.robot)
+    spare = surplus(model)
+    if spare.count and not chain.robot.numerical:
+        first, *others = why_redundant(model, spare)
+        raise UnsolvedError("\n".join([f"{which}: {first}", *others]))
+    try:
+        return make(chain, tell)
+    except UnsolvedError as error:
+        raise UnsolvedError(f"{which}: {error}") from error
 
 
 def _joined(
@@ -119,6 +152,7 @@ def verified_parallel(
     """Writes the files to a passing folder and proves them there, the legs' chains first.
 
     Raises:
+        ImmobileError: The legs can't move the platform.
         VerificationError: They are not as promised.
     """
     from dhgen.parallel.verify import verify_parallel  # noqa: PLC0415  the runtime takes its time

@@ -50,7 +50,7 @@ class Driven:
         count: How many chains there are.
         ends: How many numbers `first` has: one more.
         first: The place of each chain's first leg among `legs`, and of none behind the last.
-        legs: The legs, chain by chain, from 0.
+        legs: The legs, chain by chain, from 0, and the last one again for lanes behind it.
         base: The lines of a table: from the robot's base to those of the legs, an entry a line.
         end: The same of what they carry.
     """
@@ -74,7 +74,8 @@ def driven(module: ParallelModule) -> Driven:
     first = [0]
     for numbers in by_chain.values():
         first.append(first[-1] + len(numbers))
-    in_lanes = [module.legs[number].leg for number in [*legs, *legs[-1:] * (LANES - 1)]]
+    in_lanes = [*legs, *legs[-1:] * (LANES - 1)]
+    padded = [module.legs[number].leg for number in in_lanes]
     return Driven(
         drives=module.driven,
         chains=[
@@ -84,9 +85,9 @@ def driven(module: ParallelModule) -> Driven:
         count=len(by_chain),
         ends=len(first),
         first=", ".join(map(str, first)),
-        legs=", ".join(map(str, legs)),
-        base=_columns(inverse(leg.base) for leg in in_lanes),
-        end=_columns(leg.end for leg in in_lanes),
+        legs=", ".join(map(str, in_lanes)),
+        base=_columns(inverse(leg.base) for leg in padded),
+        end=_columns(leg.end for leg in padded),
     )
 
 

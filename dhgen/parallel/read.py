@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from dhgen.parallel.mobility import counted, faults
 from dhgen.parallel.robot import Leg, ParallelRobot
@@ -83,15 +83,17 @@ class _Reading:
 
     def robot(self) -> ParallelRobot | None:
         self._refuse_keys()
+        task = self._task()
         whole = Assembly(self.report, self.shape, self.cells)
         units, parameters = whole.beginning()
         paths = [(LEGS, i) for i in range(self.report.document.count((LEGS,)))]
         read = [leg for path in paths if (leg := self._leg(path)) is not None]
         whole.note_cells(units)
+        if task is not None:
+            self._demand_what_the_task_takes(task, read)
         file = self.shape.file
-        if file is None or len(read) < len(paths) or self.report.errors:
+        if file is None or task is None or len(read) < len(paths) or self.report.errors:
             return None
-        task = task_of(file.task)
         if not self._is_movable(task, read):
             return None
         drawn = [self._chain(file, parameters, units.length, leg, task) for leg in read]
@@ -116,18 +118,31 @@ class _Reading:
                 message = f"'{key}' is for serial robots: this one has legs"
                 self.report.error_at_key((key,), message)
 
+    def _task(self) -> Task | None:
+        """What the platform does; None where that is no task of a robot with legs."""
+        if not self.shape.right(("task",)):
+            return None
+        written = self.report.document.plain(("task",)) if self._has_task else POSE.text
+        task = task_of(cast("str | list[str]", written))
+        if task in OF_A_POINT:
+            return task
+        allowed = ", ".join(each.text for each in OF_A_POINT)
+        self.report.error(("task",), f"the task of a robot with legs is one of {allowed}")
+        return None
+
+    @property
+    def _has_task(self) -> bool:
+        return self.report.document.has("task")
+
     def _leg(self, path: Path) -> _Read | None:
         if not isinstance(self.report.document.plain(path), dict):
             return None  # which is told already
         entry = self.shape.section(path, LegEntry)
         own = Assembly(self.report, self.shape, self.cells, path)
         geometry, base, frame = own.geometry(), own.frame("base"), own.frame("frame")
+        given = self._carried(path)
         if entry is None or geometry is None:
             return None
-        given = [key for key in ("point", "frame") if self.report.document.has(key, path)]
-        if len(given) != 1 and self.shape.right(path):
-            message = "a leg carries a point or a frame of the platform: write one of the two"
-            self.report.error_at_key((*path, given[1]) if given else path, message)
         point = read_lengths(self.cells, (*path, "point"), entry.point)
         joints = len(joints_of(geometry))
         angles = [
@@ -139,9 +154,18 @@ class _Reading:
             base=base,
             end=Frame(point, IDENTITY_FRAME.rotation) if "point" in given else frame,
             driven=self._driven(path, entry.actuated, joints),
-            carries_frame="point" not in given,
+            carries_frame="frame" in given,
             turns=tuple(map(self._turn, angles)) or (IDENTITY_FRAME,),
         )
+
+    def _carried(self, path: Path) -> Sequence[str]:
+        """The keys that say what a leg carries; other numbers of them than one are reported."""
+        written = cast("dict[str, object]", self.report.document.plain(path))
+        given = [key for key in ("point", "frame") if key in written]
+        if len(given) != 1 and written.keys() <= LegEntry.model_fields.keys():  # none misspelt
+            message = "a leg carries a point or a frame of the platform: write one of the two"
+            self.report.error_at_key((*path, given[1]) if given else path, message)
+        return given
 
     def _driven(self, path: Path, numbers: Sequence[int], joints: int) -> tuple[int, ...]:
         # of rows with mistakes there is no joint, and that is no mistake of the numbers
@@ -162,28 +186,29 @@ class _Reading:
 
     def _is_movable(self, task: Task, legs: Sequence[_Read]) -> bool:
         """Whether legs can move a platform as a task says; if not, why is reported."""
-        if task not in OF_A_POINT:
-            allowed = ", ".join(each.text for each in OF_A_POINT)
-            self.report.error(("task",), f"the task of a robot with legs is one of {allowed}")
-            return False
         each = [leg for leg in legs for _ in leg.turns]
         if len(each) < 2:
             message = "a parallel robot has two legs at least; one alone is a serial robot"
             self.report.error_at_key((LEGS,), message)
             return False
+        if task in (PLANE, TURNED_PLANE):
+            for leg in legs:
+                self._demand_slides_in_the_plane(leg)
+        joints = [len(joints_of(leg.geometry)) for leg in each]
+        driven = sum(len(leg.driven) for leg in each)
+        meant = "" if self._has_task else "; without `task` it is the whole pose"
+        for fault in faults(counted(task, joints, [not leg.carries_frame for leg in each], driven)):
+            self.report.error_at_key((LEGS,), f"{fault}{meant}")
+        return not self.report.errors
+
+    def _demand_what_the_task_takes(self, task: Task, legs: Sequence[_Read]) -> None:
+        """Reports frames that the task can't move so."""
         for leg in legs:
             if leg.carries_frame and task not in OF_A_FRAME:
                 message = f"the task {task.text} names no orientation: the leg carries a point"
                 self.report.error_at_key((*leg.path, "frame"), message)
             if task in (PLANE, TURNED_PLANE):
                 self._demand_level(leg)
-                self._demand_slides_in_the_plane(leg)
-        joints = [len(joints_of(leg.geometry)) for leg in each]
-        driven = sum(len(leg.driven) for leg in each)
-        meant = "" if self.report.document.has("task") else "; without `task` it is the whole pose"
-        for fault in faults(counted(task, joints, [not leg.carries_frame for leg in each], driven)):
-            self.report.error_at_key((LEGS,), f"{fault}{meant}")
-        return not self.report.errors
 
     def _are_apart(self, legs: Sequence[Leg]) -> bool:
         """Whether no leg stands where another one does; if one does, it is reported."""

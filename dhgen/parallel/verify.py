@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.errors import VerificationError
+from dhgen.errors import ImmobileError, VerificationError
 from dhgen.parallel.native import Native, compiled
-from dhgen.parallel.worked import DRAWN, reached, square, turn_about
+from dhgen.parallel.worked import DRAWN, drawn_poses, reached, square, turn_about
 from dhgen.runtime.python.platform import SINGULAR_PLATFORM, driven_of_rows
 from dhgen.status import Status
 from dhgen.survey.oracle.forward import forward
@@ -69,6 +69,7 @@ def verify_parallel(
     """Checks the files of a parallel robot as they lie in a folder.
 
     Raises:
+        ImmobileError: The legs can't move the platform.
         VerificationError: Something is not as promised.
     """
     python = import_temporary(folder / f"{module.name}.py")
@@ -89,14 +90,27 @@ def reachable(module: ParallelModule, python: ModuleType, count: int, seed: int 
     """Poses of the platform that all legs reach within their limits.
 
     Raises:
-        VerificationError: There is hardly any.
+        ImmobileError: There is hardly any.
     """
     found = reached(module, lambda T: are_inside(python.ik_batch(T)[1]), count, seed, TRIES)
     if len(found) == count:
         return found
-    raise VerificationError(
-        f"{module.name}: of {TRIES * DRAWN} poses that leg 1 reaches the others reach "
-        f"{len(found)}: do the legs' limits, and their places, let the platform move?"
+    raise ImmobileError(
+        f"within their limits all legs reach {len(found)} of {TRIES * DRAWN} poses of the platform "
+        f"that leg 1 can take, {_without_limits(module, python, seed)}"
+    )
+
+
+def _without_limits(module: ParallelModule, python: ModuleType, seed: int) -> str:
+    """What legs that hardly reach poses together reach without limits, and what to look at."""
+    status = python.ik_batch(drawn_poses(module, np.random.default_rng(seed)))[1]
+    by_leg = ((status != Status.UNREACHABLE) & (status != Status.INVALID_POSE)).any(axis=2)
+    if together := int(by_leg.all(axis=1).sum()):
+        return f"and without limits {together} of {DRAWN}: look at the limits"
+    least = int(by_leg.sum(axis=0).argmin())
+    return (
+        f"and without limits none of {DRAWN} (leg {least + 1} {by_leg[:, least].sum()}): look at "
+        "the legs' lengths, where they stand and what they carry"
     )
 
 
@@ -256,14 +270,14 @@ class _Checker:
     def drives_hold(self) -> None:
         """At some pose the drives move the platform in all ways, and hold it."""
         first, second = np.max(self._least, axis=0)
-        every = f"{self._module.name}: at all {len(self._least)} poses"
+        every = f"at all {len(self._least)} poses"
         if first <= SINGULAR_PLATFORM:
-            raise VerificationError(
+            raise ImmobileError(
                 f"{every} a drive does not move what its leg carries: do the legs drive the right "
                 "joints?"
             )
         if second <= SINGULAR_PLATFORM:
-            raise VerificationError(
+            raise ImmobileError(
                 f"{every} the platform can move while its drives are held: where the legs stand, "
                 "and what they carry, leaves it a motion that the count of freedoms does not see"
             )

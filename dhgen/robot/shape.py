@@ -106,7 +106,9 @@ def length_message(path: Path, details: ErrorDetails) -> str:
     bound = context.get("min_length", context.get("max_length"))
     if path[-1] == "legs":
         return f"a robot has 2 to {MAX_LEGS} legs, not {count}"
-    if path[-1] in {"actuated", "turned"}:
+    if path[-1] == "actuated":
+        return "a leg has one driven joint at least: none may only guide the platform"
+    if path[-1] == "turned":
         return f"expected 1 to {MAX_LEGS} values, not {count}: {_form(path)}"
     if path[-1] in {"joints", "axes"}:
         return f"a robot has 1 to {MAX_JOINTS} joints, not {count}"

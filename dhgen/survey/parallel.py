@@ -17,6 +17,7 @@ from dhgen.parallel.native import compiled
 from dhgen.parallel.worked import reached, square
 from dhgen.survey.ask import Random, Singular, Tally, ask_singular
 from dhgen.survey.oracle.arm import arm, arm_size
+from dhgen.survey.recall import Recall, ask_recall
 from dhgen.survey.table import Answers
 from dhgen.survey.trial import Trial
 from dhgen.verify.demands import RESIDUAL
@@ -37,13 +38,14 @@ SINGULAR_SHARE = 4  # random poses for one of each singular kind of a leg
 
 
 def parallel_answers(
-    made: ParallelCompilation, poses: int, cpu: float, tell: Callable[[str], None]
+    made: ParallelCompilation, poses: int, recall: int, cpu: float, tell: Callable[[str], None]
 ) -> Answers:
     """How the solver of a parallel robot does.
 
     Args:
         made: The robot.
         poses: How many random poses of the platform it is asked.
+        recall: On how many of each kind of leg only its own joint values are looked for.
         cpu: What it took to make it [s].
         tell: Is told what is being done.
     """
@@ -60,13 +62,16 @@ def parallel_answers(
         tell(f"{made.module.name}: singular poses of its legs")
         count = -(-poses // SINGULAR_SHARE)
         singular = [ask_singular(trial, count, RESIDUAL) for trial in trials.values()]
-    return _counted(made, random, singular, poses, cpu)
+        tell(f"{made.module.name}: looking for its legs' own joint values on {recall} random poses")
+        recalled = [ask_recall(trial, recall) for trial in trials.values()]
+    return _counted(made, random, singular, recalled, poses, cpu)
 
 
 def _counted(
     made: ParallelCompilation,
     random: Random,
     singular: list[Singular],
+    recalled: list[Recall],
     poses: int,
     cpu: float,
 ) -> Answers:
@@ -85,9 +90,13 @@ def _counted(
         bound=RESIDUAL,
         singular=sum(each.poses for each in singular),
         answered=answered,
-        tried=0,
-        recalled=0,
-        faults=(*random.faults, *(fault for each in singular for fault in each.faults)),
+        tried=sum(each.poses for each in recalled),
+        recalled=sum(each.recalled for each in recalled),
+        faults=(
+            *random.faults,
+            *(fault for each in singular for fault in each.faults),
+            *(fault for each in recalled for fault in each.faults),
+        ),
     )
 
 

@@ -76,7 +76,7 @@ def survey_arm(
     try:
         file = read_file(source.path)
         if isinstance(file, ParallelFile):
-            return _parallel_line(file, source, poses, tell)
+            return _parallel_line(file, source, poses, recall, tell)
         robot = file.robot
         name = robot.name
         remarks = tuple(f"note: {source.tell(notice)}" for notice in robot.notices)
@@ -98,7 +98,7 @@ def survey_arm(
 
 
 def _parallel_line(
-    file: ParallelFile, source: Source, poses: int, tell: Callable[[str], None]
+    file: ParallelFile, source: Source, poses: int, recall: int, tell: Callable[[str], None]
 ) -> Line:
     """The line of a parallel robot; joints are those of its legs, each once."""
     robot = file.robot
@@ -110,7 +110,7 @@ def _parallel_line(
     start = time.process_time()
     made = compile_parallel(file, tell)
     cpu = time.process_time() - start
-    answers = parallel_answers(made, poses, cpu, tell)
+    answers = parallel_answers(made, poses, recall, cpu, tell)
     return Line(robot.name, joints, structure, answers, remarks=remarks)
 
 

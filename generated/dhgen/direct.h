@@ -4,6 +4,7 @@
 #ifndef DHGEN_DIRECT_H
 #define DHGEN_DIRECT_H
 
+#include "least_squares.h"
 #include "platform.h"
 
 /* Steps of the direct model; the longest one [rad, robot sizes]; what legs may miss the platform by
@@ -16,36 +17,15 @@
 /* Drives of two rows of a leg that differ by less are the same [rad, robot sizes]. */
 #define DHGEN_SAME_DRIVES 1e-9
 
-/* The least squares of a square system, M x = y, damped a little: it has an answer where M is
- * singular, too. M, n x n in rows of six, and y are used up. */
-DHGEN_FN void dhgen_damped(int n, double M[6][6], double *y, double *x)
+/* The solution of a square system, M x = y with M in rows of six, damped a little: it has one where
+ * M is singular, too. */
+DHGEN_FN void dhgen_direct_solution(int n, double M[6][6], const double *y, double *x)
 {
-    double S[6][6], trace = 0.0;
-    for (int i = 0; i < n; i++) {
-        x[i] = 0.0;
-        for (int j = 0; j < n; j++) {
-            S[i][j] = 0.0;
-            for (int k = 0; k < n; k++)
-                S[i][j] += M[k][i] * M[k][j];
-        }
-        for (int k = 0; k < n; k++)
-            x[i] += M[k][i] * y[k];
-        trace += S[i][i];
-    }
+    double squares = 0.0;
     for (int i = 0; i < n; i++)
-        S[i][i] += DHGEN_DIRECT_DAMPING * trace + 1e-300;
-    for (int c = 0; c < n; c++)
-        for (int i = c + 1; i < n; i++) {
-            const double factor = S[i][c] / S[c][c];
-            for (int j = c; j < n; j++)
-                S[i][j] -= factor * S[c][j];
-            x[i] -= factor * x[c];
-        }
-    for (int i = n - 1; i >= 0; i--) {
-        for (int j = i + 1; j < n; j++)
-            x[i] -= S[i][j] * x[j];
-        x[i] /= S[i][i];
-    }
+        for (int j = 0; j < n; j++)
+            squares += M[i][j] * M[i][j];
+    dhgen_least_squares(n, n, &M[0][0], 6, DHGEN_DIRECT_DAMPING * squares + 1e-300, y, x);
 }
 
 /* Moves the platform by its freedoms, lengths in robot sizes. */
@@ -139,7 +119,7 @@ DHGEN_FN double dhgen_direct_step(
             y[row] = -motion->miss[k];
         }
     }
-    dhgen_damped(robot->drives, M, y, step);
+    dhgen_direct_solution(robot->drives, M, y, step);
     for (int j = 0; j < robot->drives; j++)
         longest = fmax(longest, fabs(step[j]));
     const double share = longest > DHGEN_DIRECT_STEP ? DHGEN_DIRECT_STEP / longest : 1.0;
@@ -160,7 +140,7 @@ DHGEN_FN double dhgen_direct_step(
             for (int j = 0; j < motion->passive; j++)
                 P[k][j] = motion->J[k][j];
         }
-        dhgen_damped(motion->passive, P, r, moved);
+        dhgen_direct_solution(motion->passive, P, r, moved);
         for (int k = 0; k < motion->passive; k++)
             most = fmax(most, fabs(moved[k]));
         const double longest_turn = 2.0 * DHGEN_DIRECT_STEP;

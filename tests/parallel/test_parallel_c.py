@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+import platform
 import shutil
 import subprocess
 from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.parallel.made import GENERATED, NAMES
+from tests.parallel.made import GENERATED, NAMES, written
 from tests.structures import first_of
 
 if TYPE_CHECKING:
@@ -31,8 +32,8 @@ int main(void)
     static double q[{upper}_LEGS][{upper}_ROWS][{upper}_JOINTS];
     static double nearest[{upper}_LEGS][{upper}_JOINTS];
     static unsigned char status[{upper}_LEGS][{upper}_ROWS];
-    static double driven[{upper}_LEGS * {upper}_ROWS * {upper}_DRIVES];
-    double drives[{upper}_DRIVES], A[36], B[36], least[2], found[16];
+    static double driven[{upper}_LEGS * {upper}_ROWS * {upper}_DOF];
+    double drives[{upper}_DOF], A[36], B[36], least[2], found[16];
     int modes = 0, closed = 0;
     for (int k = 0; k < 3000; k++) {{
         double T[16] = {{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }};
@@ -48,12 +49,12 @@ int main(void)
         for (int i = 0; i < {upper}_LEGS; i++)
             for (int j = 0; j < {upper}_JOINTS; j++)
                 nearest[i][j] = 0.1;
-        if ({name}_ik_nearest(T, nearest, nearest) < 0)
+        if ({name}_ik_nearest(T, nearest[0], nearest) < 0)
             continue;
-        {name}_take_drives(nearest, drives);
+        {name}_take_drives(nearest[0], drives);
         closed += {name}_fk(drives, T, found, nearest) >= 0;
-        {name}_velocities(T, nearest, A, B);
-        {name}_singularities(T, nearest, least);
+        {name}_velocities(T, nearest[0], A, B);
+        {name}_singularities(T, nearest[0], least);
         {all}
     }}
     return modes > 5 && closed > 5 ? 0 : 1;
@@ -78,6 +79,15 @@ def test_there_are_no_warnings(compiler: str) -> None:
         assert told(compiler, *standard, *WARNINGS, *how, str(GENERATED / f"{name}.c")) == ""
 
 
+@pytest.mark.skipif(platform.machine() != "x86_64", reason="vectors of x86")
+@pytest.mark.parametrize("compiler", [name for name in COMPILERS if not name.endswith("++")])
+def test_there_are_none_where_a_chain_has_fewer_legs_than_there_are_lanes(compiler: str) -> None:
+    path = written("unequal_five_bar") / "unequal_five_bar.c"
+    for vectors in ("-mavx2", "-mavx512f"):
+        how = ("-std=c99", "-O2", vectors, "-c", "-o", os.devnull)
+        assert told(compiler, *WARNINGS, *how, str(path)) == ""
+
+
 @pytest.mark.skipif(not shutil.which("gcc"), reason="no gcc")
 @pytest.mark.parametrize("name", first_of(["parallel_3rpr", "delta", "stewart"]))
 def test_sanitizers_find_nothing(name: str, tmp_path: Path) -> None:
@@ -86,7 +96,12 @@ def test_sanitizers_find_nothing(name: str, tmp_path: Path) -> None:
     driver = tmp_path / "driver.c"
     driver.write_text(DRIVER.format(name=name, upper=name.upper(), all=every), encoding="utf-8")
     sources = (str(driver), *(str(GENERATED / f"{each}.c") for each in (name, f"{name}_leg")))
-    flags = ("-std=c99", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+    flags = (
+        "-std=c99",
+        "-pedantic-errors",
+        "-fsanitize=address,undefined",
+        "-fno-sanitize-recover=all",
+    )
     program = str(tmp_path / "driver")
     assert told("gcc", *flags, f"-I{GENERATED}", *sources, "-o", program, "-lm") == ""
     assert told(program) == ""

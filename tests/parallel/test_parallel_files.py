@@ -71,12 +71,21 @@ def test_a_leg_is_turned_about_z_on_the_base_and_on_the_platform(tmp_path: Path)
 def test_all_mistakes_are_told_at_once(tmp_path: Path) -> None:
     text = TWO.replace("a: 0.2}", "a: 0.2x}", 1).replace("actuated: [1]", "actuated: [3]", 1)
     text = text.replace("    point: [0, 0, 0]\ntask", "    ponit: [0, 0, 0]\ntask")
+    text = text.replace("task: [x, y]", "task: orientation")
     text += "free: [1]\n"
     told = mistakes(text, tmp_path)
-    assert [each.split()[0] for each in told] == ["5:23", "7:16", "14:5", "16:1"]
+    assert [each.split()[0] for each in told] == ["5:23", "7:16", "14:5", "15:7", "16:1"]
     assert "there is no joint 3: joints are numbered from 1 to 2" in told[1]
     assert "unknown key 'ponit'; did you mean 'point'?" in told[2]
-    assert "'free' is for serial robots: this one has legs" in told[3]
+    assert "the task of a robot with legs is one of pose, position, [x, y, yaw]" in told[3]
+    assert "'free' is for serial robots: this one has legs" in told[4]
+
+
+def test_what_a_leg_carries_is_asked_for_beside_its_other_mistakes(tmp_path: Path) -> None:
+    left_out = TWO.replace("actuated: [1]\n    point: [0, 0, 0]", "actuated: 1", 1)
+    carried, number = mistakes(left_out, tmp_path)
+    assert "a leg carries a point or a frame of the platform: write one of the two" in carried
+    assert "expected a list of joints, e.g. [1], not '1'" in number
 
 
 @pytest.mark.parametrize(
@@ -88,6 +97,7 @@ def test_all_mistakes_are_told_at_once(tmp_path: Path) -> None:
         ("task: [x, y]", "task: orientation", "the task of a robot with legs is one of"),
         ("base: {xyz: [0.1", "base: {rpy: [0.1, 0, 0], xyz: [0.1", "z of this base has to be"),
         ("actuated: [1]", "actuated: [2, 1]", "in ascending order"),
+        ("actuated: [1]", "actuated: []", "a leg has one driven joint at least"),
         ("      - {theta: q, a: 0.3}\n", "", "M = 1 + 2 - 2*1 = 1, less than the 2"),
         ("task: [x, y]\n", "", "the task names); without `task` it is the whole pose"),
         ("xyz: [0.1", "xyz: [-0.1", "legs 1 and 2 are the same in the same place"),

@@ -33,22 +33,22 @@ def redundant(
         before: Both without the free joints that are in the way (`open_from_the_start`).
         choices: Joints that would make good free ones.
     """
-    still = still_coordinates(chain)
-    why = [*_in_vain(still), *crowded_axes(chain), _moved(chain, spare)]
-    lines = _how_many(chain, spare, why)
+    lines = why_redundant(chain, spare)
     start, whole = before
     if whole.count == len(start.solved):
         lines.append("no joint is left to solve for: `task` must name something that the arm moves")
         return "\n".join(lines)
     ways = [_given(chain, before, choices), _other_task(chain)]
-    for way in reversed(ways) if still else ways:
+    for way in reversed(ways) if still_coordinates(chain) else ways:
         lines += way
     lines.append("--numerical would give the solution near a seed, by damped least squares")
     return "\n".join(lines)
 
 
-def _how_many(chain: Chain, spare: Surplus, why: list[str]) -> list[str]:
+def why_redundant(chain: Chain, spare: Surplus) -> list[str]:
     """How many solutions a pose has, with the reasons: infinitely many if it is in reach at all."""
+    vain = _in_vain(still_coordinates(chain))
+    why = [*vain, *crowded_axes(chain), _moved(chain, spare)]
     independent, asked = chain.dof - chain.given - spare.count, chain.task.dimension
     if independent == asked:
         first, *others = why

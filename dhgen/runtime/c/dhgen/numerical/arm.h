@@ -6,8 +6,6 @@
 
 #include "../arm.h"
 
-/* Equations, at most. */
-#define DHGEN_MOST_EQUATIONS 7
 /* Values closer than this don't decide which of two rows comes first [rad, arm sizes], and an angle
  * as close to -pi comes where pi does: where solutions meet they are known to 1e-8, and rounding,
  * which differs between machines, decides the rest. */

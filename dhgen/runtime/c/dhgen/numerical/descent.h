@@ -4,6 +4,7 @@
 #ifndef DHGEN_NUMERICAL_DESCENT_H
 #define DHGEN_NUMERICAL_DESCENT_H
 
+#include "../least_squares.h"
 #include "../tolerances.h"
 #include "arm.h"
 
@@ -203,46 +204,13 @@ DHGEN_FN void dhgen_measure_miss(struct dhgen_descent *d, const double *u)
     d->length = sqrt(square);
 }
 
-/* The damped least-squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
- * A, each with its share of the damping's root behind it, are made orthonormal one after another
- * (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994):
- * A A' would lose half of the digits. */
+/* The damped least-squares step for the miss e, `little` the least damping. */
 DHGEN_FN void dhgen_damped_step(
     const struct dhgen_descent *d, const double *e, double length, double little, double *step)
 {
-    const int solved = d->arm->solved, equations = d->arm->equations, width = solved + equations;
     const double damping = DHGEN_DESCENT_DAMPING * fmin(length * length, 1.0) + little;
-    double rows[DHGEN_MOST_EQUATIONS][DHGEN_MOST_EQUATIONS + DHGEN_JOINTS];
-    double y[DHGEN_MOST_EQUATIONS], sum[DHGEN_MOST_EQUATIONS + DHGEN_JOINTS] = { 0.0 };
-    for (int i = 0; i < equations; i++) {
-        double square = 0.0;
-        for (int j = 0; j < width; j++)
-            rows[i][j] = j < solved ? d->A[i][j] : j == solved + i ? sqrt(damping) : 0.0;
-        y[i] = e[i];
-        for (int k = 0; k < i; k++) {
-            double along = 0.0;
-            for (int j = 0; j < width; j++)
-                along += rows[k][j] * rows[i][j];
-            for (int j = 0; j < width; j++)
-                rows[i][j] -= along * rows[k][j];
-            y[i] -= along * y[k];
-        }
-        for (int j = 0; j < width; j++)
-            square += rows[i][j] * rows[i][j];
-        const double inverse = 1.0 / sqrt(square);
-        y[i] *= inverse;
-        for (int j = 0; j < width; j++)
-            rows[i][j] *= inverse;
-    }
-    for (int i = equations - 1; i >= 0; i--) {
-        double missing = y[i];
-        for (int j = 0; j < width; j++)
-            missing -= rows[i][j] * sum[j];
-        for (int j = 0; j < width; j++)
-            sum[j] += missing * rows[i][j];
-    }
-    for (int j = 0; j < solved; j++)
-        step[j] = sum[j];
+    dhgen_least_squares(
+        d->arm->equations, d->arm->solved, &d->A[0][0], DHGEN_JOINTS, damping, e, step);
 }
 
 /* Makes a step, no longer than it may be. Returns what its curvature leaves, half of its square. */
