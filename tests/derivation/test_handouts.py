@@ -225,7 +225,9 @@ def test_html_fits_the_window(tmp_path: Path) -> None:
         for width in (946, 700)
     ]
     page = tmp_path / "handouts.html"
-    page.write_text(f"<body>{MEASURE}{''.join(frames)}</body>", encoding="utf-8")
+    # Without its encoding the browser guesses that from what of the file it has read by then.
+    head = '<meta charset="utf-8">'
+    page.write_text(f"{head}<body>{MEASURE}{''.join(frames)}</body>", encoding="utf-8")
     assert BROWSER is not None
     options = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"]
     options += [f"--user-data-dir={tmp_path}/own", "--dump-dom", page.as_uri()]
