@@ -51,6 +51,18 @@ def test_inverse_by_the_document_gives_the_pose_eight_times() -> None:
             assert_close(forward(robot("rrprrr"), document_inverse(T, *signs)), T, 1e3)
 
 
+def test_its_signs_are_those_of_rows_but_for_that_of_the_wrist() -> None:
+    """D = -e1 sqrt(t14^2 + t24^2) there; e5 is minus the sign of the step for joint 4."""
+    q = random_joints(robot("rrprrr"), 20)
+    T = np.array([forward(robot("rrprrr"), each) for each in q])
+    found = interpret(story("rrprrr").program, T, np.zeros_like(q), np.zeros((20, 0)))
+    for pose, rows in zip(T, found.q, strict=True):
+        for row, (e1, e2, e4) in zip(rows, product((1, -1), repeat=3), strict=True):
+            off = row - document_inverse(pose, -e1, e2, -e4)
+            off[[0, 1, 3, 4, 5]] = np.angle(np.exp(1j * off[[0, 1, 3, 4, 5]]))
+            assert_close(off, np.zeros(6), 1e4)
+
+
 def document_inverse(T: FloatArray, e1: int, e2: int, e5: int) -> list[float]:
     """The algorithm away from the singular poses."""
     (t11, _, t13, t14), (t21, _, t23, t24), (t31, _, t33, t34) = T[:3]
