@@ -279,8 +279,8 @@ const char *const *const delta_branches[3] = {
 
 const int delta_drives[3][2] = { { 0, 0 }, { 1, 0 }, { 2, 0 } };
 
-int delta_ik(const double T[16], const double *q_seed, double q[3][4][3], unsigned char
-    status[3][4])
+int delta_ik(const double T[16], const double *q_seed,
+    double q[3][4][3], unsigned char status[3][4])
 {
     return dhgen_parallel_ik(&robot, T, q_seed, &q[0][0][0], &status[0][0]);
 }

@@ -54,8 +54,8 @@ extern const int delta_drives[3][2];
  * Returns how many working modes there are, the product of the legs' rows that are OK or
  * FREE_JOINT, or -DELTA_INVALID_POSE, also for a seed that is not finite where it may be
  * needed. */
-int delta_ik(const double T[16], const double *q_seed, double q[3][4][3], unsigned char
-    status[3][4]);
+int delta_ik(const double T[16], const double *q_seed,
+    double q[3][4][3], unsigned char status[3][4]);
 
 /* Of every leg the solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns DELTA_OK or DELTA_FREE_JOINT, or, with NaN in q, minus what is wrong with a

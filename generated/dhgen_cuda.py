@@ -79,7 +79,7 @@ def cuda(module: ModuleType) -> Solver:
         NoDriver: There is no driver.
         NoCompiler: There is no NVRTC.
     """
-    if not hasattr(module, "ik_all") or not hasattr(module, "DOF"):
+    if not hasattr(module, "ik_all") or hasattr(module, "LEGS"):
         wanted = "a serial arm's module, as in 'import scara; dhgen_cuda.cuda(scara)'"
         raise TypeError(f"cuda takes {wanted}, not {module!r}")
     source = Path(str(module.__file__)).with_suffix(".c")

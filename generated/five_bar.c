@@ -209,8 +209,8 @@ const char *const *const five_bar_branches[2] = {
 
 const int five_bar_drives[2][2] = { { 0, 0 }, { 1, 0 } };
 
-int five_bar_ik(const double T[16], const double *q_seed, double q[2][2][2], unsigned char
-    status[2][2])
+int five_bar_ik(const double T[16], const double *q_seed,
+    double q[2][2][2], unsigned char status[2][2])
 {
     return dhgen_parallel_ik(&robot, T, q_seed, &q[0][0][0], &status[0][0]);
 }

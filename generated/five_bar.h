@@ -54,8 +54,8 @@ extern const int five_bar_drives[2][2];
  * Returns how many working modes there are, the product of the legs' rows that are OK or
  * FREE_JOINT, or -FIVE_BAR_INVALID_POSE, also for a seed that is not finite where it may be
  * needed. */
-int five_bar_ik(const double T[16], const double *q_seed, double q[2][2][2], unsigned char
-    status[2][2]);
+int five_bar_ik(const double T[16], const double *q_seed,
+    double q[2][2][2], unsigned char status[2][2]);
 
 /* Of every leg the solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns FIVE_BAR_OK or FIVE_BAR_FREE_JOINT, or, with NaN in q, minus what is wrong with a

@@ -41,13 +41,13 @@ TASK = "[x, y]"
 LEGS = 2
 DOF = 2  # of the platform, which has as many driven joints
 JOINTS = 2  # of a leg, passive ones among them
-CHAINS = ("five_bar_leg", "five_bar_leg", )
+CHAINS = ("five_bar_leg", "five_bar_leg")
 _MODULES = tuple(map(_leg, CHAINS))
 JOINT_TYPES = tuple(each.JOINT_TYPES for each in _MODULES)
 JOINT_LIMITS = tuple(each.JOINT_LIMITS for each in _MODULES)
 BRANCHES = tuple(each.BRANCHES for each in _MODULES)
 MAX_SOLUTIONS = 2  # of a leg
-DRIVES = ((0, 0), (1, 0), )  # leg and joint, from 0
+DRIVES = ((0, 0), (1, 0))  # leg and joint, from 0
 ASSEMBLIES = 2  # poses of given drives at most; 0 where that is not known
 
 # What a row of ik_all holds.
@@ -93,7 +93,7 @@ _PLACES = (
         ],
     ),
 )
-_COUNTED = ((0, 1), (0, 1), )
+_COUNTED = ((0, 1), (0, 1))
 
 _PLATFORM = _parallel.Platform(
     legs=tuple(

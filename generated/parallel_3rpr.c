@@ -224,8 +224,8 @@ const char *const *const parallel_3rpr_branches[3] = {
 
 const int parallel_3rpr_drives[3][2] = { { 0, 1 }, { 1, 1 }, { 2, 1 } };
 
-int parallel_3rpr_ik(const double T[16], const double *q_seed, double q[3][2][2], unsigned char
-    status[3][2])
+int parallel_3rpr_ik(const double T[16], const double *q_seed,
+    double q[3][2][2], unsigned char status[3][2])
 {
     return dhgen_parallel_ik(&robot, T, q_seed, &q[0][0][0], &status[0][0]);
 }

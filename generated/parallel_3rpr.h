@@ -55,8 +55,8 @@ extern const int parallel_3rpr_drives[3][2];
  * Returns how many working modes there are, the product of the legs' rows that are OK or
  * FREE_JOINT, or -PARALLEL_3RPR_INVALID_POSE, also for a seed that is not finite where it may be
  * needed. */
-int parallel_3rpr_ik(const double T[16], const double *q_seed, double q[3][2][2], unsigned char
-    status[3][2]);
+int parallel_3rpr_ik(const double T[16], const double *q_seed,
+    double q[3][2][2], unsigned char status[3][2]);
 
 /* Of every leg the solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns PARALLEL_3RPR_OK or PARALLEL_3RPR_FREE_JOINT, or, with NaN in q, minus what is wrong with

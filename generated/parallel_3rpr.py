@@ -43,13 +43,13 @@ TASK = "[x, y, yaw]"
 LEGS = 3
 DOF = 3  # of the platform, which has as many driven joints
 JOINTS = 2  # of a leg, passive ones among them
-CHAINS = ("parallel_3rpr_leg", "parallel_3rpr_leg", "parallel_3rpr_leg", )
+CHAINS = ("parallel_3rpr_leg", "parallel_3rpr_leg", "parallel_3rpr_leg")
 _MODULES = tuple(map(_leg, CHAINS))
 JOINT_TYPES = tuple(each.JOINT_TYPES for each in _MODULES)
 JOINT_LIMITS = tuple(each.JOINT_LIMITS for each in _MODULES)
 BRANCHES = tuple(each.BRANCHES for each in _MODULES)
 MAX_SOLUTIONS = 2  # of a leg
-DRIVES = ((0, 1), (1, 1), (2, 1), )  # leg and joint, from 0
+DRIVES = ((0, 1), (1, 1), (2, 1))  # leg and joint, from 0
 ASSEMBLIES = 6  # poses of given drives at most; 0 where that is not known
 
 # What a row of ik_all holds.
@@ -109,7 +109,7 @@ _PLACES = (
         ],
     ),
 )
-_COUNTED = ((0, 1), (0, 1), (0, 1), )
+_COUNTED = ((0, 1), (0, 1), (0, 1))
 
 _PLATFORM = _parallel.Platform(
     legs=tuple(

@@ -55,8 +55,8 @@ extern const int parallel_3rrr_drives[3][2];
  * Returns how many working modes there are, the product of the legs' rows that are OK or
  * FREE_JOINT, or -PARALLEL_3RRR_INVALID_POSE, also for a seed that is not finite where it may be
  * needed. */
-int parallel_3rrr_ik(const double T[16], const double *q_seed, double q[3][2][2], unsigned char
-    status[3][2]);
+int parallel_3rrr_ik(const double T[16], const double *q_seed,
+    double q[3][2][2], unsigned char status[3][2]);
 
 /* Of every leg the solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns PARALLEL_3RRR_OK or PARALLEL_3RRR_FREE_JOINT, or, with NaN in q, minus what is wrong with

@@ -300,8 +300,8 @@ const char *const *const stewart_branches[6] = {
 
 const int stewart_drives[6][2] = { { 0, 2 }, { 1, 2 }, { 2, 2 }, { 3, 2 }, { 4, 2 }, { 5, 2 } };
 
-int stewart_ik(const double T[16], const double *q_seed, double q[6][4][3], unsigned char
-    status[6][4])
+int stewart_ik(const double T[16], const double *q_seed,
+    double q[6][4][3], unsigned char status[6][4])
 {
     return dhgen_parallel_ik(&robot, T, q_seed, &q[0][0][0], &status[0][0]);
 }

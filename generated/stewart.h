@@ -54,8 +54,8 @@ extern const int stewart_drives[6][2];
  * Returns how many working modes there are, the product of the legs' rows that are OK or
  * FREE_JOINT, or -STEWART_INVALID_POSE, also for a seed that is not finite where it may be
  * needed. */
-int stewart_ik(const double T[16], const double *q_seed, double q[6][4][3], unsigned char
-    status[6][4]);
+int stewart_ik(const double T[16], const double *q_seed,
+    double q[6][4][3], unsigned char status[6][4]);
 
 /* Of every leg the solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns STEWART_OK or STEWART_FREE_JOINT, or, with NaN in q, minus what is wrong with a

@@ -41,13 +41,13 @@ TASK = "pose"
 LEGS = 6
 DOF = 6  # of the platform, which has as many driven joints
 JOINTS = 3  # of a leg, passive ones among them
-CHAINS = ("stewart_leg", "stewart_leg", "stewart_leg", "stewart_leg", "stewart_leg", "stewart_leg", )
+CHAINS = ("stewart_leg", "stewart_leg", "stewart_leg", "stewart_leg", "stewart_leg", "stewart_leg")
 _MODULES = tuple(map(_leg, CHAINS))
 JOINT_TYPES = tuple(each.JOINT_TYPES for each in _MODULES)
 JOINT_LIMITS = tuple(each.JOINT_LIMITS for each in _MODULES)
 BRANCHES = tuple(each.BRANCHES for each in _MODULES)
 MAX_SOLUTIONS = 4  # of a leg
-DRIVES = ((0, 2), (1, 2), (2, 2), (3, 2), (4, 2), (5, 2), )  # leg and joint, from 0
+DRIVES = ((0, 2), (1, 2), (2, 2), (3, 2), (4, 2), (5, 2))  # leg and joint, from 0
 ASSEMBLIES = 0  # poses of given drives at most; 0 where that is not known
 
 # What a row of ik_all holds.
@@ -149,7 +149,7 @@ _PLACES = (
         ],
     ),
 )
-_COUNTED = ((0, 1, 2), (0, 1, 2), (0, 1, 2), (0, 1, 2), (0, 1, 2), (0, 1, 2), )
+_COUNTED = ((0, 1, 2), (0, 1, 2), (0, 1, 2), (0, 1, 2), (0, 1, 2), (0, 1, 2))
 
 _PLATFORM = _parallel.Platform(
     legs=tuple(

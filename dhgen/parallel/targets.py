@@ -82,14 +82,12 @@ class LegTexts:
         c: The lines of its table in C.
         base: The rows of the frame from the robot's base to its own, in Python.
         end: Those of what it carries.
-        counted: Which velocities of its end the platform gives it.
     """
 
     chain: str
     c: Sequence[str]
     base: Sequence[str]
     end: Sequence[str]
-    counted: str
 
 
 def parallel_files(module: ParallelModule, *, single_file: bool = False) -> dict[str, str]:
@@ -178,7 +176,6 @@ def _leg(leg: LegModule) -> LegTexts:
         c=_c_leg(leg),
         base=_python_frame(inverse(leg.leg.base)),
         end=_python_frame(leg.leg.end),
-        counted=repr(leg.counted),
     )
 
 
@@ -242,9 +239,11 @@ def _python(module: ParallelModule) -> dict[str, object]:
         "is_planar": module.is_planar,
         "freedoms": module.freedoms,
         "elimination": module.elimination or "",
-        "places": [
+        "chains": ", ".join(f'"{leg.solver.name}"' for leg in module.legs),
+        "places": tuple(
             (number, joint) for number, leg in enumerate(module.legs) for joint in leg.driven
-        ],
+        ),
+        "counted": tuple(leg.counted for leg in module.legs),
     }
 
 

@@ -239,6 +239,8 @@ def test_what_is_no_robot_is_told_what_is_wanted(tmp_path: Path) -> None:
             helper.native(given_in_its_place)
     with pytest.raises(TypeError, match="the table of ur5e_fleet comes at run time; solve in"):
         helper.native(module("ur5e_fleet"))
+    with pytest.raises(TypeError, match=r"delta stands on legs; .*: native\(delta_leg\)"):
+        helper.native(module("delta"))
     path = str(tmp_path / "alone.py")
     alone = SimpleNamespace(MAX_SOLUTIONS=2, ik_all=print, __file__=path)
     with pytest.raises(FileNotFoundError, match=r"alone\.c not found: native needs it"):

@@ -280,7 +280,7 @@ def test_what_is_missing(
     with pytest.raises(TypeError, match=told):
         dhgen_cuda.cuda(math)
     parallel = ModuleType("delta")
-    vars(parallel).update(NAME="delta", ik_all=None)  # of its legs each has joints
+    vars(parallel).update(NAME="delta", ik_all=None, DOF=3, LEGS=3)
     with pytest.raises(TypeError, match="cuda takes a serial arm's module"):
         dhgen_cuda.cuda(parallel)
     elsewhere = robot()

@@ -67,7 +67,7 @@ for path in sys.argv[1:]:
         (lambda: robot.ik(np.eye(4), branch=[0]), f"branch names a row of each of the {legs} legs"),
         (lambda: robot.ik(np.eye(4), branch=3), f"branch names a row of each of the {legs} legs"),
         (lambda: robot.ik(np.eye(4), branch="a" * legs), "branch names a row of each of the"),
-        (lambda: robot.ik(np.eye(4), branch=["no"] * legs), "no branch 'no'"),
+        (lambda: robot.ik(np.eye(4), branch=["no"] * legs), "leg 1: no branch 'no'"),
         (lambda: robot.ik_all(np.eye(4) * 1j), "T must hold real numbers"),
         (lambda: robot.ik_batch(np.eye(4)), "T must have shape (N, 4, 4)"),
         (lambda: robot.ik(np.eye(4), np.full((legs, joints), np.nan)), "q_seed of leg 1 is not fi"),

@@ -108,6 +108,9 @@ def native(
     if hasattr(module, "calibrated"):
         told = f"native takes the module of one arm: the table of {module.NAME} comes at run time"
         raise TypeError(f"{told}; solve in numba by {module.NAME}.calibrated(table), or call its C")
+    if hasattr(module, "LEGS"):
+        told = f"native takes the module of a serial arm, and {module.NAME} stands on legs"
+        raise TypeError(f"{told}; call its C, or solve its legs: native({module.CHAINS[0]})")
     if not hasattr(module, "ik_all"):
         wanted = "a robot's module, as in 'import scara; dhgen_native.native(scara)'"
         raise TypeError(f"native takes {wanted}, not {module!r}")

@@ -191,8 +191,10 @@ class Functions:
             own, mode = seed[number, : leg.module.DOF], None if branch is None else branch[number]
             try:
                 solved = leg.module.ik(leg.pose(X), own, branch=mode, limits=limits)
-            except leg.module.Unreachable as error:
-                raise self._unreachable(f"leg {number + 1}: {error}") from None
+            except ValueError as error:
+                lost = isinstance(error, leg.module.Unreachable)
+                kind = self._unreachable if lost else ValueError
+                raise kind(f"leg {number + 1}: {error}") from None
             q[number, : leg.module.DOF] = solved
         return q
 
