@@ -42,6 +42,12 @@ def test_every_format_has_the_text(name: str) -> None:
     assert "<math" in parallel_derivation_as("html", module)[0]
 
 
+@pytest.mark.parametrize("name", NAMES)
+def test_no_formula_of_the_text_is_that_of_tex(name: str) -> None:
+    text = parallel_derivation_as("text", compilation(name).module)[0]
+    assert re.findall(r"\\\w+|\b\w_\w\b", text) == []
+
+
 @pytest.mark.slow
 @pytest.mark.skipif("pdflatex" not in ENGINES, reason="no pdflatex")
 def test_latex_compiles_without_a_warning(tmp_path: Path) -> None:
