@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -13,6 +14,9 @@ from dhgen.kinematics.numeric import numeric_arm
 from tests.derivation.made import made_of
 from tests.derivation.stories import story_of
 from tests.kinematics.values import axes, table
+
+if TYPE_CHECKING:
+    from dhgen.arrays import FloatArray
 
 
 def section(text: str, heading: str) -> str:
@@ -78,6 +82,32 @@ def test_the_determinant_of_a_position_is_in_reduced_factors(twist: str) -> None
     reach = 0.06 + 0.42 * math.cos(two) + 0.38 * math.cos(two + three)
     J = numeric_arm(of.algebra.chain).jacobian(q)[0, :3]
     assert np.linalg.det(J) == pytest.approx(0.42 * 0.38 * math.sin(three) * reach)
+
+
+def test_a_pitch_s_rate_is_the_turn_about_a_level_axis() -> None:
+    """Its slopes are taken by differences here: the tool faces away, z_1 points to its left."""
+    rows = (
+        "theta: q, d: d1, alpha: -pi/2",
+        "theta: q, a: a2",
+        "theta: q, a: a3",
+        "theta: q, a: a4",
+    )
+    lengths = "{d1: 0.3, a2: 0.25, a3: 0.2, a4: 0.1}"
+    of = story_of(table(*rows, parameters=lengths, task="[x, y, z, pitch]"))
+    text = section(derivation_document(of, "x.yaml"), "Velocity")
+    assert "for the pitch that of turning about $z_1$" in text
+    assert r"\det J = a_2 a_3 (a_2 c_2 + a_3 c_{23} + a_4 c_{234}) s_3" in text
+    arm, h = numeric_arm(of.algebra.chain), 1e-6
+    q = np.array([0.4, -0.3, 0.8, -0.2])
+
+    def named(at: FloatArray) -> FloatArray:
+        T = arm.pose(at)
+        return np.append(T[:3, 3], math.asin(-T[2, 0]))
+
+    slopes = [(named(q + h * e) - named(q - h * e)) / (2.0 * h) for e in np.eye(4)]
+    reach = 0.25 * math.cos(q[1]) + 0.2 * math.cos(q[1] + q[2]) + 0.1 * math.cos(sum(q[1:]))
+    expected = 0.25 * 0.2 * reach * math.sin(q[2])
+    assert np.linalg.det(np.transpose(slopes)) == pytest.approx(expected, rel=1e-7)
 
 
 def test_a_pitch_of_a_right_angle_is_no_edge_of_the_reach() -> None:

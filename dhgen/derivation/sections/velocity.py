@@ -11,6 +11,7 @@ from dhgen.derivation.text.formula import Matrix, Power, Symbol, add, equal, ove
 from dhgen.derivation.text.template import blocks_of
 from dhgen.derivation.velocity.determinant import determinant_of
 from dhgen.derivation.velocity.lost import lost_motion
+from dhgen.derivation.velocity.posture import level_axis
 from dhgen.derivation.velocity.worked_out import worked_out
 from dhgen.derivation.velocity.wrist import (
     adjugate,
@@ -18,6 +19,7 @@ from dhgen.derivation.velocity.wrist import (
     determinant,
     wrist_blocks,
 )
+from dhgen.robot.task import Directions
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -53,6 +55,7 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
         determinant=found and display(equal(DET_J, found.formula)),
         factors=_table(story, found) if found and found.factors else None,
         listed=found is not None and all(each.place for each in found.factors),
+        level=_level_axis(story),
         partial=found is not None and chain.task.dimension < 6,
         planar=found is not None and found.rows < chain.task.dimension,
         solved=joined([say("{}", joint_symbol(joint.number)) for joint in chain.solved]),
@@ -61,6 +64,12 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
         wrist=wrist is not None,
         **(_wrist(story, wrist) if wrist else {}),
     )
+
+
+def _level_axis(story: Story) -> Symbol | None:
+    """The axis about which a turn is one of the pitch, where the task names that."""
+    frame = level_axis(story) if story.algebra.chain.task.directions is Directions.PITCH else None
+    return None if frame is None else letter("z", "z", str(frame))
 
 
 def _wrist(story: Story, blocks: WristBlocks) -> dict[str, object]:

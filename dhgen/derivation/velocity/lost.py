@@ -254,10 +254,11 @@ def _lost(story: Story, values: Values, named: NDArray[np.intp]) -> tuple[_Wrenc
         named: The rows of the Jacobian that the task asks for.
     """
     chain = story.algebra.chain
-    frames = np.array(_posture(story, values).frames()[0], float)
+    own = _posture(story, values).frames()[0]
+    directions = spins_that_count(story, own)
+    frames = np.array(own, float)
     frames[..., 3] /= chain.size
     rows = len(chain.task.position_rows)
-    directions = spins_that_count(chain.task.directions, frames[-1].tolist())
     J = _jacobian(story, values)
     U, s, _ = np.linalg.svd(J[named])
     if np.any((s > NEAR) & (s < CLEAR)):

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
+from itertools import accumulate
 from math import prod
+from operator import add
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.text.formula import Minus, Number, Power, Product, Sum, Symbol
 from dhgen.kinematics.chain import Fixed, Passive, Turn
+from dhgen.kinematics.product import product
 from dhgen.robot.task import Directions
 
 if TYPE_CHECKING:
@@ -107,7 +111,7 @@ class Posture:
         chain = self.story.algebra.chain
         frames, motions = self.frames()
         tip = [row[3] for row in frames[-1]]
-        directions = spins_that_count(chain.task.directions, frames[-1])
+        directions = spins_that_count(self.story, frames)
         size = len(chain.task.position_rows) + len(directions)
         columns: dict[int, Vector] = {joint.number: [0] * size for joint in chain.solved}
         for motion in motions:
@@ -154,11 +158,36 @@ def _movers(element: Turn | Slide | Passive) -> tuple[tuple[int, int], ...]:
     return element.signed if isinstance(element, Passive) else ((element.joint, element.sign),)
 
 
-def spins_that_count(directions: Directions, tool: Rows) -> list[Vector]:
+@lru_cache(maxsize=8)
+def level_axis(story: Story) -> int | None:
+    """The first frame whose z axis is always level, and at right angles to the tool's x axis.
+
+    A turn about it changes the pitch by its own angle.
+    """
+    algebra = story.algebra
+    links = [algebra.lifted(link) for link in algebra.chain.links]
+    base, tool = (Fixed(algebra.lift(each)) for each in (algebra.chain.base, algebra.chain.tool))
+    *frames, last = accumulate(links, add, initial=(base,))
+    pointing = product([*last, tool], algebra).column(0)
+    for frame, elements in enumerate([*frames, last]):
+        axis = product(elements, algebra).column(2)
+        along = sum((a * b for a, b in zip(axis, pointing, strict=True)), algebra.ring.zero)
+        if not axis[2] and not algebra.normal(along):
+            return frame
+    return None
+
+
+def spins_that_count(story: Story, frames: list[Rows]) -> list[Vector]:
     """What the task names of an angular velocity is its product with these vectors.
 
-    That of the yaw is for tools whose x axis stays level. Of roll and pitch nothing is given.
+    That of the yaw is for tools whose x axis stays level, that of the pitch for those with a
+    `level_axis`. Of roll and pitch together nothing is given.
+
+    Args:
+        story: The arm.
+        frames: Frames 0 to n and the tool's.
     """
+    tool, directions = frames[-1], story.algebra.chain.task.directions
     match directions:
         case Directions.ROTATION:
             return [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
@@ -166,6 +195,8 @@ def spins_that_count(directions: Directions, tool: Rows) -> list[Vector]:
             return [[row[column] for row in tool] for column in (0, 1)]
         case Directions.YAW:
             return [[0, 0, 1]]
+        case Directions.PITCH if (frame := level_axis(story)) is not None:
+            return [[row[2] for row in frames[frame]]]
     return []
 
 
