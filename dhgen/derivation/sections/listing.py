@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.effects import open_joints
-from dhgen.derivation.notation.names import cosine, joint_symbol, sine, unknown_symbol
+from dhgen.derivation.notation.names import cosine, joint_symbol, sine, theta, unknown_symbol
 from dhgen.derivation.sections.elements import element_blocks, known_side_blocks
 from dhgen.derivation.sections.inverse import inverse_beginning
 from dhgen.derivation.sections.joints import joint_values
@@ -124,7 +124,9 @@ def _branches(
         if not isinstance(place.condition, Relation) or place.frees != frees:
             continue
         joints = open_joints(context) if place.frees else []
-        free = [f"{show(joint_symbol(joint), PLAIN)} the seed's value" for joint in joints]
+        whole = len(joints) > 1 and context.step.kind is not Kind.TWO_LENGTHS
+        letters = [theta(context.angle)] if whole else map(joint_symbol, joints)
+        free = [f"{show(letter, PLAIN)} the seed's value" for letter in letters]
         yield place.condition, f"if {show(place.condition, PLAIN)}: {', '.join([*alone, *free])}"
 
 

@@ -45,7 +45,11 @@ def constant_blocks(story: Story) -> list[Block]:
     primed = any(is_primed(each.name) for each in story.robot.parameters)
     shown = [_parameter(each, used.get(each.name), story) for each in story.robot.parameters]
     if shown:
-        prime = " A prime tells a parameter from what else its name means here." if primed else ""
+        prime = (
+            " A prime distinguishes a parameter from the other meaning of its name."
+            if primed
+            else ""
+        )
         blocks.append(paragraph("Parameters: {}." + prime, joined(shown)))
     made = [each for each in constants if each.parameter is None and each.square is None]
     unsaid = [each for each in made if not _is_of_a_shown_angle(each)]

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from dhgen.derivation.notation.expressions import text_symbol
 from dhgen.derivation.notation.names import unknown_symbol
 from dhgen.derivation.sections.frames import frame_sentences
@@ -12,6 +14,7 @@ from dhgen.derivation.sections.tables import axes_blocks, table_blocks
 from dhgen.derivation.text.blocks import Given, Heading, Paragraph, Prose, joined, paragraph, say
 from dhgen.derivation.text.formula import ONE, equal, minus, times
 from dhgen.derivation.text.words import counted, many, numeral
+from dhgen.kinematics.numeric import numeric_arm
 from dhgen.method import Method
 from dhgen.paul.kind import Part
 from dhgen.robot.robot import DhTable, JointKind
@@ -24,6 +27,8 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Axis
     from dhgen.robot.task import Task
 
+
+ON_AXIS = 1e-9  # of the arm's size
 
 _TASKS = {
     TaskKind.POSE: "the pose of the tool, position and orientation",
@@ -137,7 +142,7 @@ _SEEN = {
     "the left or on the right",
     (Part.END, "front"): "the arm faces {end} (front) or reaches over itself (back)",
     (Part.ELBOW, "up"): "the elbow is above or below the line from the shoulder to the end of the "
-    "forearm, unless {end} is nearer to axis 1 than the shoulder",
+    "forearm{unless}",
     (Part.ELBOW, "left"): "seen from above, the elbow is on the left or on the right of the line "
     "from the shoulder to the end of the forearm",
     (Part.SLIDE, "forward"): "the slide is farther out (forward) or less far",
@@ -163,7 +168,18 @@ def _seen(story: Story, axis: Axis) -> str:
     words = [word.rstrip("0123456789") for word in axis.meaning]  # the joint's where two are alike
     seen = next((_SEEN[part, word] for word in words if (part, word) in _SEEN), "")
     turns = story.algebra.chain.task.directions is not Directions.NONE
-    return seen.format(end="the wrist" if turns else "the tool")
+    end = "the wrist" if turns else "the tool"
+    beside = f", unless {end} is nearer to axis 1 than the shoulder"
+    return seen.format(end=end, unless="" if _shoulder_is_on_axis_1(story) else beside)
+
+
+def _shoulder_is_on_axis_1(story: Story) -> bool:
+    """Whether axes 1 and 2 meet, so that nothing is nearer to axis 1 than the shoulder."""
+    chain = story.algebra.chain
+    directions, points = numeric_arm(chain).axes(np.zeros(chain.dof))
+    normal = np.cross(directions[0], directions[1])
+    apart = abs(normal @ (points[1] - points[0]))
+    return bool(apart <= ON_AXIS * chain.size < np.linalg.norm(normal) * chain.size)
 
 
 def _choice(story: Story, place: int, axis: Axis) -> Prose:

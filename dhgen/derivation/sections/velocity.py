@@ -56,6 +56,7 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
         factors=_table(story, found) if found and found.factors else None,
         listed=found is not None and all(each.place for each in found.factors),
         level=_level_axis(story),
+        pointing=chain.task.directions is Directions.POINTING,
         partial=found is not None and chain.task.dimension < 6,
         planar=found is not None and found.rows < chain.task.dimension,
         solved=joined([say("{}", joint_symbol(joint.number)) for joint in chain.solved]),
