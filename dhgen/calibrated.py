@@ -56,7 +56,7 @@ def kind_of(robot: Robot, nominal: SolverModule, reserved: Reserved) -> Kind:
     table = link_table(robot)
     _demand_table(robot, nominal, table)
     whole = regular(nominal.solver)
-    own = None if whole is None else certified(whole, None, frozenset())
+    own = None if whole is None else certified(whole, 0, frozenset())
     if own is None:
         raise _refusal(robot, "where rows of its closed form end has no bound")
     name = robot.name + FLEET
@@ -79,6 +79,7 @@ def kind_of(robot: Robot, nominal: SolverModule, reserved: Reserved) -> Kind:
         jacobian=programs.jacobian,
         policy=policy_of(one, programs.solver, precision.tolerances),
         nominal=None,
+        nearest_branches=nominal.branches,
     )
     return Kind(module, nominal, table, own)
 

@@ -424,14 +424,13 @@ _LOOP = _loops.Loop(
 )
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
 _all_joints = _runtime("general.rows").all_joints
-_NONE_NEAR = np.zeros((0, 6))
 _NO_FREE = np.zeros(0)
 
 
 @_HOW.apart(_arms.SOLVES)
 def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    _all_joints(_NUMBERS, pose, _NO_FREE, seed, _NONE_NEAR, q, status)
+    _all_joints(_NUMBERS, pose, _NO_FREE, seed, q, status)
 
 
 _CALLS = _functions.of_robot(

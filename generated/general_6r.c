@@ -389,7 +389,7 @@ DHGEN_FN void solve(
 {
     (void)free_joints;
     (void)moved;
-    dhgen_general_rows(&general, &descents, T, NULL, seed, NULL, 0, rows, status);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, rows, status);
 }
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };

@@ -57,8 +57,15 @@ static const double
 
 #ifndef __CUDACC_RTC__
 const char *const kinova_gen3_7_branches[16] = {
+#ifdef KINOVA_GEN3_7_PLAIN
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
     "root11", "root12", "root13", "root14", "root15", "root16",
+#else
+    "elbow+-shoulder+-noflip", "elbow+-shoulder+-flip", "elbow+-shoulder--noflip",
+    "elbow+-shoulder--flip", "elbow--shoulder+-noflip", "elbow--shoulder+-flip",
+    "elbow--shoulder--noflip", "elbow--shoulder--flip", "further1", "further2", "further3",
+    "further4", "further5", "further6", "further7", "further8",
+#endif
 };
 #endif
 
@@ -270,8 +277,6 @@ DHGEN_PUBLIC void kinova_gen3_7_jacobian(const double q[7], double J[42])
 /* In formulas below, near_arm_size2 = 0.5770225443999999 [m^2],
  * near_doubt_limit = 9.999999999999999e-05. */
 static const double
-    near_angle = 1e-10, /* the two arms' tools are turned by no more */
-    near_length = 0.0003500001, /* and no farther apart [m] */
     near_offset3 = 3.141592653589793, /* offset of joint 3 [rad] */
     near_d2 = -0.01175, /* joint offset 2 [m] */
     near_d5 = -0.31436, /* joint offset 5 [m] */
@@ -295,11 +300,7 @@ static const double
     near_m3 = 7.596199999999998e-11, /* 10 * near_blur_slack1 [m] */
     near_m4 = 3.3295501674584984e-17, /* near_doubt_limit_squared2^2 [m^4] */
     near_m5 = 9.999999999999999e-09, /* near_doubt_limit^2 */
-    near1 = 2.4500014000001997e-07, /* near_length^2 + near_length^2 [m^2] */
-    near2 = 3.6750021000002996e-07, /* near_length^2 + near1 [m^2] */
-    near3 = 0.5, /* 1 / 2 */
-    near4 = 9.721858904945563e-08, /* near_k1 * near2 [m^4] */
-    near5 = 5.0000000000000005e-21; /* near_angle^2 / 2 */
+    near1 = 0.5; /* 1 / 2 */
 
 /* What one pose and many compute alike: values without signs of branches, with the first, with
  * all that are in lanes. */
@@ -325,46 +326,52 @@ static const double
         v77 = s3 * T31, v79 = c3 * T11, v81 = c3 * T21, v86 = c3 * T31; \
     /* joint values */ \
     const dhgen_##number v88 = free_joints[0] + (w4 - w4), v89 = dhgen_abs_##number(Z4), \
-        v90 = near_merge_slack2 + 2.0 * v89, v91 = near_length * T14, \
-        v92 = dhgen_abs_##number(T14), v93 = v91 + v91, v94 = near_length * T24, \
-        v95 = dhgen_abs_##number(T24), v96 = v94 + v94, v97 = near_length * T34, \
-        v98 = dhgen_abs_##number(T34), v99 = v97 + v97, v100 = Z4 * v93, v101 = Z4 * v96, \
-        v102 = Z4 * v99, v103 = near2 * v89, v104 = v93 * v93 + v96 * v96, \
-        v105 = near2 + dhgen_sqrt_##number(v104 + v99 * v99), v106 = v100 + v100, \
-        v107 = v101 + v101, v108 = v102 + v102, v109 = v103 + v103 + v105 * v105, \
-        v110 = v109 + dhgen_sqrt_##number(v106 * v106 + v107 * v107 + v108 * v108), \
-        v111 = X4 * v93, v112 = X4 * v96, v113 = X4 * v99, v114 = near2 * dhgen_abs_##number(X4), \
-        v115 = inverse4 * v111, v116 = inverse4 * v112, v117 = inverse4 * v113, \
-        v118 = dhgen_abs_##number(inverse4), v119 = v114 * v118, v120 = DHGEN_QUOTIENT(near3, w4), \
-        v121 = v106 * v120, v122 = v107 * v120, v123 = v108 * v120, v124 = v110 * v120, \
-        v125 = DHGEN_QUOTIENT(v124 * v124, w4), \
-        v126 = v125 + (v125 + v109 * dhgen_abs_##number(v120)), \
-        v127 = v126 + dhgen_sqrt_##number(v121 * v121 + v122 * v122 + v123 * v123), \
-        v135 = dhgen_abs_##number(v10), v148 = dhgen_abs_##number(v24), \
-        v149 = inverse4 * (v24 * v111), v150 = inverse4 * (v24 * v112), \
-        v151 = inverse4 * (v24 * v113), v152 = v118 * (v114 * v148), v153 = T34 * v149, \
-        v154 = T34 * v150, v155 = T34 * v151 + near_length * v27, \
-        v156 = v98 * v152 + near_length * (v152 + dhgen_sqrt_##number(v149 * v149 + v150 * v150 + \
-            v151 * v151)), v168 = inverse4 * (near_k1 * v93), v169 = inverse4 * (near_k1 * v96), \
-        v170 = inverse4 * (near_k1 * v99), v171 = near4 * v118, \
-        v240 = dhgen_abs_##number(inverse1), v241 = inverse1 * (inverse1 * v93), \
-        v242 = inverse1 * (inverse1 * v96), v243 = v240 * (near1 * v240), v271 = near_angle * T33, \
-        v272 = near_angle * T23, v279 = dhgen_abs_##number(T13), v280 = v271 * v271, \
-        v281 = v272 * v272, v282 = near5 + dhgen_sqrt_##number(v280 + v281), \
-        v309 = near_angle * T13, v314 = dhgen_abs_##number(T23), v315 = v309 * v309, \
-        v316 = near5 + dhgen_sqrt_##number(v280 + v315), v323 = c3 * v272, v324 = c3 * v309, \
-        v325 = dhgen_abs_##number(c3), v326 = near5 * v325, \
-        v327 = near5 + dhgen_sqrt_##number(v281 + v315), v335 = dhgen_abs_##number(v45), \
-        v336 = v323 * v323, v337 = v324 * v324, v338 = v326 + dhgen_sqrt_##number(v336 + v337), \
-        v349 = dhgen_abs_##number(T33), v351 = c3 * v271, v356 = dhgen_abs_##number(v38), \
-        v357 = v351 * v351, v358 = v326 + dhgen_sqrt_##number(v336 + v357), \
-        v366 = dhgen_abs_##number(v40), v367 = v326 + dhgen_sqrt_##number(v337 + v357), \
-        v387 = T24 * v271, v388 = near_length * T13, v389 = T14 * v271, v390 = near_length * T23, \
-        v391 = T24 * v272 + T14 * v309, v397 = dhgen_abs_##number(s3), \
-        v398 = v397 * (near5 * v95 + near_length * v282 + (near5 * v92 + near_length * v316)), \
-        v402 = v240 * v398, v448 = s3 * v272, v449 = s3 * v309, v450 = near5 * v397, \
-        v451 = dhgen_abs_##number(v56), \
-        v453 = v450 + dhgen_sqrt_##number(v448 * v448 + v449 * v449)
+        v90 = near_merge_slack2 + 2.0 * v89, v91 = T14 * free_joints[2], \
+        v92 = dhgen_abs_##number(T14), v93 = dhgen_abs_##number(free_joints[2]), v94 = v91 + v91, \
+        v95 = v93 * v93, v96 = T24 * free_joints[2], v97 = dhgen_abs_##number(T24), \
+        v98 = v96 + v96, v99 = T34 * free_joints[2], v100 = dhgen_abs_##number(T34), \
+        v101 = v99 + v99, v102 = v95 + v95, v103 = v95 + v102, v104 = Z4 * v94, v105 = Z4 * v98, \
+        v106 = Z4 * v101, v107 = v89 * v103, v108 = v94 * v94 + v98 * v98, \
+        v109 = v103 + dhgen_sqrt_##number(v108 + v101 * v101), v110 = v104 + v104, \
+        v111 = v105 + v105, v112 = v106 + v106, v113 = v107 + v107 + v109 * v109, \
+        v114 = v113 + dhgen_sqrt_##number(v110 * v110 + v111 * v111 + v112 * v112), \
+        v115 = X4 * v94, v116 = X4 * v98, v117 = X4 * v101, v118 = v103 * dhgen_abs_##number(X4), \
+        v119 = inverse4 * v115, v120 = inverse4 * v116, v121 = inverse4 * v117, \
+        v122 = dhgen_abs_##number(inverse4), v123 = v118 * v122, v124 = DHGEN_QUOTIENT(near1, w4), \
+        v125 = v110 * v124, v126 = v111 * v124, v127 = v112 * v124, v128 = v114 * v124, \
+        v129 = DHGEN_QUOTIENT(v128 * v128, w4), \
+        v130 = v129 + (v129 + v113 * dhgen_abs_##number(v124)), \
+        v131 = v130 + dhgen_sqrt_##number(v125 * v125 + v126 * v126 + v127 * v127), \
+        v139 = dhgen_abs_##number(v10), v152 = dhgen_abs_##number(v24), \
+        v153 = inverse4 * (v24 * v115), v154 = inverse4 * (v24 * v116), \
+        v155 = inverse4 * (v24 * v117), v156 = v122 * (v118 * v152), v157 = T34 * v153, \
+        v158 = T34 * v154, v159 = T34 * v155 + v27 * free_joints[2], \
+        v160 = v100 * v156 + v93 * (v156 + dhgen_sqrt_##number(v153 * v153 + v154 * v154 + v155 * \
+            v155)), v172 = inverse4 * (near_k1 * v94), v173 = inverse4 * (near_k1 * v98), \
+        v174 = inverse4 * (near_k1 * v101), v175 = v122 * (near_k1 * v103), \
+        v244 = dhgen_abs_##number(inverse1), v245 = inverse1 * (inverse1 * v94), \
+        v246 = inverse1 * (inverse1 * v98), v247 = v244 * (v102 * v244), \
+        v248 = dhgen_sqrt_##number(N1) - dhgen_sqrt_##number(v102), \
+        v249 = v247 + (v247 + (dhgen_abs_##number(v245) + dhgen_abs_##number(v246))) * \
+            DHGEN_QUOTIENT(v102 + dhgen_sqrt_##number(v108), v248 * v248), \
+        v258 = v249 + dhgen_sqrt_##number(v245 * v245 + v246 * v246), v266 = v93 * v258, \
+        v267 = v266 + v92 * v249, v275 = T33 * free_joints[1], v276 = T23 * free_joints[1], \
+        v277 = near1 * (free_joints[1] * free_joints[1]), v284 = dhgen_abs_##number(T13), \
+        v285 = v275 * v275, v286 = v276 * v276, v287 = v277 + dhgen_sqrt_##number(v285 + v286), \
+        v296 = v266 + v97 * v249, v314 = T13 * free_joints[1], v319 = dhgen_abs_##number(T23), \
+        v320 = v314 * v314, v321 = v277 + dhgen_sqrt_##number(v285 + v320), v328 = c3 * v276, \
+        v329 = c3 * v314, v330 = dhgen_abs_##number(c3), v331 = v277 * v330, \
+        v332 = v277 + dhgen_sqrt_##number(v286 + v320), v340 = dhgen_abs_##number(v45), \
+        v341 = v328 * v328, v342 = v329 * v329, v343 = v331 + dhgen_sqrt_##number(v341 + v342), \
+        v354 = dhgen_abs_##number(T33), v356 = c3 * v275, v361 = dhgen_abs_##number(v38), \
+        v362 = v356 * v356, v363 = v331 + dhgen_sqrt_##number(v341 + v362), \
+        v371 = dhgen_abs_##number(v40), v372 = v331 + dhgen_sqrt_##number(v342 + v362), \
+        v392 = T24 * v275, v393 = T13 * free_joints[2], v394 = T14 * v275, \
+        v395 = T23 * free_joints[2], v396 = T24 * v276 + T14 * v314, \
+        v402 = dhgen_abs_##number(s3), \
+        v403 = v402 * (v97 * v277 + v93 * v287 + (v92 * v277 + v93 * v321)), v407 = v244 * v403, \
+        v453 = s3 * v276, v454 = s3 * v314, v455 = v277 * v402, v456 = dhgen_abs_##number(v56), \
+        v458 = v455 + dhgen_sqrt_##number(v453 * v453 + v454 * v454)
 #define SIGNED(number, signs) \
     /* theta4 */ \
     const dhgen_##number v6 = near_m2 * (e4 * inverse4), s4 = v5 - w4 * v6, \
@@ -388,72 +395,77 @@ static const double
         v74 = s4 * T22, v76 = v9 * v75, v80 = v9 * v79, v82 = v9 * v81, v83 = s4 * T31, \
         v84 = s4 * T11, v85 = s4 * T21, v87 = v9 * v86; \
     /* joint values */ \
-    const dhgen_##number q3_p = v13 + v88, v128 = v115 + v6 * v121, v129 = v116 + v6 * v122, \
-        v130 = v117 + v6 * v123, v131 = v119 + v126 * dhgen_abs_##number(v6), v132 = v10 * v128, \
-        v133 = v10 * v129, v134 = v10 * v130, v136 = v131 * v135, \
-        v137 = v131 + dhgen_sqrt_##number(v128 * v128 + v129 * v129 + v130 * v130), \
-        v138 = Z1 * v132, v139 = Z1 * v133, v140 = Z1 * v134, v141 = v14 * v136, \
-        v142 = v136 + dhgen_sqrt_##number(v132 * v132 + v133 * v133 + v134 * v134), \
-        v143 = v140 + v140, v144 = v93 + (v138 + v138), v145 = v96 + (v139 + v139), \
-        v146 = near1 + (v141 + v141 + v142 * v142), \
-        v147 = v146 + dhgen_sqrt_##number(v144 * v144 + v145 * v145 + v143 * v143), \
-        v157 = near_m2 * (inverse4 * (v24 * (near_length * e4))), v158 = v153 + v29 * v121, \
-        v159 = v154 + v29 * v122, v160 = v155 + (v29 * v123 - w4 * v157), \
-        v161 = DHGEN_QUOTIENT(near3, w1), v162 = v144 * v161, v163 = v145 * v161, \
-        v164 = v143 * v161, v165 = v147 * v161, v166 = DHGEN_QUOTIENT(v165 * v165, w1), \
-        v167 = v166 + (v166 + v146 * dhgen_abs_##number(v161)), v172 = v168 - v8 * v121, \
-        v173 = v169 - v8 * v122, v174 = v170 - v8 * v123, \
-        v175 = v171 + v126 * dhgen_abs_##number(v8), v176 = near_d5 * v172, v177 = near_d5 * v173, \
-        v178 = near_d5 * v174, v179 = near_d5 * v175, \
-        v180 = v175 + dhgen_sqrt_##number(v172 * v172 + v173 * v173 + v174 * v174), \
-        v181 = dhgen_abs_##number(w1), \
-        v182 = v167 + dhgen_sqrt_##number(v162 * v162 + v163 * v163 + v164 * v164), \
-        v183 = dhgen_sqrt_##number(v176 * v176 + v177 * v177 + v178 * v178) - v179, \
-        v184 = w1 * v176 + v26 * v162, v185 = w1 * v177 + v26 * v163, \
-        v186 = w1 * v178 + v26 * v164, \
-        v190 = v156 + (v126 * dhgen_abs_##number(v29) + v127 * dhgen_abs_##number(v157)) + (v167 * \
-            dhgen_abs_##number(v26) - v179 * v181 + v182 * v183), v192 = v24 * v128, \
-        v193 = v24 * v129, v194 = v24 * v130, v195 = v131 * v148, v196 = w1 * v192 + v33 * v162, \
-        v197 = w1 * v193 + v33 * v163, v198 = w1 * v194 + v33 * v164, v199 = T34 * v176, \
-        v200 = T34 * v177, v201 = T34 * v178 + near_length * v26, \
-        v205 = v181 * v195 + v167 * dhgen_abs_##number(v33) + v182 * (v195 + \
-            dhgen_sqrt_##number(v192 * v192 + v193 * v193 + v194 * v194)) + (near_length * v183 - \
-            v98 * v179), v246 = T24 * v132, v247 = T24 * v134, v248 = near_length * Z1, \
-        v249 = v248 - T24 * v133, v250 = near_length * v142, v251 = v250 + v95 * v136, \
-        v252 = inverse1 * v247, v253 = dhgen_abs_##number(v17), \
-        v255 = v251 + dhgen_sqrt_##number(v246 * v246 + v249 * v249 + v247 * v247), \
-        v256 = inverse1 * v246 + v17 * v241, v257 = inverse1 * v249 - v17 * v242, \
-        v273 = s4 * v271, v274 = s4 * v272, v275 = near5 * dhgen_abs_##number(s4), \
-        v276 = T13 * v128, v277 = T13 * v129, v278 = T13 * v130, \
-        v283 = v275 + v131 * v279 + v137 * v282, v285 = dhgen_abs_##number(v43), \
-        v287 = v273 * v273, \
-        v288 = v283 + (dhgen_sqrt_##number(v287 + v274 * v274) + dhgen_sqrt_##number(v276 * v276 + \
-            v277 * v277 + v278 * v278)), v295 = T14 * v133, v296 = T14 * v134, \
-        v297 = v248 - T14 * v132, v298 = v250 + v92 * v136, v299 = inverse1 * v296, \
-        v300 = dhgen_abs_##number(v16), \
-        v301 = v298 + dhgen_sqrt_##number(v297 * v297 + v295 * v295 + v296 * v296), \
-        v302 = inverse1 * v295 + v16 * v242, v304 = v16 * v241 - inverse1 * v297, \
-        v310 = s4 * v309, v311 = T23 * v128, v312 = T23 * v129, v313 = T23 * v130, \
-        v317 = v275 + v131 * v314 + v137 * v316, v319 = dhgen_abs_##number(v44), \
-        v321 = v317 + (dhgen_sqrt_##number(v287 + v310 * v310) + dhgen_sqrt_##number(v311 * v311 + \
-            v312 * v312 + v313 * v313)), v328 = v9 * v323, v329 = v9 * v324, \
-        v330 = dhgen_abs_##number(v9), v331 = v326 * v330, v332 = v45 * v172, v333 = v45 * v173, \
-        v334 = v45 * v174, v339 = v331 + v175 * v335 + v180 * v338, v346 = T33 * v128, \
-        v347 = T33 * v129, v348 = T33 * v130, v350 = v275 + v131 * v349 + v137 * v327, \
-        v352 = v9 * v351, v353 = v38 * v172, v354 = v38 * v173, v355 = v38 * v174, \
-        v359 = v331 + v175 * v356 + v180 * v358, v360 = dhgen_abs_##number(v39), \
-        v361 = v352 * v352, \
-        v362 = v359 + (dhgen_sqrt_##number(v361 + v328 * v328) + dhgen_sqrt_##number(v353 * v353 + \
-            v354 * v354 + v355 * v355)), v363 = v40 * v172, v364 = v40 * v173, v365 = v40 * v174, \
-        v368 = v331 + v175 * v366 + v180 * v367, v369 = dhgen_abs_##number(v41), \
-        v370 = v368 + (dhgen_sqrt_##number(v361 + v329 * v329) + dhgen_sqrt_##number(v363 * v363 + \
-            v364 * v364 + v365 * v365)), v408 = s3 * (v17 * v271), v409 = s3 * (v16 * v271), \
-        v410 = s3 * (v17 * v309 - v16 * v272), v411 = s3 * (T13 * v297 - T23 * v246), \
-        v412 = s3 * (T23 * v249 - T13 * v295), v413 = s3 * (T13 * v296 + T23 * v247), \
-        v414 = v397 * (near5 * v300 + v279 * v298 + v282 * v301 + (near5 * v253 + v251 * v314 + \
-            v255 * v316)), v415 = inverse1 * v408, v416 = inverse1 * v409, v417 = inverse1 * v410, \
-        v418 = inverse1 * v413, v423 = v50 * v241 - inverse1 * v411, \
-        v425 = v50 * v242 - inverse1 * v412, v452 = v190 * v451
+    const dhgen_##number q3_p = v13 + v88, v132 = v119 + v6 * v125, v133 = v120 + v6 * v126, \
+        v134 = v121 + v6 * v127, v135 = v123 + v130 * dhgen_abs_##number(v6), v136 = v10 * v132, \
+        v137 = v10 * v133, v138 = v10 * v134, v140 = v135 * v139, \
+        v141 = v135 + dhgen_sqrt_##number(v132 * v132 + v133 * v133 + v134 * v134), \
+        v142 = Z1 * v136, v143 = Z1 * v137, v144 = Z1 * v138, v145 = v14 * v140, \
+        v146 = v140 + dhgen_sqrt_##number(v136 * v136 + v137 * v137 + v138 * v138), \
+        v147 = v144 + v144, v148 = v94 + (v142 + v142), v149 = v98 + (v143 + v143), \
+        v150 = v102 + (v145 + v145 + v146 * v146), \
+        v151 = v150 + dhgen_sqrt_##number(v148 * v148 + v149 * v149 + v147 * v147), \
+        v161 = near_m2 * (inverse4 * (v24 * (e4 * free_joints[2]))), v162 = v157 + v29 * v125, \
+        v163 = v158 + v29 * v126, v164 = v159 + (v29 * v127 - w4 * v161), \
+        v165 = DHGEN_QUOTIENT(near1, w1), v166 = v148 * v165, v167 = v149 * v165, \
+        v168 = v147 * v165, v169 = v151 * v165, v170 = DHGEN_QUOTIENT(v169 * v169, w1), \
+        v171 = v170 + (v170 + v150 * dhgen_abs_##number(v165)), v176 = v172 - v8 * v125, \
+        v177 = v173 - v8 * v126, v178 = v174 - v8 * v127, \
+        v179 = v175 + v130 * dhgen_abs_##number(v8), v180 = near_d5 * v176, v181 = near_d5 * v177, \
+        v182 = near_d5 * v178, v183 = near_d5 * v179, \
+        v184 = v179 + dhgen_sqrt_##number(v176 * v176 + v177 * v177 + v178 * v178), \
+        v185 = dhgen_abs_##number(w1), \
+        v186 = v171 + dhgen_sqrt_##number(v166 * v166 + v167 * v167 + v168 * v168), \
+        v187 = dhgen_sqrt_##number(v180 * v180 + v181 * v181 + v182 * v182) - v183, \
+        v188 = w1 * v180 + v26 * v166, v189 = w1 * v181 + v26 * v167, \
+        v190 = w1 * v182 + v26 * v168, \
+        v194 = v160 + (v130 * dhgen_abs_##number(v29) + v131 * dhgen_abs_##number(v161)) + (v171 * \
+            dhgen_abs_##number(v26) - v183 * v185 + v186 * v187), v196 = v24 * v132, \
+        v197 = v24 * v133, v198 = v24 * v134, v199 = v135 * v152, v200 = w1 * v196 + v33 * v166, \
+        v201 = w1 * v197 + v33 * v167, v202 = w1 * v198 + v33 * v168, v203 = T34 * v180, \
+        v204 = T34 * v181, v205 = T34 * v182 + v26 * free_joints[2], \
+        v209 = v185 * v199 + v171 * dhgen_abs_##number(v33) + v186 * (v199 + \
+            dhgen_sqrt_##number(v196 * v196 + v197 * v197 + v198 * v198)) + (v93 * v187 - v100 * \
+            v183), v250 = T24 * v136, v251 = T24 * v138, v252 = Z1 * free_joints[2], \
+        v253 = v252 - T24 * v137, v254 = v93 * v146, v255 = v254 + v97 * v140, \
+        v256 = inverse1 * v251, v257 = dhgen_abs_##number(v17), \
+        v259 = v255 + dhgen_sqrt_##number(v250 * v250 + v253 * v253 + v251 * v251), \
+        v260 = inverse1 * v250 + v17 * v245, v261 = inverse1 * v253 - v17 * v246, \
+        v262 = v244 * v255 + v249 * v257 + v258 * v259, v268 = v185 * v267, v278 = s4 * v275, \
+        v279 = s4 * v276, v280 = v277 * dhgen_abs_##number(s4), v281 = T13 * v132, \
+        v282 = T13 * v133, v283 = T13 * v134, v288 = v280 + v135 * v284 + v141 * v287, \
+        v290 = dhgen_abs_##number(v43), v292 = v278 * v278, \
+        v293 = v288 + (dhgen_sqrt_##number(v292 + v279 * v279) + dhgen_sqrt_##number(v281 * v281 + \
+            v282 * v282 + v283 * v283)), v297 = v185 * v296, v300 = T14 * v137, v301 = T14 * v138, \
+        v302 = v252 - T14 * v136, v303 = v254 + v92 * v140, v304 = inverse1 * v301, \
+        v305 = dhgen_abs_##number(v16), \
+        v306 = v303 + dhgen_sqrt_##number(v302 * v302 + v300 * v300 + v301 * v301), \
+        v307 = inverse1 * v300 + v16 * v246, v308 = v244 * v303 + v249 * v305 + v258 * v306, \
+        v309 = v16 * v245 - inverse1 * v302, v315 = s4 * v314, v316 = T23 * v132, \
+        v317 = T23 * v133, v318 = T23 * v134, v322 = v280 + v135 * v319 + v141 * v321, \
+        v324 = dhgen_abs_##number(v44), \
+        v326 = v322 + (dhgen_sqrt_##number(v292 + v315 * v315) + dhgen_sqrt_##number(v316 * v316 + \
+            v317 * v317 + v318 * v318)), v333 = v9 * v328, v334 = v9 * v329, \
+        v335 = dhgen_abs_##number(v9), v336 = v331 * v335, v337 = v45 * v176, v338 = v45 * v177, \
+        v339 = v45 * v178, v344 = v336 + v179 * v340 + v184 * v343, v351 = T33 * v132, \
+        v352 = T33 * v133, v353 = T33 * v134, v355 = v280 + v135 * v354 + v141 * v332, \
+        v357 = v9 * v356, v358 = v38 * v176, v359 = v38 * v177, v360 = v38 * v178, \
+        v364 = v336 + v179 * v361 + v184 * v363, v365 = dhgen_abs_##number(v39), \
+        v366 = v357 * v357, \
+        v367 = v364 + (dhgen_sqrt_##number(v366 + v333 * v333) + dhgen_sqrt_##number(v358 * v358 + \
+            v359 * v359 + v360 * v360)), v368 = v40 * v176, v369 = v40 * v177, v370 = v40 * v178, \
+        v373 = v336 + v179 * v371 + v184 * v372, v374 = dhgen_abs_##number(v41), \
+        v375 = v373 + (dhgen_sqrt_##number(v366 + v334 * v334) + dhgen_sqrt_##number(v368 * v368 + \
+            v369 * v369 + v370 * v370)), v413 = s3 * (v17 * v275), v414 = s3 * (v16 * v275), \
+        v415 = s3 * (v17 * v314 - v16 * v276), v416 = s3 * (T13 * v302 - T23 * v250), \
+        v417 = s3 * (T23 * v253 - T13 * v300), v418 = s3 * (T13 * v301 + T23 * v251), \
+        v419 = v402 * (v277 * v305 + v284 * v303 + v287 * v306 + (v257 * v277 + v255 * v319 + v259 \
+            * v321)), v420 = inverse1 * v413, v421 = inverse1 * v414, v422 = inverse1 * v415, \
+        v423 = inverse1 * v418, \
+        v424 = v244 * v419 + v249 * dhgen_abs_##number(v50) + v258 * (v419 + \
+            (dhgen_sqrt_##number(v413 * v413 + v414 * v414 + v415 * v415) + \
+            dhgen_sqrt_##number(v416 * v416 + v417 * v417 + v418 * v418))), \
+        v428 = v50 * v245 - inverse1 * v416, v430 = v50 * v246 - inverse1 * v417, \
+        v457 = v194 * v456
 #define SIGNED_TWICE(number, signs) \
     /* theta1 */ \
     const dhgen_##number v18 = e1 * T14, v19 = inverse1 * v18, c1 = v20 + w1 * v19, \
@@ -473,70 +485,108 @@ static const double
             (factor2 * (S2 * (c1 * v84 + s1 * v85 - v87) - C2 * (v83 + (c1 * v80 + s1 * v82))) - \
             v9 * (s3 * v78)); \
     /* joint values */ \
-    const dhgen_##number v187 = v158 + e1 * v184, v188 = v159 + e1 * v185, \
-        v189 = v160 + e1 * v186, \
-        v191 = v190 + dhgen_sqrt_##number(v187 * v187 + v188 * v188 + v189 * v189), \
-        v202 = e1 * v196 - v199, v203 = e1 * v197 - v200, v204 = e1 * v198 - v201, \
-        v206 = v205 + dhgen_sqrt_##number(v202 * v202 + v203 * v203 + v204 * v204), \
-        v207 = v191 * v191, v208 = v206 * v206, v209 = v207 + v208, v210 = S2 * v187, \
-        v211 = S2 * v188, v212 = S2 * v189, v213 = dhgen_abs_##number(S2), v214 = v190 * v213, \
-        v215 = C2 * v202, v216 = C2 * v203, v217 = C2 * v204, v218 = dhgen_abs_##number(C2), \
-        v219 = v205 * v218, v220 = v210 + v210 + (v215 + v215), \
-        v221 = v211 + v211 + (v216 + v216), v222 = v212 + v212 + (v217 + v217), \
-        v223 = v207 + (v214 + v214) + (v208 + (v219 + v219)), v224 = DHGEN_QUOTIENT(near3, v36), \
-        v225 = v220 * v224, v226 = v221 * v224, v227 = v222 * v224, \
-        v228 = v223 * dhgen_abs_##number(v224), v229 = dhgen_abs_##number(v37), \
-        v230 = v37 * (v37 * v220), v231 = v37 * (v37 * v221), v232 = v37 * (v37 * v222), \
-        v233 = v229 * (v223 * v229), v234 = v36 - dhgen_sqrt_##number(v209), \
-        v235 = v233 + (v233 + (dhgen_abs_##number(v232) + (dhgen_abs_##number(v230) + \
-            dhgen_abs_##number(v231)))) * DHGEN_QUOTIENT(v223 + dhgen_sqrt_##number(v220 * v220 + \
-            v221 * v221 + v222 * v222), v234 * v234), v236 = v37 * v225 - v36 * v230, \
-        v237 = v37 * v226 - v36 * v231, v238 = v37 * v227 - v36 * v232, \
-        v239 = v235 * dhgen_abs_##number(v36) + v228 * v229 + (v228 + dhgen_sqrt_##number(v225 * \
-            v225 + v226 * v226 + v227 * v227)) * (v235 + dhgen_sqrt_##number(v230 * v230 + v231 * \
-            v231 + v232 * v232)), v259 = inverse1 * (near_length * e1), v260 = v18 * v242, \
-        v261 = v259 - v18 * v241, v265 = dhgen_abs_##number(v19), \
-        v267 = w1 * v261 + v19 * v162 - v256, v268 = v257 + (v19 * v163 - w1 * v260), \
-        v269 = v19 * v164 - v252, v284 = dhgen_abs_##number(c1), v289 = v21 * v241, \
-        v290 = v259 - v21 * v242, v293 = dhgen_abs_##number(v22), \
-        v305 = v304 + (v22 * v162 - w1 * v289), v306 = v302 + (w1 * v290 + v22 * v163), \
-        v307 = v299 + v22 * v164, v318 = dhgen_abs_##number(s1), v322 = s1 * v310 - c1 * v274, \
-        v340 = v328 + s1 * v273, v341 = v329 + c1 * v273, \
-        v342 = c1 * v276 + v43 * v267 + (s1 * v311 + v44 * v305) - v332, \
-        v343 = c1 * v277 + v43 * v268 + (s1 * v312 + v44 * v306) - v333, \
-        v344 = c1 * v278 + v43 * v269 + (s1 * v313 + v44 * v307) - v334, \
-        v371 = s1 * v329 - c1 * v328, v372 = v274 - s1 * v352, v373 = c1 * v352 - v310, \
-        v374 = v346 + (c1 * v353 + v39 * v267 + (s1 * v363 + v41 * v305)), \
-        v375 = v347 + (c1 * v354 + v39 * v268 + (s1 * v364 + v41 * v306)), \
-        v376 = v348 + (c1 * v355 + v39 * v269 + (s1 * v365 + v41 * v307)), \
-        v378 = S2 * v340 + C2 * v372, v379 = S2 * v341 - C2 * v373, v380 = S2 * v322 - C2 * v371, \
-        v381 = S2 * v342 + v53 * v187 - (C2 * v374 + v54 * v202), \
-        v382 = S2 * v343 + v53 * v188 - (C2 * v375 + v54 * v203), \
-        v383 = S2 * v344 + v53 * v189 - (C2 * v376 + v54 * v204), \
-        v385 = dhgen_abs_##number(factor2), \
-        v386 = v239 + dhgen_sqrt_##number(v236 * v236 + v237 * v237 + v238 * v238), \
-        v392 = s3 * (e1 * v389), v393 = s3 * (e1 * v387), v394 = s3 * (e1 * v391), \
-        v395 = s3 * (e1 * v390), v396 = s3 * (e1 * v388), v399 = inverse1 * v392, \
-        v400 = inverse1 * v393, v401 = inverse1 * v394, v403 = inverse1 * v395 + v48 * v241, \
-        v404 = inverse1 * v396 - v48 * v242, v406 = dhgen_abs_##number(v49), \
-        v420 = v415 + w1 * v399, v421 = w1 * v400 - v416, v422 = v417 + w1 * v401, \
-        v424 = v423 + (v49 * v162 - w1 * v403), v426 = v425 + (w1 * v404 + v49 * v163), \
-        v427 = v418 + v49 * v164, v429 = factor2 * v378 + v9 * v420, \
-        v430 = factor2 * v379 - v9 * v421, v431 = factor2 * v380 + v9 * v422, \
-        v432 = factor2 * v381 + v55 * v236 - (v9 * v424 + v52 * v172), \
-        v433 = factor2 * v382 + v55 * v237 - (v9 * v426 + v52 * v173), \
-        v434 = factor2 * v383 + v55 * v238 - (v9 * v427 + v52 * v174), v436 = c1 * v271, \
-        v437 = near5 * v284, v438 = s1 * v271, v439 = near5 * v318, v440 = s3 * v438, \
-        v441 = s3 * v436, v442 = s3 * (s1 * v309 - c1 * v272), \
-        v443 = s3 * (T13 * v267 + T23 * v305), v444 = s3 * (T13 * v268 + T23 * v306), \
-        v445 = s3 * (T13 * v269 + T23 * v307), v447 = C2 * v442, v454 = S2 * v448 - C2 * v440, \
-        v455 = C2 * v441 - S2 * v449, v456 = C2 * v443 + v57 * v202 + v56 * v187, \
-        v457 = C2 * v444 + v57 * v203 + v56 * v188, v458 = C2 * v445 + v57 * v204 + v56 * v189, \
-        v460 = factor2 * v454 - c3 * v436, v461 = factor2 * v455 - c3 * v438, \
-        v462 = factor2 * v447 + c3 * (s1 * v272 + c1 * v309), \
-        v463 = factor2 * v456 + v58 * v236 - c3 * (T13 * v305 - T23 * v267), \
-        v464 = factor2 * v457 + v58 * v237 - c3 * (T13 * v306 - T23 * v268), \
-        v465 = factor2 * v458 + v58 * v238 - c3 * (T13 * v307 - T23 * v269)
+    const dhgen_##number v191 = v162 + e1 * v188, v192 = v163 + e1 * v189, \
+        v193 = v164 + e1 * v190, \
+        v195 = v194 + dhgen_sqrt_##number(v191 * v191 + v192 * v192 + v193 * v193), \
+        v206 = e1 * v200 - v203, v207 = e1 * v201 - v204, v208 = e1 * v202 - v205, \
+        v210 = v209 + dhgen_sqrt_##number(v206 * v206 + v207 * v207 + v208 * v208), \
+        v211 = v195 * v195, v212 = v210 * v210, v213 = v211 + v212, v214 = S2 * v191, \
+        v215 = S2 * v192, v216 = S2 * v193, v217 = dhgen_abs_##number(S2), v218 = v194 * v217, \
+        v219 = C2 * v206, v220 = C2 * v207, v221 = C2 * v208, v222 = dhgen_abs_##number(C2), \
+        v223 = v209 * v222, v224 = v214 + v214 + (v219 + v219), \
+        v225 = v215 + v215 + (v220 + v220), v226 = v216 + v216 + (v221 + v221), \
+        v227 = v211 + (v218 + v218) + (v212 + (v223 + v223)), v228 = DHGEN_QUOTIENT(near1, v36), \
+        v229 = v224 * v228, v230 = v225 * v228, v231 = v226 * v228, \
+        v232 = v227 * dhgen_abs_##number(v228), v233 = dhgen_abs_##number(v37), \
+        v234 = v37 * (v37 * v224), v235 = v37 * (v37 * v225), v236 = v37 * (v37 * v226), \
+        v237 = v233 * (v227 * v233), v238 = v36 - dhgen_sqrt_##number(v213), \
+        v239 = v237 + (v237 + (dhgen_abs_##number(v236) + (dhgen_abs_##number(v234) + \
+            dhgen_abs_##number(v235)))) * DHGEN_QUOTIENT(v227 + dhgen_sqrt_##number(v224 * v224 + \
+            v225 * v225 + v226 * v226), v238 * v238), v240 = v37 * v229 - v36 * v234, \
+        v241 = v37 * v230 - v36 * v235, v242 = v37 * v231 - v36 * v236, \
+        v243 = v239 * dhgen_abs_##number(v36) + v232 * v233 + (v232 + dhgen_sqrt_##number(v229 * \
+            v229 + v230 * v230 + v231 * v231)) * (v239 + dhgen_sqrt_##number(v234 * v234 + v235 * \
+            v235 + v236 * v236)), v263 = inverse1 * (e1 * free_joints[2]), v264 = v18 * v246, \
+        v265 = v263 - v18 * v245, v269 = dhgen_abs_##number(v19), \
+        v270 = v267 + dhgen_sqrt_##number(v265 * v265 + v264 * v264), \
+        v271 = w1 * v265 + v19 * v166 - v260, v272 = v261 + (v19 * v167 - w1 * v264), \
+        v273 = v19 * v168 - v256, v274 = v262 + (v268 + v171 * v269 + v186 * v270), \
+        v289 = dhgen_abs_##number(c1), \
+        v291 = v274 + dhgen_sqrt_##number(v271 * v271 + v272 * v272 + v273 * v273), \
+        v294 = v21 * v245, v295 = v263 - v21 * v246, v298 = dhgen_abs_##number(v22), \
+        v299 = v296 + dhgen_sqrt_##number(v294 * v294 + v295 * v295), \
+        v310 = v309 + (v22 * v166 - w1 * v294), v311 = v307 + (w1 * v295 + v22 * v167), \
+        v312 = v304 + v22 * v168, v313 = v308 + (v297 + v171 * v298 + v186 * v299), \
+        v323 = dhgen_abs_##number(s1), \
+        v325 = v313 + dhgen_sqrt_##number(v310 * v310 + v311 * v311 + v312 * v312), \
+        v327 = s1 * v315 - c1 * v279, v345 = v333 + s1 * v278, v346 = v334 + c1 * v278, \
+        v347 = c1 * v281 + v43 * v271 + (s1 * v316 + v44 * v310) - v337, \
+        v348 = c1 * v282 + v43 * v272 + (s1 * v317 + v44 * v311) - v338, \
+        v349 = c1 * v283 + v43 * v273 + (s1 * v318 + v44 * v312) - v339, \
+        v350 = v344 + (v288 * v289 + v274 * v290 + v291 * v293 + (v322 * v323 + v313 * v324 + v325 \
+            * v326)), v376 = s1 * v334 - c1 * v333, v377 = v279 - s1 * v357, \
+        v378 = c1 * v357 - v315, \
+        v379 = v351 + (c1 * v358 + v39 * v271 + (s1 * v368 + v41 * v310)), \
+        v380 = v352 + (c1 * v359 + v39 * v272 + (s1 * v369 + v41 * v311)), \
+        v381 = v353 + (c1 * v360 + v39 * v273 + (s1 * v370 + v41 * v312)), \
+        v382 = v355 + (v289 * v364 + v274 * v365 + v291 * v367 + (v323 * v373 + v313 * v374 + v325 \
+            * v375)), v383 = S2 * v345 + C2 * v377, v384 = S2 * v346 - C2 * v378, \
+        v385 = S2 * v327 - C2 * v376, v386 = S2 * v347 + v53 * v191 - (C2 * v379 + v54 * v206), \
+        v387 = S2 * v348 + v53 * v192 - (C2 * v380 + v54 * v207), \
+        v388 = S2 * v349 + v53 * v193 - (C2 * v381 + v54 * v208), \
+        v389 = v217 * v350 + v194 * dhgen_abs_##number(v53) + v195 * (v350 + \
+            (dhgen_sqrt_##number(v345 * v345 + v346 * v346 + v327 * v327) + \
+            dhgen_sqrt_##number(v347 * v347 + v348 * v348 + v349 * v349))) + (v222 * v382 + v209 * \
+            dhgen_abs_##number(v54) + v210 * (v382 + (dhgen_sqrt_##number(v377 * v377 + v378 * \
+            v378 + v376 * v376) + dhgen_sqrt_##number(v379 * v379 + v380 * v380 + v381 * v381)))), \
+        v390 = dhgen_abs_##number(factor2), \
+        v391 = v243 + dhgen_sqrt_##number(v240 * v240 + v241 * v241 + v242 * v242), \
+        v397 = s3 * (e1 * v394), v398 = s3 * (e1 * v392), v399 = s3 * (e1 * v396), \
+        v400 = s3 * (e1 * v395), v401 = s3 * (e1 * v393), v404 = inverse1 * v397, \
+        v405 = inverse1 * v398, v406 = inverse1 * v399, v408 = inverse1 * v400 + v48 * v245, \
+        v409 = inverse1 * v401 - v48 * v246, \
+        v410 = v407 + v249 * dhgen_abs_##number(v48) + v258 * (v403 + (dhgen_sqrt_##number(v397 * \
+            v397 + v398 * v398 + v399 * v399) + dhgen_sqrt_##number(v400 * v400 + v401 * v401))), \
+        v411 = dhgen_abs_##number(v49), \
+        v412 = v410 + (dhgen_sqrt_##number(v404 * v404 + v405 * v405 + v406 * v406) + \
+            dhgen_sqrt_##number(v408 * v408 + v409 * v409)), v425 = v420 + w1 * v404, \
+        v426 = w1 * v405 - v421, v427 = v422 + w1 * v406, v429 = v428 + (v49 * v166 - w1 * v408), \
+        v431 = v430 + (w1 * v409 + v49 * v167), v432 = v423 + v49 * v168, \
+        v433 = v424 + (v185 * v410 + v171 * v411 + v186 * v412), \
+        v434 = factor2 * v383 + v9 * v425, v435 = factor2 * v384 - v9 * v426, \
+        v436 = factor2 * v385 + v9 * v427, \
+        v437 = factor2 * v386 + v55 * v240 - (v9 * v429 + v52 * v176), \
+        v438 = factor2 * v387 + v55 * v241 - (v9 * v431 + v52 * v177), \
+        v439 = factor2 * v388 + v55 * v242 - (v9 * v432 + v52 * v178), \
+        v440 = v389 * v390 + v243 * dhgen_abs_##number(v55) + v391 * (v389 + \
+            (dhgen_sqrt_##number(v383 * v383 + v384 * v384 + v385 * v385) + \
+            dhgen_sqrt_##number(v386 * v386 + v387 * v387 + v388 * v388))) + (v335 * v433 + v179 * \
+            dhgen_abs_##number(v52) + v184 * (v433 + (dhgen_sqrt_##number(v425 * v425 + v426 * \
+            v426 + v427 * v427) + dhgen_sqrt_##number(v429 * v429 + v431 * v431 + v432 * v432)))) \
+            + (dhgen_sqrt_##number(v434 * v434 + v435 * v435 + v436 * v436) + \
+            dhgen_sqrt_##number(v437 * v437 + v438 * v438 + v439 * v439)), v441 = c1 * v275, \
+        v442 = v277 * v289, v443 = s1 * v275, v444 = v277 * v323, v445 = s3 * v443, \
+        v446 = s3 * v441, v447 = s3 * (s1 * v314 - c1 * v276), \
+        v448 = s3 * (T13 * v271 + T23 * v310), v449 = s3 * (T13 * v272 + T23 * v311), \
+        v450 = s3 * (T13 * v273 + T23 * v312), \
+        v451 = v402 * (v442 + v274 * v284 + v287 * v291 + (v444 + v313 * v319 + v321 * v325)), \
+        v452 = C2 * v447, v459 = S2 * v453 - C2 * v445, v460 = C2 * v446 - S2 * v454, \
+        v461 = C2 * v448 + v57 * v206 + v56 * v191, v462 = C2 * v449 + v57 * v207 + v56 * v192, \
+        v463 = C2 * v450 + v57 * v208 + v56 * v193, \
+        v464 = v222 * v451 + v209 * dhgen_abs_##number(v57) + v210 * (v451 + \
+            (dhgen_sqrt_##number(v445 * v445 + v446 * v446 + v447 * v447) + \
+            dhgen_sqrt_##number(v448 * v448 + v449 * v449 + v450 * v450))) + (v457 + v217 * v455 + \
+            v195 * v458), v465 = factor2 * v459 - c3 * v441, v466 = factor2 * v460 - c3 * v443, \
+        v467 = factor2 * v452 + c3 * (s1 * v276 + c1 * v314), \
+        v468 = factor2 * v461 + v58 * v240 - c3 * (T13 * v310 - T23 * v271), \
+        v469 = factor2 * v462 + v58 * v241 - c3 * (T13 * v311 - T23 * v272), \
+        v470 = factor2 * v463 + v58 * v242 - c3 * (T13 * v312 - T23 * v273), \
+        v471 = v390 * v464 + v243 * dhgen_abs_##number(v58) + v391 * (v464 + \
+            (dhgen_sqrt_##number(v459 * v459 + v460 * v460 + v452 * v452) + \
+            dhgen_sqrt_##number(v461 * v461 + v462 * v462 + v463 * v463))) + v330 * (v444 + v284 * \
+            v313 + v287 * v325 + (v442 + v274 * v319 + v291 * v321)) + (dhgen_sqrt_##number(v465 * \
+            v465 + v466 * v466 + v467 * v467) + dhgen_sqrt_##number(v468 * v468 + v469 * v469 + \
+            v470 * v470))
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -547,15 +597,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11] + free_joints[0])
         <= DHGEN_ORTHONORMAL) == 0;
     KNOWN(wide);
-
-    /* joint values */
-    const dhgen_wide v244 = dhgen_sqrt_wide(N1) - sqrt(near1),
-        v245 = v243 + (v243 + (dhgen_abs_wide(v241) + dhgen_abs_wide(v242))) * DHGEN_QUOTIENT(near1
-            + dhgen_sqrt_wide(v104), v244 * v244),
-        v254 = v245 + dhgen_sqrt_wide(v241 * v241 + v242 * v242), v262 = near_length * v254,
-        v263 = v262 + v92 * v245, v291 = v262 + v95 * v245;
-    left |= (dhgen_abs_wide(N1) <= near1) | (dhgen_abs_wide(v110 + (D4 + D4)) <= v110) |
-        (dhgen_abs_wide(v90) <= 2.0 * v105) | (N1 <= near_doubt_limit_squared2) |
+    left |= (dhgen_abs_wide(N1) <= v102) | (dhgen_abs_wide(v114 + (D4 + D4)) <= v114) |
+        (dhgen_abs_wide(v90) <= 2.0 * v109) | (N1 <= near_doubt_limit_squared2) |
         (dhgen_abs_wide(D4) <= near_m1 * v90) | (N4 <= near_doubt_limit_squared4);
 
     for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
@@ -563,13 +606,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         SIGNED(wide, double);
 
         /* joint values */
-        const dhgen_wide angle6 = dhgen_atan2_wide(s4, -v9), q4_p = v13 + angle6,
-            v258 = v240 * v251 + v245 * v253 + v254 * v255, v264 = v181 * v263, v292 = v181 * v291,
-            v303 = v240 * v298 + v245 * v300 + v254 * v301,
-            v419 = v240 * v414 + v245 * dhgen_abs_wide(v50) + v254 * (v414 + (dhgen_sqrt_wide(v408 *
-                v408 + v409 * v409 + v410 * v410) + dhgen_sqrt_wide(v411 * v411 + v412 * v412 + v413
-                * v413)));
-        left |= (dhgen_abs_wide(v147 + (D1 + D1)) <= v147) | (dhgen_abs_wide(v15) <= 2.0 * v142) |
+        const dhgen_wide angle6 = dhgen_atan2_wide(s4, -v9), q4_p = v13 + angle6;
+        left |= (dhgen_abs_wide(v151 + (D1 + D1)) <= v151) | (dhgen_abs_wide(v15) <= 2.0 * v146) |
             (dhgen_abs_wide(D1 * v12) <= near_m3 * v15);
 
         for (int i2 = 0; i2 < 2; i2++) { /* shoulder+, shoulder- */
@@ -593,46 +631,6 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             const dhgen_wide angle5 = dhgen_atan2_wide(s7, c5 * (c3 * v67 - factor2 * (C2 * (s3 *
                 (c1 * T12 + s1 * T22)) + S2 * v66)) + Y5 * (factor2 * (S2 * (c1 * v73 + s1 * v74 -
                 v76) - C2 * (v72 + (c1 * v69 + s1 * v71))) - v9 * (s3 * v67)));
-
-            /* joint values */
-            const dhgen_wide v266 = v263 + dhgen_sqrt_wide(v261 * v261 + v260 * v260),
-                v270 = v258 + (v264 + v167 * v265 + v182 * v266),
-                v286 = v270 + dhgen_sqrt_wide(v267 * v267 + v268 * v268 + v269 * v269),
-                v294 = v291 + dhgen_sqrt_wide(v289 * v289 + v290 * v290),
-                v308 = v303 + (v292 + v167 * v293 + v182 * v294),
-                v320 = v308 + dhgen_sqrt_wide(v305 * v305 + v306 * v306 + v307 * v307),
-                v345 = v339 + (v283 * v284 + v270 * v285 + v286 * v288 + (v317 * v318 + v308 * v319
-                    + v320 * v321)),
-                v377 = v350 + (v284 * v359 + v270 * v360 + v286 * v362 + (v318 * v368 + v308 * v369
-                    + v320 * v370)),
-                v384 = v213 * v345 + v190 * dhgen_abs_wide(v53) + v191 * (v345 +
-                    (dhgen_sqrt_wide(v340 * v340 + v341 * v341 + v322 * v322) + dhgen_sqrt_wide(v342
-                    * v342 + v343 * v343 + v344 * v344))) + (v218 * v377 + v205 *
-                    dhgen_abs_wide(v54) + v206 * (v377 + (dhgen_sqrt_wide(v372 * v372 + v373 * v373
-                    + v371 * v371) + dhgen_sqrt_wide(v374 * v374 + v375 * v375 + v376 * v376)))),
-                v405 = v402 + v245 * dhgen_abs_wide(v48) + v254 * (v398 + (dhgen_sqrt_wide(v392 *
-                    v392 + v393 * v393 + v394 * v394) + dhgen_sqrt_wide(v395 * v395 + v396 *
-                    v396))),
-                v407 = v405 + (dhgen_sqrt_wide(v399 * v399 + v400 * v400 + v401 * v401) +
-                    dhgen_sqrt_wide(v403 * v403 + v404 * v404)),
-                v428 = v419 + (v181 * v405 + v167 * v406 + v182 * v407),
-                v435 = v384 * v385 + v239 * dhgen_abs_wide(v55) + v386 * (v384 +
-                    (dhgen_sqrt_wide(v378 * v378 + v379 * v379 + v380 * v380) + dhgen_sqrt_wide(v381
-                    * v381 + v382 * v382 + v383 * v383))) + (v330 * v428 + v175 *
-                    dhgen_abs_wide(v52) + v180 * (v428 + (dhgen_sqrt_wide(v420 * v420 + v421 * v421
-                    + v422 * v422) + dhgen_sqrt_wide(v424 * v424 + v426 * v426 + v427 * v427)))) +
-                    (dhgen_sqrt_wide(v429 * v429 + v430 * v430 + v431 * v431) + dhgen_sqrt_wide(v432
-                    * v432 + v433 * v433 + v434 * v434)),
-                v446 = v397 * (v437 + v270 * v279 + v282 * v286 + (v439 + v308 * v314 + v316 *
-                    v320)),
-                v459 = v218 * v446 + v205 * dhgen_abs_wide(v57) + v206 * (v446 +
-                    (dhgen_sqrt_wide(v440 * v440 + v441 * v441 + v442 * v442) + dhgen_sqrt_wide(v443
-                    * v443 + v444 * v444 + v445 * v445))) + (v452 + v213 * v450 + v191 * v453),
-                v466 = v385 * v459 + v239 * dhgen_abs_wide(v58) + v386 * (v459 +
-                    (dhgen_sqrt_wide(v454 * v454 + v455 * v455 + v447 * v447) + dhgen_sqrt_wide(v456
-                    * v456 + v457 * v457 + v458 * v458))) + v325 * (v439 + v279 * v308 + v282 * v320
-                    + (v437 + v270 * v314 + v286 * v316)) + (dhgen_sqrt_wide(v460 * v460 + v461 *
-                    v461 + v462 * v462) + dhgen_sqrt_wide(v463 * v463 + v464 * v464 + v465 * v465));
             const int row = 4 * i1 + 2 * i2;
             q[7 * row] = angle1; q[7 * row + 1] = angle2; q[7 * row + 2] = q3_p;
             q[7 * row + 3] = q4_p; q[7 * row + 4] = angle3; q[7 * row + 5] = angle4;
@@ -644,8 +642,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             q[7 * row + 12] = -angle4;
             q[7 * row + 13] = angle5 - dhgen_signed_wide(DHGEN_HALF_TURN, s7);
             kind[row + 1] = dhgen_kind_wide(q[7 * row + 7]);
-            left |= (dhgen_abs_wide(v59) <= v435 * v435 + v466 * v466) | (dhgen_abs_wide(v35) <=
-                v209) | (v59 <= near_m5) | (v35 <= near_m4);
+            left |= (dhgen_abs_wide(v59) <= v440 * v440 + v471 * v471) | (dhgen_abs_wide(v35) <=
+                v213) | (v59 <= near_m5) | (v35 <= near_m4);
         }
     }
     return left;
@@ -665,58 +663,12 @@ DHGEN_INLINE int solve_regular(
     SIGNED(four, four);
     SIGNED_TWICE(four, four);
 
-    /* joint values */
-    const double v244 = sqrt(N1) - sqrt(near1),
-        v245 = v243 + (v243 + (fabs(v241) + fabs(v242))) * DHGEN_QUOTIENT(near1 + sqrt(v104), v244 *
-            v244), v254 = v245 + sqrt(v241 * v241 + v242 * v242);
-    const dhgen_four v258 = v240 * v251 + v245 * v253 + v254 * v255;
-    const double v262 = near_length * v254, v263 = v262 + v92 * v245;
-    const dhgen_four v264 = v181 * v263, v266 = v263 + dhgen_sqrt_four(v261 * v261 + v260 * v260),
-        v270 = v258 + (v264 + v167 * v265 + v182 * v266),
-        v286 = v270 + dhgen_sqrt_four(v267 * v267 + v268 * v268 + v269 * v269);
-    const double v291 = v262 + v95 * v245;
-    const dhgen_four v292 = v181 * v291, v294 = v291 + dhgen_sqrt_four(v289 * v289 + v290 * v290),
-        v303 = v240 * v298 + v245 * v300 + v254 * v301,
-        v308 = v303 + (v292 + v167 * v293 + v182 * v294),
-        v320 = v308 + dhgen_sqrt_four(v305 * v305 + v306 * v306 + v307 * v307),
-        v345 = v339 + (v283 * v284 + v270 * v285 + v286 * v288 + (v317 * v318 + v308 * v319 + v320 *
-            v321)),
-        v377 = v350 + (v284 * v359 + v270 * v360 + v286 * v362 + (v318 * v368 + v308 * v369 + v320 *
-            v370)),
-        v384 = v213 * v345 + v190 * dhgen_abs_four(v53) + v191 * (v345 + (dhgen_sqrt_four(v340 *
-            v340 + v341 * v341 + v322 * v322) + dhgen_sqrt_four(v342 * v342 + v343 * v343 + v344 *
-            v344))) + (v218 * v377 + v205 * dhgen_abs_four(v54) + v206 * (v377 +
-            (dhgen_sqrt_four(v372 * v372 + v373 * v373 + v371 * v371) + dhgen_sqrt_four(v374 * v374
-            + v375 * v375 + v376 * v376)))),
-        v405 = v402 + v245 * dhgen_abs_four(v48) + v254 * (v398 + (dhgen_sqrt_four(v392 * v392 +
-            v393 * v393 + v394 * v394) + dhgen_sqrt_four(v395 * v395 + v396 * v396))),
-        v407 = v405 + (dhgen_sqrt_four(v399 * v399 + v400 * v400 + v401 * v401) +
-            dhgen_sqrt_four(v403 * v403 + v404 * v404)),
-        v419 = v240 * v414 + v245 * dhgen_abs_four(v50) + v254 * (v414 + (dhgen_sqrt_four(v408 *
-            v408 + v409 * v409 + v410 * v410) + dhgen_sqrt_four(v411 * v411 + v412 * v412 + v413 *
-            v413))), v428 = v419 + (v181 * v405 + v167 * v406 + v182 * v407),
-        v435 = v384 * v385 + v239 * dhgen_abs_four(v55) + v386 * (v384 + (dhgen_sqrt_four(v378 *
-            v378 + v379 * v379 + v380 * v380) + dhgen_sqrt_four(v381 * v381 + v382 * v382 + v383 *
-            v383))) + (v330 * v428 + v175 * dhgen_abs_four(v52) + v180 * (v428 +
-            (dhgen_sqrt_four(v420 * v420 + v421 * v421 + v422 * v422) + dhgen_sqrt_four(v424 * v424
-            + v426 * v426 + v427 * v427)))) + (dhgen_sqrt_four(v429 * v429 + v430 * v430 + v431 *
-            v431) + dhgen_sqrt_four(v432 * v432 + v433 * v433 + v434 * v434)),
-        v446 = v397 * (v437 + v270 * v279 + v282 * v286 + (v439 + v308 * v314 + v316 * v320)),
-        v459 = v218 * v446 + v205 * dhgen_abs_four(v57) + v206 * (v446 + (dhgen_sqrt_four(v440 *
-            v440 + v441 * v441 + v442 * v442) + dhgen_sqrt_four(v443 * v443 + v444 * v444 + v445 *
-            v445))) + (v452 + v213 * v450 + v191 * v453),
-        v466 = v385 * v459 + v239 * dhgen_abs_four(v58) + v386 * (v459 + (dhgen_sqrt_four(v454 *
-            v454 + v455 * v455 + v447 * v447) + dhgen_sqrt_four(v456 * v456 + v457 * v457 + v458 *
-            v458))) + v325 * (v439 + v279 * v308 + v282 * v320 + (v437 + v270 * v314 + v286 * v316))
-            + (dhgen_sqrt_four(v460 * v460 + v461 * v461 + v462 * v462) + dhgen_sqrt_four(v463 *
-            v463 + v464 * v464 + v465 * v465));
-
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) + 0.0 * (free_joints[0]) <= DHGEN_ORTHONORMAL)
-        == 0) | ((dhgen_abs_four(v147 + (D1 + D1)) <= v147) | (dhgen_abs_four(v15) <= 2.0 * v142) |
-        (dhgen_abs_four(D1 * v12) <= near_m3 * v15)) | ((dhgen_abs_four(v59) <= v435 * v435 + v466 *
-        v466) | (dhgen_abs_four(v35) <= v209) | (v59 <= near_m5) | (v35 <= near_m4))) |
-        (unsigned)((fabs(N1) <= near1) | (fabs(v110 + (D4 + D4)) <= v110) | (fabs(v90) <= 2.0 *
-        v105) | (N1 <= near_doubt_limit_squared2) | (fabs(D4) <= near_m1 * v90) | (N4 <=
+        == 0) | ((dhgen_abs_four(v151 + (D1 + D1)) <= v151) | (dhgen_abs_four(v15) <= 2.0 * v146) |
+        (dhgen_abs_four(D1 * v12) <= near_m3 * v15)) | ((dhgen_abs_four(v59) <= v440 * v440 + v471 *
+        v471) | (dhgen_abs_four(v35) <= v213) | (v59 <= near_m5) | (v35 <= near_m4))) |
+        (unsigned)((fabs(N1) <= v102) | (fabs(v114 + (D4 + D4)) <= v114) | (fabs(v90) <= 2.0 * v109)
+        | (N1 <= near_doubt_limit_squared2) | (fabs(D4) <= near_m1 * v90) | (N4 <=
         near_doubt_limit_squared4)))
         return -1;
 
@@ -753,12 +705,40 @@ DHGEN_FN int solve_regular(
 }
 #endif
 
+/* Its links, and its angles as factors of joint values and what is added. */
+DHGEN_TABLE double nearest_links[8][12] = {
+    { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 },
+    { 1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0, 6.123233995736766e-17,
+        0.0 },
+    { 1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0, 6.123233995736766e-17,
+        -0.01175 },
+    { 1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0, 6.123233995736766e-17,
+        -0.42076 },
+    { 1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0, 6.123233995736766e-17,
+        -0.01275 },
+    { 1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0, 6.123233995736766e-17,
+        -0.31436 },
+    { 1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0, 6.123233995736766e-17,
+        0.0 },
+    { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 },
+};
+DHGEN_TABLE double nearest_angles[7][8] = {
+    { 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    { 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.141592653589793 },
+    { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 3.141592653589793 },
+    { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 3.141592653589793 },
+    { 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 3.141592653589793 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 3.141592653589793 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 3.141592653589793 },
+};
 DHGEN_TABLE dhgen_nearest_arm nearest_arm = {
-    8, /* rows */
+    8, 1, /* rows; values that the caller gives */
+    1e-10, 0.0003500001, /* the two arms' tools differ by no more */
     { 1.0, 0.0, 0.0, -0.0, 0.0, -1.0, 0.0, -0.0, 0.0, 0.0, -1.0, 0.28481 },
     { 1.0, 0.0, 0.0, -0.0, -0.0, 1.0, 0.0, -0.0, 0.0, -0.0, 1.0, 0.10593 },
     { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     { 0, 1, 3, 4, 5, 6 },
+    nearest_links, nearest_angles[0],
 };
 #endif
 
@@ -773,15 +753,15 @@ DHGEN_FN void solve(
     unsigned char *status)
 {
     (void)moved;
-    double nearby[16][6];
-#ifdef KINOVA_GEN3_7_PLAIN
-    const int nearby_count = 0;
-#else
-    const int nearby_count = dhgen_near_solutions(&nearest_arm, solve_regular, T, free_joints,
-        nearby);
+#ifndef KINOVA_GEN3_7_PLAIN
+    if (dhgen_solve_from_nearest(&general, &descents, &nearest_arm, solve_regular, T, free_joints,
+        rows, status))
+        return;
 #endif
-    dhgen_general_rows(&general, &descents, T, free_joints, seed, nearby, nearby_count, rows,
-        status);
+    dhgen_general_rows(&general, &descents, T, free_joints, seed, rows, status);
+#ifndef KINOVA_GEN3_7_PLAIN
+    dhgen_to_nearest_rows(&nearest_arm, solve_regular, free_joints, rows, status);
+#endif
 }
 
 DHGEN_TABLE int given_joints[1] = { 2 };

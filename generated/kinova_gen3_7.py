@@ -47,8 +47,10 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
-    "root11", "root12", "root13", "root14", "root15", "root16",
+    "elbow+-shoulder+-noflip", "elbow+-shoulder+-flip", "elbow+-shoulder--noflip",
+    "elbow+-shoulder--flip", "elbow--shoulder+-noflip", "elbow--shoulder+-flip",
+    "elbow--shoulder--noflip", "elbow--shoulder--flip", "further1", "further2", "further3",
+    "further4", "further5", "further6", "further7", "further8",
 )
 MAX_SOLUTIONS = 16
 FREE_JOINTS = (3,)  # from 1: the caller gives their values
@@ -75,8 +77,6 @@ offset4 = 3.141592653589793  # offset of joint 4 [rad]
 offset5 = 3.141592653589793  # offset of joint 5 [rad]
 offset6 = 3.141592653589793  # offset of joint 6 [rad]
 offset7 = 3.141592653589793  # offset of joint 7 [rad]
-near_angle = 1e-10  # the two arms' tools are turned by no more
-near_length = 0.0003500001  # and no farther apart [m]
 near_offset3 = 3.141592653589793  # offset of joint 3 [rad]
 near_d2 = -0.01175  # joint offset 2 [m]
 near_d5 = -0.31436  # joint offset 5 [m]
@@ -97,11 +97,7 @@ near_m2 = 0.2645402272  # near_k1 [m^2]
 near_m3 = 7.596199999999998e-11  # 10 * near_blur_slack1 [m]
 near_m4 = 3.3295501674584984e-17  # near_doubt_limit_squared2^2 [m^4]
 near_m5 = 9.999999999999999e-09  # near_doubt_limit^2
-near1 = 2.4500014000001997e-07  # near_length^2 + near_length^2 [m^2]
-near2 = 3.6750021000002996e-07  # near_length^2 + near1 [m^2]
-near3 = 0.5  # 1 / 2
-near4 = 9.721858904945563e-08  # near_k1 * near2 [m^4]
-near5 = 5.0000000000000005e-21  # near_angle^2 / 2
+near1 = 0.5  # 1 / 2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -444,8 +440,7 @@ _LOOP = _loops.Loop(
 )
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
 _all_joints = _runtime("general.rows").all_joints
-_nearest, _COMPILED = _runtime("general.near"), _runtime("jit").COMPILED
-_NONE_NEAR = np.zeros((0, 6))
+_nearest = _runtime("general.near")
 
 
 # The nearest arm with a structure: what follows is its closed form.
@@ -459,6 +454,7 @@ def _formulas(kept, turns, rows, w):
     for k in range(w):
         T13, T14, T23, T24 = kept[2 * w + k], kept[3 * w + k], kept[6 * w + k], kept[7 * w + k]
         T33, T34, given1 = kept[10 * w + k], kept[11 * w + k], kept[16 * w + k]
+        given2, given3 = kept[17 * w + k], kept[18 * w + k]
         v1 = near_offset3 + given1
 
         # theta4, type 2: the squared length of column 4 of U0
@@ -475,65 +471,71 @@ def _formulas(kept, turns, rows, w):
         v85 = T24 * T13 - T14 * T23
 
         # joint values
-        v178 = near_length * T14
+        v178 = T14 * given3
         v179 = abs(T14)
-        v180 = v178 + v178
-        v181 = near_length * T24
-        v182 = abs(T24)
-        v183 = v181 + v181
-        v184 = near_length * T34
-        v185 = abs(T34)
-        v186 = v184 + v184
-        v191 = v180 * v180 + v183 * v183
-        v192 = near2 + math.sqrt(v191 + v186 * v186)
-        v507 = abs(inverse1)
-        v508 = inverse1 * (inverse1 * v180)
-        v509 = inverse1 * (inverse1 * v183)
-        v510 = v507 * (near1 * v507)
-        v511 = math.sqrt(N1) - math.sqrt(near1)
-        v512 = v510 + (v510 + (abs(v508) + abs(v509))) * ((near1 + math.sqrt(v191)) / (v511 * v511))
-        v530 = v512 + math.sqrt(v508 * v508 + v509 * v509)
-        v539 = near_length * inverse1
-        v540 = T14 * v509
-        v541 = v539 - T14 * v508
-        v542 = near_length * v530
-        v543 = v542 + v179 * v512
-        v544 = abs(v26)
-        v545 = v540 * v540
-        v546 = v543 + math.sqrt(v541 * v541 + v545)
-        v547 = v543 + math.sqrt(v545 + -v541 * -v541)
-        v572 = near_angle * T33
-        v573 = near_angle * T23
-        v586 = abs(T13)
-        v587 = v572 * v572
-        v588 = v573 * v573
-        v589 = near5 + math.sqrt(v587 + v588)
-        v607 = T24 * v508
-        v608 = v539 - T24 * v509
-        v609 = v542 + v182 * v512
-        v610 = abs(v31)
-        v611 = v607 * v607
-        v612 = v609 + math.sqrt(v611 + v608 * v608)
-        v613 = v609 + math.sqrt(v611 + -v608 * -v608)
-        v659 = near_angle * T13
-        v668 = abs(T23)
-        v669 = v659 * v659
-        v670 = near5 + math.sqrt(v587 + v669)
-        v694 = near5 + math.sqrt(v588 + v669)
-        kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = v2, v3, N1
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = inverse1, v26, v31
-        kept[24 * w + k], kept[25 * w + k], kept[26 * w + k] = v85, v179, v180
-        kept[27 * w + k], kept[28 * w + k], kept[29 * w + k] = v182, v183, v185
-        kept[30 * w + k], kept[31 * w + k], kept[32 * w + k] = v186, v192, v507
-        kept[33 * w + k], kept[34 * w + k], kept[35 * w + k] = v508, v509, v512
-        kept[36 * w + k], kept[37 * w + k], kept[38 * w + k] = v530, v540, v541
-        kept[39 * w + k], kept[40 * w + k], kept[41 * w + k] = v543, v544, v546
-        kept[42 * w + k], kept[43 * w + k], kept[44 * w + k] = v547, v572, v573
-        kept[45 * w + k], kept[46 * w + k], kept[47 * w + k] = v586, v589, v607
-        kept[48 * w + k], kept[49 * w + k], kept[50 * w + k] = v608, v609, v610
-        kept[51 * w + k], kept[52 * w + k], kept[53 * w + k] = v612, v613, v659
-        kept[54 * w + k], kept[55 * w + k], kept[56 * w + k] = v668, v670, v694
-        turns[0 * w + k], turns[1 * w + k] = v1, v1
+        v180 = abs(given3)
+        v181 = v178 + v178
+        v182 = v180 * v180
+        v183 = T24 * given3
+        v184 = abs(T24)
+        v185 = v183 + v183
+        v186 = T34 * given3
+        v187 = abs(T34)
+        v188 = v186 + v186
+        v189 = v182 + v182
+        v190 = v182 + v189
+        v195 = v181 * v181 + v185 * v185
+        v196 = v190 + math.sqrt(v195 + v188 * v188)
+        v511 = abs(inverse1)
+        v512 = inverse1 * (inverse1 * v181)
+        v513 = inverse1 * (inverse1 * v185)
+        v514 = v511 * (v189 * v511)
+        v515 = math.sqrt(N1) - math.sqrt(v189)
+        v516 = v514 + (v514 + (abs(v512) + abs(v513))) * ((v189 + math.sqrt(v195)) / (v515 * v515))
+        v534 = v516 + math.sqrt(v512 * v512 + v513 * v513)
+        v543 = inverse1 * given3
+        v544 = T14 * v513
+        v545 = v543 - T14 * v512
+        v546 = v180 * v534
+        v547 = v546 + v179 * v516
+        v548 = abs(v26)
+        v549 = v544 * v544
+        v550 = v547 + math.sqrt(v545 * v545 + v549)
+        v551 = v547 + math.sqrt(v549 + -v545 * -v545)
+        v576 = T33 * given2
+        v577 = T23 * given2
+        v578 = near1 * (given2 * given2)
+        v591 = abs(T13)
+        v592 = v576 * v576
+        v593 = v577 * v577
+        v594 = v578 + math.sqrt(v592 + v593)
+        v612 = T24 * v512
+        v613 = v543 - T24 * v513
+        v614 = v546 + v184 * v516
+        v615 = abs(v31)
+        v616 = v612 * v612
+        v617 = v614 + math.sqrt(v616 + v613 * v613)
+        v618 = v614 + math.sqrt(v616 + -v613 * -v613)
+        v664 = T13 * given2
+        v673 = abs(T23)
+        v674 = v664 * v664
+        v675 = v578 + math.sqrt(v592 + v674)
+        v699 = v578 + math.sqrt(v593 + v674)
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v2, v3, N1
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = inverse1, v26, v31
+        kept[26 * w + k], kept[27 * w + k], kept[28 * w + k] = v85, v179, v180
+        kept[29 * w + k], kept[30 * w + k], kept[31 * w + k] = v181, v184, v185
+        kept[32 * w + k], kept[33 * w + k], kept[34 * w + k] = v187, v188, v189
+        kept[35 * w + k], kept[36 * w + k], kept[37 * w + k] = v190, v196, v511
+        kept[38 * w + k], kept[39 * w + k], kept[40 * w + k] = v512, v513, v516
+        kept[41 * w + k], kept[42 * w + k], kept[43 * w + k] = v534, v544, v545
+        kept[44 * w + k], kept[45 * w + k], kept[46 * w + k] = v547, v548, v550
+        kept[47 * w + k], kept[48 * w + k], kept[49 * w + k] = v551, v576, v577
+        kept[50 * w + k], kept[51 * w + k], kept[52 * w + k] = v578, v591, v594
+        kept[53 * w + k], kept[54 * w + k], kept[55 * w + k] = v612, v613, v614
+        kept[56 * w + k], kept[57 * w + k], kept[58 * w + k] = v615, v617, v618
+        kept[59 * w + k], kept[60 * w + k], kept[61 * w + k] = v664, v673, v675
+        kept[62 * w + k], turns[0 * w + k], turns[1 * w + k] = v699, v1, v1
     for k in range(0 * w, 1 * w):
         turns[k] = math.sin(turns[k])
     for k in range(1 * w, 2 * w):
@@ -542,20 +544,21 @@ def _formulas(kept, turns, rows, w):
         T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
         T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
         T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
-        given1, v2, v3, N1 = kept[16 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        inverse1, v26, v31 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
-        v85, v179, v180 = kept[24 * w + k], kept[25 * w + k], kept[26 * w + k]
-        v182, v183, v185 = kept[27 * w + k], kept[28 * w + k], kept[29 * w + k]
-        v186, v192, v507 = kept[30 * w + k], kept[31 * w + k], kept[32 * w + k]
-        v508, v509, v512 = kept[33 * w + k], kept[34 * w + k], kept[35 * w + k]
-        v530, v540, v541 = kept[36 * w + k], kept[37 * w + k], kept[38 * w + k]
-        v543, v544, v546 = kept[39 * w + k], kept[40 * w + k], kept[41 * w + k]
-        v547, v572, v573 = kept[42 * w + k], kept[43 * w + k], kept[44 * w + k]
-        v586, v589, v607 = kept[45 * w + k], kept[46 * w + k], kept[47 * w + k]
-        v608, v609, v610 = kept[48 * w + k], kept[49 * w + k], kept[50 * w + k]
-        v612, v613, v659 = kept[51 * w + k], kept[52 * w + k], kept[53 * w + k]
-        v668, v670, v694 = kept[54 * w + k], kept[55 * w + k], kept[56 * w + k]
-        s3, c3 = turns[0 * w + k], turns[1 * w + k]
+        given1, given3, v2 = kept[16 * w + k], kept[18 * w + k], kept[20 * w + k]
+        v3, N1, inverse1 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
+        v26, v31, v85, v179 = kept[24 * w + k], kept[25 * w + k], kept[26 * w + k], kept[27 * w + k]
+        v180, v181, v184 = kept[28 * w + k], kept[29 * w + k], kept[30 * w + k]
+        v185, v187, v188 = kept[31 * w + k], kept[32 * w + k], kept[33 * w + k]
+        v189, v190, v196 = kept[34 * w + k], kept[35 * w + k], kept[36 * w + k]
+        v511, v512, v513 = kept[37 * w + k], kept[38 * w + k], kept[39 * w + k]
+        v516, v534, v544 = kept[40 * w + k], kept[41 * w + k], kept[42 * w + k]
+        v545, v547, v548 = kept[43 * w + k], kept[44 * w + k], kept[45 * w + k]
+        v550, v551, v576 = kept[46 * w + k], kept[47 * w + k], kept[48 * w + k]
+        v577, v578, v591 = kept[49 * w + k], kept[50 * w + k], kept[51 * w + k]
+        v594, v612, v613 = kept[52 * w + k], kept[53 * w + k], kept[54 * w + k]
+        v614, v615, v617 = kept[55 * w + k], kept[56 * w + k], kept[57 * w + k]
+        v618, v664, v673 = kept[58 * w + k], kept[59 * w + k], kept[60 * w + k]
+        v675, v699, s3, c3 = kept[61 * w + k], kept[62 * w + k], turns[0 * w + k], turns[1 * w + k]
 
         # theta4, type 2: the squared length of column 4 of U0
         X4 = near_d5 * (near_d2 * s3) * 2.0
@@ -801,218 +804,213 @@ def _formulas(kept, turns, rows, w):
         q3_mpp = v17 + v175
         v176 = abs(Z4)
         v177 = near_merge_slack2 + 2.0 * v176
-        v187 = Z4 * v180
-        v188 = Z4 * v183
-        v189 = Z4 * v186
-        v190 = near2 * v176
-        v193 = v187 + v187
-        v194 = v188 + v188
-        v195 = v189 + v189
-        v196 = v190 + v190 + v192 * v192
-        v197 = v196 + math.sqrt(v193 * v193 + v194 * v194 + v195 * v195)
-        v198 = X4 * v180
-        v199 = X4 * v183
-        v200 = X4 * v186
-        v201 = near2 * abs(X4)
-        v202 = inverse4 * v198
-        v203 = inverse4 * v199
-        v204 = inverse4 * v200
-        v205 = abs(inverse4)
-        v206 = near3 / w4
-        v207 = v193 * v206
-        v208 = v194 * v206
-        v209 = v195 * v206
-        v210 = v197 * v206
-        v211 = v210 * v210 / w4
-        v212 = v211 + (v211 + v196 * abs(v206))
-        v213 = v6 * v207
-        v214 = v202 + v213
-        v215 = v202 - v213
-        v216 = v6 * v208
-        v217 = v203 + v216
-        v218 = v203 - v216
-        v219 = v6 * v209
-        v220 = v204 + v219
-        v221 = v204 - v219
-        v222 = v201 * v205 + v212 * abs(v6)
-        v223 = v13 * v214
-        v224 = v13 * v215
-        v225 = v13 * v217
-        v226 = v13 * v218
-        v227 = v13 * v220
-        v228 = v13 * v221
-        v229 = v222 * abs(v13)
-        v230 = v222 + math.sqrt(v214 * v214 + v217 * v217 + v220 * v220)
-        v231 = v222 + math.sqrt(v215 * v215 + v218 * v218 + v221 * v221)
-        v232 = Z1_p * v223
-        v233 = Z1_m * v224
-        v234 = Z1_p * v225
-        v235 = Z1_m * v226
+        v191 = Z4 * v181
+        v192 = Z4 * v185
+        v193 = Z4 * v188
+        v194 = v176 * v190
+        v197 = v191 + v191
+        v198 = v192 + v192
+        v199 = v193 + v193
+        v200 = v194 + v194 + v196 * v196
+        v201 = v200 + math.sqrt(v197 * v197 + v198 * v198 + v199 * v199)
+        v202 = X4 * v181
+        v203 = X4 * v185
+        v204 = X4 * v188
+        v205 = v190 * abs(X4)
+        v206 = inverse4 * v202
+        v207 = inverse4 * v203
+        v208 = inverse4 * v204
+        v209 = abs(inverse4)
+        v210 = near1 / w4
+        v211 = v197 * v210
+        v212 = v198 * v210
+        v213 = v199 * v210
+        v214 = v201 * v210
+        v215 = v214 * v214 / w4
+        v216 = v215 + (v215 + v200 * abs(v210))
+        v217 = v6 * v211
+        v218 = v206 + v217
+        v219 = v206 - v217
+        v220 = v6 * v212
+        v221 = v207 + v220
+        v222 = v207 - v220
+        v223 = v6 * v213
+        v224 = v208 + v223
+        v225 = v208 - v223
+        v226 = v205 * v209 + v216 * abs(v6)
+        v227 = v13 * v218
+        v228 = v13 * v219
+        v229 = v13 * v221
+        v230 = v13 * v222
+        v231 = v13 * v224
+        v232 = v13 * v225
+        v233 = v226 * abs(v13)
+        v234 = v226 + math.sqrt(v218 * v218 + v221 * v221 + v224 * v224)
+        v235 = v226 + math.sqrt(v219 * v219 + v222 * v222 + v225 * v225)
         v236 = Z1_p * v227
         v237 = Z1_m * v228
-        v238 = v18 * v229
-        v239 = v19 * v229
-        v240 = v229 + math.sqrt(v223 * v223 + v225 * v225 + v227 * v227)
-        v241 = v229 + math.sqrt(v224 * v224 + v226 * v226 + v228 * v228)
-        v242 = v236 + v236
-        v243 = v237 + v237
-        v244 = v180 + (v232 + v232)
-        v245 = v180 + (v233 + v233)
-        v246 = v183 + (v234 + v234)
-        v247 = v183 + (v235 + v235)
-        v248 = near1 + (v238 + v238 + v240 * v240)
-        v249 = near1 + (v239 + v239 + v241 * v241)
-        v250 = v248 + math.sqrt(v244 * v244 + v246 * v246 + v242 * v242)
-        v251 = v249 + math.sqrt(v245 * v245 + v247 * v247 + v243 * v243)
-        v252 = abs(v38)
-        v253 = inverse4 * (v38 * v198)
-        v254 = inverse4 * (v38 * v199)
-        v255 = inverse4 * (v38 * v200)
-        v256 = v205 * (v201 * v252)
-        v257 = T34 * v253
-        v258 = T34 * v254
-        v259 = T34 * v255 + near_length * v42
-        v260 = near_m2 * (inverse4 * (near_length * v38))
-        v261 = v44 * v207
-        v262 = v257 + v261
-        v263 = v257 - v261
-        v264 = v44 * v208
-        v265 = v258 + v264
-        v266 = v258 - v264
-        v267 = v44 * v209 - w4 * v260
-        v268 = v259 + v267
-        v269 = v259 + -v267
-        v270 = near3 / w1_p
-        v271 = near3 / w1_m
-        v272 = v244 * v270
-        v273 = v245 * v271
-        v274 = v246 * v270
-        v275 = v247 * v271
-        v276 = v242 * v270
-        v277 = v243 * v271
-        v278 = v250 * v270
-        v279 = v251 * v271
-        v280 = v278 * v278 / w1_p
-        v281 = v279 * v279 / w1_m
-        v282 = v280 + (v280 + v248 * abs(v270))
-        v283 = v281 + (v281 + v249 * abs(v271))
-        v284 = inverse4 * (near_k1 * v180)
-        v285 = inverse4 * (near_k1 * v183)
-        v286 = inverse4 * (near_k1 * v186)
-        v287 = v9 * v207
-        v288 = v284 - v287
-        v289 = v284 + v287
-        v290 = v9 * v208
-        v291 = v285 - v290
-        v292 = v285 + v290
-        v293 = v9 * v209
-        v294 = v286 - v293
-        v295 = v286 + v293
-        v296 = near4 * v205 + v212 * abs(v9)
-        v297 = near_d5 * v288
-        v298 = near_d5 * v289
-        v299 = near_d5 * v291
-        v300 = near_d5 * v292
-        v301 = near_d5 * v294
-        v302 = near_d5 * v295
-        v303 = near_d5 * v296
-        v304 = v296 + math.sqrt(v288 * v288 + v291 * v291 + v294 * v294)
-        v305 = v296 + math.sqrt(v289 * v289 + v292 * v292 + v295 * v295)
-        v306 = abs(w1_p)
-        v307 = abs(w1_m)
-        v308 = v282 + math.sqrt(v272 * v272 + v274 * v274 + v276 * v276)
-        v309 = v283 + math.sqrt(v273 * v273 + v275 * v275 + v277 * v277)
-        v310 = math.sqrt(v297 * v297 + v299 * v299 + v301 * v301) - v303
-        v311 = math.sqrt(v298 * v298 + v300 * v300 + v302 * v302) - v303
-        v312 = w1_p * v297 + v40 * v272
-        v313 = w1_m * v298 + v41 * v273
-        v314 = w1_p * v299 + v40 * v274
-        v315 = w1_m * v300 + v41 * v275
+        v238 = Z1_p * v229
+        v239 = Z1_m * v230
+        v240 = Z1_p * v231
+        v241 = Z1_m * v232
+        v242 = v18 * v233
+        v243 = v19 * v233
+        v244 = v233 + math.sqrt(v227 * v227 + v229 * v229 + v231 * v231)
+        v245 = v233 + math.sqrt(v228 * v228 + v230 * v230 + v232 * v232)
+        v246 = v240 + v240
+        v247 = v241 + v241
+        v248 = v181 + (v236 + v236)
+        v249 = v181 + (v237 + v237)
+        v250 = v185 + (v238 + v238)
+        v251 = v185 + (v239 + v239)
+        v252 = v189 + (v242 + v242 + v244 * v244)
+        v253 = v189 + (v243 + v243 + v245 * v245)
+        v254 = v252 + math.sqrt(v248 * v248 + v250 * v250 + v246 * v246)
+        v255 = v253 + math.sqrt(v249 * v249 + v251 * v251 + v247 * v247)
+        v256 = abs(v38)
+        v257 = inverse4 * (v38 * v202)
+        v258 = inverse4 * (v38 * v203)
+        v259 = inverse4 * (v38 * v204)
+        v260 = v209 * (v205 * v256)
+        v261 = T34 * v257
+        v262 = T34 * v258
+        v263 = T34 * v259 + v42 * given3
+        v264 = near_m2 * (inverse4 * (v38 * given3))
+        v265 = v44 * v211
+        v266 = v261 + v265
+        v267 = v261 - v265
+        v268 = v44 * v212
+        v269 = v262 + v268
+        v270 = v262 - v268
+        v271 = v44 * v213 - w4 * v264
+        v272 = v263 + v271
+        v273 = v263 + -v271
+        v274 = near1 / w1_p
+        v275 = near1 / w1_m
+        v276 = v248 * v274
+        v277 = v249 * v275
+        v278 = v250 * v274
+        v279 = v251 * v275
+        v280 = v246 * v274
+        v281 = v247 * v275
+        v282 = v254 * v274
+        v283 = v255 * v275
+        v284 = v282 * v282 / w1_p
+        v285 = v283 * v283 / w1_m
+        v286 = v284 + (v284 + v252 * abs(v274))
+        v287 = v285 + (v285 + v253 * abs(v275))
+        v288 = inverse4 * (near_k1 * v181)
+        v289 = inverse4 * (near_k1 * v185)
+        v290 = inverse4 * (near_k1 * v188)
+        v291 = v9 * v211
+        v292 = v288 - v291
+        v293 = v288 + v291
+        v294 = v9 * v212
+        v295 = v289 - v294
+        v296 = v289 + v294
+        v297 = v9 * v213
+        v298 = v290 - v297
+        v299 = v290 + v297
+        v300 = v209 * (near_k1 * v190) + v216 * abs(v9)
+        v301 = near_d5 * v292
+        v302 = near_d5 * v293
+        v303 = near_d5 * v295
+        v304 = near_d5 * v296
+        v305 = near_d5 * v298
+        v306 = near_d5 * v299
+        v307 = near_d5 * v300
+        v308 = v300 + math.sqrt(v292 * v292 + v295 * v295 + v298 * v298)
+        v309 = v300 + math.sqrt(v293 * v293 + v296 * v296 + v299 * v299)
+        v310 = abs(w1_p)
+        v311 = abs(w1_m)
+        v312 = v286 + math.sqrt(v276 * v276 + v278 * v278 + v280 * v280)
+        v313 = v287 + math.sqrt(v277 * v277 + v279 * v279 + v281 * v281)
+        v314 = math.sqrt(v301 * v301 + v303 * v303 + v305 * v305) - v307
+        v315 = math.sqrt(v302 * v302 + v304 * v304 + v306 * v306) - v307
         v316 = w1_p * v301 + v40 * v276
         v317 = w1_m * v302 + v41 * v277
-        v318 = v262 + v312
-        v319 = v262 - v312
-        v320 = v263 + v313
-        v321 = v263 - v313
-        v322 = v265 + v314
-        v323 = v265 - v314
-        v324 = v266 + v315
-        v325 = v266 - v315
-        v326 = v268 + v316
-        v327 = v268 - v316
-        v328 = v269 + v317
-        v329 = v269 - v317
-        v330 = (
-            v185 * v256 + near_length * (v256 + math.sqrt(v253 * v253 + v254 * v254 + v255 * v255))
-            + (v212 * abs(v44) + (v212 + math.sqrt(v207 * v207 + v208 * v208 + v209 * v209)) *
-            abs(v260))
+        v318 = w1_p * v303 + v40 * v278
+        v319 = w1_m * v304 + v41 * v279
+        v320 = w1_p * v305 + v40 * v280
+        v321 = w1_m * v306 + v41 * v281
+        v322 = v266 + v316
+        v323 = v266 - v316
+        v324 = v267 + v317
+        v325 = v267 - v317
+        v326 = v269 + v318
+        v327 = v269 - v318
+        v328 = v270 + v319
+        v329 = v270 - v319
+        v330 = v272 + v320
+        v331 = v272 - v320
+        v332 = v273 + v321
+        v333 = v273 - v321
+        v334 = (
+            v187 * v260 + v180 * (v260 + math.sqrt(v257 * v257 + v258 * v258 + v259 * v259)) + (v216
+            * abs(v44) + (v216 + math.sqrt(v211 * v211 + v212 * v212 + v213 * v213)) * abs(v264))
         )
-        v331 = v330 + (v282 * abs(v40) - v303 * v306 + v308 * v310)
-        v332 = v330 + (v283 * abs(v41) - v303 * v307 + v309 * v311)
-        v333 = v331 + math.sqrt(v318 * v318 + v322 * v322 + v326 * v326)
-        v334 = v331 + math.sqrt(v319 * v319 + v323 * v323 + v327 * v327)
-        v335 = v332 + math.sqrt(v320 * v320 + v324 * v324 + v328 * v328)
-        v336 = v332 + math.sqrt(v321 * v321 + v325 * v325 + v329 * v329)
-        v337 = v38 * v214
-        v338 = v38 * v215
-        v339 = v38 * v217
-        v340 = v38 * v218
-        v341 = v38 * v220
-        v342 = v38 * v221
-        v343 = v222 * v252
-        v344 = w1_p * v337 + v52 * v272
-        v345 = w1_m * v338 + v53 * v273
-        v346 = w1_p * v339 + v52 * v274
-        v347 = w1_m * v340 + v53 * v275
+        v335 = v334 + (v286 * abs(v40) - v307 * v310 + v312 * v314)
+        v336 = v334 + (v287 * abs(v41) - v307 * v311 + v313 * v315)
+        v337 = v335 + math.sqrt(v322 * v322 + v326 * v326 + v330 * v330)
+        v338 = v335 + math.sqrt(v323 * v323 + v327 * v327 + v331 * v331)
+        v339 = v336 + math.sqrt(v324 * v324 + v328 * v328 + v332 * v332)
+        v340 = v336 + math.sqrt(v325 * v325 + v329 * v329 + v333 * v333)
+        v341 = v38 * v218
+        v342 = v38 * v219
+        v343 = v38 * v221
+        v344 = v38 * v222
+        v345 = v38 * v224
+        v346 = v38 * v225
+        v347 = v226 * v256
         v348 = w1_p * v341 + v52 * v276
         v349 = w1_m * v342 + v53 * v277
-        v350 = T34 * v297
-        v351 = T34 * v298
-        v352 = T34 * v299
-        v353 = T34 * v300
-        v354 = T34 * v301 + near_length * v40
-        v355 = T34 * v302 + near_length * v41
-        v356 = v344 - v350
-        v357 = v344 + v350
-        v358 = v345 - v351
-        v359 = v345 + v351
-        v360 = v346 - v352
-        v361 = v346 + v352
-        v362 = v347 - v353
-        v363 = v347 + v353
-        v364 = v348 - v354
-        v365 = v348 + v354
-        v366 = v349 - v355
-        v367 = v349 + v355
-        v368 = v185 * v303
-        v369 = (
-            v306 * v343 + v282 * abs(v52) + v308 * (v343 + math.sqrt(v337 * v337 + v339 * v339 +
-            v341 * v341)) + (near_length * v310 - v368)
+        v350 = w1_p * v343 + v52 * v278
+        v351 = w1_m * v344 + v53 * v279
+        v352 = w1_p * v345 + v52 * v280
+        v353 = w1_m * v346 + v53 * v281
+        v354 = T34 * v301
+        v355 = T34 * v302
+        v356 = T34 * v303
+        v357 = T34 * v304
+        v358 = T34 * v305 + v40 * given3
+        v359 = T34 * v306 + v41 * given3
+        v360 = v348 - v354
+        v361 = v348 + v354
+        v362 = v349 - v355
+        v363 = v349 + v355
+        v364 = v350 - v356
+        v365 = v350 + v356
+        v366 = v351 - v357
+        v367 = v351 + v357
+        v368 = v352 - v358
+        v369 = v352 + v358
+        v370 = v353 - v359
+        v371 = v353 + v359
+        v372 = v187 * v307
+        v373 = (
+            v310 * v347 + v286 * abs(v52) + v312 * (v347 + math.sqrt(v341 * v341 + v343 * v343 +
+            v345 * v345)) + (v180 * v314 - v372)
         )
-        v370 = (
-            v307 * v343 + v283 * abs(v53) + v309 * (v343 + math.sqrt(v338 * v338 + v340 * v340 +
-            v342 * v342)) + (near_length * v311 - v368)
+        v374 = (
+            v311 * v347 + v287 * abs(v53) + v313 * (v347 + math.sqrt(v342 * v342 + v344 * v344 +
+            v346 * v346)) + (v180 * v315 - v372)
         )
-        v371 = v369 + math.sqrt(v356 * v356 + v360 * v360 + v364 * v364)
-        v372 = v369 + math.sqrt(v357 * v357 + v361 * v361 + v365 * v365)
-        v373 = v370 + math.sqrt(v358 * v358 + v362 * v362 + v366 * v366)
-        v374 = v370 + math.sqrt(v359 * v359 + v363 * v363 + v367 * v367)
-        v375 = v333 * v333
-        v376 = v334 * v334
-        v377 = v335 * v335
-        v378 = v336 * v336
-        v379 = v371 * v371
-        v380 = v372 * v372
-        v381 = v373 * v373
-        v382 = v374 * v374
-        v383 = v375 + v379
-        v384 = v376 + v380
-        v385 = v377 + v381
-        v386 = v378 + v382
-        v387 = S2_pp * v318
-        v388 = S2_pm * v319
-        v389 = S2_mp * v320
-        v390 = S2_mm * v321
+        v375 = v373 + math.sqrt(v360 * v360 + v364 * v364 + v368 * v368)
+        v376 = v373 + math.sqrt(v361 * v361 + v365 * v365 + v369 * v369)
+        v377 = v374 + math.sqrt(v362 * v362 + v366 * v366 + v370 * v370)
+        v378 = v374 + math.sqrt(v363 * v363 + v367 * v367 + v371 * v371)
+        v379 = v337 * v337
+        v380 = v338 * v338
+        v381 = v339 * v339
+        v382 = v340 * v340
+        v383 = v375 * v375
+        v384 = v376 * v376
+        v385 = v377 * v377
+        v386 = v378 * v378
+        v387 = v379 + v383
+        v388 = v380 + v384
+        v389 = v381 + v385
+        v390 = v382 + v386
         v391 = S2_pp * v322
         v392 = S2_pm * v323
         v393 = S2_mp * v324
@@ -1021,18 +1019,18 @@ def _formulas(kept, turns, rows, w):
         v396 = S2_pm * v327
         v397 = S2_mp * v328
         v398 = S2_mm * v329
-        v399 = abs(S2_pp)
-        v400 = abs(S2_pm)
-        v401 = abs(S2_mp)
-        v402 = abs(S2_mm)
-        v403 = v331 * v399
-        v404 = v331 * v400
-        v405 = v332 * v401
-        v406 = v332 * v402
-        v407 = C2_pp * v356
-        v408 = v56 * v357
-        v409 = C2_mp * v358
-        v410 = v57 * v359
+        v399 = S2_pp * v330
+        v400 = S2_pm * v331
+        v401 = S2_mp * v332
+        v402 = S2_mm * v333
+        v403 = abs(S2_pp)
+        v404 = abs(S2_pm)
+        v405 = abs(S2_mp)
+        v406 = abs(S2_mm)
+        v407 = v335 * v403
+        v408 = v335 * v404
+        v409 = v336 * v405
+        v410 = v336 * v406
         v411 = C2_pp * v360
         v412 = v56 * v361
         v413 = C2_mp * v362
@@ -1041,18 +1039,18 @@ def _formulas(kept, turns, rows, w):
         v416 = v56 * v365
         v417 = C2_mp * v366
         v418 = v57 * v367
-        v419 = abs(C2_pp)
-        v420 = abs(v56)
-        v421 = abs(C2_mp)
-        v422 = abs(v57)
-        v423 = v369 * v419
-        v424 = v369 * v420
-        v425 = v370 * v421
-        v426 = v370 * v422
-        v427 = v387 + v387 + (v407 + v407)
-        v428 = v388 + v388 + (v408 + v408)
-        v429 = v389 + v389 + (v409 + v409)
-        v430 = v390 + v390 + (v410 + v410)
+        v419 = C2_pp * v368
+        v420 = v56 * v369
+        v421 = C2_mp * v370
+        v422 = v57 * v371
+        v423 = abs(C2_pp)
+        v424 = abs(v56)
+        v425 = abs(C2_mp)
+        v426 = abs(v57)
+        v427 = v373 * v423
+        v428 = v373 * v424
+        v429 = v374 * v425
+        v430 = v374 * v426
         v431 = v391 + v391 + (v411 + v411)
         v432 = v392 + v392 + (v412 + v412)
         v433 = v393 + v393 + (v413 + v413)
@@ -1061,38 +1059,38 @@ def _formulas(kept, turns, rows, w):
         v436 = v396 + v396 + (v416 + v416)
         v437 = v397 + v397 + (v417 + v417)
         v438 = v398 + v398 + (v418 + v418)
-        v439 = v375 + (v403 + v403) + (v379 + (v423 + v423))
-        v440 = v376 + (v404 + v404) + (v380 + (v424 + v424))
-        v441 = v377 + (v405 + v405) + (v381 + (v425 + v425))
-        v442 = v378 + (v406 + v406) + (v382 + (v426 + v426))
-        v443 = near3 / v62
-        v444 = near3 / v63
-        v445 = near3 / v64
-        v446 = near3 / v65
-        v447 = v427 * v443
-        v448 = v428 * v444
-        v449 = v429 * v445
-        v450 = v430 * v446
-        v451 = v431 * v443
-        v452 = v432 * v444
-        v453 = v433 * v445
-        v454 = v434 * v446
-        v455 = v435 * v443
-        v456 = v436 * v444
-        v457 = v437 * v445
-        v458 = v438 * v446
-        v459 = v439 * abs(v443)
-        v460 = v440 * abs(v444)
-        v461 = v441 * abs(v445)
-        v462 = v442 * abs(v446)
-        v463 = abs(v66)
-        v464 = abs(v67)
-        v465 = abs(v68)
-        v466 = abs(v69)
-        v467 = v66 * (v66 * v427)
-        v468 = v67 * (v67 * v428)
-        v469 = v68 * (v68 * v429)
-        v470 = v69 * (v69 * v430)
+        v439 = v399 + v399 + (v419 + v419)
+        v440 = v400 + v400 + (v420 + v420)
+        v441 = v401 + v401 + (v421 + v421)
+        v442 = v402 + v402 + (v422 + v422)
+        v443 = v379 + (v407 + v407) + (v383 + (v427 + v427))
+        v444 = v380 + (v408 + v408) + (v384 + (v428 + v428))
+        v445 = v381 + (v409 + v409) + (v385 + (v429 + v429))
+        v446 = v382 + (v410 + v410) + (v386 + (v430 + v430))
+        v447 = near1 / v62
+        v448 = near1 / v63
+        v449 = near1 / v64
+        v450 = near1 / v65
+        v451 = v431 * v447
+        v452 = v432 * v448
+        v453 = v433 * v449
+        v454 = v434 * v450
+        v455 = v435 * v447
+        v456 = v436 * v448
+        v457 = v437 * v449
+        v458 = v438 * v450
+        v459 = v439 * v447
+        v460 = v440 * v448
+        v461 = v441 * v449
+        v462 = v442 * v450
+        v463 = v443 * abs(v447)
+        v464 = v444 * abs(v448)
+        v465 = v445 * abs(v449)
+        v466 = v446 * abs(v450)
+        v467 = abs(v66)
+        v468 = abs(v67)
+        v469 = abs(v68)
+        v470 = abs(v69)
         v471 = v66 * (v66 * v431)
         v472 = v67 * (v67 * v432)
         v473 = v68 * (v68 * v433)
@@ -1101,34 +1099,34 @@ def _formulas(kept, turns, rows, w):
         v476 = v67 * (v67 * v436)
         v477 = v68 * (v68 * v437)
         v478 = v69 * (v69 * v438)
-        v479 = v463 * (v439 * v463)
-        v480 = v464 * (v440 * v464)
-        v481 = v465 * (v441 * v465)
-        v482 = v466 * (v442 * v466)
-        v483 = v62 - math.sqrt(v383)
-        v484 = v63 - math.sqrt(v384)
-        v485 = v64 - math.sqrt(v385)
-        v486 = v65 - math.sqrt(v386)
-        v487 = (
-            v479 + (v479 + (abs(v475) + (abs(v467) + abs(v471)))) * ((v439 + math.sqrt(v427 * v427 +
-            v431 * v431 + v435 * v435)) / (v483 * v483))
+        v479 = v66 * (v66 * v439)
+        v480 = v67 * (v67 * v440)
+        v481 = v68 * (v68 * v441)
+        v482 = v69 * (v69 * v442)
+        v483 = v467 * (v443 * v467)
+        v484 = v468 * (v444 * v468)
+        v485 = v469 * (v445 * v469)
+        v486 = v470 * (v446 * v470)
+        v487 = v62 - math.sqrt(v387)
+        v488 = v63 - math.sqrt(v388)
+        v489 = v64 - math.sqrt(v389)
+        v490 = v65 - math.sqrt(v390)
+        v491 = (
+            v483 + (v483 + (abs(v479) + (abs(v471) + abs(v475)))) * ((v443 + math.sqrt(v431 * v431 +
+            v435 * v435 + v439 * v439)) / (v487 * v487))
         )
-        v488 = (
-            v480 + (v480 + (abs(v476) + (abs(v468) + abs(v472)))) * ((v440 + math.sqrt(v428 * v428 +
-            v432 * v432 + v436 * v436)) / (v484 * v484))
+        v492 = (
+            v484 + (v484 + (abs(v480) + (abs(v472) + abs(v476)))) * ((v444 + math.sqrt(v432 * v432 +
+            v436 * v436 + v440 * v440)) / (v488 * v488))
         )
-        v489 = (
-            v481 + (v481 + (abs(v477) + (abs(v469) + abs(v473)))) * ((v441 + math.sqrt(v429 * v429 +
-            v433 * v433 + v437 * v437)) / (v485 * v485))
+        v493 = (
+            v485 + (v485 + (abs(v481) + (abs(v473) + abs(v477)))) * ((v445 + math.sqrt(v433 * v433 +
+            v437 * v437 + v441 * v441)) / (v489 * v489))
         )
-        v490 = (
-            v482 + (v482 + (abs(v478) + (abs(v470) + abs(v474)))) * ((v442 + math.sqrt(v430 * v430 +
-            v434 * v434 + v438 * v438)) / (v486 * v486))
+        v494 = (
+            v486 + (v486 + (abs(v482) + (abs(v474) + abs(v478)))) * ((v446 + math.sqrt(v434 * v434 +
+            v438 * v438 + v442 * v442)) / (v490 * v490))
         )
-        v491 = v66 * v447 - v62 * v467
-        v492 = v67 * v448 - v63 * v468
-        v493 = v68 * v449 - v64 * v469
-        v494 = v69 * v450 - v65 * v470
         v495 = v66 * v451 - v62 * v471
         v496 = v67 * v452 - v63 * v472
         v497 = v68 * v453 - v64 * v473
@@ -1137,714 +1135,718 @@ def _formulas(kept, turns, rows, w):
         v500 = v67 * v456 - v63 * v476
         v501 = v68 * v457 - v64 * v477
         v502 = v69 * v458 - v65 * v478
-        v503 = (
-            v487 * abs(v62) + v459 * v463 + (v459 + math.sqrt(v447 * v447 + v451 * v451 + v455 *
-            v455)) * (v487 + math.sqrt(v467 * v467 + v471 * v471 + v475 * v475))
+        v503 = v66 * v459 - v62 * v479
+        v504 = v67 * v460 - v63 * v480
+        v505 = v68 * v461 - v64 * v481
+        v506 = v69 * v462 - v65 * v482
+        v507 = (
+            v491 * abs(v62) + v463 * v467 + (v463 + math.sqrt(v451 * v451 + v455 * v455 + v459 *
+            v459)) * (v491 + math.sqrt(v471 * v471 + v475 * v475 + v479 * v479))
         )
-        v504 = (
-            v488 * abs(v63) + v460 * v464 + (v460 + math.sqrt(v448 * v448 + v452 * v452 + v456 *
-            v456)) * (v488 + math.sqrt(v468 * v468 + v472 * v472 + v476 * v476))
+        v508 = (
+            v492 * abs(v63) + v464 * v468 + (v464 + math.sqrt(v452 * v452 + v456 * v456 + v460 *
+            v460)) * (v492 + math.sqrt(v472 * v472 + v476 * v476 + v480 * v480))
         )
-        v505 = (
-            v489 * abs(v64) + v461 * v465 + (v461 + math.sqrt(v449 * v449 + v453 * v453 + v457 *
-            v457)) * (v489 + math.sqrt(v469 * v469 + v473 * v473 + v477 * v477))
+        v509 = (
+            v493 * abs(v64) + v465 * v469 + (v465 + math.sqrt(v453 * v453 + v457 * v457 + v461 *
+            v461)) * (v493 + math.sqrt(v473 * v473 + v477 * v477 + v481 * v481))
         )
-        v506 = (
-            v490 * abs(v65) + v462 * v466 + (v462 + math.sqrt(v450 * v450 + v454 * v454 + v458 *
-            v458)) * (v490 + math.sqrt(v470 * v470 + v474 * v474 + v478 * v478))
+        v510 = (
+            v494 * abs(v65) + v466 * v470 + (v466 + math.sqrt(v454 * v454 + v458 * v458 + v462 *
+            v462)) * (v494 + math.sqrt(v474 * v474 + v478 * v478 + v482 * v482))
         )
-        v513 = T24 * v223
-        v514 = T24 * v224
-        v515 = T24 * v227
-        v516 = T24 * v228
-        v517 = near_length * Z1_p
-        v518 = near_length * Z1_m
-        v519 = v517 - T24 * v225
-        v520 = v518 - T24 * v226
-        v521 = near_length * v240
-        v522 = near_length * v241
-        v523 = v182 * v229
-        v524 = v521 + v523
-        v525 = v522 + v523
-        v526 = inverse1 * v515
-        v527 = inverse1 * v516
-        v528 = abs(v24)
-        v529 = abs(v25)
-        v531 = v524 + math.sqrt(v513 * v513 + v519 * v519 + v515 * v515)
-        v532 = v525 + math.sqrt(v514 * v514 + v520 * v520 + v516 * v516)
-        v533 = inverse1 * v513 + v24 * v508
-        v534 = inverse1 * v514 + v25 * v508
-        v535 = inverse1 * v519 - v24 * v509
-        v536 = inverse1 * v520 - v25 * v509
-        v537 = v507 * v524 + v512 * v528 + v530 * v531
-        v538 = v507 * v525 + v512 * v529 + v530 * v532
-        v548 = v26 * v272
-        v549 = w1_p * v541 + v548 - v533
-        v550 = w1_p * -v541 - v548 - v533
-        v551 = v26 * v273
-        v552 = w1_m * v541 + v551 - v534
-        v553 = w1_m * -v541 - v551 - v534
-        v554 = v26 * v274 - w1_p * v540
-        v555 = v535 + v554
-        v556 = v535 + -v554
-        v557 = v26 * v275 - w1_m * v540
-        v558 = v536 + v557
-        v559 = v536 + -v557
-        v560 = v26 * v276
-        v561 = v560 - v526
-        v562 = v526 + v560
-        v563 = v26 * v277
-        v564 = v563 - v527
-        v565 = v527 + v563
-        v566 = v306 * v543 + v282 * v544
-        v567 = v537 + (v566 + v308 * v546)
-        v568 = v537 + (v566 + v308 * v547)
-        v569 = v307 * v543 + v283 * v544
-        v570 = v538 + (v569 + v309 * v546)
-        v571 = v538 + (v569 + v309 * v547)
-        v574 = s4_p * v572
-        v575 = s4_m * v572
-        v576 = s4_p * v573
-        v577 = s4_m * v573
-        v578 = near5 * abs(s4_p)
-        v579 = near5 * abs(s4_m)
-        v580 = T13 * v214
-        v581 = T13 * v215
-        v582 = T13 * v217
-        v583 = T13 * v218
-        v584 = T13 * v220
-        v585 = T13 * v221
-        v590 = v222 * v586
-        v591 = v578 + v590 + v230 * v589
-        v592 = v579 + v590 + v231 * v589
-        v593 = abs(c1_pp)
-        v594 = abs(c1_pm)
-        v595 = abs(c1_mp)
-        v596 = abs(c1_mm)
-        v597 = abs(v78)
-        v598 = abs(v79)
-        v599 = v567 + math.sqrt(v549 * v549 + v555 * v555 + v561 * v561)
-        v600 = v568 + math.sqrt(v550 * v550 + v556 * v556 + v562 * v562)
-        v601 = v570 + math.sqrt(v552 * v552 + v558 * v558 + v564 * v564)
-        v602 = v571 + math.sqrt(v553 * v553 + v559 * v559 + v565 * v565)
-        v603 = v574 * v574
-        v604 = v575 * v575
-        v605 = (
-            v591 + (math.sqrt(v603 + v576 * v576) + math.sqrt(v580 * v580 + v582 * v582 + v584 *
-            v584))
+        v517 = T24 * v227
+        v518 = T24 * v228
+        v519 = T24 * v231
+        v520 = T24 * v232
+        v521 = Z1_p * given3
+        v522 = Z1_m * given3
+        v523 = v521 - T24 * v229
+        v524 = v522 - T24 * v230
+        v525 = v180 * v244
+        v526 = v180 * v245
+        v527 = v184 * v233
+        v528 = v525 + v527
+        v529 = v526 + v527
+        v530 = inverse1 * v519
+        v531 = inverse1 * v520
+        v532 = abs(v24)
+        v533 = abs(v25)
+        v535 = v528 + math.sqrt(v517 * v517 + v523 * v523 + v519 * v519)
+        v536 = v529 + math.sqrt(v518 * v518 + v524 * v524 + v520 * v520)
+        v537 = inverse1 * v517 + v24 * v512
+        v538 = inverse1 * v518 + v25 * v512
+        v539 = inverse1 * v523 - v24 * v513
+        v540 = inverse1 * v524 - v25 * v513
+        v541 = v511 * v528 + v516 * v532 + v534 * v535
+        v542 = v511 * v529 + v516 * v533 + v534 * v536
+        v552 = v26 * v276
+        v553 = w1_p * v545 + v552 - v537
+        v554 = w1_p * -v545 - v552 - v537
+        v555 = v26 * v277
+        v556 = w1_m * v545 + v555 - v538
+        v557 = w1_m * -v545 - v555 - v538
+        v558 = v26 * v278 - w1_p * v544
+        v559 = v539 + v558
+        v560 = v539 + -v558
+        v561 = v26 * v279 - w1_m * v544
+        v562 = v540 + v561
+        v563 = v540 + -v561
+        v564 = v26 * v280
+        v565 = v564 - v530
+        v566 = v530 + v564
+        v567 = v26 * v281
+        v568 = v567 - v531
+        v569 = v531 + v567
+        v570 = v310 * v547 + v286 * v548
+        v571 = v541 + (v570 + v312 * v550)
+        v572 = v541 + (v570 + v312 * v551)
+        v573 = v311 * v547 + v287 * v548
+        v574 = v542 + (v573 + v313 * v550)
+        v575 = v542 + (v573 + v313 * v551)
+        v579 = s4_p * v576
+        v580 = s4_m * v576
+        v581 = s4_p * v577
+        v582 = s4_m * v577
+        v583 = v578 * abs(s4_p)
+        v584 = v578 * abs(s4_m)
+        v585 = T13 * v218
+        v586 = T13 * v219
+        v587 = T13 * v221
+        v588 = T13 * v222
+        v589 = T13 * v224
+        v590 = T13 * v225
+        v595 = v226 * v591
+        v596 = v583 + v595 + v234 * v594
+        v597 = v584 + v595 + v235 * v594
+        v598 = abs(c1_pp)
+        v599 = abs(c1_pm)
+        v600 = abs(c1_mp)
+        v601 = abs(c1_mm)
+        v602 = abs(v78)
+        v603 = abs(v79)
+        v604 = v571 + math.sqrt(v553 * v553 + v559 * v559 + v565 * v565)
+        v605 = v572 + math.sqrt(v554 * v554 + v560 * v560 + v566 * v566)
+        v606 = v574 + math.sqrt(v556 * v556 + v562 * v562 + v568 * v568)
+        v607 = v575 + math.sqrt(v557 * v557 + v563 * v563 + v569 * v569)
+        v608 = v579 * v579
+        v609 = v580 * v580
+        v610 = (
+            v596 + (math.sqrt(v608 + v581 * v581) + math.sqrt(v585 * v585 + v587 * v587 + v589 *
+            v589))
         )
-        v606 = (
-            v592 + (math.sqrt(v604 + v577 * v577) + math.sqrt(v581 * v581 + v583 * v583 + v585 *
-            v585))
+        v611 = (
+            v597 + (math.sqrt(v609 + v582 * v582) + math.sqrt(v586 * v586 + v588 * v588 + v590 *
+            v590))
         )
-        v614 = T14 * v225
-        v615 = T14 * v226
-        v616 = T14 * v227
-        v617 = T14 * v228
-        v618 = v517 - T14 * v223
-        v619 = v518 - T14 * v224
-        v620 = v179 * v229
-        v621 = v521 + v620
-        v622 = v522 + v620
-        v623 = inverse1 * v616
-        v624 = inverse1 * v617
-        v625 = abs(v22)
-        v626 = abs(v23)
-        v627 = v621 + math.sqrt(v618 * v618 + v614 * v614 + v616 * v616)
-        v628 = v622 + math.sqrt(v619 * v619 + v615 * v615 + v617 * v617)
-        v629 = inverse1 * v614 + v22 * v509
-        v630 = inverse1 * v615 + v23 * v509
-        v631 = v507 * v621 + v512 * v625 + v530 * v627
-        v632 = v507 * v622 + v512 * v626 + v530 * v628
-        v633 = v22 * v508 - inverse1 * v618
-        v634 = v23 * v508 - inverse1 * v619
-        v635 = v31 * v272 - w1_p * v607
-        v636 = v633 + v635
-        v637 = v633 + -v635
-        v638 = v31 * v273 - w1_m * v607
-        v639 = v634 + v638
-        v640 = v634 + -v638
-        v641 = v31 * v274
-        v642 = v629 + (w1_p * v608 + v641)
-        v643 = v629 + (w1_p * -v608 - v641)
-        v644 = v31 * v275
-        v645 = v630 + (w1_m * v608 + v644)
-        v646 = v630 + (w1_m * -v608 - v644)
-        v647 = v31 * v276
-        v648 = v623 + v647
-        v649 = v623 - v647
-        v650 = v31 * v277
-        v651 = v624 + v650
-        v652 = v624 - v650
-        v653 = v306 * v609 + v282 * v610
-        v654 = v631 + (v653 + v308 * v612)
-        v655 = v631 + (v653 + v308 * v613)
-        v656 = v307 * v609 + v283 * v610
-        v657 = v632 + (v656 + v309 * v612)
-        v658 = v632 + (v656 + v309 * v613)
-        v660 = s4_p * v659
-        v661 = s4_m * v659
-        v662 = T23 * v214
-        v663 = T23 * v215
-        v664 = T23 * v217
-        v665 = T23 * v218
-        v666 = T23 * v220
-        v667 = T23 * v221
-        v671 = v222 * v668
-        v672 = v578 + v671 + v230 * v670
-        v673 = v579 + v671 + v231 * v670
-        v674 = abs(s1_pp)
-        v675 = abs(v35)
-        v676 = abs(s1_mp)
-        v677 = abs(v37)
-        v678 = abs(v80)
-        v679 = abs(v81)
-        v680 = v654 + math.sqrt(v636 * v636 + v642 * v642 + v648 * v648)
-        v681 = v655 + math.sqrt(v637 * v637 + v643 * v643 + v649 * v649)
-        v682 = v657 + math.sqrt(v639 * v639 + v645 * v645 + v651 * v651)
-        v683 = v658 + math.sqrt(v640 * v640 + v646 * v646 + v652 * v652)
-        v684 = (
-            v672 + (math.sqrt(v603 + v660 * v660) + math.sqrt(v662 * v662 + v664 * v664 + v666 *
-            v666))
+        v619 = T14 * v229
+        v620 = T14 * v230
+        v621 = T14 * v231
+        v622 = T14 * v232
+        v623 = v521 - T14 * v227
+        v624 = v522 - T14 * v228
+        v625 = v179 * v233
+        v626 = v525 + v625
+        v627 = v526 + v625
+        v628 = inverse1 * v621
+        v629 = inverse1 * v622
+        v630 = abs(v22)
+        v631 = abs(v23)
+        v632 = v626 + math.sqrt(v623 * v623 + v619 * v619 + v621 * v621)
+        v633 = v627 + math.sqrt(v624 * v624 + v620 * v620 + v622 * v622)
+        v634 = inverse1 * v619 + v22 * v513
+        v635 = inverse1 * v620 + v23 * v513
+        v636 = v511 * v626 + v516 * v630 + v534 * v632
+        v637 = v511 * v627 + v516 * v631 + v534 * v633
+        v638 = v22 * v512 - inverse1 * v623
+        v639 = v23 * v512 - inverse1 * v624
+        v640 = v31 * v276 - w1_p * v612
+        v641 = v638 + v640
+        v642 = v638 + -v640
+        v643 = v31 * v277 - w1_m * v612
+        v644 = v639 + v643
+        v645 = v639 + -v643
+        v646 = v31 * v278
+        v647 = v634 + (w1_p * v613 + v646)
+        v648 = v634 + (w1_p * -v613 - v646)
+        v649 = v31 * v279
+        v650 = v635 + (w1_m * v613 + v649)
+        v651 = v635 + (w1_m * -v613 - v649)
+        v652 = v31 * v280
+        v653 = v628 + v652
+        v654 = v628 - v652
+        v655 = v31 * v281
+        v656 = v629 + v655
+        v657 = v629 - v655
+        v658 = v310 * v614 + v286 * v615
+        v659 = v636 + (v658 + v312 * v617)
+        v660 = v636 + (v658 + v312 * v618)
+        v661 = v311 * v614 + v287 * v615
+        v662 = v637 + (v661 + v313 * v617)
+        v663 = v637 + (v661 + v313 * v618)
+        v665 = s4_p * v664
+        v666 = s4_m * v664
+        v667 = T23 * v218
+        v668 = T23 * v219
+        v669 = T23 * v221
+        v670 = T23 * v222
+        v671 = T23 * v224
+        v672 = T23 * v225
+        v676 = v226 * v673
+        v677 = v583 + v676 + v234 * v675
+        v678 = v584 + v676 + v235 * v675
+        v679 = abs(s1_pp)
+        v680 = abs(v35)
+        v681 = abs(s1_mp)
+        v682 = abs(v37)
+        v683 = abs(v80)
+        v684 = abs(v81)
+        v685 = v659 + math.sqrt(v641 * v641 + v647 * v647 + v653 * v653)
+        v686 = v660 + math.sqrt(v642 * v642 + v648 * v648 + v654 * v654)
+        v687 = v662 + math.sqrt(v644 * v644 + v650 * v650 + v656 * v656)
+        v688 = v663 + math.sqrt(v645 * v645 + v651 * v651 + v657 * v657)
+        v689 = (
+            v677 + (math.sqrt(v608 + v665 * v665) + math.sqrt(v667 * v667 + v669 * v669 + v671 *
+            v671))
         )
-        v685 = (
-            v673 + (math.sqrt(v604 + v661 * v661) + math.sqrt(v663 * v663 + v665 * v665 + v667 *
-            v667))
+        v690 = (
+            v678 + (math.sqrt(v609 + v666 * v666) + math.sqrt(v668 * v668 + v670 * v670 + v672 *
+            v672))
         )
-        v686 = s1_pp * v660 - c1_pp * v576
-        v687 = v35 * v660 + c1_pm * v576
-        v688 = s1_mp * v661 - c1_mp * v577
-        v689 = v37 * v661 + c1_mm * v577
-        v690 = c3 * v573
-        v691 = c3 * v659
-        v692 = abs(c3)
-        v693 = near5 * v692
-        v695 = v11 * v690
-        v696 = v12 * v690
-        v697 = v11 * v691
-        v698 = v12 * v691
-        v699 = abs(v11)
-        v700 = abs(v12)
-        v701 = v693 * v699
-        v702 = v693 * v700
-        v703 = v82 * v288
-        v704 = v82 * v289
-        v705 = v82 * v291
-        v706 = v82 * v292
-        v707 = v82 * v294
-        v708 = v82 * v295
-        v709 = v690 * v690
-        v710 = v691 * v691
-        v711 = v693 + math.sqrt(v709 + v710)
-        v712 = v296 * abs(v82)
-        v713 = v701 + v712 + v304 * v711
-        v714 = v702 + v712 + v305 * v711
-        v715 = v695 + s1_pp * v574
-        v716 = v695 - v35 * v574
-        v717 = v696 + s1_mp * v575
-        v718 = v696 - v37 * v575
-        v719 = v697 + c1_pp * v574
-        v720 = v697 + c1_pm * v574
-        v721 = v698 + c1_mp * v575
-        v722 = v698 + c1_mm * v575
-        v723 = c1_pp * v580 + v78 * v549 + (s1_pp * v662 + v80 * v636) - v703
-        v724 = c1_pm * v580 + v78 * v550 + (v80 * v637 - v35 * v662) - v703
-        v725 = c1_mp * v581 + v79 * v552 + (s1_mp * v663 + v81 * v639) - v704
-        v726 = c1_mm * v581 + v79 * v553 + (v81 * v640 - v37 * v663) - v704
-        v727 = c1_pp * v582 + v78 * v555 + (s1_pp * v664 + v80 * v642) - v705
-        v728 = c1_pm * v582 + v78 * v556 + (v80 * v643 - v35 * v664) - v705
-        v729 = c1_mp * v583 + v79 * v558 + (s1_mp * v665 + v81 * v645) - v706
-        v730 = c1_mm * v583 + v79 * v559 + (v81 * v646 - v37 * v665) - v706
-        v731 = c1_pp * v584 + v78 * v561 + (s1_pp * v666 + v80 * v648) - v707
-        v732 = c1_pm * v584 - v78 * v562 + (v80 * v649 - v35 * v666) - v707
-        v733 = c1_mp * v585 + v79 * v564 + (s1_mp * v667 + v81 * v651) - v708
-        v734 = c1_mm * v585 - v79 * v565 + (v81 * v652 - v37 * v667) - v708
-        v735 = (
-            v713 + (v591 * v593 + v567 * v597 + v599 * v605 + (v672 * v674 + v654 * v678 + v680 *
-            v684))
+        v691 = s1_pp * v665 - c1_pp * v581
+        v692 = v35 * v665 + c1_pm * v581
+        v693 = s1_mp * v666 - c1_mp * v582
+        v694 = v37 * v666 + c1_mm * v582
+        v695 = c3 * v577
+        v696 = c3 * v664
+        v697 = abs(c3)
+        v698 = v578 * v697
+        v700 = v11 * v695
+        v701 = v12 * v695
+        v702 = v11 * v696
+        v703 = v12 * v696
+        v704 = abs(v11)
+        v705 = abs(v12)
+        v706 = v698 * v704
+        v707 = v698 * v705
+        v708 = v82 * v292
+        v709 = v82 * v293
+        v710 = v82 * v295
+        v711 = v82 * v296
+        v712 = v82 * v298
+        v713 = v82 * v299
+        v714 = v695 * v695
+        v715 = v696 * v696
+        v716 = v698 + math.sqrt(v714 + v715)
+        v717 = v300 * abs(v82)
+        v718 = v706 + v717 + v308 * v716
+        v719 = v707 + v717 + v309 * v716
+        v720 = v700 + s1_pp * v579
+        v721 = v700 - v35 * v579
+        v722 = v701 + s1_mp * v580
+        v723 = v701 - v37 * v580
+        v724 = v702 + c1_pp * v579
+        v725 = v702 + c1_pm * v579
+        v726 = v703 + c1_mp * v580
+        v727 = v703 + c1_mm * v580
+        v728 = c1_pp * v585 + v78 * v553 + (s1_pp * v667 + v80 * v641) - v708
+        v729 = c1_pm * v585 + v78 * v554 + (v80 * v642 - v35 * v667) - v708
+        v730 = c1_mp * v586 + v79 * v556 + (s1_mp * v668 + v81 * v644) - v709
+        v731 = c1_mm * v586 + v79 * v557 + (v81 * v645 - v37 * v668) - v709
+        v732 = c1_pp * v587 + v78 * v559 + (s1_pp * v669 + v80 * v647) - v710
+        v733 = c1_pm * v587 + v78 * v560 + (v80 * v648 - v35 * v669) - v710
+        v734 = c1_mp * v588 + v79 * v562 + (s1_mp * v670 + v81 * v650) - v711
+        v735 = c1_mm * v588 + v79 * v563 + (v81 * v651 - v37 * v670) - v711
+        v736 = c1_pp * v589 + v78 * v565 + (s1_pp * v671 + v80 * v653) - v712
+        v737 = c1_pm * v589 - v78 * v566 + (v80 * v654 - v35 * v671) - v712
+        v738 = c1_mp * v590 + v79 * v568 + (s1_mp * v672 + v81 * v656) - v713
+        v739 = c1_mm * v590 - v79 * v569 + (v81 * v657 - v37 * v672) - v713
+        v740 = (
+            v718 + (v596 * v598 + v571 * v602 + v604 * v610 + (v677 * v679 + v659 * v683 + v685 *
+            v689))
         )
-        v736 = (
-            v713 + (v591 * v594 + v568 * v597 + v600 * v605 + (v672 * v675 + v655 * v678 + v681 *
-            v684))
+        v741 = (
+            v718 + (v596 * v599 + v572 * v602 + v605 * v610 + (v677 * v680 + v660 * v683 + v686 *
+            v689))
         )
-        v737 = (
-            v714 + (v592 * v595 + v570 * v598 + v601 * v606 + (v673 * v676 + v657 * v679 + v682 *
-            v685))
+        v742 = (
+            v719 + (v597 * v600 + v574 * v603 + v606 * v611 + (v678 * v681 + v662 * v684 + v687 *
+            v690))
         )
-        v738 = (
-            v714 + (v592 * v596 + v571 * v598 + v602 * v606 + (v673 * v677 + v658 * v679 + v683 *
-            v685))
+        v743 = (
+            v719 + (v597 * v601 + v575 * v603 + v607 * v611 + (v678 * v682 + v663 * v684 + v688 *
+            v690))
         )
-        v739 = T33 * v214
-        v740 = T33 * v215
-        v741 = T33 * v217
-        v742 = T33 * v218
-        v743 = T33 * v220
-        v744 = T33 * v221
-        v745 = v222 * abs(T33)
-        v746 = v578 + v745 + v230 * v694
-        v747 = v579 + v745 + v231 * v694
-        v748 = c3 * v572
-        v749 = v11 * v748
-        v750 = v12 * v748
-        v751 = v70 * v288
-        v752 = v70 * v289
-        v753 = v70 * v291
-        v754 = v70 * v292
-        v755 = v70 * v294
-        v756 = v70 * v295
-        v757 = v748 * v748
-        v758 = v693 + math.sqrt(v709 + v757)
-        v759 = v296 * abs(v70)
-        v760 = v701 + v759 + v304 * v758
-        v761 = v702 + v759 + v305 * v758
-        v762 = abs(v71)
-        v763 = abs(v72)
-        v764 = v749 * v749
-        v765 = v750 * v750
-        v766 = (
-            v760 + (math.sqrt(v764 + v695 * v695) + math.sqrt(v751 * v751 + v753 * v753 + v755 *
-            v755))
+        v744 = T33 * v218
+        v745 = T33 * v219
+        v746 = T33 * v221
+        v747 = T33 * v222
+        v748 = T33 * v224
+        v749 = T33 * v225
+        v750 = v226 * abs(T33)
+        v751 = v583 + v750 + v234 * v699
+        v752 = v584 + v750 + v235 * v699
+        v753 = c3 * v576
+        v754 = v11 * v753
+        v755 = v12 * v753
+        v756 = v70 * v292
+        v757 = v70 * v293
+        v758 = v70 * v295
+        v759 = v70 * v296
+        v760 = v70 * v298
+        v761 = v70 * v299
+        v762 = v753 * v753
+        v763 = v698 + math.sqrt(v714 + v762)
+        v764 = v300 * abs(v70)
+        v765 = v706 + v764 + v308 * v763
+        v766 = v707 + v764 + v309 * v763
+        v767 = abs(v71)
+        v768 = abs(v72)
+        v769 = v754 * v754
+        v770 = v755 * v755
+        v771 = (
+            v765 + (math.sqrt(v769 + v700 * v700) + math.sqrt(v756 * v756 + v758 * v758 + v760 *
+            v760))
         )
-        v767 = (
-            v761 + (math.sqrt(v765 + v696 * v696) + math.sqrt(v752 * v752 + v754 * v754 + v756 *
-            v756))
+        v772 = (
+            v766 + (math.sqrt(v770 + v701 * v701) + math.sqrt(v757 * v757 + v759 * v759 + v761 *
+            v761))
         )
-        v768 = v73 * v288
-        v769 = v73 * v289
-        v770 = v73 * v291
-        v771 = v73 * v292
-        v772 = v73 * v294
-        v773 = v73 * v295
-        v774 = v693 + math.sqrt(v710 + v757)
-        v775 = v296 * abs(v73)
-        v776 = v701 + v775 + v304 * v774
-        v777 = v702 + v775 + v305 * v774
-        v778 = abs(v74)
-        v779 = abs(v75)
-        v780 = (
-            v776 + (math.sqrt(v764 + v697 * v697) + math.sqrt(v768 * v768 + v770 * v770 + v772 *
-            v772))
+        v773 = v73 * v292
+        v774 = v73 * v293
+        v775 = v73 * v295
+        v776 = v73 * v296
+        v777 = v73 * v298
+        v778 = v73 * v299
+        v779 = v698 + math.sqrt(v715 + v762)
+        v780 = v300 * abs(v73)
+        v781 = v706 + v780 + v308 * v779
+        v782 = v707 + v780 + v309 * v779
+        v783 = abs(v74)
+        v784 = abs(v75)
+        v785 = (
+            v781 + (math.sqrt(v769 + v702 * v702) + math.sqrt(v773 * v773 + v775 * v775 + v777 *
+            v777))
         )
-        v781 = (
-            v777 + (math.sqrt(v765 + v698 * v698) + math.sqrt(v769 * v769 + v771 * v771 + v773 *
-            v773))
+        v786 = (
+            v782 + (math.sqrt(v770 + v703 * v703) + math.sqrt(v774 * v774 + v776 * v776 + v778 *
+            v778))
         )
-        v782 = s1_pp * v697 - c1_pp * v695
-        v783 = v35 * v697 + c1_pm * v695
-        v784 = s1_mp * v698 - c1_mp * v696
-        v785 = v37 * v698 + c1_mm * v696
-        v786 = v576 - s1_pp * v749
-        v787 = v576 + v35 * v749
-        v788 = v577 - s1_mp * v750
-        v789 = v577 + v37 * v750
-        v790 = c1_pp * v749 - v660
-        v791 = c1_pm * v749 - v660
-        v792 = c1_mp * v750 - v661
-        v793 = c1_mm * v750 - v661
-        v794 = v739 + (c1_pp * v751 + v71 * v549 + (s1_pp * v768 + v74 * v636))
-        v795 = v739 + (c1_pm * v751 + v71 * v550 + (v74 * v637 - v35 * v768))
-        v796 = v740 + (c1_mp * v752 + v72 * v552 + (s1_mp * v769 + v75 * v639))
-        v797 = v740 + (c1_mm * v752 + v72 * v553 + (v75 * v640 - v37 * v769))
-        v798 = v741 + (c1_pp * v753 + v71 * v555 + (s1_pp * v770 + v74 * v642))
-        v799 = v741 + (c1_pm * v753 + v71 * v556 + (v74 * v643 - v35 * v770))
-        v800 = v742 + (c1_mp * v754 + v72 * v558 + (s1_mp * v771 + v75 * v645))
-        v801 = v742 + (c1_mm * v754 + v72 * v559 + (v75 * v646 - v37 * v771))
-        v802 = v743 + (c1_pp * v755 + v71 * v561 + (s1_pp * v772 + v74 * v648))
-        v803 = v743 + (c1_pm * v755 - v71 * v562 + (v74 * v649 - v35 * v772))
-        v804 = v744 + (c1_mp * v756 + v72 * v564 + (s1_mp * v773 + v75 * v651))
-        v805 = v744 + (c1_mm * v756 - v72 * v565 + (v75 * v652 - v37 * v773))
-        v806 = (
-            v746 + (v593 * v760 + v567 * v762 + v599 * v766 + (v674 * v776 + v654 * v778 + v680 *
-            v780))
+        v787 = s1_pp * v702 - c1_pp * v700
+        v788 = v35 * v702 + c1_pm * v700
+        v789 = s1_mp * v703 - c1_mp * v701
+        v790 = v37 * v703 + c1_mm * v701
+        v791 = v581 - s1_pp * v754
+        v792 = v581 + v35 * v754
+        v793 = v582 - s1_mp * v755
+        v794 = v582 + v37 * v755
+        v795 = c1_pp * v754 - v665
+        v796 = c1_pm * v754 - v665
+        v797 = c1_mp * v755 - v666
+        v798 = c1_mm * v755 - v666
+        v799 = v744 + (c1_pp * v756 + v71 * v553 + (s1_pp * v773 + v74 * v641))
+        v800 = v744 + (c1_pm * v756 + v71 * v554 + (v74 * v642 - v35 * v773))
+        v801 = v745 + (c1_mp * v757 + v72 * v556 + (s1_mp * v774 + v75 * v644))
+        v802 = v745 + (c1_mm * v757 + v72 * v557 + (v75 * v645 - v37 * v774))
+        v803 = v746 + (c1_pp * v758 + v71 * v559 + (s1_pp * v775 + v74 * v647))
+        v804 = v746 + (c1_pm * v758 + v71 * v560 + (v74 * v648 - v35 * v775))
+        v805 = v747 + (c1_mp * v759 + v72 * v562 + (s1_mp * v776 + v75 * v650))
+        v806 = v747 + (c1_mm * v759 + v72 * v563 + (v75 * v651 - v37 * v776))
+        v807 = v748 + (c1_pp * v760 + v71 * v565 + (s1_pp * v777 + v74 * v653))
+        v808 = v748 + (c1_pm * v760 - v71 * v566 + (v74 * v654 - v35 * v777))
+        v809 = v749 + (c1_mp * v761 + v72 * v568 + (s1_mp * v778 + v75 * v656))
+        v810 = v749 + (c1_mm * v761 - v72 * v569 + (v75 * v657 - v37 * v778))
+        v811 = (
+            v751 + (v598 * v765 + v571 * v767 + v604 * v771 + (v679 * v781 + v659 * v783 + v685 *
+            v785))
         )
-        v807 = (
-            v746 + (v594 * v760 + v568 * v762 + v600 * v766 + (v675 * v776 + v655 * v778 + v681 *
-            v780))
+        v812 = (
+            v751 + (v599 * v765 + v572 * v767 + v605 * v771 + (v680 * v781 + v660 * v783 + v686 *
+            v785))
         )
-        v808 = (
-            v747 + (v595 * v761 + v570 * v763 + v601 * v767 + (v676 * v777 + v657 * v779 + v682 *
-            v781))
+        v813 = (
+            v752 + (v600 * v766 + v574 * v768 + v606 * v772 + (v681 * v782 + v662 * v784 + v687 *
+            v786))
         )
-        v809 = (
-            v747 + (v596 * v761 + v571 * v763 + v602 * v767 + (v677 * v777 + v658 * v779 + v683 *
-            v781))
+        v814 = (
+            v752 + (v601 * v766 + v575 * v768 + v607 * v772 + (v682 * v782 + v663 * v784 + v688 *
+            v786))
         )
-        v810 = S2_pp * v715 + C2_pp * v786
-        v811 = S2_pm * v716 - v56 * v787
-        v812 = S2_mp * v717 + C2_mp * v788
-        v813 = S2_mm * v718 - v57 * v789
-        v814 = S2_pp * v719 - C2_pp * v790
-        v815 = S2_pm * v720 + v56 * v791
-        v816 = S2_mp * v721 - C2_mp * v792
-        v817 = S2_mm * v722 + v57 * v793
-        v818 = S2_pp * v686 - C2_pp * v782
-        v819 = S2_pm * v687 + v56 * v783
-        v820 = S2_mp * v688 - C2_mp * v784
-        v821 = S2_mm * v689 + v57 * v785
-        v822 = S2_pp * v723 + v98 * v318 - (C2_pp * v794 + v102 * v356)
-        v823 = S2_pm * v724 + v99 * v319 + (v56 * v795 + v103 * v357)
-        v824 = S2_mp * v725 + v100 * v320 - (C2_mp * v796 + v104 * v358)
-        v825 = S2_mm * v726 + v101 * v321 + (v57 * v797 + v105 * v359)
-        v826 = S2_pp * v727 + v98 * v322 - (C2_pp * v798 + v102 * v360)
-        v827 = S2_pm * v728 + v99 * v323 + (v56 * v799 + v103 * v361)
-        v828 = S2_mp * v729 + v100 * v324 - (C2_mp * v800 + v104 * v362)
-        v829 = S2_mm * v730 + v101 * v325 + (v57 * v801 + v105 * v363)
-        v830 = S2_pp * v731 + v98 * v326 - (C2_pp * v802 + v102 * v364)
-        v831 = S2_pm * v732 + v99 * v327 + (v56 * v803 + v103 * v365)
-        v832 = S2_mp * v733 + v100 * v328 - (C2_mp * v804 + v104 * v366)
-        v833 = S2_mm * v734 + v101 * v329 + (v57 * v805 + v105 * v367)
-        v834 = (
-            v399 * v735 + v331 * abs(v98) + v333 * (v735 + (math.sqrt(v715 * v715 + v719 * v719 +
-            v686 * v686) + math.sqrt(v723 * v723 + v727 * v727 + v731 * v731))) + (v419 * v806 +
-            v369 * abs(v102) + v371 * (v806 + (math.sqrt(v786 * v786 + v790 * v790 + v782 * v782) +
-            math.sqrt(v794 * v794 + v798 * v798 + v802 * v802))))
+        v815 = S2_pp * v720 + C2_pp * v791
+        v816 = S2_pm * v721 - v56 * v792
+        v817 = S2_mp * v722 + C2_mp * v793
+        v818 = S2_mm * v723 - v57 * v794
+        v819 = S2_pp * v724 - C2_pp * v795
+        v820 = S2_pm * v725 + v56 * v796
+        v821 = S2_mp * v726 - C2_mp * v797
+        v822 = S2_mm * v727 + v57 * v798
+        v823 = S2_pp * v691 - C2_pp * v787
+        v824 = S2_pm * v692 + v56 * v788
+        v825 = S2_mp * v693 - C2_mp * v789
+        v826 = S2_mm * v694 + v57 * v790
+        v827 = S2_pp * v728 + v98 * v322 - (C2_pp * v799 + v102 * v360)
+        v828 = S2_pm * v729 + v99 * v323 + (v56 * v800 + v103 * v361)
+        v829 = S2_mp * v730 + v100 * v324 - (C2_mp * v801 + v104 * v362)
+        v830 = S2_mm * v731 + v101 * v325 + (v57 * v802 + v105 * v363)
+        v831 = S2_pp * v732 + v98 * v326 - (C2_pp * v803 + v102 * v364)
+        v832 = S2_pm * v733 + v99 * v327 + (v56 * v804 + v103 * v365)
+        v833 = S2_mp * v734 + v100 * v328 - (C2_mp * v805 + v104 * v366)
+        v834 = S2_mm * v735 + v101 * v329 + (v57 * v806 + v105 * v367)
+        v835 = S2_pp * v736 + v98 * v330 - (C2_pp * v807 + v102 * v368)
+        v836 = S2_pm * v737 + v99 * v331 + (v56 * v808 + v103 * v369)
+        v837 = S2_mp * v738 + v100 * v332 - (C2_mp * v809 + v104 * v370)
+        v838 = S2_mm * v739 + v101 * v333 + (v57 * v810 + v105 * v371)
+        v839 = (
+            v403 * v740 + v335 * abs(v98) + v337 * (v740 + (math.sqrt(v720 * v720 + v724 * v724 +
+            v691 * v691) + math.sqrt(v728 * v728 + v732 * v732 + v736 * v736))) + (v423 * v811 +
+            v373 * abs(v102) + v375 * (v811 + (math.sqrt(v791 * v791 + v795 * v795 + v787 * v787) +
+            math.sqrt(v799 * v799 + v803 * v803 + v807 * v807))))
         )
-        v835 = (
-            v400 * v736 + v331 * abs(v99) + v334 * (v736 + (math.sqrt(v716 * v716 + v720 * v720 +
-            v687 * v687) + math.sqrt(v724 * v724 + v728 * v728 + v732 * v732))) + (v420 * v807 +
-            v369 * abs(v103) + v372 * (v807 + (math.sqrt(v787 * v787 + v791 * v791 + v783 * v783) +
-            math.sqrt(v795 * v795 + v799 * v799 + v803 * v803))))
+        v840 = (
+            v404 * v741 + v335 * abs(v99) + v338 * (v741 + (math.sqrt(v721 * v721 + v725 * v725 +
+            v692 * v692) + math.sqrt(v729 * v729 + v733 * v733 + v737 * v737))) + (v424 * v812 +
+            v373 * abs(v103) + v376 * (v812 + (math.sqrt(v792 * v792 + v796 * v796 + v788 * v788) +
+            math.sqrt(v800 * v800 + v804 * v804 + v808 * v808))))
         )
-        v836 = (
-            v401 * v737 + v332 * abs(v100) + v335 * (v737 + (math.sqrt(v717 * v717 + v721 * v721 +
-            v688 * v688) + math.sqrt(v725 * v725 + v729 * v729 + v733 * v733))) + (v421 * v808 +
-            v370 * abs(v104) + v373 * (v808 + (math.sqrt(v788 * v788 + v792 * v792 + v784 * v784) +
-            math.sqrt(v796 * v796 + v800 * v800 + v804 * v804))))
+        v841 = (
+            v405 * v742 + v336 * abs(v100) + v339 * (v742 + (math.sqrt(v722 * v722 + v726 * v726 +
+            v693 * v693) + math.sqrt(v730 * v730 + v734 * v734 + v738 * v738))) + (v425 * v813 +
+            v374 * abs(v104) + v377 * (v813 + (math.sqrt(v793 * v793 + v797 * v797 + v789 * v789) +
+            math.sqrt(v801 * v801 + v805 * v805 + v809 * v809))))
         )
-        v837 = (
-            v402 * v738 + v332 * abs(v101) + v336 * (v738 + (math.sqrt(v718 * v718 + v722 * v722 +
-            v689 * v689) + math.sqrt(v726 * v726 + v730 * v730 + v734 * v734))) + (v422 * v809 +
-            v370 * abs(v105) + v374 * (v809 + (math.sqrt(v789 * v789 + v793 * v793 + v785 * v785) +
-            math.sqrt(v797 * v797 + v801 * v801 + v805 * v805))))
+        v842 = (
+            v406 * v743 + v336 * abs(v101) + v340 * (v743 + (math.sqrt(v723 * v723 + v727 * v727 +
+            v694 * v694) + math.sqrt(v731 * v731 + v735 * v735 + v739 * v739))) + (v426 * v814 +
+            v374 * abs(v105) + v378 * (v814 + (math.sqrt(v794 * v794 + v798 * v798 + v790 * v790) +
+            math.sqrt(v802 * v802 + v806 * v806 + v810 * v810))))
         )
-        v838 = abs(factor2_pp)
-        v839 = abs(factor2_pm)
-        v840 = abs(factor2_mp)
-        v841 = abs(factor2_mm)
-        v842 = v503 + math.sqrt(v491 * v491 + v495 * v495 + v499 * v499)
-        v843 = v504 + math.sqrt(v492 * v492 + v496 * v496 + v500 * v500)
-        v844 = v505 + math.sqrt(v493 * v493 + v497 * v497 + v501 * v501)
-        v845 = v506 + math.sqrt(v494 * v494 + v498 * v498 + v502 * v502)
-        v846 = s3 * (T14 * v572)
-        v847 = s3 * (T24 * v572)
-        v848 = s3 * (T24 * v573 + T14 * v659)
-        v849 = s3 * (near_length * T23)
-        v850 = s3 * (near_length * T13)
-        v851 = abs(s3)
-        v852 = v851 * (near5 * v182 + near_length * v589 + (near5 * v179 + near_length * v670))
-        v853 = inverse1 * v846
-        v854 = inverse1 * v847
-        v855 = inverse1 * v848
-        v856 = v507 * v852
-        v857 = inverse1 * v849
-        v858 = v857 + v86 * v508
-        v859 = v87 * v508 - v857
-        v860 = inverse1 * v850
-        v861 = v860 - v86 * v509
-        v862 = v860 + v87 * v509
-        v863 = (
-            v530 * (v852 + (math.sqrt(v846 * v846 + v847 * v847 + v848 * v848) + math.sqrt(v849 *
-            v849 + v850 * v850)))
+        v843 = abs(factor2_pp)
+        v844 = abs(factor2_pm)
+        v845 = abs(factor2_mp)
+        v846 = abs(factor2_mm)
+        v847 = v507 + math.sqrt(v495 * v495 + v499 * v499 + v503 * v503)
+        v848 = v508 + math.sqrt(v496 * v496 + v500 * v500 + v504 * v504)
+        v849 = v509 + math.sqrt(v497 * v497 + v501 * v501 + v505 * v505)
+        v850 = v510 + math.sqrt(v498 * v498 + v502 * v502 + v506 * v506)
+        v851 = s3 * (T14 * v576)
+        v852 = s3 * (T24 * v576)
+        v853 = s3 * (T24 * v577 + T14 * v664)
+        v854 = s3 * (T23 * given3)
+        v855 = s3 * (T13 * given3)
+        v856 = abs(s3)
+        v857 = v856 * (v184 * v578 + v180 * v594 + (v179 * v578 + v180 * v675))
+        v858 = inverse1 * v851
+        v859 = inverse1 * v852
+        v860 = inverse1 * v853
+        v861 = v511 * v857
+        v862 = inverse1 * v854
+        v863 = v862 + v86 * v512
+        v864 = v87 * v512 - v862
+        v865 = inverse1 * v855
+        v866 = v865 - v86 * v513
+        v867 = v865 + v87 * v513
+        v868 = (
+            v534 * (v857 + (math.sqrt(v851 * v851 + v852 * v852 + v853 * v853) + math.sqrt(v854 *
+            v854 + v855 * v855)))
         )
-        v864 = v856 + v512 * abs(v86) + v863
-        v865 = v863 + (v856 + v512 * abs(v87))
-        v866 = abs(v88)
-        v867 = abs(v89)
-        v868 = math.sqrt(v853 * v853 + v854 * v854 + v855 * v855)
-        v869 = v864 + (v868 + math.sqrt(v858 * v858 + v861 * v861))
-        v870 = v865 + (v868 + math.sqrt(v859 * v859 + v862 * v862))
-        v871 = s3 * (v24 * v572)
-        v872 = s3 * (v25 * v572)
-        v873 = s3 * (v22 * v572)
-        v874 = s3 * (v23 * v572)
-        v875 = s3 * (v24 * v659 - v22 * v573)
-        v876 = s3 * (v25 * v659 - v23 * v573)
-        v877 = s3 * (T13 * v618 - T23 * v513)
-        v878 = s3 * (T13 * v619 - T23 * v514)
-        v879 = s3 * (T23 * v519 - T13 * v614)
-        v880 = s3 * (T23 * v520 - T13 * v615)
-        v881 = s3 * (T13 * v616 + T23 * v515)
-        v882 = s3 * (T13 * v617 + T23 * v516)
-        v883 = (
-            v851 * (near5 * v625 + v586 * v621 + v589 * v627 + (near5 * v528 + v524 * v668 + v531 *
-            v670))
+        v869 = v861 + v516 * abs(v86) + v868
+        v870 = v868 + (v861 + v516 * abs(v87))
+        v871 = abs(v88)
+        v872 = abs(v89)
+        v873 = math.sqrt(v858 * v858 + v859 * v859 + v860 * v860)
+        v874 = v869 + (v873 + math.sqrt(v863 * v863 + v866 * v866))
+        v875 = v870 + (v873 + math.sqrt(v864 * v864 + v867 * v867))
+        v876 = s3 * (v24 * v576)
+        v877 = s3 * (v25 * v576)
+        v878 = s3 * (v22 * v576)
+        v879 = s3 * (v23 * v576)
+        v880 = s3 * (v24 * v664 - v22 * v577)
+        v881 = s3 * (v25 * v664 - v23 * v577)
+        v882 = s3 * (T13 * v623 - T23 * v517)
+        v883 = s3 * (T13 * v624 - T23 * v518)
+        v884 = s3 * (T23 * v523 - T13 * v619)
+        v885 = s3 * (T23 * v524 - T13 * v620)
+        v886 = s3 * (T13 * v621 + T23 * v519)
+        v887 = s3 * (T13 * v622 + T23 * v520)
+        v888 = (
+            v856 * (v578 * v630 + v591 * v626 + v594 * v632 + (v532 * v578 + v528 * v673 + v535 *
+            v675))
         )
-        v884 = (
-            v851 * (near5 * v626 + v586 * v622 + v589 * v628 + (near5 * v529 + v525 * v668 + v532 *
-            v670))
+        v889 = (
+            v856 * (v578 * v631 + v591 * v627 + v594 * v633 + (v533 * v578 + v529 * v673 + v536 *
+            v675))
         )
-        v885 = inverse1 * v871
-        v886 = inverse1 * v872
-        v887 = inverse1 * v873
-        v888 = inverse1 * v874
-        v889 = inverse1 * v875
         v890 = inverse1 * v876
-        v891 = inverse1 * v881
-        v892 = inverse1 * v882
-        v893 = (
-            v507 * v883 + v512 * abs(v90) + v530 * (v883 + (math.sqrt(v871 * v871 + v873 * v873 +
-            v875 * v875) + math.sqrt(v877 * v877 + v879 * v879 + v881 * v881)))
+        v891 = inverse1 * v877
+        v892 = inverse1 * v878
+        v893 = inverse1 * v879
+        v894 = inverse1 * v880
+        v895 = inverse1 * v881
+        v896 = inverse1 * v886
+        v897 = inverse1 * v887
+        v898 = (
+            v511 * v888 + v516 * abs(v90) + v534 * (v888 + (math.sqrt(v876 * v876 + v878 * v878 +
+            v880 * v880) + math.sqrt(v882 * v882 + v884 * v884 + v886 * v886)))
         )
-        v894 = (
-            v507 * v884 + v512 * abs(v91) + v530 * (v884 + (math.sqrt(v872 * v872 + v874 * v874 +
-            v876 * v876) + math.sqrt(v878 * v878 + v880 * v880 + v882 * v882)))
+        v899 = (
+            v511 * v889 + v516 * abs(v91) + v534 * (v889 + (math.sqrt(v877 * v877 + v879 * v879 +
+            v881 * v881) + math.sqrt(v883 * v883 + v885 * v885 + v887 * v887)))
         )
-        v895 = w1_p * v853
-        v896 = v885 + v895
-        v897 = v885 - v895
-        v898 = w1_m * v853
-        v899 = v886 + v898
-        v900 = v886 - v898
-        v901 = w1_p * v854
-        v902 = v901 - v887
-        v903 = v887 + v901
-        v904 = w1_m * v854
-        v905 = v904 - v888
-        v906 = v888 + v904
-        v907 = w1_p * v855
-        v908 = v889 + v907
-        v909 = v889 - v907
-        v910 = w1_m * v855
-        v911 = v890 + v910
-        v912 = v890 - v910
-        v913 = v90 * v508 - inverse1 * v877
-        v914 = v91 * v508 - inverse1 * v878
-        v915 = v913 + (v88 * v272 - w1_p * v858)
-        v916 = v913 + (v89 * v272 - w1_p * v859)
-        v917 = v914 + (v88 * v273 - w1_m * v858)
-        v918 = v914 + (v89 * v273 - w1_m * v859)
-        v919 = v90 * v509 - inverse1 * v879
-        v920 = v91 * v509 - inverse1 * v880
-        v921 = v919 + (w1_p * v861 + v88 * v274)
-        v922 = v919 + (v89 * v274 - w1_p * v862)
-        v923 = v920 + (w1_m * v861 + v88 * v275)
-        v924 = v920 + (v89 * v275 - w1_m * v862)
-        v925 = v891 + v88 * v276
-        v926 = v891 + v89 * v276
-        v927 = v892 + v88 * v277
-        v928 = v892 + v89 * v277
-        v929 = v893 + (v306 * v864 + v282 * v866 + v308 * v869)
-        v930 = v893 + (v306 * v865 + v282 * v867 + v308 * v870)
-        v931 = v894 + (v307 * v864 + v283 * v866 + v309 * v869)
-        v932 = v894 + (v307 * v865 + v283 * v867 + v309 * v870)
-        v933 = factor2_pp * v810 + v11 * v896
-        v934 = factor2_pm * v811 + v11 * v897
-        v935 = factor2_mp * v812 + v12 * v899
-        v936 = factor2_mm * v813 + v12 * v900
-        v937 = factor2_pp * v814 - v11 * v902
-        v938 = factor2_pm * v815 + v11 * v903
-        v939 = factor2_mp * v816 - v12 * v905
-        v940 = factor2_mm * v817 + v12 * v906
-        v941 = factor2_pp * v818 + v11 * v908
-        v942 = v11 * v909 - factor2_pm * v819
-        v943 = factor2_mp * v820 + v12 * v911
-        v944 = v12 * v912 - factor2_mm * v821
-        v945 = factor2_pp * v822 + v106 * v491 - (v11 * v915 + v94 * v288)
-        v946 = factor2_pm * v823 + v107 * v492 - (v11 * v916 + v95 * v288)
-        v947 = factor2_mp * v824 + v108 * v493 - (v12 * v917 + v96 * v289)
-        v948 = factor2_mm * v825 + v109 * v494 - (v12 * v918 + v97 * v289)
-        v949 = factor2_pp * v826 + v106 * v495 - (v11 * v921 + v94 * v291)
-        v950 = factor2_pm * v827 + v107 * v496 - (v11 * v922 + v95 * v291)
-        v951 = factor2_mp * v828 + v108 * v497 - (v12 * v923 + v96 * v292)
-        v952 = factor2_mm * v829 + v109 * v498 - (v12 * v924 + v97 * v292)
-        v953 = factor2_pp * v830 + v106 * v499 - (v11 * v925 + v94 * v294)
-        v954 = factor2_pm * v831 + v107 * v500 - (v11 * v926 + v95 * v294)
-        v955 = factor2_mp * v832 + v108 * v501 - (v12 * v927 + v96 * v295)
-        v956 = factor2_mm * v833 + v109 * v502 - (v12 * v928 + v97 * v295)
-        v957 = (
-            v834 * v838 + v503 * abs(v106) + v842 * (v834 + (math.sqrt(v810 * v810 + v814 * v814 +
-            v818 * v818) + math.sqrt(v822 * v822 + v826 * v826 + v830 * v830))) + (v699 * v929 +
-            v296 * abs(v94) + v304 * (v929 + (math.sqrt(v896 * v896 + v902 * v902 + v908 * v908) +
-            math.sqrt(v915 * v915 + v921 * v921 + v925 * v925)))) + (math.sqrt(v933 * v933 + v937 *
-            v937 + v941 * v941) + math.sqrt(v945 * v945 + v949 * v949 + v953 * v953))
+        v900 = w1_p * v858
+        v901 = v890 + v900
+        v902 = v890 - v900
+        v903 = w1_m * v858
+        v904 = v891 + v903
+        v905 = v891 - v903
+        v906 = w1_p * v859
+        v907 = v906 - v892
+        v908 = v892 + v906
+        v909 = w1_m * v859
+        v910 = v909 - v893
+        v911 = v893 + v909
+        v912 = w1_p * v860
+        v913 = v894 + v912
+        v914 = v894 - v912
+        v915 = w1_m * v860
+        v916 = v895 + v915
+        v917 = v895 - v915
+        v918 = v90 * v512 - inverse1 * v882
+        v919 = v91 * v512 - inverse1 * v883
+        v920 = v918 + (v88 * v276 - w1_p * v863)
+        v921 = v918 + (v89 * v276 - w1_p * v864)
+        v922 = v919 + (v88 * v277 - w1_m * v863)
+        v923 = v919 + (v89 * v277 - w1_m * v864)
+        v924 = v90 * v513 - inverse1 * v884
+        v925 = v91 * v513 - inverse1 * v885
+        v926 = v924 + (w1_p * v866 + v88 * v278)
+        v927 = v924 + (v89 * v278 - w1_p * v867)
+        v928 = v925 + (w1_m * v866 + v88 * v279)
+        v929 = v925 + (v89 * v279 - w1_m * v867)
+        v930 = v896 + v88 * v280
+        v931 = v896 + v89 * v280
+        v932 = v897 + v88 * v281
+        v933 = v897 + v89 * v281
+        v934 = v898 + (v310 * v869 + v286 * v871 + v312 * v874)
+        v935 = v898 + (v310 * v870 + v286 * v872 + v312 * v875)
+        v936 = v899 + (v311 * v869 + v287 * v871 + v313 * v874)
+        v937 = v899 + (v311 * v870 + v287 * v872 + v313 * v875)
+        v938 = factor2_pp * v815 + v11 * v901
+        v939 = factor2_pm * v816 + v11 * v902
+        v940 = factor2_mp * v817 + v12 * v904
+        v941 = factor2_mm * v818 + v12 * v905
+        v942 = factor2_pp * v819 - v11 * v907
+        v943 = factor2_pm * v820 + v11 * v908
+        v944 = factor2_mp * v821 - v12 * v910
+        v945 = factor2_mm * v822 + v12 * v911
+        v946 = factor2_pp * v823 + v11 * v913
+        v947 = v11 * v914 - factor2_pm * v824
+        v948 = factor2_mp * v825 + v12 * v916
+        v949 = v12 * v917 - factor2_mm * v826
+        v950 = factor2_pp * v827 + v106 * v495 - (v11 * v920 + v94 * v292)
+        v951 = factor2_pm * v828 + v107 * v496 - (v11 * v921 + v95 * v292)
+        v952 = factor2_mp * v829 + v108 * v497 - (v12 * v922 + v96 * v293)
+        v953 = factor2_mm * v830 + v109 * v498 - (v12 * v923 + v97 * v293)
+        v954 = factor2_pp * v831 + v106 * v499 - (v11 * v926 + v94 * v295)
+        v955 = factor2_pm * v832 + v107 * v500 - (v11 * v927 + v95 * v295)
+        v956 = factor2_mp * v833 + v108 * v501 - (v12 * v928 + v96 * v296)
+        v957 = factor2_mm * v834 + v109 * v502 - (v12 * v929 + v97 * v296)
+        v958 = factor2_pp * v835 + v106 * v503 - (v11 * v930 + v94 * v298)
+        v959 = factor2_pm * v836 + v107 * v504 - (v11 * v931 + v95 * v298)
+        v960 = factor2_mp * v837 + v108 * v505 - (v12 * v932 + v96 * v299)
+        v961 = factor2_mm * v838 + v109 * v506 - (v12 * v933 + v97 * v299)
+        v962 = (
+            v839 * v843 + v507 * abs(v106) + v847 * (v839 + (math.sqrt(v815 * v815 + v819 * v819 +
+            v823 * v823) + math.sqrt(v827 * v827 + v831 * v831 + v835 * v835))) + (v704 * v934 +
+            v300 * abs(v94) + v308 * (v934 + (math.sqrt(v901 * v901 + v907 * v907 + v913 * v913) +
+            math.sqrt(v920 * v920 + v926 * v926 + v930 * v930)))) + (math.sqrt(v938 * v938 + v942 *
+            v942 + v946 * v946) + math.sqrt(v950 * v950 + v954 * v954 + v958 * v958))
         )
-        v958 = (
-            v835 * v839 + v504 * abs(v107) + v843 * (v835 + (math.sqrt(v811 * v811 + v815 * v815 +
-            v819 * v819) + math.sqrt(v823 * v823 + v827 * v827 + v831 * v831))) + (v699 * v930 +
-            v296 * abs(v95) + v304 * (v930 + (math.sqrt(v897 * v897 + v903 * v903 + v909 * v909) +
-            math.sqrt(v916 * v916 + v922 * v922 + v926 * v926)))) + (math.sqrt(v934 * v934 + v938 *
-            v938 + v942 * v942) + math.sqrt(v946 * v946 + v950 * v950 + v954 * v954))
+        v963 = (
+            v840 * v844 + v508 * abs(v107) + v848 * (v840 + (math.sqrt(v816 * v816 + v820 * v820 +
+            v824 * v824) + math.sqrt(v828 * v828 + v832 * v832 + v836 * v836))) + (v704 * v935 +
+            v300 * abs(v95) + v308 * (v935 + (math.sqrt(v902 * v902 + v908 * v908 + v914 * v914) +
+            math.sqrt(v921 * v921 + v927 * v927 + v931 * v931)))) + (math.sqrt(v939 * v939 + v943 *
+            v943 + v947 * v947) + math.sqrt(v951 * v951 + v955 * v955 + v959 * v959))
         )
-        v959 = (
-            v836 * v840 + v505 * abs(v108) + v844 * (v836 + (math.sqrt(v812 * v812 + v816 * v816 +
-            v820 * v820) + math.sqrt(v824 * v824 + v828 * v828 + v832 * v832))) + (v700 * v931 +
-            v296 * abs(v96) + v305 * (v931 + (math.sqrt(v899 * v899 + v905 * v905 + v911 * v911) +
-            math.sqrt(v917 * v917 + v923 * v923 + v927 * v927)))) + (math.sqrt(v935 * v935 + v939 *
-            v939 + v943 * v943) + math.sqrt(v947 * v947 + v951 * v951 + v955 * v955))
+        v964 = (
+            v841 * v845 + v509 * abs(v108) + v849 * (v841 + (math.sqrt(v817 * v817 + v821 * v821 +
+            v825 * v825) + math.sqrt(v829 * v829 + v833 * v833 + v837 * v837))) + (v705 * v936 +
+            v300 * abs(v96) + v309 * (v936 + (math.sqrt(v904 * v904 + v910 * v910 + v916 * v916) +
+            math.sqrt(v922 * v922 + v928 * v928 + v932 * v932)))) + (math.sqrt(v940 * v940 + v944 *
+            v944 + v948 * v948) + math.sqrt(v952 * v952 + v956 * v956 + v960 * v960))
         )
-        v960 = (
-            v837 * v841 + v506 * abs(v109) + v845 * (v837 + (math.sqrt(v813 * v813 + v817 * v817 +
-            v821 * v821) + math.sqrt(v825 * v825 + v829 * v829 + v833 * v833))) + (v700 * v932 +
-            v296 * abs(v97) + v305 * (v932 + (math.sqrt(v900 * v900 + v906 * v906 + v912 * v912) +
-            math.sqrt(v918 * v918 + v924 * v924 + v928 * v928)))) + (math.sqrt(v936 * v936 + v940 *
-            v940 + v944 * v944) + math.sqrt(v948 * v948 + v952 * v952 + v956 * v956))
+        v965 = (
+            v842 * v846 + v510 * abs(v109) + v850 * (v842 + (math.sqrt(v818 * v818 + v822 * v822 +
+            v826 * v826) + math.sqrt(v830 * v830 + v834 * v834 + v838 * v838))) + (v705 * v937 +
+            v300 * abs(v97) + v309 * (v937 + (math.sqrt(v905 * v905 + v911 * v911 + v917 * v917) +
+            math.sqrt(v923 * v923 + v929 * v929 + v933 * v933)))) + (math.sqrt(v941 * v941 + v945 *
+            v945 + v949 * v949) + math.sqrt(v953 * v953 + v957 * v957 + v961 * v961))
         )
-        v961 = c1_pp * v572
-        v962 = c1_pm * v572
-        v963 = c1_mp * v572
-        v964 = c1_mm * v572
-        v965 = near5 * v593
-        v966 = near5 * v594
-        v967 = near5 * v595
-        v968 = near5 * v596
-        v969 = s1_pp * v572
-        v970 = v35 * v572
-        v971 = s1_mp * v572
-        v972 = v37 * v572
-        v973 = near5 * v674
-        v974 = near5 * v675
-        v975 = near5 * v676
-        v976 = near5 * v677
-        v977 = s3 * v969
-        v978 = s3 * v970
-        v979 = s3 * v971
-        v980 = s3 * v972
-        v981 = s3 * v961
-        v982 = s3 * v962
-        v983 = s3 * v963
-        v984 = s3 * v964
-        v985 = s3 * (s1_pp * v659 - c1_pp * v573)
-        v986 = s3 * (v35 * v659 + c1_pm * v573)
-        v987 = s3 * (s1_mp * v659 - c1_mp * v573)
-        v988 = s3 * (v37 * v659 + c1_mm * v573)
-        v989 = s3 * (T13 * v549 + T23 * v636)
-        v990 = s3 * (T13 * v550 + T23 * v637)
-        v991 = s3 * (T13 * v552 + T23 * v639)
-        v992 = s3 * (T13 * v553 + T23 * v640)
-        v993 = s3 * (T13 * v555 + T23 * v642)
-        v994 = s3 * (T13 * v556 + T23 * v643)
-        v995 = s3 * (T13 * v558 + T23 * v645)
-        v996 = s3 * (T13 * v559 + T23 * v646)
-        v997 = s3 * (T13 * v561 + T23 * v648)
-        v998 = s3 * (T23 * v649 - T13 * v562)
-        v999 = s3 * (T13 * v564 + T23 * v651)
-        v1000 = s3 * (T23 * v652 - T13 * v565)
-        v1001 = v851 * (v965 + v567 * v586 + v589 * v599 + (v973 + v654 * v668 + v670 * v680))
-        v1002 = v851 * (v966 + v568 * v586 + v589 * v600 + (v974 + v655 * v668 + v670 * v681))
-        v1003 = v851 * (v967 + v570 * v586 + v589 * v601 + (v975 + v657 * v668 + v670 * v682))
-        v1004 = v851 * (v968 + v571 * v586 + v589 * v602 + (v976 + v658 * v668 + v670 * v683))
-        v1005 = C2_pp * v985
-        v1006 = v56 * v986
-        v1007 = C2_mp * v987
-        v1008 = v57 * v988
-        v1009 = s3 * v573
-        v1010 = s3 * v659
-        v1011 = near5 * v851
-        v1012 = abs(v110)
-        v1013 = v331 * v1012
-        v1014 = v332 * v1012
-        v1015 = v1011 + math.sqrt(v1009 * v1009 + v1010 * v1010)
-        v1016 = S2_pp * v1009 - C2_pp * v977
-        v1017 = S2_pm * v1009 - v56 * v978
-        v1018 = S2_mp * v1009 - C2_mp * v979
-        v1019 = S2_mm * v1009 - v57 * v980
-        v1020 = C2_pp * v981 - S2_pp * v1010
-        v1021 = v56 * v982 + S2_pm * v1010
-        v1022 = C2_mp * v983 - S2_mp * v1010
-        v1023 = v57 * v984 + S2_mm * v1010
-        v1024 = C2_pp * v989 + v111 * v356 + v110 * v318
-        v1025 = v110 * v319 - (v56 * v990 + v112 * v357)
-        v1026 = C2_mp * v991 + v113 * v358 + v110 * v320
-        v1027 = v110 * v321 - (v57 * v992 + v114 * v359)
-        v1028 = C2_pp * v993 + v111 * v360 + v110 * v322
-        v1029 = v110 * v323 - (v56 * v994 + v112 * v361)
-        v1030 = C2_mp * v995 + v113 * v362 + v110 * v324
-        v1031 = v110 * v325 - (v57 * v996 + v114 * v363)
-        v1032 = C2_pp * v997 + v111 * v364 + v110 * v326
-        v1033 = v110 * v327 - (v56 * v998 + v112 * v365)
-        v1034 = C2_mp * v999 + v113 * v366 + v110 * v328
-        v1035 = v110 * v329 - (v57 * v1000 + v114 * v367)
-        v1036 = (
-            v419 * v1001 + v369 * abs(v111) + v371 * (v1001 + (math.sqrt(v977 * v977 + v981 * v981 +
-            v985 * v985) + math.sqrt(v989 * v989 + v993 * v993 + v997 * v997))) + (v1013 + v399 *
-            v1011 + v333 * v1015)
+        v966 = c1_pp * v576
+        v967 = c1_pm * v576
+        v968 = c1_mp * v576
+        v969 = c1_mm * v576
+        v970 = v578 * v598
+        v971 = v578 * v599
+        v972 = v578 * v600
+        v973 = v578 * v601
+        v974 = s1_pp * v576
+        v975 = v35 * v576
+        v976 = s1_mp * v576
+        v977 = v37 * v576
+        v978 = v578 * v679
+        v979 = v578 * v680
+        v980 = v578 * v681
+        v981 = v578 * v682
+        v982 = s3 * v974
+        v983 = s3 * v975
+        v984 = s3 * v976
+        v985 = s3 * v977
+        v986 = s3 * v966
+        v987 = s3 * v967
+        v988 = s3 * v968
+        v989 = s3 * v969
+        v990 = s3 * (s1_pp * v664 - c1_pp * v577)
+        v991 = s3 * (v35 * v664 + c1_pm * v577)
+        v992 = s3 * (s1_mp * v664 - c1_mp * v577)
+        v993 = s3 * (v37 * v664 + c1_mm * v577)
+        v994 = s3 * (T13 * v553 + T23 * v641)
+        v995 = s3 * (T13 * v554 + T23 * v642)
+        v996 = s3 * (T13 * v556 + T23 * v644)
+        v997 = s3 * (T13 * v557 + T23 * v645)
+        v998 = s3 * (T13 * v559 + T23 * v647)
+        v999 = s3 * (T13 * v560 + T23 * v648)
+        v1000 = s3 * (T13 * v562 + T23 * v650)
+        v1001 = s3 * (T13 * v563 + T23 * v651)
+        v1002 = s3 * (T13 * v565 + T23 * v653)
+        v1003 = s3 * (T23 * v654 - T13 * v566)
+        v1004 = s3 * (T13 * v568 + T23 * v656)
+        v1005 = s3 * (T23 * v657 - T13 * v569)
+        v1006 = v856 * (v970 + v571 * v591 + v594 * v604 + (v978 + v659 * v673 + v675 * v685))
+        v1007 = v856 * (v971 + v572 * v591 + v594 * v605 + (v979 + v660 * v673 + v675 * v686))
+        v1008 = v856 * (v972 + v574 * v591 + v594 * v606 + (v980 + v662 * v673 + v675 * v687))
+        v1009 = v856 * (v973 + v575 * v591 + v594 * v607 + (v981 + v663 * v673 + v675 * v688))
+        v1010 = C2_pp * v990
+        v1011 = v56 * v991
+        v1012 = C2_mp * v992
+        v1013 = v57 * v993
+        v1014 = s3 * v577
+        v1015 = s3 * v664
+        v1016 = v578 * v856
+        v1017 = abs(v110)
+        v1018 = v335 * v1017
+        v1019 = v336 * v1017
+        v1020 = v1016 + math.sqrt(v1014 * v1014 + v1015 * v1015)
+        v1021 = S2_pp * v1014 - C2_pp * v982
+        v1022 = S2_pm * v1014 - v56 * v983
+        v1023 = S2_mp * v1014 - C2_mp * v984
+        v1024 = S2_mm * v1014 - v57 * v985
+        v1025 = C2_pp * v986 - S2_pp * v1015
+        v1026 = v56 * v987 + S2_pm * v1015
+        v1027 = C2_mp * v988 - S2_mp * v1015
+        v1028 = v57 * v989 + S2_mm * v1015
+        v1029 = C2_pp * v994 + v111 * v360 + v110 * v322
+        v1030 = v110 * v323 - (v56 * v995 + v112 * v361)
+        v1031 = C2_mp * v996 + v113 * v362 + v110 * v324
+        v1032 = v110 * v325 - (v57 * v997 + v114 * v363)
+        v1033 = C2_pp * v998 + v111 * v364 + v110 * v326
+        v1034 = v110 * v327 - (v56 * v999 + v112 * v365)
+        v1035 = C2_mp * v1000 + v113 * v366 + v110 * v328
+        v1036 = v110 * v329 - (v57 * v1001 + v114 * v367)
+        v1037 = C2_pp * v1002 + v111 * v368 + v110 * v330
+        v1038 = v110 * v331 - (v56 * v1003 + v112 * v369)
+        v1039 = C2_mp * v1004 + v113 * v370 + v110 * v332
+        v1040 = v110 * v333 - (v57 * v1005 + v114 * v371)
+        v1041 = (
+            v423 * v1006 + v373 * abs(v111) + v375 * (v1006 + (math.sqrt(v982 * v982 + v986 * v986 +
+            v990 * v990) + math.sqrt(v994 * v994 + v998 * v998 + v1002 * v1002))) + (v1018 + v403 *
+            v1016 + v337 * v1020)
         )
-        v1037 = (
-            v420 * v1002 + v369 * abs(v112) + v372 * (v1002 + (math.sqrt(v978 * v978 + v982 * v982 +
-            v986 * v986) + math.sqrt(v990 * v990 + v994 * v994 + v998 * v998))) + (v1013 + v400 *
-            v1011 + v334 * v1015)
+        v1042 = (
+            v424 * v1007 + v373 * abs(v112) + v376 * (v1007 + (math.sqrt(v983 * v983 + v987 * v987 +
+            v991 * v991) + math.sqrt(v995 * v995 + v999 * v999 + v1003 * v1003))) + (v1018 + v404 *
+            v1016 + v338 * v1020)
         )
-        v1038 = (
-            v421 * v1003 + v370 * abs(v113) + v373 * (v1003 + (math.sqrt(v979 * v979 + v983 * v983 +
-            v987 * v987) + math.sqrt(v991 * v991 + v995 * v995 + v999 * v999))) + (v1014 + v401 *
-            v1011 + v335 * v1015)
+        v1043 = (
+            v425 * v1008 + v374 * abs(v113) + v377 * (v1008 + (math.sqrt(v984 * v984 + v988 * v988 +
+            v992 * v992) + math.sqrt(v996 * v996 + v1000 * v1000 + v1004 * v1004))) + (v1019 + v405
+            * v1016 + v339 * v1020)
         )
-        v1039 = (
-            v422 * v1004 + v370 * abs(v114) + v374 * (v1004 + (math.sqrt(v980 * v980 + v984 * v984 +
-            v988 * v988) + math.sqrt(v992 * v992 + v996 * v996 + v1000 * v1000))) + (v1014 + v402 *
-            v1011 + v336 * v1015)
+        v1044 = (
+            v426 * v1009 + v374 * abs(v114) + v378 * (v1009 + (math.sqrt(v985 * v985 + v989 * v989 +
+            v993 * v993) + math.sqrt(v997 * v997 + v1001 * v1001 + v1005 * v1005))) + (v1019 + v406
+            * v1016 + v340 * v1020)
         )
-        v1040 = factor2_pp * v1016 - c3 * v961
-        v1041 = factor2_pm * v1017 - c3 * v962
-        v1042 = factor2_mp * v1018 - c3 * v963
-        v1043 = factor2_mm * v1019 - c3 * v964
-        v1044 = factor2_pp * v1020 - c3 * v969
-        v1045 = c3 * v970 - factor2_pm * v1021
-        v1046 = factor2_mp * v1022 - c3 * v971
-        v1047 = c3 * v972 - factor2_mm * v1023
-        v1048 = factor2_pp * v1005 + c3 * (s1_pp * v573 + c1_pp * v659)
-        v1049 = factor2_pm * v1006 + c3 * (c1_pm * v659 - v35 * v573)
-        v1050 = factor2_mp * v1007 + c3 * (s1_mp * v573 + c1_mp * v659)
-        v1051 = factor2_mm * v1008 + c3 * (c1_mm * v659 - v37 * v573)
-        v1052 = factor2_pp * v1024 + v115 * v491 - c3 * (T13 * v636 - T23 * v549)
-        v1053 = factor2_pm * v1025 + v116 * v492 - c3 * (T13 * v637 - T23 * v550)
-        v1054 = factor2_mp * v1026 + v117 * v493 - c3 * (T13 * v639 - T23 * v552)
-        v1055 = factor2_mm * v1027 + v118 * v494 - c3 * (T13 * v640 - T23 * v553)
-        v1056 = factor2_pp * v1028 + v115 * v495 - c3 * (T13 * v642 - T23 * v555)
-        v1057 = factor2_pm * v1029 + v116 * v496 - c3 * (T13 * v643 - T23 * v556)
-        v1058 = factor2_mp * v1030 + v117 * v497 - c3 * (T13 * v645 - T23 * v558)
-        v1059 = factor2_mm * v1031 + v118 * v498 - c3 * (T13 * v646 - T23 * v559)
-        v1060 = factor2_pp * v1032 + v115 * v499 - c3 * (T13 * v648 - T23 * v561)
-        v1061 = factor2_pm * v1033 + v116 * v500 - c3 * (T13 * v649 + T23 * v562)
-        v1062 = factor2_mp * v1034 + v117 * v501 - c3 * (T13 * v651 - T23 * v564)
-        v1063 = factor2_mm * v1035 + v118 * v502 - c3 * (T13 * v652 + T23 * v565)
-        v1064 = (
-            v838 * v1036 + v503 * abs(v115) + v842 * (v1036 + (math.sqrt(v1016 * v1016 + v1020 *
-            v1020 + v1005 * v1005) + math.sqrt(v1024 * v1024 + v1028 * v1028 + v1032 * v1032))) +
-            v692 * (v973 + v586 * v654 + v589 * v680 + (v965 + v567 * v668 + v599 * v670)) +
-            (math.sqrt(v1040 * v1040 + v1044 * v1044 + v1048 * v1048) + math.sqrt(v1052 * v1052 +
-            v1056 * v1056 + v1060 * v1060))
+        v1045 = factor2_pp * v1021 - c3 * v966
+        v1046 = factor2_pm * v1022 - c3 * v967
+        v1047 = factor2_mp * v1023 - c3 * v968
+        v1048 = factor2_mm * v1024 - c3 * v969
+        v1049 = factor2_pp * v1025 - c3 * v974
+        v1050 = c3 * v975 - factor2_pm * v1026
+        v1051 = factor2_mp * v1027 - c3 * v976
+        v1052 = c3 * v977 - factor2_mm * v1028
+        v1053 = factor2_pp * v1010 + c3 * (s1_pp * v577 + c1_pp * v664)
+        v1054 = factor2_pm * v1011 + c3 * (c1_pm * v664 - v35 * v577)
+        v1055 = factor2_mp * v1012 + c3 * (s1_mp * v577 + c1_mp * v664)
+        v1056 = factor2_mm * v1013 + c3 * (c1_mm * v664 - v37 * v577)
+        v1057 = factor2_pp * v1029 + v115 * v495 - c3 * (T13 * v641 - T23 * v553)
+        v1058 = factor2_pm * v1030 + v116 * v496 - c3 * (T13 * v642 - T23 * v554)
+        v1059 = factor2_mp * v1031 + v117 * v497 - c3 * (T13 * v644 - T23 * v556)
+        v1060 = factor2_mm * v1032 + v118 * v498 - c3 * (T13 * v645 - T23 * v557)
+        v1061 = factor2_pp * v1033 + v115 * v499 - c3 * (T13 * v647 - T23 * v559)
+        v1062 = factor2_pm * v1034 + v116 * v500 - c3 * (T13 * v648 - T23 * v560)
+        v1063 = factor2_mp * v1035 + v117 * v501 - c3 * (T13 * v650 - T23 * v562)
+        v1064 = factor2_mm * v1036 + v118 * v502 - c3 * (T13 * v651 - T23 * v563)
+        v1065 = factor2_pp * v1037 + v115 * v503 - c3 * (T13 * v653 - T23 * v565)
+        v1066 = factor2_pm * v1038 + v116 * v504 - c3 * (T13 * v654 + T23 * v566)
+        v1067 = factor2_mp * v1039 + v117 * v505 - c3 * (T13 * v656 - T23 * v568)
+        v1068 = factor2_mm * v1040 + v118 * v506 - c3 * (T13 * v657 + T23 * v569)
+        v1069 = (
+            v843 * v1041 + v507 * abs(v115) + v847 * (v1041 + (math.sqrt(v1021 * v1021 + v1025 *
+            v1025 + v1010 * v1010) + math.sqrt(v1029 * v1029 + v1033 * v1033 + v1037 * v1037))) +
+            v697 * (v978 + v591 * v659 + v594 * v685 + (v970 + v571 * v673 + v604 * v675)) +
+            (math.sqrt(v1045 * v1045 + v1049 * v1049 + v1053 * v1053) + math.sqrt(v1057 * v1057 +
+            v1061 * v1061 + v1065 * v1065))
         )
-        v1065 = (
-            v839 * v1037 + v504 * abs(v116) + v843 * (v1037 + (math.sqrt(v1017 * v1017 + v1021 *
-            v1021 + v1006 * v1006) + math.sqrt(v1025 * v1025 + v1029 * v1029 + v1033 * v1033))) +
-            v692 * (v974 + v586 * v655 + v589 * v681 + (v966 + v568 * v668 + v600 * v670)) +
-            (math.sqrt(v1041 * v1041 + v1045 * v1045 + v1049 * v1049) + math.sqrt(v1053 * v1053 +
-            v1057 * v1057 + v1061 * v1061))
+        v1070 = (
+            v844 * v1042 + v508 * abs(v116) + v848 * (v1042 + (math.sqrt(v1022 * v1022 + v1026 *
+            v1026 + v1011 * v1011) + math.sqrt(v1030 * v1030 + v1034 * v1034 + v1038 * v1038))) +
+            v697 * (v979 + v591 * v660 + v594 * v686 + (v971 + v572 * v673 + v605 * v675)) +
+            (math.sqrt(v1046 * v1046 + v1050 * v1050 + v1054 * v1054) + math.sqrt(v1058 * v1058 +
+            v1062 * v1062 + v1066 * v1066))
         )
-        v1066 = (
-            v840 * v1038 + v505 * abs(v117) + v844 * (v1038 + (math.sqrt(v1018 * v1018 + v1022 *
-            v1022 + v1007 * v1007) + math.sqrt(v1026 * v1026 + v1030 * v1030 + v1034 * v1034))) +
-            v692 * (v975 + v586 * v657 + v589 * v682 + (v967 + v570 * v668 + v601 * v670)) +
-            (math.sqrt(v1042 * v1042 + v1046 * v1046 + v1050 * v1050) + math.sqrt(v1054 * v1054 +
-            v1058 * v1058 + v1062 * v1062))
+        v1071 = (
+            v845 * v1043 + v509 * abs(v117) + v849 * (v1043 + (math.sqrt(v1023 * v1023 + v1027 *
+            v1027 + v1012 * v1012) + math.sqrt(v1031 * v1031 + v1035 * v1035 + v1039 * v1039))) +
+            v697 * (v980 + v591 * v662 + v594 * v687 + (v972 + v574 * v673 + v606 * v675)) +
+            (math.sqrt(v1047 * v1047 + v1051 * v1051 + v1055 * v1055) + math.sqrt(v1059 * v1059 +
+            v1063 * v1063 + v1067 * v1067))
         )
-        v1067 = (
-            v841 * v1039 + v506 * abs(v118) + v845 * (v1039 + (math.sqrt(v1019 * v1019 + v1023 *
-            v1023 + v1008 * v1008) + math.sqrt(v1027 * v1027 + v1031 * v1031 + v1035 * v1035))) +
-            v692 * (v976 + v586 * v658 + v589 * v683 + (v968 + v571 * v668 + v602 * v670)) +
-            (math.sqrt(v1043 * v1043 + v1047 * v1047 + v1051 * v1051) + math.sqrt(v1055 * v1055 +
-            v1059 * v1059 + v1063 * v1063))
+        v1072 = (
+            v846 * v1044 + v510 * abs(v118) + v850 * (v1044 + (math.sqrt(v1024 * v1024 + v1028 *
+            v1028 + v1013 * v1013) + math.sqrt(v1032 * v1032 + v1036 * v1036 + v1040 * v1040))) +
+            v697 * (v981 + v591 * v663 + v594 * v688 + (v973 + v575 * v673 + v607 * v675)) +
+            (math.sqrt(v1048 * v1048 + v1052 * v1052 + v1056 * v1056) + math.sqrt(v1060 * v1060 +
+            v1064 * v1064 + v1068 * v1068))
         )
 
         # a joint is free, or branches meet
-        kept[17 * w + k] = (
-            1.0 if abs(N1) <= near1 or abs(v197 + (D4 + D4)) <= v197 or abs(v177) <= 2.0 * v192 or
-            abs(v122) <= v960 * v960 + v1067 * v1067 or abs(v61) <= v386 or abs(v121) <= v959 * v959
-            + v1066 * v1066 or abs(v60) <= v385 or abs(v120) <= v958 * v958 + v1065 * v1065 or
-            abs(v59) <= v384 or abs(v119) <= v957 * v957 + v1064 * v1064 or abs(v58) <= v383 or N1
+        kept[19 * w + k] = (
+            1.0 if abs(N1) <= v189 or abs(v201 + (D4 + D4)) <= v201 or abs(v177) <= 2.0 * v196 or
+            abs(v122) <= v965 * v965 + v1072 * v1072 or abs(v61) <= v390 or abs(v121) <= v964 * v964
+            + v1071 * v1071 or abs(v60) <= v389 or abs(v120) <= v963 * v963 + v1070 * v1070 or
+            abs(v59) <= v388 or abs(v119) <= v962 * v962 + v1069 * v1069 or abs(v58) <= v387 or N1
             <= near_doubt_limit_squared2 or v61 <= near_m4 or v60 <= near_m4 or v59 <= near_m4 or
-            v58 <= near_m4 or abs(v251 + (D1_m + D1_m)) <= v251 or abs(D1_m * v15) <= near_m3 * v21
-            or abs(v250 + (D1_p + D1_p)) <= v250 or abs(D1_p * v15) <= near_m3 * v20 or N4 <=
+            v58 <= near_m4 or abs(v255 + (D1_m + D1_m)) <= v255 or abs(D1_m * v15) <= near_m3 * v21
+            or abs(v254 + (D1_p + D1_p)) <= v254 or abs(D1_p * v15) <= near_m3 * v20 or N4 <=
             near_doubt_limit_squared4 or v122 <= near_m5 or v121 <= near_m5 or v120 <= near_m5 or
-            v119 <= near_m5 or abs(v21) <= 2.0 * v241 or abs(D4) <= near_m1 * v177 or abs(v20) <=
-            2.0 * v240 else kept[17 * w + k]
+            v119 <= near_m5 or abs(v21) <= 2.0 * v245 or abs(D4) <= near_m1 * v177 or abs(v20) <=
+            2.0 * v244 else kept[19 * w + k]
         )
-        kept[57 * w + k], kept[58 * w + k], kept[59 * w + k] = v16, v17, Y5_pp
-        kept[60 * w + k], kept[61 * w + k], kept[62 * w + k] = Y5_pm, Y5_mp, Y5_mm
-        kept[63 * w + k], kept[64 * w + k], kept[65 * w + k] = s7_pp, s7_pm, s7_mp
-        kept[66 * w + k], kept[67 * w + k], kept[68 * w + k] = s7_mm, q3_ppp, q3_mpp
+        kept[63 * w + k], kept[64 * w + k], kept[65 * w + k] = v16, v17, Y5_pp
+        kept[66 * w + k], kept[67 * w + k], kept[68 * w + k] = Y5_pm, Y5_mp, Y5_mm
+        kept[69 * w + k], kept[70 * w + k], kept[71 * w + k] = s7_pp, s7_pm, s7_mp
+        kept[72 * w + k], kept[73 * w + k], kept[74 * w + k] = s7_mm, q3_ppp, q3_mpp
         turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = s1_pp, -v35, s1_mp
         turns[5 * w + k], turns[6 * w + k], turns[7 * w + k] = -v37, S2_pp, S2_pm
         turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = S2_mp, S2_mm, Y5_pp
@@ -1894,7 +1896,7 @@ def _formulas(kept, turns, rows, w):
             v135 - v57 * (s3 * (c1_mm * T12 - v37 * T22))))
         )
         turns[46 * w + k], turns[47 * w + k] = -v11, -v12
-    if w == 1 and kept[17] != 0.0:
+    if w == 1 and kept[19] != 0.0:
         return
     end = 26 if w == 1 else 24 * w
     # one pose's vectors are filled up: any numbers would do, but some are slow
@@ -1903,10 +1905,10 @@ def _formulas(kept, turns, rows, w):
     for k in range(2 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        v16, v17, Y5_pp = kept[57 * w + k], kept[58 * w + k], kept[59 * w + k]
-        Y5_pm, Y5_mp, Y5_mm = kept[60 * w + k], kept[61 * w + k], kept[62 * w + k]
-        s7_pp, s7_pm, s7_mp = kept[63 * w + k], kept[64 * w + k], kept[65 * w + k]
-        s7_mm, q3_ppp, q3_mpp = kept[66 * w + k], kept[67 * w + k], kept[68 * w + k]
+        v16, v17, Y5_pp = kept[63 * w + k], kept[64 * w + k], kept[65 * w + k]
+        Y5_pm, Y5_mp, Y5_mm = kept[66 * w + k], kept[67 * w + k], kept[68 * w + k]
+        s7_pp, s7_pm, s7_mp = kept[69 * w + k], kept[70 * w + k], kept[71 * w + k]
+        s7_mm, q3_ppp, q3_mpp = kept[72 * w + k], kept[73 * w + k], kept[74 * w + k]
         angle1, angle2, angle3 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
         angle4, angle5, angle6 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
         angle7, angle8, angle9 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
@@ -1966,30 +1968,66 @@ _PLACES = np.array([
     [28, 29, 20, 21, 33, 34, 35],
 ])
 
-# What makes of a pose this arm's, before and behind it, and what its angles are more; where in rows
-# these are.
-_LEFT, _RIGHT = np.array((1.0, 0.0, 0.0, -0.0, 0.0, -1.0, 0.0, -0.0, 0.0, 0.0, -1.0, 0.28481)), np.array((1.0, 0.0, 0.0, -0.0, -0.0, 1.0, 0.0, -0.0, 0.0, -0.0, 1.0, 0.10593))
-_OFFSETS = np.array((0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-_ANGLES = np.ascontiguousarray(_PLACES[:, (0, 1, 3, 4, 5, 6)])
-
-
-@_HOW.merged
-def _nearby(pose, q_free):
-    """Joint values that lead to all solutions; none where one of these rows may end."""
-    kept, turns, rows = np.zeros(69), np.zeros(50), np.zeros(44)
-    _nearest.near_pose(pose, _LEFT, _RIGHT, kept)
-    kept[16:17] = q_free[:1]
-    _formulas(kept, turns, rows, len(kept) // 69)
-    if kept[17] != 0.0:
-        return np.empty((0, 6))
-    return _nearest.near_solutions(rows, _ANGLES, _OFFSETS)
+_solve_from_nearest, _to_nearest_rows = _nearest.of_nearest(
+    _HOW,
+    _NUMBERS,
+    _functions.Formulas(_formulas, 75, 50, _PLACES),
+    _nearest.Nearest(
+        turned=1e-10,
+        moved=0.0003500001,
+        left=(1.0, 0.0, 0.0, -0.0, 0.0, -1.0, 0.0, -0.0, 0.0, 0.0, -1.0, 0.28481),
+        right=(1.0, 0.0, 0.0, -0.0, -0.0, 1.0, 0.0, -0.0, 0.0, -0.0, 1.0, 0.10593),
+        offsets=(0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+        solved=(0, 1, 3, 4, 5, 6),
+        links=(
+            (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+            (
+                1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0,
+                6.123233995736766e-17, 0.0,
+            ),
+            (
+                1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0,
+                6.123233995736766e-17, -0.01175,
+            ),
+            (
+                1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0,
+                6.123233995736766e-17, -0.42076,
+            ),
+            (
+                1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0,
+                6.123233995736766e-17, -0.01275,
+            ),
+            (
+                1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0,
+                6.123233995736766e-17, -0.31436,
+            ),
+            (
+                1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0,
+                6.123233995736766e-17, 0.0,
+            ),
+            (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+        ),
+        angles=(
+            (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+            (0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.141592653589793),
+            (0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 3.141592653589793),
+            (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 3.141592653589793),
+            (0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 3.141592653589793),
+            (0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 3.141592653589793),
+            (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 3.141592653589793),
+        ),
+    ),
+    1,
+)
 
 
 @_HOW.apart(_arms.SOLVES)
 def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    nearby = _nearby(pose, q_free) if _COMPILED else _NONE_NEAR
-    _all_joints(_NUMBERS, pose, q_free, seed, nearby, q, status)
+    if _solve_from_nearest(pose, q_free, q, status):
+        return
+    _all_joints(_NUMBERS, pose, q_free, seed, q, status)
+    _to_nearest_rows(q_free, q, status)
 
 
 _CALLS = _functions.of_robot(

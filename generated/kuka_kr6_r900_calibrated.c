@@ -78,8 +78,14 @@ static const double
 
 #ifndef __CUDACC_RTC__
 const char *const kuka_kr6_r900_calibrated_branches[16] = {
+#ifdef KUKA_KR6_R900_CALIBRATED_PLAIN
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
     "root11", "root12", "root13", "root14", "root15", "root16",
+#else
+    "back-down-noflip", "back-down-flip", "back-up-noflip", "back-up-flip", "front-up-noflip",
+    "front-up-flip", "front-down-noflip", "front-down-flip", "further1", "further2", "further3",
+    "further4", "further5", "further6", "further7", "further8",
+#endif
 };
 #endif
 
@@ -304,8 +310,6 @@ DHGEN_PUBLIC void kuka_kr6_r900_calibrated_jacobian(const double q[6], double J[
  * near_k4 = 1 / ((2 * near_d4 * near_a2)^2 + (2 * near_a3 * near_a2)^2) = 6.815359151455662 [m^-4],
  * near_doubt_limit = 9.999999999999999e-05. */
 static const double
-    near_angle = 0.0001900018, /* the two arms' tools are turned by no more */
-    near_length = 0.0002999173, /* and no farther apart [m] */
     near_a1 = -0.024977, /* link length 1 [m] */
     near_longest3 = 0.7672753622269508, /* square of the longest reach [m^2] */
     near_shortest3 = 0.001175080249049243, /* square of the shortest reach [m^2] */
@@ -331,12 +335,7 @@ static const double
      * near_k3^2 * near_k4 - near_a3 * near_k2 * near_k3^2 * near_k4) [m] */
     near_m9 = 0.03561238055741952,
     near_m10 = 9.999999999999999e-09, /* near_doubt_limit^2 */
-    near1 = 8.995038683929001e-08, /* near_length^2 [m^2] */
-    near2 = 1.7990077367858003e-07, /* near_length^2 + near_length^2 [m^2] */
-    near3 = 0.5, /* 1 / 2 */
-    near4 = 1.805034200162e-08, /* near_angle^2 / 2 */
-    near5 = 0.00035570759116433794, /* near_m6 * near_length */
-    near6 = 2.1201759580571282e-05; /* near_m7 * near_length */
+    near1 = 0.5; /* 1 / 2 */
 
 /* What one pose and many compute alike: values without signs of branches, with the first, with
  * all that are in lanes. */
@@ -355,29 +354,46 @@ static const double
         v31 = w1 * (v2 * (T14 * T12 + T24 * T22)), v32 = w1 * (v2 * (T14 * T21 - T24 * T11)), \
         v33 = w1 * (v2 * (T14 * T11 + T24 * T21)); \
     /* joint values */ \
-    const dhgen_##number v35 = near_length * T34, v36 = dhgen_abs_##number(T34), v37 = v35 + v35, \
-        v38 = near_length * T14, v39 = v38 + v38, v40 = near_length * T24, v41 = v40 + v40, \
-        v42 = DHGEN_QUOTIENT(near3, w1), v43 = v39 * v42, v44 = v41 * v42, \
-        v45 = near2 * dhgen_abs_##number(v42), \
-        v48 = v45 + dhgen_sqrt_##number(v43 * v43 + v44 * v44), v58 = v37 * v37, v66 = w1 * v2, \
-        v67 = near_angle * T33, v68 = near_angle * T23, v69 = T24 * v67, \
-        v70 = near4 * dhgen_abs_##number(T24), v71 = near_length * T13, v72 = v67 * v67, \
-        v73 = v68 * v68, v74 = near_length * (near4 + dhgen_sqrt_##number(v72 + v73)), \
-        v75 = near_angle * T13, v76 = T14 * v67, v77 = near4 * dhgen_abs_##number(T14), \
-        v78 = near_length * T23, v79 = v75 * v75, \
-        v80 = near_length * (near4 + dhgen_sqrt_##number(v72 + v79)), v81 = T24 * v68 + T14 * v75, \
-        v82 = v70 + v74 + (v77 + v80), v83 = dhgen_abs_##number(v2), v84 = v2 * (v2 * v39), \
-        v85 = v2 * (v2 * v41), v86 = v83 * (near2 * v83), v89 = dhgen_abs_##number(w1), \
-        v91 = v2 * v43 - w1 * v84, v92 = v2 * v44 - w1 * v85, v94 = v66 * v76, v95 = v66 * v69, \
-        v96 = v66 * v81, v97 = v76 * v76 + v69 * v69, \
-        v98 = dhgen_sqrt_##number(v78 * v78 + v71 * v71), v99 = v25 * v91 - v66 * v78, \
-        v100 = v25 * v92 + v66 * v71, v133 = near_m7 * v45, v149 = dhgen_abs_##number(T33), \
-        v150 = near4 + dhgen_sqrt_##number(v73 + v79), v157 = near_m6 * v45, \
-        v171 = T24 * v75 - T14 * v68, v172 = v74 + v77 + (v70 + v80), v173 = v2 * v69, \
-        v174 = v2 * v76, v175 = v2 * v171, v176 = v2 * v71 - v22 * v84, \
-        v177 = v2 * v78 - v22 * v85, v179 = w1 * v173, v180 = w1 * v174, v181 = w1 * v175, \
-        v182 = w1 * v176 + v23 * v43, v183 = w1 * v177 + v23 * v44, \
-        v185 = dhgen_abs_##number(v24)
+    const dhgen_##number v35 = T34 * free_joints[1], v36 = dhgen_abs_##number(T34), \
+        v37 = dhgen_abs_##number(free_joints[1]), v38 = v35 + v35, v39 = v37 * v37, \
+        v40 = T14 * free_joints[1], v41 = v40 + v40, v42 = T24 * free_joints[1], v43 = v42 + v42, \
+        v44 = v39 + v39, v45 = DHGEN_QUOTIENT(near1, w1), v46 = v41 * v45, v47 = v43 * v45, \
+        v48 = v44 * dhgen_abs_##number(v45), \
+        v51 = v48 + dhgen_sqrt_##number(v46 * v46 + v47 * v47), v61 = v38 * v38, v69 = w1 * v2, \
+        v70 = T33 * free_joints[0], v71 = T23 * free_joints[0], \
+        v72 = near1 * (free_joints[0] * free_joints[0]), v73 = T24 * v70, \
+        v74 = v72 * dhgen_abs_##number(T24), v75 = T13 * free_joints[1], v76 = v70 * v70, \
+        v77 = v71 * v71, v78 = v37 * (v72 + dhgen_sqrt_##number(v76 + v77)), \
+        v79 = T13 * free_joints[0], v80 = T14 * v70, v81 = v72 * dhgen_abs_##number(T14), \
+        v82 = T23 * free_joints[1], v83 = v79 * v79, \
+        v84 = v37 * (v72 + dhgen_sqrt_##number(v76 + v83)), v85 = T24 * v71 + T14 * v79, \
+        v86 = v74 + v78 + (v81 + v84), v87 = dhgen_abs_##number(v2), v88 = v2 * (v2 * v41), \
+        v89 = v2 * (v2 * v43), v90 = v87 * (v44 * v87), v91 = w1 - dhgen_sqrt_##number(v44), \
+        v92 = v90 + (v90 + (dhgen_abs_##number(v88) + dhgen_abs_##number(v89))) * \
+            DHGEN_QUOTIENT(v44 + dhgen_sqrt_##number(v41 * v41 + v43 * v43), v91 * v91), \
+        v93 = dhgen_abs_##number(w1), v94 = v92 + dhgen_sqrt_##number(v88 * v88 + v89 * v89), \
+        v95 = v2 * v46 - w1 * v88, v96 = v2 * v47 - w1 * v89, \
+        v97 = v92 * v93 + v48 * v87 + v51 * v94, v98 = v69 * v80, v99 = v69 * v73, \
+        v100 = v69 * v85, v101 = v80 * v80 + v73 * v73, \
+        v102 = dhgen_sqrt_##number(v82 * v82 + v75 * v75), v103 = v25 * v95 - v69 * v82, \
+        v104 = v25 * v96 + v69 * v75, \
+        v105 = v97 * dhgen_abs_##number(v25) + v86 * dhgen_abs_##number(v69) + (v86 + (v102 + \
+            dhgen_sqrt_##number(v101 + v85 * v85))) * (v97 + dhgen_sqrt_##number(v95 * v95 + v96 * \
+            v96)) + (dhgen_sqrt_##number(v98 * v98 + v99 * v99 + v100 * v100) + \
+            dhgen_sqrt_##number(v103 * v103 + v104 * v104)), v135 = near_m6 * free_joints[1], \
+        v138 = near_m7 * v48, v154 = dhgen_abs_##number(T33), \
+        v155 = v72 + dhgen_sqrt_##number(v77 + v83), v160 = near_m7 * free_joints[1], \
+        v163 = near_m6 * v48, v177 = T24 * v79 - T14 * v71, v178 = v78 + v81 + (v74 + v84), \
+        v179 = v2 * v73, v180 = v2 * v80, v181 = v2 * v177, v182 = v2 * v75 - v22 * v88, \
+        v183 = v2 * v82 - v22 * v89, \
+        v184 = v87 * v178 + v92 * dhgen_abs_##number(v22) + v94 * (v178 + (v102 + \
+            dhgen_sqrt_##number(v101 + v177 * v177))), v185 = w1 * v179, v186 = w1 * v180, \
+        v187 = w1 * v181, v188 = w1 * v182 + v23 * v46, v189 = w1 * v183 + v23 * v47, \
+        v190 = v93 * v184 + v48 * dhgen_abs_##number(v23) + v51 * (v184 + \
+            (dhgen_sqrt_##number(v179 * v179 + v180 * v180 + v181 * v181) + \
+            dhgen_sqrt_##number(v182 * v182 + v183 * v183))), v191 = dhgen_abs_##number(v24), \
+        v192 = v190 + (dhgen_sqrt_##number(v185 * v185 + v186 * v186 + v187 * v187) + \
+            dhgen_sqrt_##number(v188 * v188 + v189 * v189)), v200 = v105 * v105
 #define SIGNED(number, signs) \
     /* theta3 */ \
     const dhgen_##number Z2_3 = e1 * w1 - near_a1, N3 = v4 + Z2_3 * Z2_3, v5 = near_longest3 - N3, \
@@ -391,40 +407,39 @@ static const double
         v18 = v17 + near_m7 * Z2_3, v19 = Z2_3 * -v13 + T34 * v12, v28 = e1 * Y4, \
         v29 = dhgen_signed_##number(DHGEN_HALF_TURN, v28); \
     /* joint values */ \
-    const dhgen_##number v46 = e1 * v43, v47 = e1 * v44, v49 = Z2_3 * v46, v50 = Z2_3 * v47, \
-        v51 = dhgen_abs_##number(Z2_3), v52 = v45 * v51, \
-        v53 = v45 + dhgen_sqrt_##number(v46 * v46 + v47 * v47), v54 = v49 + v49, v55 = v50 + v50, \
-        v56 = v53 * v53, v57 = near1 + (v56 + (v52 + v52)), \
-        v59 = v57 + dhgen_sqrt_##number(v58 + (v54 * v54 + v55 * v55)), v60 = v5 * v54 - v6 * v54, \
-        v61 = v5 * v55 - v6 * v55, v62 = v5 * v37 - v6 * v37, \
-        v63 = v57 * dhgen_abs_##number(v5) + v57 * dhgen_abs_##number(v6) + v59 * v59, \
-        v64 = v63 + dhgen_sqrt_##number(v60 * v60 + v61 * v61 + v62 * v62), v65 = near1 + v56, \
-        v102 = dhgen_abs_##number(factor2), v103 = factor2 * (factor2 * v54), \
-        v104 = factor2 * (factor2 * v55), v105 = factor2 * (factor2 * v37), \
-        v106 = v102 * (v57 * v102), v107 = dhgen_sqrt_##number(N3) - dhgen_sqrt_##number(v65), \
-        v108 = v106 + (v106 + (dhgen_abs_##number(v105) + (dhgen_abs_##number(v103) + \
-            dhgen_abs_##number(v104)))) * DHGEN_QUOTIENT(v59, v107 * v107), v109 = near_m9 * v103, \
-        v110 = near_m9 * v104, v111 = near_m9 * v105, v112 = near_m9 * v108, \
-        v113 = v108 + dhgen_sqrt_##number(v103 * v103 + v104 * v104 + v105 * v105), \
-        v114 = v112 + dhgen_sqrt_##number(v109 * v109 + v110 * v110 + v111 * v111), \
-        v115 = near_m8 * v103, v116 = near_m8 * v104, v117 = near_m8 * v105, \
-        v118 = near_m8 * v108, \
-        v119 = v118 + dhgen_sqrt_##number(v115 * v115 + v116 * v116 + v117 * v117), \
-        v120 = Z2_3 * v109 - v13 * v46 - T34 * v115, v121 = Z2_3 * v110 - v13 * v47 - T34 * v116, \
-        v122 = Z2_3 * v111 + (near_length * v12 - T34 * v117), \
-        v123 = v51 * v112 + v45 * dhgen_abs_##number(-v13) + v53 * v114 + (v36 * v118 + \
-            near_length * v119), v124 = DHGEN_QUOTIENT(near3, w3), v125 = v60 * v124, \
-        v126 = v61 * v124, v127 = v62 * v124, v128 = v64 * v124, \
-        v129 = DHGEN_QUOTIENT(v128 * v128, w3), \
-        v130 = v129 + (v129 + v63 * dhgen_abs_##number(v124)), v131 = near_m7 * v46, \
-        v132 = near_m7 * v47, v141 = v102 * v133 + v108 * dhgen_abs_##number(v18), \
-        v143 = dhgen_abs_##number(w3), \
-        v144 = v130 + dhgen_sqrt_##number(v125 * v125 + v126 * v126 + v127 * v127), \
-        v151 = v12 * v46 - Z2_3 * v115 - T34 * v109, v152 = v12 * v47 - Z2_3 * v116 - T34 * v110, \
-        v153 = near_length * v13 - T34 * v111 - Z2_3 * v117, \
-        v154 = v51 * v118 + v45 * dhgen_abs_##number(v12) + v53 * v119 + (v36 * v112 + near_length \
-            * v114), v155 = near_m6 * v46, v156 = near_m6 * v47, \
-        v165 = v102 * v157 + v108 * dhgen_abs_##number(v11)
+    const dhgen_##number v49 = e1 * v46, v50 = e1 * v47, v52 = Z2_3 * v49, v53 = Z2_3 * v50, \
+        v54 = dhgen_abs_##number(Z2_3), v55 = v48 * v54, \
+        v56 = v48 + dhgen_sqrt_##number(v49 * v49 + v50 * v50), v57 = v52 + v52, v58 = v53 + v53, \
+        v59 = v56 * v56, v60 = v39 + (v59 + (v55 + v55)), \
+        v62 = v60 + dhgen_sqrt_##number(v61 + (v57 * v57 + v58 * v58)), v63 = v5 * v57 - v6 * v57, \
+        v64 = v5 * v58 - v6 * v58, v65 = v5 * v38 - v6 * v38, \
+        v66 = v60 * dhgen_abs_##number(v5) + v60 * dhgen_abs_##number(v6) + v62 * v62, \
+        v67 = v66 + dhgen_sqrt_##number(v63 * v63 + v64 * v64 + v65 * v65), v68 = v39 + v59, \
+        v106 = dhgen_abs_##number(factor2), v107 = factor2 * (factor2 * v57), \
+        v108 = factor2 * (factor2 * v58), v109 = factor2 * (factor2 * v38), \
+        v110 = v106 * (v60 * v106), v111 = dhgen_sqrt_##number(N3) - dhgen_sqrt_##number(v68), \
+        v112 = v110 + (v110 + (dhgen_abs_##number(v109) + (dhgen_abs_##number(v107) + \
+            dhgen_abs_##number(v108)))) * DHGEN_QUOTIENT(v62, v111 * v111), v113 = near_m9 * v107, \
+        v114 = near_m9 * v108, v115 = near_m9 * v109, v116 = near_m9 * v112, \
+        v117 = v112 + dhgen_sqrt_##number(v107 * v107 + v108 * v108 + v109 * v109), \
+        v118 = v116 + dhgen_sqrt_##number(v113 * v113 + v114 * v114 + v115 * v115), \
+        v119 = near_m8 * v107, v120 = near_m8 * v108, v121 = near_m8 * v109, \
+        v122 = near_m8 * v112, \
+        v123 = v122 + dhgen_sqrt_##number(v119 * v119 + v120 * v120 + v121 * v121), \
+        v124 = Z2_3 * v113 - v13 * v49 - T34 * v119, v125 = Z2_3 * v114 - v13 * v50 - T34 * v120, \
+        v126 = Z2_3 * v115 + (v12 * free_joints[1] - T34 * v121), \
+        v127 = v54 * v116 + v48 * dhgen_abs_##number(-v13) + v56 * v118 + (v36 * v122 + v37 * \
+            v123), v128 = DHGEN_QUOTIENT(near1, w3), v129 = v63 * v128, v130 = v64 * v128, \
+        v131 = v65 * v128, v132 = v67 * v128, v133 = DHGEN_QUOTIENT(v132 * v132, w3), \
+        v134 = v133 + (v133 + v66 * dhgen_abs_##number(v128)), v136 = near_m7 * v49, \
+        v137 = near_m7 * v50, v146 = v106 * v138 + v112 * dhgen_abs_##number(v18), \
+        v148 = dhgen_abs_##number(w3), \
+        v149 = v134 + dhgen_sqrt_##number(v129 * v129 + v130 * v130 + v131 * v131), \
+        v156 = v12 * v49 - Z2_3 * v119 - T34 * v113, v157 = v12 * v50 - Z2_3 * v120 - T34 * v114, \
+        v158 = v13 * free_joints[1] - T34 * v115 - Z2_3 * v121, \
+        v159 = v54 * v122 + v48 * dhgen_abs_##number(v12) + v56 * v123 + (v36 * v116 + v37 * \
+            v118), v161 = near_m6 * v49, v162 = near_m6 * v50, \
+        v171 = v106 * v163 + v112 * dhgen_abs_##number(v11)
 #define SIGNED_TWICE(number, signs) \
     /* theta2 */ \
     const dhgen_##number v9 = near_m4 * (e3 * T34); \
@@ -435,34 +450,36 @@ static const double
     /* theta6 */ \
     const dhgen_##number v34 = e1 * (c4 * v32 + Y4 * (s23 * T31 + e1 * (c23 * v33))); \
     /* joint values */ \
-    const dhgen_##number v134 = e3 * v131, v135 = e3 * v132; \
-    const dhgen_##signs v136 = near5 * e3, v137 = v136 * v136; \
-    const dhgen_##number v138 = factor2 * v134 - v20 * v103, v139 = factor2 * v135 - v20 * v104, \
-        v140 = factor2 * v136 - v20 * v105, \
-        v142 = v141 + v113 * (v133 + dhgen_sqrt_##number(v137 + (v134 * v134 + v135 * v135))), \
-        v145 = v120 - (w3 * v138 + v21 * v125), v146 = v121 - (w3 * v139 + v21 * v126), \
-        v147 = v122 - (w3 * v140 + v21 * v127), \
-        v148 = v123 + (v142 * v143 + v130 * dhgen_abs_##number(v21) + v144 * (v142 + \
-            dhgen_sqrt_##number(v138 * v138 + v139 * v139 + v140 * v140))), v158 = e3 * v155, \
-        v159 = e3 * v156; \
-    const dhgen_##signs v160 = near6 * e3, v161 = v160 * v160; \
-    const dhgen_##number v162 = factor2 * v158 + v15 * v103, v163 = factor2 * v159 + v15 * v104, \
-        v164 = factor2 * v160 - v15 * v105, \
-        v166 = v165 + v113 * (v157 + dhgen_sqrt_##number(v161 + (v158 * v158 + v159 * v159))), \
-        v167 = v151 + (v16 * v125 - w3 * v162), v168 = v152 + (v16 * v126 - w3 * v163), \
-        v169 = v153 + (w3 * v164 + v16 * v127), \
-        v170 = v154 + (v143 * v166 + v130 * dhgen_abs_##number(v16) + v144 * (v166 + \
-            dhgen_sqrt_##number(v162 * v162 + v163 * v163 + v164 * v164))), \
-        v187 = e1 * (c23 * v181), v188 = s23 * v68 - e1 * (c23 * v179), \
-        v189 = e1 * (c23 * v180) - s23 * v75, v190 = T33 * v145 + e1 * (c23 * v182 + v24 * v167), \
-        v191 = T33 * v146 + e1 * (c23 * v183 + v24 * v168), v192 = T33 * v147 + e1 * (v24 * v169)
+    const dhgen_##number v139 = e3 * v136, v140 = e3 * v137, v141 = e3 * v135, v142 = v141 * v141, \
+        v143 = factor2 * v139 - v20 * v107, v144 = factor2 * v140 - v20 * v108, \
+        v145 = factor2 * v141 - v20 * v109, \
+        v147 = v146 + v117 * (v138 + dhgen_sqrt_##number(v142 + (v139 * v139 + v140 * v140))), \
+        v150 = v124 - (w3 * v143 + v21 * v129), v151 = v125 - (w3 * v144 + v21 * v130), \
+        v152 = v126 - (w3 * v145 + v21 * v131), \
+        v153 = v127 + (v147 * v148 + v134 * dhgen_abs_##number(v21) + v149 * (v147 + \
+            dhgen_sqrt_##number(v143 * v143 + v144 * v144 + v145 * v145))), v164 = e3 * v161, \
+        v165 = e3 * v162, v166 = e3 * v160, v167 = v166 * v166, \
+        v168 = factor2 * v164 + v15 * v107, v169 = factor2 * v165 + v15 * v108, \
+        v170 = factor2 * v166 - v15 * v109, \
+        v172 = v171 + v117 * (v163 + dhgen_sqrt_##number(v167 + (v164 * v164 + v165 * v165))), \
+        v173 = v156 + (v16 * v129 - w3 * v168), v174 = v157 + (v16 * v130 - w3 * v169), \
+        v175 = v158 + (w3 * v170 + v16 * v131), \
+        v176 = v159 + (v148 * v172 + v134 * dhgen_abs_##number(v16) + v149 * (v172 + \
+            dhgen_sqrt_##number(v168 * v168 + v169 * v169 + v170 * v170))), \
+        v193 = e1 * (c23 * v187), v194 = s23 * v71 - e1 * (c23 * v185), \
+        v195 = e1 * (c23 * v186) - s23 * v79, v196 = T33 * v150 + e1 * (c23 * v188 + v24 * v173), \
+        v197 = T33 * v151 + e1 * (c23 * v189 + v24 * v174), v198 = T33 * v152 + e1 * (v24 * v175), \
+        v199 = v72 * dhgen_abs_##number(s23) + v153 * v154 + v155 * (v153 + \
+            dhgen_sqrt_##number(v150 * v150 + v151 * v151 + v152 * v152)) + (v190 * \
+            dhgen_abs_##number(c23) + v176 * v191 + v192 * (v176 + dhgen_sqrt_##number(v173 * v173 \
+            + v174 * v174 + v175 * v175))) + (dhgen_sqrt_##number(v194 * v194 + v195 * v195 + v193 \
+            * v193) + dhgen_sqrt_##number(v196 * v196 + v197 * v197 + v198 * v198))
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    (void)free_joints;
     ENTRIES(dhgen_wide);
     dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL) == 0;
@@ -471,23 +488,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta1 */
     const dhgen_wide angle1 = dhgen_atan2_wide(T24, T14),
         v3 = dhgen_signed_wide(DHGEN_HALF_TURN, T24);
-
-    /* joint values */
-    const dhgen_wide v87 = w1 - sqrt(near2),
-        v88 = v86 + (v86 + (dhgen_abs_wide(v84) + dhgen_abs_wide(v85))) * DHGEN_QUOTIENT(near2 +
-            dhgen_sqrt_wide(v39 * v39 + v41 * v41), v87 * v87),
-        v90 = v88 + dhgen_sqrt_wide(v84 * v84 + v85 * v85), v93 = v88 * v89 + v45 * v83 + v48 * v90,
-        v101 = v93 * dhgen_abs_wide(v25) + v82 * dhgen_abs_wide(v66) + (v82 + (v98 +
-            dhgen_sqrt_wide(v97 + v81 * v81))) * (v93 + dhgen_sqrt_wide(v91 * v91 + v92 * v92)) +
-            (dhgen_sqrt_wide(v94 * v94 + v95 * v95 + v96 * v96) + dhgen_sqrt_wide(v99 * v99 + v100 *
-            v100)),
-        v178 = v83 * v172 + v88 * dhgen_abs_wide(v22) + v90 * (v172 + (v98 + dhgen_sqrt_wide(v97 +
-            v171 * v171))),
-        v184 = v89 * v178 + v45 * dhgen_abs_wide(v23) + v48 * (v178 + (dhgen_sqrt_wide(v173 * v173 +
-            v174 * v174 + v175 * v175) + dhgen_sqrt_wide(v176 * v176 + v177 * v177))),
-        v186 = v184 + (dhgen_sqrt_wide(v179 * v179 + v180 * v180 + v181 * v181) +
-            dhgen_sqrt_wide(v182 * v182 + v183 * v183)), v194 = v101 * v101;
-    left |= (v1 <= near_m1) | (dhgen_abs_wide(v1) <= near2);
+    left |= (v1 <= near_m1) | (dhgen_abs_wide(v1) <= v44);
 
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -498,7 +499,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
         /* joint values */
         const dhgen_wide q1_p = angle1 + v3 * (near_m2 * (e1 - 1.0)) + (w3 - w3);
-        left |= (dhgen_abs_wide(v64 + (D3 + D3)) <= v64) | (dhgen_abs_wide(N3) <= v65) |
+        left |= (dhgen_abs_wide(v67 + (D3 + D3)) <= v67) | (dhgen_abs_wide(N3) <= v68) |
             (dhgen_abs_wide(D3) <= near_m3);
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
@@ -524,12 +525,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
                 (c23 * v31))));
 
             /* joint values */
-            const dhgen_wide q3_p = dhgen_lowered_wide(q3_),
-                v193 = near4 * dhgen_abs_wide(s23) + v148 * v149 + v150 * (v148 +
-                    dhgen_sqrt_wide(v145 * v145 + v146 * v146 + v147 * v147)) + (v184 *
-                    dhgen_abs_wide(c23) + v170 * v185 + v186 * (v170 + dhgen_sqrt_wide(v167 * v167 +
-                    v168 * v168 + v169 * v169))) + (dhgen_sqrt_wide(v188 * v188 + v189 * v189 + v187
-                    * v187) + dhgen_sqrt_wide(v190 * v190 + v191 * v191 + v192 * v192));
+            const dhgen_wide q3_p = dhgen_lowered_wide(q3_);
             const int row = 4 * i1 + 2 * i2;
             q[6 * row] = q1_p; q[6 * row + 1] = angle3; q[6 * row + 2] = q3_p;
             q[6 * row + 3] = angle4; q[6 * row + 4] = angle5; q[6 * row + 5] = angle6;
@@ -538,7 +534,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             q[6 * row + 9] = angle4 - v29; q[6 * row + 10] = -angle5;
             q[6 * row + 11] = angle6 - dhgen_signed_wide(DHGEN_HALF_TURN, v34);
             kind[row + 1] = dhgen_kind_wide(q[6 * row + 6]);
-            left |= (v27 <= near_m10) | (dhgen_abs_wide(v27) <= v194 + v193 * v193);
+            left |= (v27 <= near_m10) | (dhgen_abs_wide(v27) <= v200 + v199 * v199);
         }
     }
     return left;
@@ -551,7 +547,6 @@ DHGEN_ALWAYS
 DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
@@ -562,30 +557,10 @@ DHGEN_INLINE int solve_regular(
     /* theta1 */
     const double v3 = copysign(DHGEN_HALF_TURN, T24);
 
-    /* joint values */
-    const double v87 = w1 - sqrt(near2),
-        v88 = v86 + (v86 + (fabs(v84) + fabs(v85))) * DHGEN_QUOTIENT(near2 + sqrt(v39 * v39 + v41 *
-            v41), v87 * v87), v90 = v88 + sqrt(v84 * v84 + v85 * v85),
-        v93 = v88 * v89 + v45 * v83 + v48 * v90,
-        v101 = v93 * fabs(v25) + v82 * fabs(v66) + (v82 + (v98 + sqrt(v97 + v81 * v81))) * (v93 +
-            sqrt(v91 * v91 + v92 * v92)) + (sqrt(v94 * v94 + v95 * v95 + v96 * v96) + sqrt(v99 * v99
-            + v100 * v100)),
-        v178 = v83 * v172 + v88 * fabs(v22) + v90 * (v172 + (v98 + sqrt(v97 + v171 * v171))),
-        v184 = v89 * v178 + v45 * fabs(v23) + v48 * (v178 + (sqrt(v173 * v173 + v174 * v174 + v175 *
-            v175) + sqrt(v176 * v176 + v177 * v177))),
-        v186 = v184 + (sqrt(v179 * v179 + v180 * v180 + v181 * v181) + sqrt(v182 * v182 + v183 *
-            v183));
-    const dhgen_four v193 = near4 * dhgen_abs_four(s23) + v148 * v149 + v150 * (v148 +
-        dhgen_sqrt_four(v145 * v145 + v146 * v146 + v147 * v147)) + (v184 * dhgen_abs_four(c23) +
-        v170 * v185 + v186 * (v170 + dhgen_sqrt_four(v167 * v167 + v168 * v168 + v169 * v169))) +
-        (dhgen_sqrt_four(v188 * v188 + v189 * v189 + v187 * v187) + dhgen_sqrt_four(v190 * v190 +
-        v191 * v191 + v192 * v192));
-    const double v194 = v101 * v101;
-
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
-        ((dhgen_abs_four(v64 + (D3 + D3)) <= v64) | (dhgen_abs_four(N3) <= v65) |
-        (dhgen_abs_four(D3) <= near_m3)) | ((v27 <= near_m10) | (dhgen_abs_four(v27) <= v194 + v193
-        * v193))) | (unsigned)((v1 <= near_m1) | (fabs(v1) <= near2)))
+        ((dhgen_abs_four(v67 + (D3 + D3)) <= v67) | (dhgen_abs_four(N3) <= v68) |
+        (dhgen_abs_four(D3) <= near_m3)) | ((v27 <= near_m10) | (dhgen_abs_four(v27) <= v200 + v199
+        * v199))) | (unsigned)((v1 <= near_m1) | (fabs(v1) <= v44)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(T24), 0,
@@ -621,14 +596,40 @@ DHGEN_FN int solve_regular(
 }
 #endif
 
+/* Its links, and its angles as factors of joint values and what is added. */
+DHGEN_TABLE double nearest_links[7][12] = {
+    { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 },
+    { 1.0, -0.0, 0.0, -0.024977, 0.0, 6.123233995736766e-17, -1.0, -0.0, 0.0, 1.0,
+        6.123233995736766e-17, 0.0 },
+    { -1.0, -1.9000002796713848e-09, 0.0, -0.45511099999999993, 1.9000002796713848e-09, -1.0, 0.0,
+        8.647110272815235e-10, 0.0, 0.0, 1.0, 0.0 },
+    { -1.0, 1.1634146304393186e-25, -1.9000002796713848e-09, 0.025039000000000033,
+        -1.9000002796713848e-09, -6.123233995736766e-17, 1.0, 4.757410700269187e-11, 0.0, 1.0,
+        6.123233995736766e-17, 0.0 },
+    { -1.0, 7.960204103208153e-26, -1.2999999850978024e-09, -0.0, -1.2999999850978024e-09,
+        -6.123233995736766e-17, 1.0, -0.0, 0.0, 1.0, 6.123233995736766e-17, 0.42008600000000007 },
+    { 1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0, 6.123233995736766e-17,
+        0.0 },
+    { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 },
+};
+DHGEN_TABLE double nearest_angles[6][7] = {
+    { 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -2.6e-05 },
+    { 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.5708893267948965 },
+    { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.5706923267948965 },
+    { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -0.000167 },
+    { 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 3.141423653589793 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 3.1e-05 },
+};
 DHGEN_TABLE dhgen_nearest_arm nearest_arm = {
-    8, /* rows */
+    8, 0, /* rows; values that the caller gives */
+    0.0001900018, 0.0002999173, /* the two arms' tools differ by no more */
     { -0.9999999999999449, -3.321999999999817e-07, 0.0, -0.0, 3.321999999999817e-07,
         -0.9999999999999449, 0.0, -0.0, 0.0, 0.0, 1.0, -0.400051 },
     { 1.0, -0.0, 0.0, -5.2e-05, 0.0, 0.9999999979520001, -6.3999999996928e-05,
         5.759779999723332e-06, 0.0, 6.3999999996928e-05, 0.9999999979520001, -0.08999499981568386 },
     { 0.0, 3.141592651689793, -3.141592651689793, 3.1415926548897932, 0.0, 0.0 },
     { 0, 1, 2, 3, 4, 5 },
+    nearest_links, nearest_angles[0],
 };
 #endif
 
@@ -644,13 +645,15 @@ DHGEN_FN void solve(
 {
     (void)free_joints;
     (void)moved;
-    double nearby[16][6];
-#ifdef KUKA_KR6_R900_CALIBRATED_PLAIN
-    const int nearby_count = 0;
-#else
-    const int nearby_count = dhgen_near_solutions(&nearest_arm, solve_regular, T, NULL, nearby);
+#ifndef KUKA_KR6_R900_CALIBRATED_PLAIN
+    if (dhgen_solve_from_nearest(&general, &descents, &nearest_arm, solve_regular, T, NULL, rows,
+        status))
+        return;
 #endif
-    dhgen_general_rows(&general, &descents, T, NULL, seed, nearby, nearby_count, rows, status);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, rows, status);
+#ifndef KUKA_KR6_R900_CALIBRATED_PLAIN
+    dhgen_to_nearest_rows(&nearest_arm, solve_regular, NULL, rows, status);
+#endif
 }
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };

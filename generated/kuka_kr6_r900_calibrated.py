@@ -47,8 +47,9 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
-    "root11", "root12", "root13", "root14", "root15", "root16",
+    "back-down-noflip", "back-down-flip", "back-up-noflip", "back-up-flip", "front-up-noflip",
+    "front-up-flip", "front-down-noflip", "front-down-flip", "further1", "further2", "further3",
+    "further4", "further5", "further6", "further7", "further8",
 )
 MAX_SOLUTIONS = 16
 
@@ -98,8 +99,6 @@ offset6 = 3.1e-05  # offset of joint 6 [rad]
 f1 = -6.719999998872699e-10  # ca1 * d2 [m]
 f2 = 1.343999999379404e-09  # ca1 * sa2
 f3 = 3.1999999966407905e-05  # ca1 * ca2
-near_angle = 0.0001900018  # the two arms' tools are turned by no more
-near_length = 0.0002999173  # and no farther apart [m]
 near_a1 = -0.024977  # link length 1 [m]
 near_longest3 = 0.7672753622269508  # square of the longest reach [m^2]
 near_shortest3 = 0.001175080249049243  # square of the shortest reach [m^2]
@@ -122,14 +121,7 @@ near_m8 = 0.0021226567816523957
 # near_k3^2 * near_k4 - near_a3 * near_k2 * near_k3^2 * near_k4) [m]
 near_m9 = 0.03561238055741952
 near_m10 = 9.999999999999999e-09  # near_doubt_limit^2
-near1 = 8.995038683929001e-08  # near_length^2 [m^2]
-near2 = 1.7990077367858003e-07  # near_length^2 + near_length^2 [m^2]
-near3 = 0.5  # 1 / 2
-near4 = 1.805034200162e-08  # near_angle^2 / 2
-near5 = 0.00035570759116433794  # near_m6 * near_length
-near6 = 2.1201759580571282e-05  # near_m7 * near_length
-h1 = 1.265278904119358e-07  # near5^2
-h2 = 4.4951460931234614e-10  # near6^2
+near1 = 0.5  # 1 / 2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -527,8 +519,7 @@ _LOOP = _loops.Loop(
 )
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
 _all_joints = _runtime("general.rows").all_joints
-_nearest, _COMPILED = _runtime("general.near"), _runtime("jit").COMPILED
-_NONE_NEAR = np.zeros((0, 6))
+_nearest = _runtime("general.near")
 _NO_FREE = np.zeros(0)
 
 
@@ -544,6 +535,7 @@ def _formulas(kept, turns, rows, w):
         T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
         T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
         T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        given1, given2 = kept[16 * w + k], kept[17 * w + k]
 
         # theta1, type 2: U1[3, 4]
         v1 = T14 * T14 + T24 * T24
@@ -636,345 +628,351 @@ def _formulas(kept, turns, rows, w):
         v57 = c4_pm * v54 + Y4 * (s23_pm * T31 + c23_pm * v55)
 
         # joint values
-        v58 = near_length * T34
+        v58 = T34 * given2
         v59 = abs(T34)
-        v60 = v58 + v58
-        v61 = near_length * T14
-        v62 = v61 + v61
-        v63 = near_length * T24
+        v60 = abs(given2)
+        v61 = v58 + v58
+        v62 = v60 * v60
+        v63 = T14 * given2
         v64 = v63 + v63
-        v65 = near3 / w1
-        v66 = v62 * v65
-        v67 = v64 * v65
-        v68 = near2 * abs(v65)
-        v69 = v68 + math.sqrt(v66 * v66 + v67 * v67)
-        v70 = Z2_3_p * v66
-        v71 = v3 * v66
-        v72 = Z2_3_p * v67
-        v73 = v3 * v67
-        v74 = abs(Z2_3_p)
-        v75 = abs(v3)
-        v76 = v68 * v74
-        v77 = v68 * v75
-        v78 = v70 + v70
-        v79 = v71 + v71
-        v80 = v72 + v72
+        v65 = T24 * given2
+        v66 = v65 + v65
+        v67 = v62 + v62
+        v68 = near1 / w1
+        v69 = v64 * v68
+        v70 = v66 * v68
+        v71 = v67 * abs(v68)
+        v72 = v71 + math.sqrt(v69 * v69 + v70 * v70)
+        v73 = Z2_3_p * v69
+        v74 = v3 * v69
+        v75 = Z2_3_p * v70
+        v76 = v3 * v70
+        v77 = abs(Z2_3_p)
+        v78 = abs(v3)
+        v79 = v71 * v77
+        v80 = v71 * v78
         v81 = v73 + v73
-        v82 = v69 * v69
-        v83 = near1 + (v82 + (v76 + v76))
-        v84 = near1 + (v82 + (v77 + v77))
-        v85 = v60 * v60
-        v86 = v83 + math.sqrt(v85 + (v78 * v78 + v80 * v80))
-        v87 = v84 + math.sqrt(v85 + (v79 * v79 + v81 * v81))
-        v88 = v5 * v78 - v7 * v78
-        v89 = v6 * v79 - v8 * v79
-        v90 = v5 * v80 - v7 * v80
-        v91 = v6 * v81 - v8 * v81
-        v92 = v5 * v60 - v7 * v60
-        v93 = v6 * v60 - v8 * v60
-        v94 = v83 * abs(v5) + v83 * abs(v7) + v86 * v86
-        v95 = v84 * abs(v6) + v84 * abs(v8) + v87 * v87
-        v96 = v94 + math.sqrt(v88 * v88 + v90 * v90 + v92 * v92)
-        v97 = v95 + math.sqrt(v89 * v89 + v91 * v91 + v93 * v93)
-        v98 = near1 + v82
-        v99 = w1 * v2
-        v100 = near_angle * T33
-        v101 = near_angle * T23
-        v102 = T24 * v100
-        v103 = near4 * abs(T24)
-        v104 = near_length * T13
-        v105 = v100 * v100
-        v106 = v101 * v101
-        v107 = near_length * (near4 + math.sqrt(v105 + v106))
-        v108 = near_angle * T13
-        v109 = T14 * v100
-        v110 = near4 * abs(T14)
-        v111 = near_length * T23
-        v112 = v108 * v108
-        v113 = near_length * (near4 + math.sqrt(v105 + v112))
-        v114 = T24 * v101 + T14 * v108
-        v115 = v103 + v107 + (v110 + v113)
-        v116 = abs(v2)
-        v117 = v2 * (v2 * v62)
-        v118 = v2 * (v2 * v64)
-        v119 = v116 * (near2 * v116)
-        v120 = w1 - math.sqrt(near2)
-        v121 = (
-            v119 + (v119 + (abs(v117) + abs(v118))) * ((near2 + math.sqrt(v62 * v62 + v64 * v64)) /
-            (v120 * v120))
+        v82 = v74 + v74
+        v83 = v75 + v75
+        v84 = v76 + v76
+        v85 = v72 * v72
+        v86 = v62 + (v85 + (v79 + v79))
+        v87 = v62 + (v85 + (v80 + v80))
+        v88 = v61 * v61
+        v89 = v86 + math.sqrt(v88 + (v81 * v81 + v83 * v83))
+        v90 = v87 + math.sqrt(v88 + (v82 * v82 + v84 * v84))
+        v91 = v5 * v81 - v7 * v81
+        v92 = v6 * v82 - v8 * v82
+        v93 = v5 * v83 - v7 * v83
+        v94 = v6 * v84 - v8 * v84
+        v95 = v5 * v61 - v7 * v61
+        v96 = v6 * v61 - v8 * v61
+        v97 = v86 * abs(v5) + v86 * abs(v7) + v89 * v89
+        v98 = v87 * abs(v6) + v87 * abs(v8) + v90 * v90
+        v99 = v97 + math.sqrt(v91 * v91 + v93 * v93 + v95 * v95)
+        v100 = v98 + math.sqrt(v92 * v92 + v94 * v94 + v96 * v96)
+        v101 = v62 + v85
+        v102 = w1 * v2
+        v103 = T33 * given1
+        v104 = T23 * given1
+        v105 = near1 * (given1 * given1)
+        v106 = T24 * v103
+        v107 = v105 * abs(T24)
+        v108 = T13 * given2
+        v109 = v103 * v103
+        v110 = v104 * v104
+        v111 = v60 * (v105 + math.sqrt(v109 + v110))
+        v112 = T13 * given1
+        v113 = T14 * v103
+        v114 = v105 * abs(T14)
+        v115 = T23 * given2
+        v116 = v112 * v112
+        v117 = v60 * (v105 + math.sqrt(v109 + v116))
+        v118 = T24 * v104 + T14 * v112
+        v119 = v107 + v111 + (v114 + v117)
+        v120 = abs(v2)
+        v121 = v2 * (v2 * v64)
+        v122 = v2 * (v2 * v66)
+        v123 = v120 * (v67 * v120)
+        v124 = w1 - math.sqrt(v67)
+        v125 = (
+            v123 + (v123 + (abs(v121) + abs(v122))) * ((v67 + math.sqrt(v64 * v64 + v66 * v66)) /
+            (v124 * v124))
         )
-        v122 = abs(w1)
-        v123 = v121 + math.sqrt(v117 * v117 + v118 * v118)
-        v124 = v2 * v66 - w1 * v117
-        v125 = v2 * v67 - w1 * v118
-        v126 = v121 * v122 + v68 * v116 + v69 * v123
-        v127 = v99 * v109
-        v128 = v99 * v102
-        v129 = v99 * v114
-        v130 = v109 * v109 + v102 * v102
-        v131 = math.sqrt(v111 * v111 + v104 * v104)
-        v132 = v44 * v124 - v99 * v111
-        v133 = v44 * v125 + v99 * v104
-        v134 = (
-            v126 * abs(v44) + v115 * abs(v99) + (v115 + (v131 + math.sqrt(v130 + v114 * v114))) *
-            (v126 + math.sqrt(v124 * v124 + v125 * v125)) + (math.sqrt(v127 * v127 + v128 * v128 +
-            v129 * v129) + math.sqrt(v132 * v132 + v133 * v133))
+        v126 = abs(w1)
+        v127 = v125 + math.sqrt(v121 * v121 + v122 * v122)
+        v128 = v2 * v69 - w1 * v121
+        v129 = v2 * v70 - w1 * v122
+        v130 = v125 * v126 + v71 * v120 + v72 * v127
+        v131 = v102 * v113
+        v132 = v102 * v106
+        v133 = v102 * v118
+        v134 = v113 * v113 + v106 * v106
+        v135 = math.sqrt(v115 * v115 + v108 * v108)
+        v136 = v44 * v128 - v102 * v115
+        v137 = v44 * v129 + v102 * v108
+        v138 = (
+            v130 * abs(v44) + v119 * abs(v102) + (v119 + (v135 + math.sqrt(v134 + v118 * v118))) *
+            (v130 + math.sqrt(v128 * v128 + v129 * v129)) + (math.sqrt(v131 * v131 + v132 * v132 +
+            v133 * v133) + math.sqrt(v136 * v136 + v137 * v137))
         )
-        v135 = abs(factor2_p)
-        v136 = abs(factor2_m)
-        v137 = factor2_p * (factor2_p * v78)
-        v138 = factor2_m * (factor2_m * v79)
-        v139 = factor2_p * (factor2_p * v80)
-        v140 = factor2_m * (factor2_m * v81)
-        v141 = factor2_p * (factor2_p * v60)
-        v142 = factor2_m * (factor2_m * v60)
-        v143 = v135 * (v83 * v135)
-        v144 = v136 * (v84 * v136)
-        v145 = math.sqrt(v98)
-        v146 = math.sqrt(N3_p) - v145
-        v147 = math.sqrt(N3_m) - v145
-        v148 = v143 + (v143 + (abs(v141) + (abs(v137) + abs(v139)))) * (v86 / (v146 * v146))
-        v149 = v144 + (v144 + (abs(v142) + (abs(v138) + abs(v140)))) * (v87 / (v147 * v147))
-        v150 = near_m9 * v137
-        v151 = near_m9 * v138
-        v152 = near_m9 * v139
-        v153 = near_m9 * v140
+        v139 = abs(factor2_p)
+        v140 = abs(factor2_m)
+        v141 = factor2_p * (factor2_p * v81)
+        v142 = factor2_m * (factor2_m * v82)
+        v143 = factor2_p * (factor2_p * v83)
+        v144 = factor2_m * (factor2_m * v84)
+        v145 = factor2_p * (factor2_p * v61)
+        v146 = factor2_m * (factor2_m * v61)
+        v147 = v139 * (v86 * v139)
+        v148 = v140 * (v87 * v140)
+        v149 = math.sqrt(v101)
+        v150 = math.sqrt(N3_p) - v149
+        v151 = math.sqrt(N3_m) - v149
+        v152 = v147 + (v147 + (abs(v145) + (abs(v141) + abs(v143)))) * (v89 / (v150 * v150))
+        v153 = v148 + (v148 + (abs(v146) + (abs(v142) + abs(v144)))) * (v90 / (v151 * v151))
         v154 = near_m9 * v141
         v155 = near_m9 * v142
-        v156 = near_m9 * v148
-        v157 = near_m9 * v149
-        v158 = v148 + math.sqrt(v137 * v137 + v139 * v139 + v141 * v141)
-        v159 = v149 + math.sqrt(v138 * v138 + v140 * v140 + v142 * v142)
-        v160 = v156 + math.sqrt(v150 * v150 + v152 * v152 + v154 * v154)
-        v161 = v157 + math.sqrt(v151 * v151 + v153 * v153 + v155 * v155)
-        v162 = near_m8 * v137
-        v163 = near_m8 * v138
-        v164 = near_m8 * v139
-        v165 = near_m8 * v140
+        v156 = near_m9 * v143
+        v157 = near_m9 * v144
+        v158 = near_m9 * v145
+        v159 = near_m9 * v146
+        v160 = near_m9 * v152
+        v161 = near_m9 * v153
+        v162 = v152 + math.sqrt(v141 * v141 + v143 * v143 + v145 * v145)
+        v163 = v153 + math.sqrt(v142 * v142 + v144 * v144 + v146 * v146)
+        v164 = v160 + math.sqrt(v154 * v154 + v156 * v156 + v158 * v158)
+        v165 = v161 + math.sqrt(v155 * v155 + v157 * v157 + v159 * v159)
         v166 = near_m8 * v141
         v167 = near_m8 * v142
-        v168 = near_m8 * v148
-        v169 = near_m8 * v149
-        v170 = v168 + math.sqrt(v162 * v162 + v164 * v164 + v166 * v166)
-        v171 = v169 + math.sqrt(v163 * v163 + v165 * v165 + v167 * v167)
-        v172 = Z2_3_p * v150 + -v24 * v66 - T34 * v162
-        v173 = v3 * v151 + -v25 * v66 + T34 * v163
-        v174 = Z2_3_p * v152 + -v24 * v67 - T34 * v164
-        v175 = v3 * v153 + -v25 * v67 + T34 * v165
-        v176 = Z2_3_p * v154 + (near_length * v22 - T34 * v166)
-        v177 = near_length * v23 - T34 * v167 - v3 * v155
-        v178 = v74 * v156 + v68 * abs(-v24) + v69 * v160 + (v59 * v168 + near_length * v170)
-        v179 = v75 * v157 + v68 * abs(-v25) + v69 * v161 + (v59 * v169 + near_length * v171)
-        v180 = near3 / w3_p
-        v181 = near3 / w3_m
-        v182 = v88 * v180
-        v183 = v89 * v181
-        v184 = v90 * v180
-        v185 = v91 * v181
-        v186 = v92 * v180
-        v187 = v93 * v181
-        v188 = v96 * v180
-        v189 = v97 * v181
-        v190 = v188 * v188 / w3_p
-        v191 = v189 * v189 / w3_m
-        v192 = v190 + (v190 + v94 * abs(v180))
-        v193 = v191 + (v191 + v95 * abs(v181))
-        v194 = near_m7 * v66
-        v195 = near_m7 * v67
-        v196 = near_m7 * v68
-        v197 = factor2_p * v194 - v33 * v137
-        v198 = factor2_m * v194
-        v199 = v198 + v34 * v138
-        v200 = v198 - -v34 * v138
-        v201 = factor2_p * v195 - v33 * v139
-        v202 = factor2_m * v195
-        v203 = v202 + v34 * v140
-        v204 = v202 - -v34 * v140
-        v205 = near5 * factor2_p - v33 * v141
-        v206 = near5 * factor2_m
-        v207 = v206 - v34 * v142
-        v208 = v206 + -v34 * v142
-        v209 = v196 + math.sqrt(h1 + (v194 * v194 + v195 * v195))
-        v210 = v135 * v196 + v148 * abs(v33) + v158 * v209
-        v211 = v136 * v196 + v149 * abs(v34) + v159 * v209
-        v212 = abs(w3_p)
-        v213 = abs(w3_m)
-        v214 = v192 + math.sqrt(v182 * v182 + v184 * v184 + v186 * v186)
-        v215 = v193 + math.sqrt(v183 * v183 + v185 * v185 + v187 * v187)
-        v216 = v37 * v182
-        v217 = v172 - (w3_p * v197 + v216)
-        v218 = v172 - (w3_p * -v197 - v216)
-        v219 = v173 + (v38 * v183 - w3_m * v199)
-        v220 = v173 + (w3_m * v200 + v39 * v183)
-        v221 = v37 * v184
-        v222 = v174 - (w3_p * v201 + v221)
-        v223 = v174 - (w3_p * -v201 - v221)
-        v224 = v175 + (v38 * v185 - w3_m * v203)
-        v225 = v175 + (w3_m * v204 + v39 * v185)
-        v226 = v37 * v186
-        v227 = v176 - (w3_p * v205 + v226)
-        v228 = v176 - (w3_p * -v205 - v226)
-        v229 = v177 - (w3_m * v207 + v38 * v187)
-        v230 = v177 - (v39 * v187 - w3_m * v208)
-        v231 = v210 * v212 + v192 * abs(v37)
-        v232 = v178 + (v231 + v214 * (v210 + math.sqrt(v197 * v197 + v201 * v201 + v205 * v205)))
-        v233 = (
-            v178 + (v231 + v214 * (v210 + math.sqrt(-v197 * -v197 + -v201 * -v201 + -v205 * -v205)))
+        v168 = near_m8 * v143
+        v169 = near_m8 * v144
+        v170 = near_m8 * v145
+        v171 = near_m8 * v146
+        v172 = near_m8 * v152
+        v173 = near_m8 * v153
+        v174 = v172 + math.sqrt(v166 * v166 + v168 * v168 + v170 * v170)
+        v175 = v173 + math.sqrt(v167 * v167 + v169 * v169 + v171 * v171)
+        v176 = Z2_3_p * v154 + -v24 * v69 - T34 * v166
+        v177 = v3 * v155 + -v25 * v69 + T34 * v167
+        v178 = Z2_3_p * v156 + -v24 * v70 - T34 * v168
+        v179 = v3 * v157 + -v25 * v70 + T34 * v169
+        v180 = Z2_3_p * v158 + (v22 * given2 - T34 * v170)
+        v181 = v23 * given2 - T34 * v171 - v3 * v159
+        v182 = v77 * v160 + v71 * abs(-v24) + v72 * v164 + (v59 * v172 + v60 * v174)
+        v183 = v78 * v161 + v71 * abs(-v25) + v72 * v165 + (v59 * v173 + v60 * v175)
+        v184 = near1 / w3_p
+        v185 = near1 / w3_m
+        v186 = v91 * v184
+        v187 = v92 * v185
+        v188 = v93 * v184
+        v189 = v94 * v185
+        v190 = v95 * v184
+        v191 = v96 * v185
+        v192 = v99 * v184
+        v193 = v100 * v185
+        v194 = v192 * v192 / w3_p
+        v195 = v193 * v193 / w3_m
+        v196 = v194 + (v194 + v97 * abs(v184))
+        v197 = v195 + (v195 + v98 * abs(v185))
+        v198 = near_m6 * given2
+        v199 = near_m7 * v69
+        v200 = near_m7 * v70
+        v201 = near_m7 * v71
+        v202 = factor2_p * v199 - v33 * v141
+        v203 = factor2_m * v199
+        v204 = v203 + v34 * v142
+        v205 = v203 - -v34 * v142
+        v206 = factor2_p * v200 - v33 * v143
+        v207 = factor2_m * v200
+        v208 = v207 + v34 * v144
+        v209 = v207 - -v34 * v144
+        v210 = factor2_p * v198 - v33 * v145
+        v211 = factor2_m * v198
+        v212 = v211 - v34 * v146
+        v213 = v211 + -v34 * v146
+        v214 = v201 + math.sqrt(v198 * v198 + (v199 * v199 + v200 * v200))
+        v215 = v139 * v201 + v152 * abs(v33) + v162 * v214
+        v216 = v140 * v201 + v153 * abs(v34) + v163 * v214
+        v217 = abs(w3_p)
+        v218 = abs(w3_m)
+        v219 = v196 + math.sqrt(v186 * v186 + v188 * v188 + v190 * v190)
+        v220 = v197 + math.sqrt(v187 * v187 + v189 * v189 + v191 * v191)
+        v221 = v37 * v186
+        v222 = v176 - (w3_p * v202 + v221)
+        v223 = v176 - (w3_p * -v202 - v221)
+        v224 = v177 + (v38 * v187 - w3_m * v204)
+        v225 = v177 + (w3_m * v205 + v39 * v187)
+        v226 = v37 * v188
+        v227 = v178 - (w3_p * v206 + v226)
+        v228 = v178 - (w3_p * -v206 - v226)
+        v229 = v179 + (v38 * v189 - w3_m * v208)
+        v230 = v179 + (w3_m * v209 + v39 * v189)
+        v231 = v37 * v190
+        v232 = v180 - (w3_p * v210 + v231)
+        v233 = v180 - (w3_p * -v210 - v231)
+        v234 = v181 - (w3_m * v212 + v38 * v191)
+        v235 = v181 - (v39 * v191 - w3_m * v213)
+        v236 = v215 * v217 + v196 * abs(v37)
+        v237 = v182 + (v236 + v219 * (v215 + math.sqrt(v202 * v202 + v206 * v206 + v210 * v210)))
+        v238 = (
+            v182 + (v236 + v219 * (v215 + math.sqrt(-v202 * -v202 + -v206 * -v206 + -v210 * -v210)))
         )
-        v234 = v211 * v213
-        v235 = (
-            v179 + (v234 + v193 * abs(v38) + v215 * (v211 + math.sqrt(v199 * v199 + v203 * v203 +
-            v207 * v207)))
+        v239 = v216 * v218
+        v240 = (
+            v183 + (v239 + v197 * abs(v38) + v220 * (v216 + math.sqrt(v204 * v204 + v208 * v208 +
+            v212 * v212)))
         )
-        v236 = (
-            v179 + (v234 + v193 * abs(v39) + v215 * (v211 + math.sqrt(v200 * v200 + v204 * v204 +
-            v208 * v208)))
+        v241 = (
+            v183 + (v239 + v197 * abs(v39) + v220 * (v216 + math.sqrt(v205 * v205 + v209 * v209 +
+            v213 * v213)))
         )
-        v237 = abs(T33)
-        v238 = near4 + math.sqrt(v106 + v112)
-        v239 = v22 * v66 - Z2_3_p * v162 - T34 * v150
-        v240 = v3 * v163 - v23 * v66 - T34 * v151
-        v241 = v22 * v67 - Z2_3_p * v164 - T34 * v152
-        v242 = v3 * v165 - v23 * v67 - T34 * v153
-        v243 = near_length * v24 - T34 * v154 - Z2_3_p * v166
-        v244 = near_length * v25 - T34 * v155 + v3 * v167
-        v245 = v74 * v168 + v68 * abs(v22) + v69 * v170 + (v59 * v156 + near_length * v160)
-        v246 = v75 * v169 + v68 * abs(v23) + v69 * v171 + (v59 * v157 + near_length * v161)
-        v247 = near_m6 * v66
-        v248 = near_m6 * v67
-        v249 = near_m6 * v68
-        v250 = factor2_p * v247
-        v251 = v250 + v20 * v137
-        v252 = -v20 * v137 - v250
-        v253 = v21 * v138 - factor2_m * v247
-        v254 = factor2_p * v248
-        v255 = v254 + v20 * v139
-        v256 = -v20 * v139 - v254
-        v257 = v21 * v140 - factor2_m * v248
-        v258 = near6 * factor2_p
-        v259 = v258 - v20 * v141
-        v260 = v258 + -v20 * v141
-        v261 = near6 * factor2_m - v21 * v142
-        v262 = v249 + math.sqrt(h2 + (v247 * v247 + v248 * v248))
-        v263 = v135 * v249 + v148 * abs(v20) + v158 * v262
-        v264 = v136 * v249 + v149 * abs(v21) + v159 * v262
-        v265 = v239 + (v28 * v182 - w3_p * v251)
-        v266 = v239 + (v29 * v182 - w3_p * v252)
-        v267 = v30 * v183
-        v268 = v240 + (v267 - w3_m * v253)
-        v269 = v240 - (v267 + w3_m * -v253)
-        v270 = v241 + (v28 * v184 - w3_p * v255)
-        v271 = v241 + (v29 * v184 - w3_p * v256)
-        v272 = v30 * v185
-        v273 = v242 + (v272 - w3_m * v257)
-        v274 = v242 - (v272 + w3_m * -v257)
-        v275 = v243 + (w3_p * v259 + v28 * v186)
-        v276 = v243 + (v29 * v186 - w3_p * v260)
-        v277 = v30 * v187
-        v278 = v244 + (w3_m * v261 + v277)
-        v279 = v244 + (w3_m * -v261 - v277)
-        v280 = v212 * v263
-        v281 = (
-            v245 + (v280 + v192 * abs(v28) + v214 * (v263 + math.sqrt(v251 * v251 + v255 * v255 +
-            v259 * v259)))
+        v242 = abs(T33)
+        v243 = v105 + math.sqrt(v110 + v116)
+        v244 = v22 * v69 - Z2_3_p * v166 - T34 * v154
+        v245 = v3 * v167 - v23 * v69 - T34 * v155
+        v246 = v22 * v70 - Z2_3_p * v168 - T34 * v156
+        v247 = v3 * v169 - v23 * v70 - T34 * v157
+        v248 = v24 * given2 - T34 * v158 - Z2_3_p * v170
+        v249 = v25 * given2 - T34 * v159 + v3 * v171
+        v250 = v77 * v172 + v71 * abs(v22) + v72 * v174 + (v59 * v160 + v60 * v164)
+        v251 = v78 * v173 + v71 * abs(v23) + v72 * v175 + (v59 * v161 + v60 * v165)
+        v252 = near_m7 * given2
+        v253 = near_m6 * v69
+        v254 = near_m6 * v70
+        v255 = near_m6 * v71
+        v256 = factor2_p * v253
+        v257 = v256 + v20 * v141
+        v258 = -v20 * v141 - v256
+        v259 = v21 * v142 - factor2_m * v253
+        v260 = factor2_p * v254
+        v261 = v260 + v20 * v143
+        v262 = -v20 * v143 - v260
+        v263 = v21 * v144 - factor2_m * v254
+        v264 = factor2_p * v252
+        v265 = v264 - v20 * v145
+        v266 = v264 + -v20 * v145
+        v267 = factor2_m * v252 - v21 * v146
+        v268 = v255 + math.sqrt(v252 * v252 + (v253 * v253 + v254 * v254))
+        v269 = v139 * v255 + v152 * abs(v20) + v162 * v268
+        v270 = v140 * v255 + v153 * abs(v21) + v163 * v268
+        v271 = v244 + (v28 * v186 - w3_p * v257)
+        v272 = v244 + (v29 * v186 - w3_p * v258)
+        v273 = v30 * v187
+        v274 = v245 + (v273 - w3_m * v259)
+        v275 = v245 - (v273 + w3_m * -v259)
+        v276 = v246 + (v28 * v188 - w3_p * v261)
+        v277 = v246 + (v29 * v188 - w3_p * v262)
+        v278 = v30 * v189
+        v279 = v247 + (v278 - w3_m * v263)
+        v280 = v247 - (v278 + w3_m * -v263)
+        v281 = v248 + (w3_p * v265 + v28 * v190)
+        v282 = v248 + (v29 * v190 - w3_p * v266)
+        v283 = v30 * v191
+        v284 = v249 + (w3_m * v267 + v283)
+        v285 = v249 + (w3_m * -v267 - v283)
+        v286 = v217 * v269
+        v287 = (
+            v250 + (v286 + v196 * abs(v28) + v219 * (v269 + math.sqrt(v257 * v257 + v261 * v261 +
+            v265 * v265)))
         )
-        v282 = (
-            v245 + (v280 + v192 * abs(v29) + v214 * (v263 + math.sqrt(v252 * v252 + v256 * v256 +
-            v260 * v260)))
+        v288 = (
+            v250 + (v286 + v196 * abs(v29) + v219 * (v269 + math.sqrt(v258 * v258 + v262 * v262 +
+            v266 * v266)))
         )
-        v283 = v213 * v264 + v193 * abs(v30)
-        v284 = v246 + (v283 + v215 * (v264 + math.sqrt(v253 * v253 + v257 * v257 + v261 * v261)))
-        v285 = (
-            v246 + (v283 + v215 * (v264 + math.sqrt(-v253 * -v253 + -v257 * -v257 + -v261 * -v261)))
+        v289 = v218 * v270 + v197 * abs(v30)
+        v290 = v251 + (v289 + v220 * (v270 + math.sqrt(v259 * v259 + v263 * v263 + v267 * v267)))
+        v291 = (
+            v251 + (v289 + v220 * (v270 + math.sqrt(-v259 * -v259 + -v263 * -v263 + -v267 * -v267)))
         )
-        v286 = T24 * v108 - T14 * v101
-        v287 = v107 + v110 + (v103 + v113)
-        v288 = v2 * v102
-        v289 = v2 * v109
-        v290 = v2 * v286
-        v291 = v2 * v104 - v41 * v117
-        v292 = v2 * v111 - v41 * v118
-        v293 = (
-            v116 * v287 + v121 * abs(v41) + v123 * (v287 + (v131 + math.sqrt(v130 + v286 * v286)))
-        )
-        v294 = w1 * v288
-        v295 = w1 * v289
-        v296 = w1 * v290
-        v297 = w1 * v291 + v42 * v66
-        v298 = w1 * v292 + v42 * v67
+        v292 = T24 * v112 - T14 * v104
+        v293 = v111 + v114 + (v107 + v117)
+        v294 = v2 * v106
+        v295 = v2 * v113
+        v296 = v2 * v292
+        v297 = v2 * v108 - v41 * v121
+        v298 = v2 * v115 - v41 * v122
         v299 = (
-            v122 * v293 + v68 * abs(v42) + v69 * (v293 + (math.sqrt(v288 * v288 + v289 * v289 + v290
-            * v290) + math.sqrt(v291 * v291 + v292 * v292)))
+            v120 * v293 + v125 * abs(v41) + v127 * (v293 + (v135 + math.sqrt(v134 + v292 * v292)))
         )
-        v300 = abs(v43)
-        v301 = (
-            v299 + (math.sqrt(v294 * v294 + v295 * v295 + v296 * v296) + math.sqrt(v297 * v297 +
-            v298 * v298))
+        v300 = w1 * v294
+        v301 = w1 * v295
+        v302 = w1 * v296
+        v303 = w1 * v297 + v42 * v69
+        v304 = w1 * v298 + v42 * v70
+        v305 = (
+            v126 * v299 + v71 * abs(v42) + v72 * (v299 + (math.sqrt(v294 * v294 + v295 * v295 + v296
+            * v296) + math.sqrt(v297 * v297 + v298 * v298)))
         )
-        v302 = c23_pp * v296
-        v303 = c23_pm * v296
-        v304 = c23_mp * v296
-        v305 = c23_mm * v296
-        v306 = s23_pp * v101 - c23_pp * v294
-        v307 = s23_pm * v101 - c23_pm * v294
-        v308 = s23_mp * v101 + c23_mp * v294
-        v309 = s23_mm * v101 + c23_mm * v294
-        v310 = c23_pp * v295 - s23_pp * v108
-        v311 = c23_pm * v295 - s23_pm * v108
-        v312 = c23_mp * v295 + s23_mp * v108
-        v313 = c23_mm * v295 + s23_mm * v108
-        v314 = T33 * v217 + (c23_pp * v297 + v43 * v265)
-        v315 = T33 * v218 + (c23_pm * v297 + v43 * v266)
-        v316 = T33 * v219 + (c23_mp * v297 + v43 * v268)
-        v317 = T33 * v220 + (c23_mm * v297 + v43 * v269)
-        v318 = T33 * v222 + (c23_pp * v298 + v43 * v270)
-        v319 = T33 * v223 + (c23_pm * v298 + v43 * v271)
-        v320 = T33 * v224 + (c23_mp * v298 + v43 * v273)
-        v321 = T33 * v225 + (c23_mm * v298 + v43 * v274)
-        v322 = T33 * v227 + v43 * v275
-        v323 = T33 * v228 + v43 * v276
-        v324 = T33 * v229 - v43 * v278
-        v325 = T33 * v230 - v43 * v279
-        v326 = (
-            near4 * abs(s23_pp) + v232 * v237 + v238 * (v232 + math.sqrt(v217 * v217 + v222 * v222 +
-            v227 * v227)) + (v299 * abs(c23_pp) + v281 * v300 + v301 * (v281 + math.sqrt(v265 * v265
-            + v270 * v270 + v275 * v275))) + (math.sqrt(v306 * v306 + v310 * v310 + v302 * v302) +
-            math.sqrt(v314 * v314 + v318 * v318 + v322 * v322))
+        v306 = abs(v43)
+        v307 = (
+            v305 + (math.sqrt(v300 * v300 + v301 * v301 + v302 * v302) + math.sqrt(v303 * v303 +
+            v304 * v304))
         )
-        v327 = (
-            near4 * abs(s23_pm) + v233 * v237 + v238 * (v233 + math.sqrt(v218 * v218 + v223 * v223 +
-            v228 * v228)) + (v299 * abs(c23_pm) + v282 * v300 + v301 * (v282 + math.sqrt(v266 * v266
-            + v271 * v271 + v276 * v276))) + (math.sqrt(v307 * v307 + v311 * v311 + v303 * v303) +
-            math.sqrt(v315 * v315 + v319 * v319 + v323 * v323))
+        v308 = c23_pp * v302
+        v309 = c23_pm * v302
+        v310 = c23_mp * v302
+        v311 = c23_mm * v302
+        v312 = s23_pp * v104 - c23_pp * v300
+        v313 = s23_pm * v104 - c23_pm * v300
+        v314 = s23_mp * v104 + c23_mp * v300
+        v315 = s23_mm * v104 + c23_mm * v300
+        v316 = c23_pp * v301 - s23_pp * v112
+        v317 = c23_pm * v301 - s23_pm * v112
+        v318 = c23_mp * v301 + s23_mp * v112
+        v319 = c23_mm * v301 + s23_mm * v112
+        v320 = T33 * v222 + (c23_pp * v303 + v43 * v271)
+        v321 = T33 * v223 + (c23_pm * v303 + v43 * v272)
+        v322 = T33 * v224 + (c23_mp * v303 + v43 * v274)
+        v323 = T33 * v225 + (c23_mm * v303 + v43 * v275)
+        v324 = T33 * v227 + (c23_pp * v304 + v43 * v276)
+        v325 = T33 * v228 + (c23_pm * v304 + v43 * v277)
+        v326 = T33 * v229 + (c23_mp * v304 + v43 * v279)
+        v327 = T33 * v230 + (c23_mm * v304 + v43 * v280)
+        v328 = T33 * v232 + v43 * v281
+        v329 = T33 * v233 + v43 * v282
+        v330 = T33 * v234 - v43 * v284
+        v331 = T33 * v235 - v43 * v285
+        v332 = (
+            v105 * abs(s23_pp) + v237 * v242 + v243 * (v237 + math.sqrt(v222 * v222 + v227 * v227 +
+            v232 * v232)) + (v305 * abs(c23_pp) + v287 * v306 + v307 * (v287 + math.sqrt(v271 * v271
+            + v276 * v276 + v281 * v281))) + (math.sqrt(v312 * v312 + v316 * v316 + v308 * v308) +
+            math.sqrt(v320 * v320 + v324 * v324 + v328 * v328))
         )
-        v328 = (
-            near4 * abs(s23_mp) + v235 * v237 + v238 * (v235 + math.sqrt(v219 * v219 + v224 * v224 +
-            v229 * v229)) + (v299 * abs(c23_mp) + v284 * v300 + v301 * (v284 + math.sqrt(v268 * v268
-            + v273 * v273 + v278 * v278))) + (math.sqrt(v308 * v308 + v312 * v312 + v304 * v304) +
-            math.sqrt(v316 * v316 + v320 * v320 + v324 * v324))
+        v333 = (
+            v105 * abs(s23_pm) + v238 * v242 + v243 * (v238 + math.sqrt(v223 * v223 + v228 * v228 +
+            v233 * v233)) + (v305 * abs(c23_pm) + v288 * v306 + v307 * (v288 + math.sqrt(v272 * v272
+            + v277 * v277 + v282 * v282))) + (math.sqrt(v313 * v313 + v317 * v317 + v309 * v309) +
+            math.sqrt(v321 * v321 + v325 * v325 + v329 * v329))
         )
-        v329 = (
-            near4 * abs(s23_mm) + v236 * v237 + v238 * (v236 + math.sqrt(v220 * v220 + v225 * v225 +
-            v230 * v230)) + (v299 * abs(c23_mm) + v285 * v300 + v301 * (v285 + math.sqrt(v269 * v269
-            + v274 * v274 + v279 * v279))) + (math.sqrt(v309 * v309 + v313 * v313 + v305 * v305) +
-            math.sqrt(v317 * v317 + v321 * v321 + v325 * v325))
+        v334 = (
+            v105 * abs(s23_mp) + v240 * v242 + v243 * (v240 + math.sqrt(v224 * v224 + v229 * v229 +
+            v234 * v234)) + (v305 * abs(c23_mp) + v290 * v306 + v307 * (v290 + math.sqrt(v274 * v274
+            + v279 * v279 + v284 * v284))) + (math.sqrt(v314 * v314 + v318 * v318 + v310 * v310) +
+            math.sqrt(v322 * v322 + v326 * v326 + v330 * v330))
         )
-        v330 = v134 * v134
+        v335 = (
+            v105 * abs(s23_mm) + v241 * v242 + v243 * (v241 + math.sqrt(v225 * v225 + v230 * v230 +
+            v235 * v235)) + (v305 * abs(c23_mm) + v291 * v306 + v307 * (v291 + math.sqrt(v275 * v275
+            + v280 * v280 + v285 * v285))) + (math.sqrt(v315 * v315 + v319 * v319 + v311 * v311) +
+            math.sqrt(v323 * v323 + v327 * v327 + v331 * v331))
+        )
+        v336 = v138 * v138
 
         # a joint is free, or branches meet
-        kept[16 * w + k] = (
-            1.0 if abs(v97 + (D3_m + D3_m)) <= v97 or abs(D3_m) <= near_m3 or abs(v96 + (D3_p +
-            D3_p)) <= v96 or abs(D3_p) <= near_m3 or abs(v49) <= v330 + v329 * v329 or v49 <=
-            near_m10 or abs(v48) <= v330 + v328 * v328 or v48 <= near_m10 or abs(v47) <= v330 + v327
-            * v327 or v47 <= near_m10 or abs(v46) <= v330 + v326 * v326 or v46 <= near_m10 or
-            abs(N3_m) <= v98 or v1 <= near_m1 or abs(v1) <= near2 or abs(N3_p) <= v98 else kept[16 *
+        kept[18 * w + k] = (
+            1.0 if abs(v100 + (D3_m + D3_m)) <= v100 or abs(D3_m) <= near_m3 or abs(v99 + (D3_p +
+            D3_p)) <= v99 or abs(D3_p) <= near_m3 or abs(v49) <= v336 + v335 * v335 or v49 <=
+            near_m10 or abs(v48) <= v336 + v334 * v334 or v48 <= near_m10 or abs(v47) <= v336 + v333
+            * v333 or v47 <= near_m10 or abs(v46) <= v336 + v332 * v332 or v46 <= near_m10 or
+            abs(N3_m) <= v101 or v1 <= near_m1 or abs(v1) <= v67 or abs(N3_p) <= v101 else kept[18 *
             w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3_p, w3_m, c23_mp
-        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = c23_mm, s23_mp, s23_mm
-        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = c4_mp, c4_mm, Y4
-        kept[26 * w + k], kept[27 * w + k], kept[28 * w + k], kept[29 * w + k] = v50, v51, v54, v55
-        kept[30 * w + k], kept[31 * w + k], turns[0 * w + k], turns[1 * w + k] = v56, v57, T24, w3_p
+        kept[19 * w + k], kept[20 * w + k], kept[21 * w + k] = w3_p, w3_m, c23_mp
+        kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = c23_mm, s23_mp, s23_mm
+        kept[25 * w + k], kept[26 * w + k], kept[27 * w + k] = c4_mp, c4_mm, Y4
+        kept[28 * w + k], kept[29 * w + k], kept[30 * w + k], kept[31 * w + k] = v50, v51, v54, v55
+        kept[32 * w + k], kept[33 * w + k], turns[0 * w + k], turns[1 * w + k] = v56, v57, T24, w3_p
         turns[2 * w + k], turns[3 * w + k] = w3_m, v11 - w3_p * (near_m4 * Z2_3_p)
         turns[4 * w + k], turns[5 * w + k] = v11 - w3_p * (near_m4 * -Z2_3_p), v12 + v17
         turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = v12 - v17, Y4, Y4
@@ -995,7 +993,7 @@ def _formulas(kept, turns, rows, w):
         turns[40 * w + k] = c4_pm * v52 + Y4 * (s23_pm * T32 + c23_pm * v53)
         turns[41 * w + k] = -(c4_mp * v52 + Y4 * (s23_mp * T32 - c23_mp * v53))
         turns[42 * w + k] = -(c4_mm * v52 + Y4 * (s23_mm * T32 - c23_mm * v53))
-    if w == 1 and kept[16] != 0.0:
+    if w == 1 and kept[18] != 0.0:
         return
     end = 24 if w == 1 else 19 * w
     # one pose's vectors are filled up: any numbers would do, but some are slow
@@ -1004,11 +1002,11 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        T24, T31, w3_p, w3_m = kept[7 * w + k], kept[8 * w + k], kept[17 * w + k], kept[18 * w + k]
-        c23_mp, c23_mm, s23_mp = kept[19 * w + k], kept[20 * w + k], kept[21 * w + k]
-        s23_mm, c4_mp, c4_mm = kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        Y4, v50, v51, v54 = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k], kept[28 * w + k]
-        v55, v56, v57 = kept[29 * w + k], kept[30 * w + k], kept[31 * w + k]
+        T24, T31, w3_p, w3_m = kept[7 * w + k], kept[8 * w + k], kept[19 * w + k], kept[20 * w + k]
+        c23_mp, c23_mm, s23_mp = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
+        s23_mm, c4_mp, c4_mm = kept[24 * w + k], kept[25 * w + k], kept[26 * w + k]
+        Y4, v50, v51, v54 = kept[27 * w + k], kept[28 * w + k], kept[29 * w + k], kept[30 * w + k]
+        v55, v56, v57 = kept[31 * w + k], kept[32 * w + k], kept[33 * w + k]
         angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
         angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
         angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
@@ -1081,29 +1079,70 @@ _PLACES = np.array([
     [17, 26, 27, 31, 32, 33],
 ])
 
-# What makes of a pose this arm's, before and behind it, and what its angles are more; where in rows
-# these are.
-_LEFT, _RIGHT = np.array((-0.9999999999999449, -3.321999999999817e-07, 0.0, -0.0, 3.321999999999817e-07, -0.9999999999999449, 0.0, -0.0, 0.0, 0.0, 1.0, -0.400051)), np.array((1.0, -0.0, 0.0, -5.2e-05, 0.0, 0.9999999979520001, -6.3999999996928e-05, 5.759779999723332e-06, 0.0, 6.3999999996928e-05, 0.9999999979520001, -0.08999499981568386))
-_OFFSETS = np.array((0.0, 3.141592651689793, -3.141592651689793, 3.1415926548897932, 0.0, 0.0))
-_ANGLES = np.ascontiguousarray(_PLACES[:, (0, 1, 2, 3, 4, 5)])
-
-
-@_HOW.merged
-def _nearby(pose, q_free):
-    """Joint values that lead to all solutions; none where one of these rows may end."""
-    kept, turns, rows = np.zeros(32), np.zeros(48), np.zeros(42)
-    _nearest.near_pose(pose, _LEFT, _RIGHT, kept)
-    _formulas(kept, turns, rows, len(kept) // 32)
-    if kept[16] != 0.0:
-        return np.empty((0, 6))
-    return _nearest.near_solutions(rows, _ANGLES, _OFFSETS)
+_solve_from_nearest, _to_nearest_rows = _nearest.of_nearest(
+    _HOW,
+    _NUMBERS,
+    _functions.Formulas(_formulas, 34, 48, _PLACES),
+    _nearest.Nearest(
+        turned=0.0001900018,
+        moved=0.0002999173,
+        left=(
+            -0.9999999999999449, -3.321999999999817e-07, 0.0, -0.0, 3.321999999999817e-07,
+            -0.9999999999999449, 0.0, -0.0, 0.0, 0.0, 1.0, -0.400051,
+        ),
+        right=(
+            1.0, -0.0, 0.0, -5.2e-05, 0.0, 0.9999999979520001, -6.3999999996928e-05,
+            5.759779999723332e-06, 0.0, 6.3999999996928e-05, 0.9999999979520001,
+            -0.08999499981568386,
+        ),
+        offsets=(0.0, 3.141592651689793, -3.141592651689793, 3.1415926548897932, 0.0, 0.0),
+        solved=(0, 1, 2, 3, 4, 5),
+        links=(
+            (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+            (
+                1.0, -0.0, 0.0, -0.024977, 0.0, 6.123233995736766e-17, -1.0, -0.0, 0.0, 1.0,
+                6.123233995736766e-17, 0.0,
+            ),
+            (
+                -1.0, -1.9000002796713848e-09, 0.0, -0.45511099999999993, 1.9000002796713848e-09,
+                -1.0, 0.0, 8.647110272815235e-10, 0.0, 0.0, 1.0, 0.0,
+            ),
+            (
+                -1.0, 1.1634146304393186e-25, -1.9000002796713848e-09, 0.025039000000000033,
+                -1.9000002796713848e-09, -6.123233995736766e-17, 1.0, 4.757410700269187e-11, 0.0,
+                1.0, 6.123233995736766e-17, 0.0,
+            ),
+            (
+                -1.0, 7.960204103208153e-26, -1.2999999850978024e-09, -0.0, -1.2999999850978024e-09,
+                -6.123233995736766e-17, 1.0, -0.0, 0.0, 1.0, 6.123233995736766e-17,
+                0.42008600000000007,
+            ),
+            (
+                1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0,
+                6.123233995736766e-17, 0.0,
+            ),
+            (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+        ),
+        angles=(
+            (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -2.6e-05),
+            (0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.5708893267948965),
+            (0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.5706923267948965),
+            (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -0.000167),
+            (0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 3.141423653589793),
+            (0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 3.1e-05),
+        ),
+    ),
+    0,
+)
 
 
 @_HOW.apart(_arms.SOLVES)
 def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    nearby = _nearby(pose, q_free) if _COMPILED else _NONE_NEAR
-    _all_joints(_NUMBERS, pose, _NO_FREE, seed, nearby, q, status)
+    if _solve_from_nearest(pose, _NO_FREE, q, status):
+        return
+    _all_joints(_NUMBERS, pose, _NO_FREE, seed, q, status)
+    _to_nearest_rows(_NO_FREE, q, status)
 
 
 _CALLS = _functions.of_robot(

@@ -77,8 +77,14 @@ static const double
 
 #ifndef __CUDACC_RTC__
 const char *const puma560_calibrated_branches[16] = {
+#ifdef PUMA560_CALIBRATED_PLAIN
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
     "root11", "root12", "root13", "root14", "root15", "root16",
+#else
+    "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
+    "left-up-flip", "left-down-noflip", "left-down-flip", "further1", "further2", "further3",
+    "further4", "further5", "further6", "further7", "further8",
+#endif
 };
 #endif
 
@@ -309,8 +315,6 @@ DHGEN_PUBLIC void puma560_calibrated_jacobian(const double q[6], double J[36])
  * near_k8 = 1 / ((2 * near_d4 * near_a2)^2 + (2 * near_a3 * near_a2)^2) = 7.157788307709011 [m^-4],
  * near_doubt_limit = 9.999999999999999e-05. */
 static const double
-    near_angle = 0.0063859344, /* the two arms' tools are turned by no more */
-    near_length = 0.0076985885, /* and no farther apart [m] */
     near_d3 = 0.14892189775631642, /* joint offset 3 [m] */
     near_longest3 = 0.7475535203062076, /* square of the longest reach [m^2] */
     near_shortest3 = 2.961108259928867e-06, /* square of the shortest reach [m^2] */
@@ -331,14 +335,7 @@ static const double
      * [m] */
     near_m8 = 0.0017242187181490598,
     near_m9 = 9.999999999999999e-09, /* near_doubt_limit^2 */
-    near1 = 0.0001185365297846645, /* near_length^2 + near_length^2 [m^2] */
-    near2 = 0.00017780479467699675, /* near_length^2 + near_length^2 + near_length^2 [m^2] */
-    near3 = 0.0011464884094649535, /* near_d3 * near_length [m^2] */
-    near4 = 0.5, /* 1 / 2 */
-    near5 = 2.0390079080551684e-05, /* near_angle^2 / 2 */
-    near6 = 2.216792657106042e-05, /* near_m3 * near2 */
-    near7 = 0.00020605707709292137, /* near_m7 * near2 [m] */
-    near8 = 0.00047518291600033504; /* near_m5 * near2 */
+    near1 = 0.5; /* 1 / 2 */
 
 /* What one pose and many compute alike: values without signs of branches, with the first, with
  * all that are in lanes. */
@@ -355,42 +352,51 @@ static const double
     const dhgen_##number X1_2 = near_m7 * N3 - near_m8, v17 = T34 * X1_2, \
         factor2 = DHGEN_QUOTIENT(1.0, N3); \
     /* joint values */ \
-    const dhgen_##number v33 = near_length * T14, v34 = v33 + v33, v35 = near_length * T24, \
-        v36 = v35 + v35, v37 = v34 * v34 + v36 * v36, v38 = near1 + dhgen_sqrt_##number(v37), \
-        v39 = near_length * T34, v40 = v39 + v39, \
-        v41 = near2 + dhgen_sqrt_##number(v37 + v40 * v40), v42 = v10 * v34 - v11 * v34, \
-        v43 = v10 * v36 - v11 * v36, v44 = v10 * v40 - v11 * v40, \
-        v45 = near2 * dhgen_abs_##number(v10) + near2 * dhgen_abs_##number(v11) + v41 * v41, \
-        v46 = v45 + dhgen_sqrt_##number(v42 * v42 + v43 * v43 + v44 * v44), \
-        v47 = dhgen_abs_##number(N3), v48 = dhgen_abs_##number(inverse1), \
-        v49 = inverse1 * (inverse1 * v34), v50 = inverse1 * (inverse1 * v36), \
-        v51 = v48 * (near1 * v48), v54 = near3 * inverse1, v55 = v6 * v50, v57 = v54 - v6 * v49, \
-        v60 = DHGEN_QUOTIENT(near4, w1), v61 = v34 * v60, v62 = v36 * v60, v63 = v38 * v60, \
-        v64 = DHGEN_QUOTIENT(v63 * v63, w1), v65 = v64 + (v64 + near1 * dhgen_abs_##number(v60)), \
-        v71 = dhgen_abs_##number(w1), v73 = v65 + dhgen_sqrt_##number(v61 * v61 + v62 * v62), \
-        v77 = near_angle * T33, v78 = near_angle * T23, v81 = dhgen_abs_##number(T13), \
-        v83 = v77 * v77, v84 = v78 * v78, v85 = near5 + dhgen_sqrt_##number(v83 + v84), \
-        v90 = v2 * v49, v93 = v2 * v50 - v54, v96 = near_angle * T13, \
-        v99 = dhgen_abs_##number(T23), v101 = v96 * v96, \
-        v102 = near5 + dhgen_sqrt_##number(v83 + v101), v108 = dhgen_abs_##number(factor2), \
-        v109 = factor2 * (factor2 * v34), v110 = factor2 * (factor2 * v36), \
-        v111 = factor2 * (factor2 * v40), v112 = v108 * (near2 * v108), \
-        v113 = v112 + (v112 + (dhgen_abs_##number(v111) + (dhgen_abs_##number(v109) + \
-            dhgen_abs_##number(v110)))) * DHGEN_QUOTIENT(v41, v47 - v41), v114 = near_m3 * v34, \
-        v115 = near_m3 * v36, v116 = near_m3 * v40, v117 = DHGEN_QUOTIENT(near4, w3), \
-        v118 = v42 * v117, v119 = v43 * v117, v120 = v44 * v117, v121 = v46 * v117, \
-        v122 = DHGEN_QUOTIENT(v121 * v121, w3), \
-        v123 = v122 + (v122 + v45 * dhgen_abs_##number(v117)), \
-        v124 = v123 + dhgen_sqrt_##number(v118 * v118 + v119 * v119 + v120 * v120), \
-        v128 = near6 + near_m5 * v123, v130 = dhgen_abs_##number(w3), v135 = near_m7 * v34, \
-        v136 = near_m7 * v36, v137 = near_m7 * v40, \
-        v144 = near7 * v71 + v65 * dhgen_abs_##number(X1_2), v154 = near_m5 * v34, \
-        v155 = near_m5 * v36, v156 = near_m5 * v40, v160 = near8 + near_m3 * v123, \
-        v161 = T34 * v135, v162 = T34 * v136, v163 = T34 * v137 + near_length * X1_2, \
-        v164 = near7 * dhgen_abs_##number(T34) + near_length * (near7 + dhgen_sqrt_##number(v135 * \
-            v135 + v136 * v136 + v137 * v137)), v192 = dhgen_abs_##number(T33), \
-        v193 = near5 + dhgen_sqrt_##number(v84 + v101), \
-        v203 = v113 + dhgen_sqrt_##number(v109 * v109 + v110 * v110 + v111 * v111)
+    const dhgen_##number v33 = T14 * free_joints[1], v34 = dhgen_abs_##number(free_joints[1]), \
+        v35 = v33 + v33, v36 = v34 * v34, v37 = T24 * free_joints[1], v38 = v37 + v37, \
+        v39 = v36 + v36, v40 = v35 * v35 + v38 * v38, v41 = v39 + dhgen_sqrt_##number(v40), \
+        v42 = T34 * free_joints[1], v43 = v42 + v42, v44 = v36 + v39, \
+        v45 = v44 + dhgen_sqrt_##number(v40 + v43 * v43), v46 = v10 * v35 - v11 * v35, \
+        v47 = v10 * v38 - v11 * v38, v48 = v10 * v43 - v11 * v43, \
+        v49 = v44 * dhgen_abs_##number(v10) + v44 * dhgen_abs_##number(v11) + v45 * v45, \
+        v50 = v49 + dhgen_sqrt_##number(v46 * v46 + v47 * v47 + v48 * v48), \
+        v51 = dhgen_abs_##number(N3), v52 = dhgen_abs_##number(inverse1), \
+        v53 = inverse1 * (inverse1 * v35), v54 = inverse1 * (inverse1 * v38), \
+        v55 = v52 * (v39 * v52), v56 = dhgen_sqrt_##number(N1) - dhgen_sqrt_##number(v39), \
+        v57 = v55 + (v55 + (dhgen_abs_##number(v53) + dhgen_abs_##number(v54))) * \
+            DHGEN_QUOTIENT(v41, v56 * v56), v58 = near_d3 * free_joints[1], v59 = inverse1 * v58, \
+        v60 = v6 * v54, v61 = v57 + dhgen_sqrt_##number(v53 * v53 + v54 * v54), \
+        v62 = v59 - v6 * v53, v63 = v61 * dhgen_abs_##number(v58), \
+        v64 = v63 + v57 * dhgen_abs_##number(v6), v65 = DHGEN_QUOTIENT(near1, w1), \
+        v66 = v35 * v65, v67 = v38 * v65, v68 = v41 * v65, v69 = DHGEN_QUOTIENT(v68 * v68, w1), \
+        v70 = v69 + (v69 + v39 * dhgen_abs_##number(v65)), v74 = v34 * v61, \
+        v75 = v74 + v57 * dhgen_abs_##number(T24), v76 = dhgen_abs_##number(w1), v77 = v75 * v76, \
+        v78 = v70 + dhgen_sqrt_##number(v66 * v66 + v67 * v67), v82 = T33 * free_joints[0], \
+        v83 = T23 * free_joints[0], v84 = near1 * (free_joints[0] * free_joints[0]), \
+        v87 = dhgen_abs_##number(T13), v89 = v82 * v82, v90 = v83 * v83, \
+        v91 = v84 + dhgen_sqrt_##number(v89 + v90), v94 = v74 + v57 * dhgen_abs_##number(T14), \
+        v95 = v76 * v94, v96 = v2 * v53, v97 = v63 + v57 * dhgen_abs_##number(v2), \
+        v99 = v2 * v54 - v59, v102 = T13 * free_joints[0], v105 = dhgen_abs_##number(T23), \
+        v107 = v102 * v102, v108 = v84 + dhgen_sqrt_##number(v89 + v107), \
+        v114 = dhgen_abs_##number(factor2), v115 = factor2 * (factor2 * v35), \
+        v116 = factor2 * (factor2 * v38), v117 = factor2 * (factor2 * v43), \
+        v118 = v114 * (v44 * v114), \
+        v119 = v118 + (v118 + (dhgen_abs_##number(v117) + (dhgen_abs_##number(v115) + \
+            dhgen_abs_##number(v116)))) * DHGEN_QUOTIENT(v45, v51 - v45), v120 = near_m3 * v35, \
+        v121 = near_m3 * v38, v122 = near_m3 * v43, v123 = DHGEN_QUOTIENT(near1, w3), \
+        v124 = v46 * v123, v125 = v47 * v123, v126 = v48 * v123, v127 = v50 * v123, \
+        v128 = DHGEN_QUOTIENT(v127 * v127, w3), \
+        v129 = v128 + (v128 + v49 * dhgen_abs_##number(v123)), \
+        v130 = v129 + dhgen_sqrt_##number(v124 * v124 + v125 * v125 + v126 * v126), \
+        v134 = near_m3 * v44 + near_m5 * v129, v136 = dhgen_abs_##number(w3), \
+        v141 = near_m7 * v35, v142 = near_m7 * v38, v143 = near_m7 * v43, v144 = near_m7 * v44, \
+        v151 = v76 * v144 + v70 * dhgen_abs_##number(X1_2), v161 = near_m5 * v35, \
+        v162 = near_m5 * v38, v163 = near_m5 * v43, v167 = near_m5 * v44 + near_m3 * v129, \
+        v168 = T34 * v141, v169 = T34 * v142, v170 = T34 * v143 + X1_2 * free_joints[1], \
+        v171 = v144 * dhgen_abs_##number(T34) + v34 * (v144 + dhgen_sqrt_##number(v141 * v141 + \
+            v142 * v142 + v143 * v143)), v199 = dhgen_abs_##number(T33), \
+        v200 = v84 + dhgen_sqrt_##number(v90 + v107), \
+        v210 = v119 + dhgen_sqrt_##number(v115 * v115 + v116 * v116 + v117 * v117)
 #define SIGNED(number, signs) \
     /* theta1 */ \
     const dhgen_##number v4 = e1 * T14, v5 = inverse1 * v4, c1 = w1 * v5 - v3, v8 = e1 * T24, \
@@ -404,17 +410,28 @@ static const double
     const dhgen_##number v29 = c1 * T22 - s1 * T12, v30 = c1 * T12 + s1 * T22, \
         v31 = c1 * T21 - s1 * T11, v32 = c1 * T11 + s1 * T21; \
     /* joint values */ \
-    const dhgen_##number v66 = inverse1 * (near_length * e1), v67 = v8 * v49, \
-        v68 = v66 - v8 * v50, v74 = v57 + (v9 * v61 - w1 * v67), v75 = w1 * v68 + v9 * v62 - v55, \
-        v79 = s1 * v77, v80 = near5 * dhgen_abs_##number(s1), v86 = v4 * v50, \
-        v87 = v66 - v4 * v49, v92 = v90 + (w1 * v87 + v5 * v61), \
-        v94 = v93 + (v5 * v62 - w1 * v86), v97 = c1 * v77, v98 = near5 * dhgen_abs_##number(c1), \
-        v103 = s1 * v78 + c1 * v96, v104 = T13 * v74 - T23 * v92, v105 = T13 * v75 - T23 * v94, \
-        v106 = v97 * v97 + v79 * v79, v138 = e1 * v135, v139 = e1 * v136, v140 = e1 * v137, \
-        v141 = w1 * v140, v142 = w1 * v138 + v22 * v61, v143 = w1 * v139 + v22 * v62, \
-        v145 = v144 + v73 * (near7 + dhgen_sqrt_##number(v138 * v138 + v139 * v139 + v140 * \
-            v140)), v181 = s1 * v96 - c1 * v78, v182 = T13 * v92 + T23 * v74, \
-        v183 = T13 * v94 + T23 * v75, v186 = dhgen_abs_##number(v24)
+    const dhgen_##number v71 = inverse1 * (e1 * free_joints[1]), v72 = v8 * v53, \
+        v73 = v71 - v8 * v54, v79 = v62 + (v9 * v66 - w1 * v72), v80 = w1 * v73 + v9 * v67 - v60, \
+        v81 = v64 + (v77 + v70 * dhgen_abs_##number(v9) + v78 * (v75 + dhgen_sqrt_##number(v72 * \
+            v72 + v73 * v73))), v85 = s1 * v82, v86 = v84 * dhgen_abs_##number(s1), \
+        v88 = v81 + dhgen_sqrt_##number(v79 * v79 + v80 * v80), v92 = v4 * v54, \
+        v93 = v71 - v4 * v53, v98 = v96 + (w1 * v93 + v5 * v66), \
+        v100 = v99 + (v5 * v67 - w1 * v92), \
+        v101 = v97 + (v95 + v70 * dhgen_abs_##number(v5) + v78 * (v94 + dhgen_sqrt_##number(v93 * \
+            v93 + v92 * v92))), v103 = c1 * v82, v104 = v84 * dhgen_abs_##number(c1), \
+        v106 = v101 + dhgen_sqrt_##number(v98 * v98 + v100 * v100), v109 = s1 * v83 + c1 * v102, \
+        v110 = T13 * v79 - T23 * v98, v111 = T13 * v80 - T23 * v100, \
+        v112 = v103 * v103 + v85 * v85, \
+        v113 = v86 + v81 * v87 + v88 * v91 + (v104 + v101 * v105 + v106 * v108) + \
+            (dhgen_sqrt_##number(v112 + v109 * v109) + dhgen_sqrt_##number(v110 * v110 + v111 * \
+            v111)), v145 = e1 * v141, v146 = e1 * v142, v147 = e1 * v143, v148 = w1 * v147, \
+        v149 = w1 * v145 + v22 * v66, v150 = w1 * v146 + v22 * v67, \
+        v152 = v151 + v78 * (v144 + dhgen_sqrt_##number(v145 * v145 + v146 * v146 + v147 * v147)), \
+        v188 = s1 * v102 - c1 * v83, v189 = T13 * v98 + T23 * v79, v190 = T13 * v100 + T23 * v80, \
+        v191 = v104 + v87 * v101 + v91 * v106 + (v86 + v81 * v105 + v88 * v108), \
+        v193 = dhgen_abs_##number(v24), \
+        v194 = v191 + (dhgen_sqrt_##number(v112 + v188 * v188) + dhgen_sqrt_##number(v189 * v189 + \
+            v190 * v190)), v215 = v113 * v113
 #define SIGNED_TWICE(number, signs) \
     /* theta3 */ \
     const dhgen_##signs v14 = near_m3 * e3; \
@@ -431,36 +448,36 @@ static const double
     /* theta6 */ \
     const dhgen_##number s6 = c4 * v31 + Y4 * (c23 * v32 + s23 * T31); \
     /* joint values */ \
-    const dhgen_##number v125 = v114 + v16 * v118, v126 = v115 + v16 * v119, \
-        v127 = v116 + v16 * v120; \
-    const dhgen_##signs v129 = near_m7 * (near_length * e3); \
-    const dhgen_##number v131 = v20 * v118, v132 = v20 * v119, v133 = w3 * v129 + v20 * v120, \
-        v146 = v131 + v142, v147 = v132 + v143, v148 = v133 + v141, v150 = dhgen_abs_##number(c3), \
-        v151 = dhgen_abs_##number(C2), \
-        v152 = v128 + dhgen_sqrt_##number(v125 * v125 + v126 * v126 + v127 * v127), \
-        v157 = v154 - v14 * v118, v158 = v155 - v14 * v119, v159 = v156 - v14 * v120, \
-        v165 = near_m7 * (v18 * v61), v166 = near_m7 * (v18 * v62), \
-        v169 = v161 - (w3 * v165 + v19 * v118), v170 = v162 - (w3 * v166 + v19 * v119), \
-        v171 = v163 - v19 * v120, v173 = dhgen_abs_##number(s3), v174 = dhgen_abs_##number(S2), \
-        v175 = v160 + dhgen_sqrt_##number(v157 * v157 + v158 * v158 + v159 * v159), \
-        v177 = c3 * v146 - C2 * v125 - (s3 * v169 + S2 * v157), \
-        v178 = c3 * v147 - C2 * v126 - (s3 * v170 + S2 * v158), \
-        v179 = c3 * v148 - C2 * v127 - (s3 * v171 + S2 * v159), v185 = c23 * v181, \
-        v188 = c3 * v169 - S2 * v125 + (s3 * v146 + C2 * v157), \
-        v189 = c3 * v170 - S2 * v126 + (s3 * v147 + C2 * v158), \
-        v190 = c3 * v171 - S2 * v127 + (s3 * v148 + C2 * v159), v194 = s23 * v78 - c23 * v79, \
-        v195 = c23 * v97 - s23 * v96, v196 = c23 * v182 + v24 * v177 + T33 * v188, \
-        v197 = c23 * v183 + v24 * v178 + T33 * v189, v198 = v24 * v179 + T33 * v190, \
-        v200 = factor2 * v194, v201 = factor2 * v195, v202 = factor2 * v185, \
-        v204 = factor2 * v196 - c4 * v109, v205 = factor2 * v197 - c4 * v110, \
-        v206 = factor2 * v198 - c4 * v111
+    const dhgen_##number v131 = v120 + v16 * v124, v132 = v121 + v16 * v125, \
+        v133 = v122 + v16 * v126, v135 = near_m7 * (e3 * free_joints[1]), v137 = v20 * v124, \
+        v138 = v20 * v125, v139 = w3 * v135 + v20 * v126, \
+        v140 = v129 * dhgen_abs_##number(v20) + v130 * dhgen_abs_##number(v135), \
+        v153 = v137 + v149, v154 = v138 + v150, v155 = v139 + v148, v156 = v140 + v152, \
+        v157 = dhgen_abs_##number(c3), v158 = dhgen_abs_##number(C2), \
+        v159 = v134 + dhgen_sqrt_##number(v131 * v131 + v132 * v132 + v133 * v133), \
+        v160 = v156 + dhgen_sqrt_##number(v153 * v153 + v154 * v154 + v155 * v155), \
+        v164 = v161 - v14 * v124, v165 = v162 - v14 * v125, v166 = v163 - v14 * v126, \
+        v172 = near_m7 * (v18 * v66), v173 = near_m7 * (v18 * v67), \
+        v176 = v168 - (w3 * v172 + v19 * v124), v177 = v169 - (w3 * v173 + v19 * v125), \
+        v178 = v170 - v19 * v126, v180 = dhgen_abs_##number(s3), v181 = dhgen_abs_##number(S2), \
+        v182 = v167 + dhgen_sqrt_##number(v164 * v164 + v165 * v165 + v166 * v166), \
+        v184 = c3 * v153 - C2 * v131 - (s3 * v176 + S2 * v164), \
+        v185 = c3 * v154 - C2 * v132 - (s3 * v177 + S2 * v165), \
+        v186 = c3 * v155 - C2 * v133 - (s3 * v178 + S2 * v166), v192 = c23 * v188, \
+        v195 = c3 * v176 - S2 * v131 + (s3 * v153 + C2 * v164), \
+        v196 = c3 * v177 - S2 * v132 + (s3 * v154 + C2 * v165), \
+        v197 = c3 * v178 - S2 * v133 + (s3 * v155 + C2 * v166), v201 = s23 * v83 - c23 * v85, \
+        v202 = c23 * v103 - s23 * v102, v203 = c23 * v189 + v24 * v184 + T33 * v195, \
+        v204 = c23 * v190 + v24 * v185 + T33 * v196, v205 = v24 * v186 + T33 * v197, \
+        v207 = factor2 * v201, v208 = factor2 * v202, v209 = factor2 * v192, \
+        v211 = factor2 * v203 - c4 * v115, v212 = factor2 * v204 - c4 * v116, \
+        v213 = factor2 * v205 - c4 * v117
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    (void)free_joints;
     ENTRIES(dhgen_wide);
     dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL) == 0;
@@ -468,17 +485,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide angle1 = dhgen_atan2_wide(w3, N3 - near_k7);
-
-    /* joint values */
-    const dhgen_wide v52 = dhgen_sqrt_wide(N1) - sqrt(near1),
-        v53 = v51 + (v51 + (dhgen_abs_wide(v49) + dhgen_abs_wide(v50))) * DHGEN_QUOTIENT(v38, v52 *
-            v52), v56 = v53 + dhgen_sqrt_wide(v49 * v49 + v50 * v50), v58 = near3 * v56,
-        v59 = v58 + v53 * dhgen_abs_wide(v6), v69 = near_length * v56,
-        v70 = v69 + v53 * dhgen_abs_wide(T24), v72 = v70 * v71,
-        v88 = v69 + v53 * dhgen_abs_wide(T14), v89 = v71 * v88,
-        v91 = v58 + v53 * dhgen_abs_wide(v2);
-    left |= (dhgen_abs_wide(v46 + (D3 + D3)) <= v46) | (dhgen_abs_wide(v38 + (D1 + D1)) <= v38) |
-        (dhgen_abs_wide(N1) <= near1) | (v47 <= v41) | (dhgen_abs_wide(D3 * (near_k4 * w1)) <=
+    left |= (dhgen_abs_wide(v50 + (D3 + D3)) <= v50) | (dhgen_abs_wide(v41 + (D1 + D1)) <= v41) |
+        (dhgen_abs_wide(N1) <= v39) | (v51 <= v45) | (dhgen_abs_wide(D3 * (near_k4 * w1)) <=
         near_m2) | (dhgen_abs_wide(D1) <= near_m1);
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
@@ -486,16 +494,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         SIGNED(wide, double);
 
         /* joint values */
-        const dhgen_wide angle6 = dhgen_atan2_wide(s1, c1), q1_p = v12 + angle6,
-            v76 = v59 + (v72 + v65 * dhgen_abs_wide(v9) + v73 * (v70 + dhgen_sqrt_wide(v67 * v67 +
-                v68 * v68))), v82 = v76 + dhgen_sqrt_wide(v74 * v74 + v75 * v75),
-            v95 = v91 + (v89 + v65 * dhgen_abs_wide(v5) + v73 * (v88 + dhgen_sqrt_wide(v87 * v87 +
-                v86 * v86))), v100 = v95 + dhgen_sqrt_wide(v92 * v92 + v94 * v94),
-            v107 = v80 + v76 * v81 + v82 * v85 + (v98 + v95 * v99 + v100 * v102) +
-                (dhgen_sqrt_wide(v106 + v103 * v103) + dhgen_sqrt_wide(v104 * v104 + v105 * v105)),
-            v184 = v98 + v81 * v95 + v85 * v100 + (v80 + v76 * v99 + v82 * v102),
-            v187 = v184 + (dhgen_sqrt_wide(v106 + v181 * v181) + dhgen_sqrt_wide(v182 * v182 + v183
-                * v183)), v208 = v107 * v107;
+        const dhgen_wide angle6 = dhgen_atan2_wide(s1, c1), q1_p = v12 + angle6;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
@@ -518,25 +517,23 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             const dhgen_wide angle5 = dhgen_atan2_wide(s6, c4 * v29 + Y4 * (c23 * v30 + s23 * T32));
 
             /* joint values */
-            const dhgen_wide q3_p = v1 + dhgen_lowered_wide(q3_),
-                v134 = v123 * dhgen_abs_wide(v20) + v124 * fabs(v129), v149 = v134 + v145,
-                v153 = v149 + dhgen_sqrt_wide(v146 * v146 + v147 * v147 + v148 * v148),
-                v167 = near_m7 * (v65 * fabs(e3)), v168 = v130 * v167,
-                v172 = v164 + (v168 + v123 * dhgen_abs_wide(v19) + v124 * (v167 +
-                    dhgen_sqrt_wide(v165 * v165 + v166 * v166))),
-                v176 = v172 + dhgen_sqrt_wide(v169 * v169 + v170 * v170 + v171 * v171),
-                v180 = v149 * v150 + v128 * v151 + v152 * v153 + (v172 * v173 + v160 * v174 + v175 *
-                    v176),
-                v191 = v150 * v172 + v128 * v174 + v152 * v176 + (v149 * v173 + v151 * v160 + v153 *
-                    v175),
-                v199 = v184 * dhgen_abs_wide(c23) + v180 * v186 + v187 * (v180 +
-                    dhgen_sqrt_wide(v177 * v177 + v178 * v178 + v179 * v179)) + (near5 *
-                    dhgen_abs_wide(s23) + v191 * v192 + v193 * (v191 + dhgen_sqrt_wide(v188 * v188 +
-                    v189 * v189 + v190 * v190))),
-                v207 = v108 * v199 + v113 * dhgen_abs_wide(c4) + v203 * (v199 +
-                    (dhgen_sqrt_wide(v194 * v194 + v195 * v195 + v185 * v185) + dhgen_sqrt_wide(v196
-                    * v196 + v197 * v197 + v198 * v198))) + (dhgen_sqrt_wide(v200 * v200 + v201 *
-                    v201 + v202 * v202) + dhgen_sqrt_wide(v204 * v204 + v205 * v205 + v206 * v206));
+            const dhgen_wide q3_p = v1 + dhgen_lowered_wide(q3_), v174 = near_m7 * (v70 * fabs(e3)),
+                v175 = v136 * v174,
+                v179 = v171 + (v175 + v129 * dhgen_abs_wide(v19) + v130 * (v174 +
+                    dhgen_sqrt_wide(v172 * v172 + v173 * v173))),
+                v183 = v179 + dhgen_sqrt_wide(v176 * v176 + v177 * v177 + v178 * v178),
+                v187 = v156 * v157 + v134 * v158 + v159 * v160 + (v179 * v180 + v167 * v181 + v182 *
+                    v183),
+                v198 = v157 * v179 + v134 * v181 + v159 * v183 + (v156 * v180 + v158 * v167 + v160 *
+                    v182),
+                v206 = v191 * dhgen_abs_wide(c23) + v187 * v193 + v194 * (v187 +
+                    dhgen_sqrt_wide(v184 * v184 + v185 * v185 + v186 * v186)) + (v84 *
+                    dhgen_abs_wide(s23) + v198 * v199 + v200 * (v198 + dhgen_sqrt_wide(v195 * v195 +
+                    v196 * v196 + v197 * v197))),
+                v214 = v114 * v206 + v119 * dhgen_abs_wide(c4) + v210 * (v206 +
+                    (dhgen_sqrt_wide(v201 * v201 + v202 * v202 + v192 * v192) + dhgen_sqrt_wide(v203
+                    * v203 + v204 * v204 + v205 * v205))) + (dhgen_sqrt_wide(v207 * v207 + v208 *
+                    v208 + v209 * v209) + dhgen_sqrt_wide(v211 * v211 + v212 * v212 + v213 * v213));
             const int row = 4 * i1 + 2 * i2;
             q[6 * row] = q1_p; q[6 * row + 1] = angle2; q[6 * row + 2] = q3_p;
             q[6 * row + 3] = angle3; q[6 * row + 4] = angle4; q[6 * row + 5] = angle5;
@@ -545,7 +542,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             q[6 * row + 9] = angle3 - v28; q[6 * row + 10] = -angle4;
             q[6 * row + 11] = angle5 - dhgen_signed_wide(DHGEN_HALF_TURN, s6);
             kind[row + 1] = dhgen_kind_wide(q[6 * row + 6]);
-            left |= (v27 <= near_m9) | (dhgen_abs_wide(v27) <= v208 + v207 * v207);
+            left |= (v27 <= near_m9) | (dhgen_abs_wide(v27) <= v215 + v214 * v214);
         }
     }
     return left;
@@ -558,7 +555,6 @@ DHGEN_ALWAYS
 DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
     ENTRIES(double);
@@ -567,40 +563,24 @@ DHGEN_INLINE int solve_regular(
     SIGNED_TWICE(four, four);
 
     /* joint values */
-    const double v52 = sqrt(N1) - sqrt(near1),
-        v53 = v51 + (v51 + (fabs(v49) + fabs(v50))) * DHGEN_QUOTIENT(v38, v52 * v52),
-        v56 = v53 + sqrt(v49 * v49 + v50 * v50), v58 = near3 * v56, v59 = v58 + v53 * fabs(v6),
-        v69 = near_length * v56, v70 = v69 + v53 * fabs(T24), v72 = v70 * v71;
-    const dhgen_four v76 = v59 + (v72 + v65 * dhgen_abs_four(v9) + v73 * (v70 + dhgen_sqrt_four(v67
-        * v67 + v68 * v68))), v82 = v76 + dhgen_sqrt_four(v74 * v74 + v75 * v75);
-    const double v88 = v69 + v53 * fabs(T14), v89 = v71 * v88, v91 = v58 + v53 * fabs(v2);
-    const dhgen_four v95 = v91 + (v89 + v65 * dhgen_abs_four(v5) + v73 * (v88 + dhgen_sqrt_four(v87
-        * v87 + v86 * v86))), v100 = v95 + dhgen_sqrt_four(v92 * v92 + v94 * v94),
-        v107 = v80 + v76 * v81 + v82 * v85 + (v98 + v95 * v99 + v100 * v102) + (dhgen_sqrt_four(v106
-            + v103 * v103) + dhgen_sqrt_four(v104 * v104 + v105 * v105)),
-        v134 = v123 * dhgen_abs_four(v20) + v124 * dhgen_abs_four(v129), v149 = v134 + v145,
-        v153 = v149 + dhgen_sqrt_four(v146 * v146 + v147 * v147 + v148 * v148),
-        v167 = near_m7 * (v65 * dhgen_abs_four(e3)), v168 = v130 * v167,
-        v172 = v164 + (v168 + v123 * dhgen_abs_four(v19) + v124 * (v167 + dhgen_sqrt_four(v165 *
-            v165 + v166 * v166))),
-        v176 = v172 + dhgen_sqrt_four(v169 * v169 + v170 * v170 + v171 * v171),
-        v180 = v149 * v150 + v128 * v151 + v152 * v153 + (v172 * v173 + v160 * v174 + v175 * v176),
-        v184 = v98 + v81 * v95 + v85 * v100 + (v80 + v76 * v99 + v82 * v102),
-        v187 = v184 + (dhgen_sqrt_four(v106 + v181 * v181) + dhgen_sqrt_four(v182 * v182 + v183 *
-            v183)),
-        v191 = v150 * v172 + v128 * v174 + v152 * v176 + (v149 * v173 + v151 * v160 + v153 * v175),
-        v199 = v184 * dhgen_abs_four(c23) + v180 * v186 + v187 * (v180 + dhgen_sqrt_four(v177 * v177
-            + v178 * v178 + v179 * v179)) + (near5 * dhgen_abs_four(s23) + v191 * v192 + v193 *
-            (v191 + dhgen_sqrt_four(v188 * v188 + v189 * v189 + v190 * v190))),
-        v207 = v108 * v199 + v113 * dhgen_abs_four(c4) + v203 * (v199 + (dhgen_sqrt_four(v194 * v194
-            + v195 * v195 + v185 * v185) + dhgen_sqrt_four(v196 * v196 + v197 * v197 + v198 *
-            v198))) + (dhgen_sqrt_four(v200 * v200 + v201 * v201 + v202 * v202) +
-            dhgen_sqrt_four(v204 * v204 + v205 * v205 + v206 * v206)), v208 = v107 * v107;
+    const dhgen_four v174 = near_m7 * (v70 * dhgen_abs_four(e3)), v175 = v136 * v174,
+        v179 = v171 + (v175 + v129 * dhgen_abs_four(v19) + v130 * (v174 + dhgen_sqrt_four(v172 *
+            v172 + v173 * v173))),
+        v183 = v179 + dhgen_sqrt_four(v176 * v176 + v177 * v177 + v178 * v178),
+        v187 = v156 * v157 + v134 * v158 + v159 * v160 + (v179 * v180 + v167 * v181 + v182 * v183),
+        v198 = v157 * v179 + v134 * v181 + v159 * v183 + (v156 * v180 + v158 * v167 + v160 * v182),
+        v206 = v191 * dhgen_abs_four(c23) + v187 * v193 + v194 * (v187 + dhgen_sqrt_four(v184 * v184
+            + v185 * v185 + v186 * v186)) + (v84 * dhgen_abs_four(s23) + v198 * v199 + v200 * (v198
+            + dhgen_sqrt_four(v195 * v195 + v196 * v196 + v197 * v197))),
+        v214 = v114 * v206 + v119 * dhgen_abs_four(c4) + v210 * (v206 + (dhgen_sqrt_four(v201 * v201
+            + v202 * v202 + v192 * v192) + dhgen_sqrt_four(v203 * v203 + v204 * v204 + v205 *
+            v205))) + (dhgen_sqrt_four(v207 * v207 + v208 * v208 + v209 * v209) +
+            dhgen_sqrt_four(v211 * v211 + v212 * v212 + v213 * v213));
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v27 <= near_m9)
-        | (dhgen_abs_four(v27) <= v208 + v207 * v207))) | (unsigned)((fabs(v46 + (D3 + D3)) <= v46)
-        | (fabs(v38 + (D1 + D1)) <= v38) | (fabs(N1) <= near1) | (v47 <= v41) | (fabs(D3 * (near_k4
-        * w1)) <= near_m2) | (fabs(D1) <= near_m1)))
+        | (dhgen_abs_four(v27) <= v215 + v214 * v214))) | (unsigned)((fabs(v50 + (D3 + D3)) <= v50)
+        | (fabs(v41 + (D1 + D1)) <= v41) | (fabs(N1) <= v39) | (v51 <= v45) | (fabs(D3 * (near_k4 *
+        w1)) <= near_m2) | (fabs(D1) <= near_m1)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, dhgen_all_four(w3), 0, 5,
@@ -635,14 +615,41 @@ DHGEN_FN int solve_regular(
 }
 #endif
 
+/* Its links, and its angles as factors of joint values and what is added. */
+DHGEN_TABLE double nearest_links[7][12] = {
+    { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 },
+    { 1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0, 6.123233995736766e-17,
+        0.0 },
+    { 0.9999999999999372, 3.5450000001824165e-07, -0.0, 0.4314454936114729, -3.5450000001824165e-07,
+        0.9999999999999372, -0.0, -1.5294742749314702e-07, 0.0, 0.0, 1.0, 0.0 },
+    { -0.9999999999999372, 2.1706864523706184e-23, -3.545000001440309e-07, 0.020185839855498718,
+        -3.545000001440309e-07, -6.123233995736381e-17, 0.9999999999999372, 7.15588023168213e-09,
+        0.0, 1.0, 6.123233995736766e-17, 0.14892189775631642 },
+    { -0.9999999999999127, -2.558287163739808e-23, 4.1780000005242117e-07, -0.0,
+        4.1780000005242117e-07, -6.123233995736231e-17, 0.9999999999999127, 0.0, 0.0, 1.0,
+        6.123233995736766e-17, 0.4326956882369999 },
+    { -1.0, 1.8369696008327342e-26, -2.9999990235743137e-10, -0.0, -2.9999990235743137e-10,
+        -6.123233995736766e-17, 1.0, -0.0, 0.0, 1.0, 6.123233995736766e-17, 0.0 },
+    { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 },
+};
+DHGEN_TABLE double nearest_angles[6][7] = {
+    { 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0004277699642 },
+    { 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0006617156617 },
+    { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -0.0018179220006 },
+    { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 8.90468712e-05 },
+    { 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0009695294734 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, -0.0022050175347 },
+};
 DHGEN_TABLE dhgen_nearest_arm nearest_arm = {
-    8, /* rows */
+    8, 0, /* rows; values that the caller gives */
+    0.0063859344, 0.0076985885, /* the two arms' tools differ by no more */
     { 1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.6712591624 },
     { -1.0, 0.0, 0.0, 9.38408e-05, -0.0, -0.999998804206049, -0.0015464755000093547,
         -1.8575731718540364e-06, 0.0, -0.0015464755000093547, 0.999998804206049,
         0.0012011641636534413 },
     { 0.0, -3.5450000001824906e-07, -3.141592299089793, 3.141592235789793, 3.141592653889793, 0.0 },
     { 0, 1, 2, 3, 4, 5 },
+    nearest_links, nearest_angles[0],
 };
 #endif
 
@@ -658,13 +665,15 @@ DHGEN_FN void solve(
 {
     (void)free_joints;
     (void)moved;
-    double nearby[16][6];
-#ifdef PUMA560_CALIBRATED_PLAIN
-    const int nearby_count = 0;
-#else
-    const int nearby_count = dhgen_near_solutions(&nearest_arm, solve_regular, T, NULL, nearby);
+#ifndef PUMA560_CALIBRATED_PLAIN
+    if (dhgen_solve_from_nearest(&general, &descents, &nearest_arm, solve_regular, T, NULL, rows,
+        status))
+        return;
 #endif
-    dhgen_general_rows(&general, &descents, T, NULL, seed, nearby, nearby_count, rows, status);
+    dhgen_general_rows(&general, &descents, T, NULL, seed, rows, status);
+#ifndef PUMA560_CALIBRATED_PLAIN
+    dhgen_to_nearest_rows(&nearest_arm, solve_regular, NULL, rows, status);
+#endif
 }
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };

@@ -47,8 +47,9 @@ JOINT_LIMITS = (
     (-math.inf, math.inf),
 )
 BRANCHES = (
-    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
-    "root11", "root12", "root13", "root14", "root15", "root16",
+    "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
+    "left-up-flip", "left-down-noflip", "left-down-flip", "further1", "further2", "further3",
+    "further4", "further5", "further6", "further7", "further8",
 )
 MAX_SOLUTIONS = 16
 
@@ -99,8 +100,6 @@ offset6 = -0.0022050175347  # offset of joint 6 [rad]
 f1 = -2.3070697884642687e-07  # d2 * ca1 [m]
 f2 = 1.7152850204059354e-06  # sa2 * ca1
 f3 = 0.0016085433446793326  # ca2 * ca1
-near_angle = 0.0063859344  # the two arms' tools are turned by no more
-near_length = 0.0076985885  # and no farther apart [m]
 near_d3 = 0.14892189775631642  # joint offset 3 [m]
 near_longest3 = 0.7475535203062076  # square of the longest reach [m^2]
 near_shortest3 = 2.961108259928867e-06  # square of the shortest reach [m^2]
@@ -119,15 +118,7 @@ near_m7 = 1.1588949413161114  # near_k8 * (near_d4 * near_k5 + near_a3 * near_k6
 # near_d4 * near_k5 * near_k7 * near_k8 + near_a3 * near_k6 * near_k7 * near_k8 - near_a2 [m]
 near_m8 = 0.0017242187181490598
 near_m9 = 9.999999999999999e-09  # near_doubt_limit^2
-near1 = 0.0001185365297846645  # near_length^2 + near_length^2 [m^2]
-near2 = 0.00017780479467699675  # near_length^2 + near_length^2 + near_length^2 [m^2]
-near3 = 0.0011464884094649535  # near_d3 * near_length [m^2]
-near4 = 0.5  # 1 / 2
-near5 = 2.0390079080551684e-05  # near_angle^2 / 2
-near6 = 2.216792657106042e-05  # near_m3 * near2
-near7 = 0.00020605707709292137  # near_m7 * near2 [m]
-near8 = 0.00047518291600033504  # near_m5 * near2
-h1 = 0.00892185526792439  # near_m7 * near_length
+near1 = 0.5  # 1 / 2
 turn = 2.0 * math.pi  # [rad]
 half_turn = 0.5 * turn
 
@@ -525,8 +516,7 @@ _LOOP = _loops.Loop(
 )
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
 _all_joints = _runtime("general.rows").all_joints
-_nearest, _COMPILED = _runtime("general.near"), _runtime("jit").COMPILED
-_NONE_NEAR = np.zeros((0, 6))
+_nearest = _runtime("general.near")
 _NO_FREE = np.zeros(0)
 
 
@@ -542,6 +532,7 @@ def _formulas(kept, turns, rows, w):
         T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
         T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
         T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        given1, given2 = kept[16 * w + k], kept[17 * w + k]
 
         # theta1, type 2: U1[3, 4]
         N1 = T14 * T14 + T24 * T24
@@ -640,376 +631,384 @@ def _formulas(kept, turns, rows, w):
         s6_mm = Y4_m * (c23_mm * v47 + s23_mm * T31) - c4_mm * v45
 
         # joint values
-        v48 = near_length * T14
-        v49 = v48 + v48
-        v50 = near_length * T24
-        v51 = v50 + v50
-        v52 = v49 * v49 + v51 * v51
-        v53 = near1 + math.sqrt(v52)
-        v54 = near_length * T34
-        v55 = v54 + v54
-        v56 = near2 + math.sqrt(v52 + v55 * v55)
-        v57 = v11 * v49 - v12 * v49
-        v58 = v11 * v51 - v12 * v51
-        v59 = v11 * v55 - v12 * v55
-        v60 = near2 * abs(v11) + near2 * abs(v12) + v56 * v56
-        v61 = v60 + math.sqrt(v57 * v57 + v58 * v58 + v59 * v59)
-        v62 = abs(N3)
-        v63 = abs(inverse1)
-        v64 = inverse1 * (inverse1 * v49)
-        v65 = inverse1 * (inverse1 * v51)
-        v66 = v63 * (near1 * v63)
-        v67 = math.sqrt(N1) - math.sqrt(near1)
-        v68 = v66 + (v66 + (abs(v64) + abs(v65))) * (v53 / (v67 * v67))
-        v69 = near3 * inverse1
-        v70 = v7 * v65
-        v71 = v68 + math.sqrt(v64 * v64 + v65 * v65)
-        v72 = v69 - v7 * v64
-        v73 = near3 * v71
-        v74 = v73 + v68 * abs(v7)
-        v75 = near4 / w1
-        v76 = v49 * v75
-        v77 = v51 * v75
-        v78 = v53 * v75
-        v79 = v78 * v78 / w1
-        v80 = v79 + (v79 + near1 * abs(v75))
-        v81 = near_length * inverse1
-        v82 = T24 * v64
-        v83 = v81 - T24 * v65
-        v84 = near_length * v71
-        v85 = v84 + v68 * abs(T24)
-        v86 = abs(w1)
-        v87 = v80 + math.sqrt(v76 * v76 + v77 * v77)
-        v88 = v9 * v76 - w1 * v82
-        v89 = v72 + v88
-        v90 = v72 + -v88
-        v91 = v9 * v77
-        v92 = w1 * v83 + v91 - v70
-        v93 = w1 * -v83 - v91 - v70
-        v94 = v85 * v86 + v80 * abs(v9)
-        v95 = v82 * v82
-        v96 = v74 + (v94 + v87 * (v85 + math.sqrt(v95 + v83 * v83)))
-        v97 = v74 + (v94 + v87 * (v85 + math.sqrt(v95 + -v83 * -v83)))
-        v98 = near_angle * T33
-        v99 = near_angle * T23
-        v100 = s1_p * v98
-        v101 = s1_m * v98
-        v102 = near5 * abs(s1_p)
-        v103 = near5 * abs(s1_m)
-        v104 = abs(T13)
-        v105 = v96 + math.sqrt(v89 * v89 + v92 * v92)
-        v106 = v97 + math.sqrt(v90 * v90 + v93 * v93)
-        v107 = v98 * v98
-        v108 = v99 * v99
-        v109 = near5 + math.sqrt(v107 + v108)
-        v110 = T14 * v65
-        v111 = v81 - T14 * v64
-        v112 = v84 + v68 * abs(T14)
-        v113 = v2 * v64
-        v114 = v73 + v68 * abs(v2)
-        v115 = v4 * v76
-        v116 = v113 + (w1 * v111 + v115)
-        v117 = v113 + (w1 * -v111 - v115)
-        v118 = v2 * v65 - v69
-        v119 = v4 * v77 - w1 * v110
-        v120 = v118 + v119
-        v121 = v118 + -v119
-        v122 = v86 * v112 + v80 * abs(v4)
-        v123 = v110 * v110
-        v124 = v114 + (v122 + v87 * (v112 + math.sqrt(v111 * v111 + v123)))
-        v125 = v114 + (v122 + v87 * (v112 + math.sqrt(v123 + -v111 * -v111)))
-        v126 = near_angle * T13
-        v127 = c1_p * v98
-        v128 = v6 * v98
-        v129 = near5 * abs(c1_p)
-        v130 = near5 * abs(v6)
-        v131 = abs(T23)
-        v132 = v124 + math.sqrt(v116 * v116 + v120 * v120)
-        v133 = v125 + math.sqrt(v117 * v117 + v121 * v121)
-        v134 = v126 * v126
-        v135 = near5 + math.sqrt(v107 + v134)
-        v136 = s1_p * v99 + c1_p * v126
-        v137 = s1_m * v99 - v6 * v126
-        v138 = T13 * v89 - T23 * v116
-        v139 = T13 * v90 - T23 * v117
-        v140 = T13 * v92 - T23 * v120
-        v141 = T13 * v93 - T23 * v121
-        v142 = v127 * v127 + v100 * v100
-        v143 = v128 * v128 + v101 * v101
-        v144 = (
-            v102 + v96 * v104 + v105 * v109 + (v129 + v124 * v131 + v132 * v135) + (math.sqrt(v142 +
-            v136 * v136) + math.sqrt(v138 * v138 + v140 * v140))
+        v48 = T14 * given2
+        v49 = abs(given2)
+        v50 = v48 + v48
+        v51 = v49 * v49
+        v52 = T24 * given2
+        v53 = v52 + v52
+        v54 = v51 + v51
+        v55 = v50 * v50 + v53 * v53
+        v56 = v54 + math.sqrt(v55)
+        v57 = T34 * given2
+        v58 = v57 + v57
+        v59 = v51 + v54
+        v60 = v59 + math.sqrt(v55 + v58 * v58)
+        v61 = v11 * v50 - v12 * v50
+        v62 = v11 * v53 - v12 * v53
+        v63 = v11 * v58 - v12 * v58
+        v64 = v59 * abs(v11) + v59 * abs(v12) + v60 * v60
+        v65 = v64 + math.sqrt(v61 * v61 + v62 * v62 + v63 * v63)
+        v66 = abs(N3)
+        v67 = abs(inverse1)
+        v68 = inverse1 * (inverse1 * v50)
+        v69 = inverse1 * (inverse1 * v53)
+        v70 = v67 * (v54 * v67)
+        v71 = math.sqrt(N1) - math.sqrt(v54)
+        v72 = v70 + (v70 + (abs(v68) + abs(v69))) * (v56 / (v71 * v71))
+        v73 = near_d3 * given2
+        v74 = inverse1 * v73
+        v75 = v7 * v69
+        v76 = v72 + math.sqrt(v68 * v68 + v69 * v69)
+        v77 = v74 - v7 * v68
+        v78 = v76 * abs(v73)
+        v79 = v78 + v72 * abs(v7)
+        v80 = near1 / w1
+        v81 = v50 * v80
+        v82 = v53 * v80
+        v83 = v56 * v80
+        v84 = v83 * v83 / w1
+        v85 = v84 + (v84 + v54 * abs(v80))
+        v86 = inverse1 * given2
+        v87 = T24 * v68
+        v88 = v86 - T24 * v69
+        v89 = v49 * v76
+        v90 = v89 + v72 * abs(T24)
+        v91 = abs(w1)
+        v92 = v85 + math.sqrt(v81 * v81 + v82 * v82)
+        v93 = v9 * v81 - w1 * v87
+        v94 = v77 + v93
+        v95 = v77 + -v93
+        v96 = v9 * v82
+        v97 = w1 * v88 + v96 - v75
+        v98 = w1 * -v88 - v96 - v75
+        v99 = v90 * v91 + v85 * abs(v9)
+        v100 = v87 * v87
+        v101 = v79 + (v99 + v92 * (v90 + math.sqrt(v100 + v88 * v88)))
+        v102 = v79 + (v99 + v92 * (v90 + math.sqrt(v100 + -v88 * -v88)))
+        v103 = T33 * given1
+        v104 = T23 * given1
+        v105 = near1 * (given1 * given1)
+        v106 = s1_p * v103
+        v107 = s1_m * v103
+        v108 = v105 * abs(s1_p)
+        v109 = v105 * abs(s1_m)
+        v110 = abs(T13)
+        v111 = v101 + math.sqrt(v94 * v94 + v97 * v97)
+        v112 = v102 + math.sqrt(v95 * v95 + v98 * v98)
+        v113 = v103 * v103
+        v114 = v104 * v104
+        v115 = v105 + math.sqrt(v113 + v114)
+        v116 = T14 * v69
+        v117 = v86 - T14 * v68
+        v118 = v89 + v72 * abs(T14)
+        v119 = v2 * v68
+        v120 = v78 + v72 * abs(v2)
+        v121 = v4 * v81
+        v122 = v119 + (w1 * v117 + v121)
+        v123 = v119 + (w1 * -v117 - v121)
+        v124 = v2 * v69 - v74
+        v125 = v4 * v82 - w1 * v116
+        v126 = v124 + v125
+        v127 = v124 + -v125
+        v128 = v91 * v118 + v85 * abs(v4)
+        v129 = v116 * v116
+        v130 = v120 + (v128 + v92 * (v118 + math.sqrt(v117 * v117 + v129)))
+        v131 = v120 + (v128 + v92 * (v118 + math.sqrt(v129 + -v117 * -v117)))
+        v132 = T13 * given1
+        v133 = c1_p * v103
+        v134 = v6 * v103
+        v135 = v105 * abs(c1_p)
+        v136 = v105 * abs(v6)
+        v137 = abs(T23)
+        v138 = v130 + math.sqrt(v122 * v122 + v126 * v126)
+        v139 = v131 + math.sqrt(v123 * v123 + v127 * v127)
+        v140 = v132 * v132
+        v141 = v105 + math.sqrt(v113 + v140)
+        v142 = s1_p * v104 + c1_p * v132
+        v143 = s1_m * v104 - v6 * v132
+        v144 = T13 * v94 - T23 * v122
+        v145 = T13 * v95 - T23 * v123
+        v146 = T13 * v97 - T23 * v126
+        v147 = T13 * v98 - T23 * v127
+        v148 = v133 * v133 + v106 * v106
+        v149 = v134 * v134 + v107 * v107
+        v150 = (
+            v108 + v101 * v110 + v111 * v115 + (v135 + v130 * v137 + v138 * v141) + (math.sqrt(v148
+            + v142 * v142) + math.sqrt(v144 * v144 + v146 * v146))
         )
-        v145 = (
-            v103 + v97 * v104 + v106 * v109 + (v130 + v125 * v131 + v133 * v135) + (math.sqrt(v143 +
-            v137 * v137) + math.sqrt(v139 * v139 + v141 * v141))
+        v151 = (
+            v109 + v102 * v110 + v112 * v115 + (v136 + v131 * v137 + v139 * v141) + (math.sqrt(v149
+            + v143 * v143) + math.sqrt(v145 * v145 + v147 * v147))
         )
-        v146 = abs(factor2)
-        v147 = factor2 * (factor2 * v49)
-        v148 = factor2 * (factor2 * v51)
-        v149 = factor2 * (factor2 * v55)
-        v150 = v146 * (near2 * v146)
-        v151 = v150 + (v150 + (abs(v149) + (abs(v147) + abs(v148)))) * (v56 / (v62 - v56))
-        v152 = near_m3 * v49
-        v153 = near_m3 * v51
-        v154 = near_m3 * v55
-        v155 = near4 / w3
-        v156 = v57 * v155
-        v157 = v58 * v155
-        v158 = v59 * v155
-        v159 = v61 * v155
-        v160 = v159 * v159 / w3
-        v161 = v160 + (v160 + v60 * abs(v155))
-        v162 = v161 + math.sqrt(v156 * v156 + v157 * v157 + v158 * v158)
-        v163 = near_m5 * v156
-        v164 = v152 + v163
-        v165 = v152 - v163
-        v166 = near_m5 * v157
-        v167 = v153 + v166
-        v168 = v153 - v166
-        v169 = near_m5 * v158
-        v170 = v154 + v169
-        v171 = v154 - v169
-        v172 = near6 + near_m5 * v161
-        v173 = v22 * v156
-        v174 = v22 * v157
-        v175 = w3 * h1 + v22 * v158
-        v176 = near_m7 * v49
-        v177 = near_m7 * v51
-        v178 = near_m7 * v55
-        v179 = w1 * v178
-        v180 = w1 * v176
-        v181 = v180 + X1_2 * v76
-        v182 = -X1_2 * v76 - v180
-        v183 = w1 * v177
-        v184 = v183 + X1_2 * v77
-        v185 = -X1_2 * v77 - v183
-        v186 = near7 + math.sqrt(v176 * v176 + v177 * v177 + v178 * v178)
-        v187 = v173 + v181
-        v188 = v181 - v173
-        v189 = v173 + v182
-        v190 = v182 - v173
-        v191 = v174 + v184
-        v192 = v184 - v174
-        v193 = v174 + v185
-        v194 = v185 - v174
-        v195 = v175 + v179
-        v196 = v179 - v175
-        v197 = v161 * abs(v22) + v162 * h1 + (near7 * v86 + v80 * abs(X1_2) + v87 * v186)
-        v198 = abs(c3_p)
-        v199 = abs(c3_m)
-        v200 = abs(C2_pp)
-        v201 = abs(C2_pm)
-        v202 = abs(C2_mp)
-        v203 = abs(C2_mm)
-        v204 = v172 + math.sqrt(v164 * v164 + v167 * v167 + v170 * v170)
-        v205 = v172 + math.sqrt(v165 * v165 + v168 * v168 + v171 * v171)
-        v206 = v195 * v195
-        v207 = v197 + math.sqrt(v187 * v187 + v191 * v191 + v206)
-        v208 = v197 + math.sqrt(v188 * v188 + v192 * v192 + v196 * v196)
-        v209 = v197 + math.sqrt(v189 * v189 + v193 * v193 + -v196 * -v196)
-        v210 = v197 + math.sqrt(v206 + (v190 * v190 + v194 * v194))
-        v211 = near_m5 * v49
-        v212 = near_m5 * v51
-        v213 = near_m5 * v55
-        v214 = near_m3 * v156
-        v215 = v211 - v214
-        v216 = v211 + v214
-        v217 = near_m3 * v157
-        v218 = v212 - v217
-        v219 = v212 + v217
-        v220 = near_m3 * v158
-        v221 = v213 - v220
-        v222 = v213 + v220
-        v223 = near8 + near_m3 * v161
-        v224 = T34 * v176
-        v225 = T34 * v177
-        v226 = T34 * v178 + near_length * X1_2
-        v227 = near_m7 * v76
-        v228 = near_m7 * v77
-        v229 = near_m7 * v80
-        v230 = w3 * v227 + v20 * v156
-        v231 = v224 - v230
-        v232 = v224 + v230
-        v233 = w3 * v228 + v20 * v157
-        v234 = v225 - v233
-        v235 = v225 + v233
-        v236 = v20 * v158
-        v237 = v226 - v236
-        v238 = v226 + v236
-        v239 = (
-            near7 * abs(T34) + near_length * v186 + (abs(w3) * v229 + v161 * abs(v20) + v162 * (v229
-            + math.sqrt(v227 * v227 + v228 * v228)))
+        v152 = abs(factor2)
+        v153 = factor2 * (factor2 * v50)
+        v154 = factor2 * (factor2 * v53)
+        v155 = factor2 * (factor2 * v58)
+        v156 = v152 * (v59 * v152)
+        v157 = v156 + (v156 + (abs(v155) + (abs(v153) + abs(v154)))) * (v60 / (v66 - v60))
+        v158 = near_m3 * v50
+        v159 = near_m3 * v53
+        v160 = near_m3 * v58
+        v161 = near1 / w3
+        v162 = v61 * v161
+        v163 = v62 * v161
+        v164 = v63 * v161
+        v165 = v65 * v161
+        v166 = v165 * v165 / w3
+        v167 = v166 + (v166 + v64 * abs(v161))
+        v168 = v167 + math.sqrt(v162 * v162 + v163 * v163 + v164 * v164)
+        v169 = near_m5 * v162
+        v170 = v158 + v169
+        v171 = v158 - v169
+        v172 = near_m5 * v163
+        v173 = v159 + v172
+        v174 = v159 - v172
+        v175 = near_m5 * v164
+        v176 = v160 + v175
+        v177 = v160 - v175
+        v178 = near_m3 * v59 + near_m5 * v167
+        v179 = near_m7 * given2
+        v180 = v22 * v162
+        v181 = v22 * v163
+        v182 = w3 * v179 + v22 * v164
+        v183 = near_m7 * v50
+        v184 = near_m7 * v53
+        v185 = near_m7 * v58
+        v186 = near_m7 * v59
+        v187 = w1 * v185
+        v188 = w1 * v183
+        v189 = v188 + X1_2 * v81
+        v190 = -X1_2 * v81 - v188
+        v191 = w1 * v184
+        v192 = v191 + X1_2 * v82
+        v193 = -X1_2 * v82 - v191
+        v194 = v186 + math.sqrt(v183 * v183 + v184 * v184 + v185 * v185)
+        v195 = v180 + v189
+        v196 = v189 - v180
+        v197 = v180 + v190
+        v198 = v190 - v180
+        v199 = v181 + v192
+        v200 = v192 - v181
+        v201 = v181 + v193
+        v202 = v193 - v181
+        v203 = v182 + v187
+        v204 = v187 - v182
+        v205 = v167 * abs(v22) + v168 * abs(v179) + (v91 * v186 + v85 * abs(X1_2) + v92 * v194)
+        v206 = abs(c3_p)
+        v207 = abs(c3_m)
+        v208 = abs(C2_pp)
+        v209 = abs(C2_pm)
+        v210 = abs(C2_mp)
+        v211 = abs(C2_mm)
+        v212 = v178 + math.sqrt(v170 * v170 + v173 * v173 + v176 * v176)
+        v213 = v178 + math.sqrt(v171 * v171 + v174 * v174 + v177 * v177)
+        v214 = v203 * v203
+        v215 = v205 + math.sqrt(v195 * v195 + v199 * v199 + v214)
+        v216 = v205 + math.sqrt(v196 * v196 + v200 * v200 + v204 * v204)
+        v217 = v205 + math.sqrt(v197 * v197 + v201 * v201 + -v204 * -v204)
+        v218 = v205 + math.sqrt(v214 + (v198 * v198 + v202 * v202))
+        v219 = near_m5 * v50
+        v220 = near_m5 * v53
+        v221 = near_m5 * v58
+        v222 = near_m3 * v162
+        v223 = v219 - v222
+        v224 = v219 + v222
+        v225 = near_m3 * v163
+        v226 = v220 - v225
+        v227 = v220 + v225
+        v228 = near_m3 * v164
+        v229 = v221 - v228
+        v230 = v221 + v228
+        v231 = near_m5 * v59 + near_m3 * v167
+        v232 = T34 * v183
+        v233 = T34 * v184
+        v234 = T34 * v185 + X1_2 * given2
+        v235 = near_m7 * v81
+        v236 = near_m7 * v82
+        v237 = near_m7 * v85
+        v238 = w3 * v235 + v20 * v162
+        v239 = v232 - v238
+        v240 = v232 + v238
+        v241 = w3 * v236 + v20 * v163
+        v242 = v233 - v241
+        v243 = v233 + v241
+        v244 = v20 * v164
+        v245 = v234 - v244
+        v246 = v234 + v244
+        v247 = (
+            v186 * abs(T34) + v49 * v194 + (abs(w3) * v237 + v167 * abs(v20) + v168 * (v237 +
+            math.sqrt(v235 * v235 + v236 * v236)))
         )
-        v240 = abs(s3_p)
-        v241 = abs(s3_m)
-        v242 = abs(S2_pp)
-        v243 = abs(S2_pm)
-        v244 = v223 + math.sqrt(v215 * v215 + v218 * v218 + v221 * v221)
-        v245 = v223 + math.sqrt(v216 * v216 + v219 * v219 + v222 * v222)
-        v246 = v239 + math.sqrt(v231 * v231 + v234 * v234 + v237 * v237)
-        v247 = v239 + math.sqrt(v232 * v232 + v235 * v235 + v238 * v238)
-        v248 = c3_p * v187 - C2_pp * v164 - (s3_p * v231 + S2_pp * v215)
-        v249 = c3_m * v188 - C2_pm * v165 - (s3_m * v232 + S2_pm * v216)
-        v250 = c3_p * v189 - C2_mp * v164 - (s3_p * v232 + S2_pm * v215)
-        v251 = c3_m * v190 - C2_mm * v165 - (s3_m * v231 + S2_pp * v216)
-        v252 = c3_p * v191 - C2_pp * v167 - (s3_p * v234 + S2_pp * v218)
-        v253 = c3_m * v192 - C2_pm * v168 - (s3_m * v235 + S2_pm * v219)
-        v254 = c3_p * v193 - C2_mp * v167 - (s3_p * v235 + S2_pm * v218)
-        v255 = c3_m * v194 - C2_mm * v168 - (s3_m * v234 + S2_pp * v219)
-        v256 = c3_p * v195 - C2_pp * v170 - (s3_p * v237 + S2_pp * v221)
-        v257 = c3_m * v196 - C2_pm * v171 - (s3_m * v238 + S2_pm * v222)
-        v258 = c3_p * -v196 - C2_mp * v170 - (s3_p * v238 + S2_pm * v221)
-        v259 = c3_m * v195 + C2_mm * v171 + (s3_m * v237 + S2_pp * v222)
-        v260 = v197 * v198
-        v261 = v239 * v240
-        v262 = v223 * v242
-        v263 = v260 + v172 * v200 + v204 * v207 + (v261 + v262 + v244 * v246)
-        v264 = v197 * v199
-        v265 = v239 * v241
-        v266 = v223 * v243
-        v267 = v264 + v172 * v201 + v205 * v208 + (v265 + v266 + v245 * v247)
-        v268 = v260 + v172 * v202 + v204 * v209 + (v261 + v266 + v244 * v247)
-        v269 = v264 + v172 * v203 + v205 * v210 + (v262 + v265 + v245 * v246)
-        v270 = s1_p * v126 - c1_p * v99
-        v271 = s1_m * v126 + v6 * v99
-        v272 = T13 * v116 + T23 * v89
-        v273 = T13 * v117 + T23 * v90
-        v274 = T13 * v120 + T23 * v92
-        v275 = T13 * v121 + T23 * v93
-        v276 = v129 + v104 * v124 + v109 * v132 + (v102 + v96 * v131 + v105 * v135)
-        v277 = v130 + v104 * v125 + v109 * v133 + (v103 + v97 * v131 + v106 * v135)
-        v278 = c23_pp * v270
-        v279 = c23_pm * v270
-        v280 = c23_mp * v271
-        v281 = c23_mm * v271
-        v282 = abs(v26)
-        v283 = abs(v27)
-        v284 = v276 + (math.sqrt(v142 + v270 * v270) + math.sqrt(v272 * v272 + v274 * v274))
-        v285 = v277 + (math.sqrt(v143 + v271 * v271) + math.sqrt(v273 * v273 + v275 * v275))
-        v286 = c3_p * v231 - S2_pp * v164 + (s3_p * v187 + C2_pp * v215)
-        v287 = c3_m * v232 - S2_pm * v165 + (s3_m * v188 + C2_pm * v216)
-        v288 = c3_p * v232 - S2_pm * v164 + (s3_p * v189 + C2_mp * v215)
-        v289 = c3_m * v231 - S2_pp * v165 + (s3_m * v190 + C2_mm * v216)
-        v290 = c3_p * v234 - S2_pp * v167 + (s3_p * v191 + C2_pp * v218)
-        v291 = c3_m * v235 - S2_pm * v168 + (s3_m * v192 + C2_pm * v219)
-        v292 = c3_p * v235 - S2_pm * v167 + (s3_p * v193 + C2_mp * v218)
-        v293 = c3_m * v234 - S2_pp * v168 + (s3_m * v194 + C2_mm * v219)
-        v294 = c3_p * v237 - S2_pp * v170 + (s3_p * v195 + C2_pp * v221)
-        v295 = c3_m * v238 - S2_pm * v171 + (s3_m * v196 + C2_pm * v222)
-        v296 = c3_p * v238 - S2_pm * v170 + (s3_p * -v196 + C2_mp * v221)
-        v297 = c3_m * v237 - S2_pp * v171 + (C2_mm * v222 - s3_m * v195)
-        v298 = v198 * v239
-        v299 = v172 * v242
-        v300 = v197 * v240
-        v301 = v298 + v299 + v204 * v246 + (v300 + v200 * v223 + v207 * v244)
-        v302 = v199 * v239
-        v303 = v172 * v243
-        v304 = v197 * v241
-        v305 = v302 + v303 + v205 * v247 + (v304 + v201 * v223 + v208 * v245)
-        v306 = v298 + v303 + v204 * v247 + (v300 + v202 * v223 + v209 * v244)
-        v307 = v299 + v302 + v205 * v246 + (v304 + v203 * v223 + v210 * v245)
-        v308 = abs(T33)
-        v309 = near5 + math.sqrt(v108 + v134)
-        v310 = s23_pp * v99 - c23_pp * v100
-        v311 = s23_pm * v99 - c23_pm * v100
-        v312 = s23_mp * v99 - c23_mp * v101
-        v313 = s23_mm * v99 - c23_mm * v101
-        v314 = c23_pp * v127 - s23_pp * v126
-        v315 = c23_pm * v127 - s23_pm * v126
-        v316 = c23_mp * v128 + s23_mp * v126
-        v317 = c23_mm * v128 + s23_mm * v126
-        v318 = c23_pp * v272 + v26 * v248 + T33 * v286
-        v319 = c23_pm * v272 + v26 * v249 + T33 * v287
-        v320 = c23_mp * v273 + v27 * v250 + T33 * v288
-        v321 = c23_mm * v273 + v27 * v251 + T33 * v289
-        v322 = c23_pp * v274 + v26 * v252 + T33 * v290
-        v323 = c23_pm * v274 + v26 * v253 + T33 * v291
-        v324 = c23_mp * v275 + v27 * v254 + T33 * v292
-        v325 = c23_mm * v275 + v27 * v255 + T33 * v293
-        v326 = v26 * v256 + T33 * v294
-        v327 = v26 * v257 + T33 * v295
-        v328 = v27 * v258 + T33 * v296
-        v329 = T33 * v297 - v27 * v259
-        v330 = (
-            v276 * abs(c23_pp) + v263 * v282 + v284 * (v263 + math.sqrt(v248 * v248 + v252 * v252 +
-            v256 * v256)) + (near5 * abs(s23_pp) + v301 * v308 + v309 * (v301 + math.sqrt(v286 *
-            v286 + v290 * v290 + v294 * v294)))
+        v248 = abs(s3_p)
+        v249 = abs(s3_m)
+        v250 = abs(S2_pp)
+        v251 = abs(S2_pm)
+        v252 = v231 + math.sqrt(v223 * v223 + v226 * v226 + v229 * v229)
+        v253 = v231 + math.sqrt(v224 * v224 + v227 * v227 + v230 * v230)
+        v254 = v247 + math.sqrt(v239 * v239 + v242 * v242 + v245 * v245)
+        v255 = v247 + math.sqrt(v240 * v240 + v243 * v243 + v246 * v246)
+        v256 = c3_p * v195 - C2_pp * v170 - (s3_p * v239 + S2_pp * v223)
+        v257 = c3_m * v196 - C2_pm * v171 - (s3_m * v240 + S2_pm * v224)
+        v258 = c3_p * v197 - C2_mp * v170 - (s3_p * v240 + S2_pm * v223)
+        v259 = c3_m * v198 - C2_mm * v171 - (s3_m * v239 + S2_pp * v224)
+        v260 = c3_p * v199 - C2_pp * v173 - (s3_p * v242 + S2_pp * v226)
+        v261 = c3_m * v200 - C2_pm * v174 - (s3_m * v243 + S2_pm * v227)
+        v262 = c3_p * v201 - C2_mp * v173 - (s3_p * v243 + S2_pm * v226)
+        v263 = c3_m * v202 - C2_mm * v174 - (s3_m * v242 + S2_pp * v227)
+        v264 = c3_p * v203 - C2_pp * v176 - (s3_p * v245 + S2_pp * v229)
+        v265 = c3_m * v204 - C2_pm * v177 - (s3_m * v246 + S2_pm * v230)
+        v266 = c3_p * -v204 - C2_mp * v176 - (s3_p * v246 + S2_pm * v229)
+        v267 = c3_m * v203 + C2_mm * v177 + (s3_m * v245 + S2_pp * v230)
+        v268 = v205 * v206
+        v269 = v247 * v248
+        v270 = v231 * v250
+        v271 = v268 + v178 * v208 + v212 * v215 + (v269 + v270 + v252 * v254)
+        v272 = v205 * v207
+        v273 = v247 * v249
+        v274 = v231 * v251
+        v275 = v272 + v178 * v209 + v213 * v216 + (v273 + v274 + v253 * v255)
+        v276 = v268 + v178 * v210 + v212 * v217 + (v269 + v274 + v252 * v255)
+        v277 = v272 + v178 * v211 + v213 * v218 + (v270 + v273 + v253 * v254)
+        v278 = s1_p * v132 - c1_p * v104
+        v279 = s1_m * v132 + v6 * v104
+        v280 = T13 * v122 + T23 * v94
+        v281 = T13 * v123 + T23 * v95
+        v282 = T13 * v126 + T23 * v97
+        v283 = T13 * v127 + T23 * v98
+        v284 = v135 + v110 * v130 + v115 * v138 + (v108 + v101 * v137 + v111 * v141)
+        v285 = v136 + v110 * v131 + v115 * v139 + (v109 + v102 * v137 + v112 * v141)
+        v286 = c23_pp * v278
+        v287 = c23_pm * v278
+        v288 = c23_mp * v279
+        v289 = c23_mm * v279
+        v290 = abs(v26)
+        v291 = abs(v27)
+        v292 = v284 + (math.sqrt(v148 + v278 * v278) + math.sqrt(v280 * v280 + v282 * v282))
+        v293 = v285 + (math.sqrt(v149 + v279 * v279) + math.sqrt(v281 * v281 + v283 * v283))
+        v294 = c3_p * v239 - S2_pp * v170 + (s3_p * v195 + C2_pp * v223)
+        v295 = c3_m * v240 - S2_pm * v171 + (s3_m * v196 + C2_pm * v224)
+        v296 = c3_p * v240 - S2_pm * v170 + (s3_p * v197 + C2_mp * v223)
+        v297 = c3_m * v239 - S2_pp * v171 + (s3_m * v198 + C2_mm * v224)
+        v298 = c3_p * v242 - S2_pp * v173 + (s3_p * v199 + C2_pp * v226)
+        v299 = c3_m * v243 - S2_pm * v174 + (s3_m * v200 + C2_pm * v227)
+        v300 = c3_p * v243 - S2_pm * v173 + (s3_p * v201 + C2_mp * v226)
+        v301 = c3_m * v242 - S2_pp * v174 + (s3_m * v202 + C2_mm * v227)
+        v302 = c3_p * v245 - S2_pp * v176 + (s3_p * v203 + C2_pp * v229)
+        v303 = c3_m * v246 - S2_pm * v177 + (s3_m * v204 + C2_pm * v230)
+        v304 = c3_p * v246 - S2_pm * v176 + (s3_p * -v204 + C2_mp * v229)
+        v305 = c3_m * v245 - S2_pp * v177 + (C2_mm * v230 - s3_m * v203)
+        v306 = v206 * v247
+        v307 = v178 * v250
+        v308 = v205 * v248
+        v309 = v306 + v307 + v212 * v254 + (v308 + v208 * v231 + v215 * v252)
+        v310 = v207 * v247
+        v311 = v178 * v251
+        v312 = v205 * v249
+        v313 = v310 + v311 + v213 * v255 + (v312 + v209 * v231 + v216 * v253)
+        v314 = v306 + v311 + v212 * v255 + (v308 + v210 * v231 + v217 * v252)
+        v315 = v307 + v310 + v213 * v254 + (v312 + v211 * v231 + v218 * v253)
+        v316 = abs(T33)
+        v317 = v105 + math.sqrt(v114 + v140)
+        v318 = s23_pp * v104 - c23_pp * v106
+        v319 = s23_pm * v104 - c23_pm * v106
+        v320 = s23_mp * v104 - c23_mp * v107
+        v321 = s23_mm * v104 - c23_mm * v107
+        v322 = c23_pp * v133 - s23_pp * v132
+        v323 = c23_pm * v133 - s23_pm * v132
+        v324 = c23_mp * v134 + s23_mp * v132
+        v325 = c23_mm * v134 + s23_mm * v132
+        v326 = c23_pp * v280 + v26 * v256 + T33 * v294
+        v327 = c23_pm * v280 + v26 * v257 + T33 * v295
+        v328 = c23_mp * v281 + v27 * v258 + T33 * v296
+        v329 = c23_mm * v281 + v27 * v259 + T33 * v297
+        v330 = c23_pp * v282 + v26 * v260 + T33 * v298
+        v331 = c23_pm * v282 + v26 * v261 + T33 * v299
+        v332 = c23_mp * v283 + v27 * v262 + T33 * v300
+        v333 = c23_mm * v283 + v27 * v263 + T33 * v301
+        v334 = v26 * v264 + T33 * v302
+        v335 = v26 * v265 + T33 * v303
+        v336 = v27 * v266 + T33 * v304
+        v337 = T33 * v305 - v27 * v267
+        v338 = (
+            v284 * abs(c23_pp) + v271 * v290 + v292 * (v271 + math.sqrt(v256 * v256 + v260 * v260 +
+            v264 * v264)) + (v105 * abs(s23_pp) + v309 * v316 + v317 * (v309 + math.sqrt(v294 * v294
+            + v298 * v298 + v302 * v302)))
         )
-        v331 = (
-            v276 * abs(c23_pm) + v267 * v282 + v284 * (v267 + math.sqrt(v249 * v249 + v253 * v253 +
-            v257 * v257)) + (near5 * abs(s23_pm) + v305 * v308 + v309 * (v305 + math.sqrt(v287 *
-            v287 + v291 * v291 + v295 * v295)))
+        v339 = (
+            v284 * abs(c23_pm) + v275 * v290 + v292 * (v275 + math.sqrt(v257 * v257 + v261 * v261 +
+            v265 * v265)) + (v105 * abs(s23_pm) + v313 * v316 + v317 * (v313 + math.sqrt(v295 * v295
+            + v299 * v299 + v303 * v303)))
         )
-        v332 = (
-            v277 * abs(c23_mp) + v268 * v283 + v285 * (v268 + math.sqrt(v250 * v250 + v254 * v254 +
-            v258 * v258)) + (near5 * abs(s23_mp) + v306 * v308 + v309 * (v306 + math.sqrt(v288 *
-            v288 + v292 * v292 + v296 * v296)))
+        v340 = (
+            v285 * abs(c23_mp) + v276 * v291 + v293 * (v276 + math.sqrt(v258 * v258 + v262 * v262 +
+            v266 * v266)) + (v105 * abs(s23_mp) + v314 * v316 + v317 * (v314 + math.sqrt(v296 * v296
+            + v300 * v300 + v304 * v304)))
         )
-        v333 = (
-            v277 * abs(c23_mm) + v269 * v283 + v285 * (v269 + math.sqrt(v251 * v251 + v255 * v255 +
-            v259 * v259)) + (near5 * abs(s23_mm) + v307 * v308 + v309 * (v307 + math.sqrt(v289 *
-            v289 + v293 * v293 + v297 * v297)))
+        v341 = (
+            v285 * abs(c23_mm) + v277 * v291 + v293 * (v277 + math.sqrt(v259 * v259 + v263 * v263 +
+            v267 * v267)) + (v105 * abs(s23_mm) + v315 * v316 + v317 * (v315 + math.sqrt(v297 * v297
+            + v301 * v301 + v305 * v305)))
         )
-        v334 = factor2 * v310
-        v335 = factor2 * v311
-        v336 = factor2 * v312
-        v337 = factor2 * v313
-        v338 = factor2 * v314
-        v339 = factor2 * v315
-        v340 = factor2 * v316
-        v341 = factor2 * v317
-        v342 = factor2 * v278
-        v343 = factor2 * v279
-        v344 = factor2 * v280
-        v345 = factor2 * v281
-        v346 = v151 + math.sqrt(v147 * v147 + v148 * v148 + v149 * v149)
-        v347 = factor2 * v318 - c4_pp * v147
-        v348 = factor2 * v319 - c4_pm * v147
-        v349 = factor2 * v320 - c4_mp * v147
-        v350 = factor2 * v321 - c4_mm * v147
-        v351 = factor2 * v322 - c4_pp * v148
-        v352 = factor2 * v323 - c4_pm * v148
-        v353 = factor2 * v324 - c4_mp * v148
-        v354 = factor2 * v325 - c4_mm * v148
-        v355 = factor2 * v326 - c4_pp * v149
-        v356 = factor2 * v327 - c4_pm * v149
-        v357 = factor2 * v328 - c4_mp * v149
-        v358 = factor2 * v329 - c4_mm * v149
-        v359 = (
-            v146 * v330 + v151 * abs(c4_pp) + v346 * (v330 + (math.sqrt(v310 * v310 + v314 * v314 +
-            v278 * v278) + math.sqrt(v318 * v318 + v322 * v322 + v326 * v326))) + (math.sqrt(v334 *
-            v334 + v338 * v338 + v342 * v342) + math.sqrt(v347 * v347 + v351 * v351 + v355 * v355))
+        v342 = factor2 * v318
+        v343 = factor2 * v319
+        v344 = factor2 * v320
+        v345 = factor2 * v321
+        v346 = factor2 * v322
+        v347 = factor2 * v323
+        v348 = factor2 * v324
+        v349 = factor2 * v325
+        v350 = factor2 * v286
+        v351 = factor2 * v287
+        v352 = factor2 * v288
+        v353 = factor2 * v289
+        v354 = v157 + math.sqrt(v153 * v153 + v154 * v154 + v155 * v155)
+        v355 = factor2 * v326 - c4_pp * v153
+        v356 = factor2 * v327 - c4_pm * v153
+        v357 = factor2 * v328 - c4_mp * v153
+        v358 = factor2 * v329 - c4_mm * v153
+        v359 = factor2 * v330 - c4_pp * v154
+        v360 = factor2 * v331 - c4_pm * v154
+        v361 = factor2 * v332 - c4_mp * v154
+        v362 = factor2 * v333 - c4_mm * v154
+        v363 = factor2 * v334 - c4_pp * v155
+        v364 = factor2 * v335 - c4_pm * v155
+        v365 = factor2 * v336 - c4_mp * v155
+        v366 = factor2 * v337 - c4_mm * v155
+        v367 = (
+            v152 * v338 + v157 * abs(c4_pp) + v354 * (v338 + (math.sqrt(v318 * v318 + v322 * v322 +
+            v286 * v286) + math.sqrt(v326 * v326 + v330 * v330 + v334 * v334))) + (math.sqrt(v342 *
+            v342 + v346 * v346 + v350 * v350) + math.sqrt(v355 * v355 + v359 * v359 + v363 * v363))
         )
-        v360 = (
-            v146 * v331 + v151 * abs(c4_pm) + v346 * (v331 + (math.sqrt(v311 * v311 + v315 * v315 +
-            v279 * v279) + math.sqrt(v319 * v319 + v323 * v323 + v327 * v327))) + (math.sqrt(v335 *
-            v335 + v339 * v339 + v343 * v343) + math.sqrt(v348 * v348 + v352 * v352 + v356 * v356))
+        v368 = (
+            v152 * v339 + v157 * abs(c4_pm) + v354 * (v339 + (math.sqrt(v319 * v319 + v323 * v323 +
+            v287 * v287) + math.sqrt(v327 * v327 + v331 * v331 + v335 * v335))) + (math.sqrt(v343 *
+            v343 + v347 * v347 + v351 * v351) + math.sqrt(v356 * v356 + v360 * v360 + v364 * v364))
         )
-        v361 = (
-            v146 * v332 + v151 * abs(c4_mp) + v346 * (v332 + (math.sqrt(v312 * v312 + v316 * v316 +
-            v280 * v280) + math.sqrt(v320 * v320 + v324 * v324 + v328 * v328))) + (math.sqrt(v336 *
-            v336 + v340 * v340 + v344 * v344) + math.sqrt(v349 * v349 + v353 * v353 + v357 * v357))
+        v369 = (
+            v152 * v340 + v157 * abs(c4_mp) + v354 * (v340 + (math.sqrt(v320 * v320 + v324 * v324 +
+            v288 * v288) + math.sqrt(v328 * v328 + v332 * v332 + v336 * v336))) + (math.sqrt(v344 *
+            v344 + v348 * v348 + v352 * v352) + math.sqrt(v357 * v357 + v361 * v361 + v365 * v365))
         )
-        v362 = (
-            v146 * v333 + v151 * abs(c4_mm) + v346 * (v333 + (math.sqrt(v313 * v313 + v317 * v317 +
-            v281 * v281) + math.sqrt(v321 * v321 + v325 * v325 + v329 * v329))) + (math.sqrt(v337 *
-            v337 + v341 * v341 + v345 * v345) + math.sqrt(v350 * v350 + v354 * v354 + v358 * v358))
+        v370 = (
+            v152 * v341 + v157 * abs(c4_mm) + v354 * (v341 + (math.sqrt(v321 * v321 + v325 * v325 +
+            v289 * v289) + math.sqrt(v329 * v329 + v333 * v333 + v337 * v337))) + (math.sqrt(v345 *
+            v345 + v349 * v349 + v353 * v353) + math.sqrt(v358 * v358 + v362 * v362 + v366 * v366))
         )
-        v363 = v144 * v144
-        v364 = v145 * v145
+        v371 = v150 * v150
+        v372 = v151 * v151
 
         # a joint is free, or branches meet
-        kept[16 * w + k] = (
-            1.0 if abs(v61 + (D3 + D3)) <= v61 or abs(v53 + (D1 + D1)) <= v53 or abs(N1) <= near1 or
-            v62 <= v56 or abs(D1) <= near_m1 or abs(v37) <= v364 + v362 * v362 or v37 <= near_m9 or
-            abs(v36) <= v364 + v361 * v361 or v36 <= near_m9 or abs(v35) <= v363 + v360 * v360 or
-            v35 <= near_m9 or abs(v34) <= v363 + v359 * v359 or abs(D3 * (near_k4 * w1)) <= near_m2
-            or v34 <= near_m9 else kept[16 * w + k]
+        kept[18 * w + k] = (
+            1.0 if abs(v65 + (D3 + D3)) <= v65 or abs(v56 + (D1 + D1)) <= v56 or abs(N1) <= v54 or
+            v66 <= v60 or abs(D1) <= near_m1 or abs(v37) <= v372 + v370 * v370 or v37 <= near_m9 or
+            abs(v36) <= v372 + v369 * v369 or v36 <= near_m9 or abs(v35) <= v371 + v368 * v368 or
+            v35 <= near_m9 or abs(v34) <= v371 + v367 * v367 or abs(D3 * (near_k4 * w1)) <= near_m2
+            or v34 <= near_m9 else kept[18 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = v1, v13, v38, v39
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = s6_pp, s6_pm, s6_mp
-        kept[24 * w + k], turns[0 * w + k], turns[1 * w + k] = s6_mm, w3, S2_pp
+        kept[19 * w + k], kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v1, v13, v38, v39
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = s6_pp, s6_pm, s6_mp
+        kept[26 * w + k], turns[0 * w + k], turns[1 * w + k] = s6_mm, w3, S2_pp
         turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = S2_pm, S2_pm, S2_pp
         turns[5 * w + k], turns[6 * w + k], turns[7 * w + k] = Y4_p, Y4_p, Y4_m
         turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = Y4_m, math.sqrt(v34), math.sqrt(v35)
@@ -1028,7 +1027,7 @@ def _formulas(kept, turns, rows, w):
         turns[39 * w + k] = Y4_m * (c23_mp * v43 + s23_mp * T32) - c4_mp * v41
         turns[40 * w + k] = Y4_m * (c23_mm * v43 + s23_mm * T32) - c4_mm * v41
         turns[41 * w + k], turns[42 * w + k] = c1_p, -v6
-    if w == 1 and kept[16] != 0.0:
+    if w == 1 and kept[18] != 0.0:
         return
     end = 24 if w == 1 else 19 * w
     # one pose's vectors are filled up: any numbers would do, but some are slow
@@ -1037,9 +1036,9 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        v1, v13, v38, v39 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        s6_pp, s6_pm, s6_mp = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
-        s6_mm, angle1, angle2 = kept[24 * w + k], turns[0 * w + k], turns[1 * w + k]
+        v1, v13, v38, v39 = kept[19 * w + k], kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        s6_pp, s6_pm, s6_mp = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        s6_mm, angle1, angle2 = kept[26 * w + k], turns[0 * w + k], turns[1 * w + k]
         angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
         angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
         angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
@@ -1102,29 +1101,73 @@ _PLACES = np.array([
     [17, 25, 10, 29, 30, 31],
 ])
 
-# What makes of a pose this arm's, before and behind it, and what its angles are more; where in rows
-# these are.
-_LEFT, _RIGHT = np.array((1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.6712591624)), np.array((-1.0, 0.0, 0.0, 9.38408e-05, -0.0, -0.999998804206049, -0.0015464755000093547, -1.8575731718540364e-06, 0.0, -0.0015464755000093547, 0.999998804206049, 0.0012011641636534413))
-_OFFSETS = np.array((0.0, -3.5450000001824906e-07, -3.141592299089793, 3.141592235789793, 3.141592653889793, 0.0))
-_ANGLES = np.ascontiguousarray(_PLACES[:, (0, 1, 2, 3, 4, 5)])
-
-
-@_HOW.merged
-def _nearby(pose, q_free):
-    """Joint values that lead to all solutions; none where one of these rows may end."""
-    kept, turns, rows = np.zeros(25), np.zeros(48), np.zeros(40)
-    _nearest.near_pose(pose, _LEFT, _RIGHT, kept)
-    _formulas(kept, turns, rows, len(kept) // 25)
-    if kept[16] != 0.0:
-        return np.empty((0, 6))
-    return _nearest.near_solutions(rows, _ANGLES, _OFFSETS)
+_solve_from_nearest, _to_nearest_rows = _nearest.of_nearest(
+    _HOW,
+    _NUMBERS,
+    _functions.Formulas(_formulas, 27, 48, _PLACES),
+    _nearest.Nearest(
+        turned=0.0063859344,
+        moved=0.0076985885,
+        left=(1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.6712591624),
+        right=(
+            -1.0, 0.0, 0.0, 9.38408e-05, -0.0, -0.999998804206049, -0.0015464755000093547,
+            -1.8575731718540364e-06, 0.0, -0.0015464755000093547, 0.999998804206049,
+            0.0012011641636534413,
+        ),
+        offsets=(
+            0.0, -3.5450000001824906e-07, -3.141592299089793, 3.141592235789793, 3.141592653889793,
+            0.0,
+        ),
+        solved=(0, 1, 2, 3, 4, 5),
+        links=(
+            (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+            (
+                1.0, -0.0, 0.0, 0.0, 0.0, 6.123233995736766e-17, -1.0, 0.0, 0.0, 1.0,
+                6.123233995736766e-17, 0.0,
+            ),
+            (
+                0.9999999999999372, 3.5450000001824165e-07, -0.0, 0.4314454936114729,
+                -3.5450000001824165e-07, 0.9999999999999372, -0.0, -1.5294742749314702e-07, 0.0,
+                0.0, 1.0, 0.0,
+            ),
+            (
+                -0.9999999999999372, 2.1706864523706184e-23, -3.545000001440309e-07,
+                0.020185839855498718, -3.545000001440309e-07, -6.123233995736381e-17,
+                0.9999999999999372, 7.15588023168213e-09, 0.0, 1.0, 6.123233995736766e-17,
+                0.14892189775631642,
+            ),
+            (
+                -0.9999999999999127, -2.558287163739808e-23, 4.1780000005242117e-07, -0.0,
+                4.1780000005242117e-07, -6.123233995736231e-17, 0.9999999999999127, 0.0, 0.0, 1.0,
+                6.123233995736766e-17, 0.4326956882369999,
+            ),
+            (
+                -1.0, 1.8369696008327342e-26, -2.9999990235743137e-10, -0.0,
+                -2.9999990235743137e-10, -6.123233995736766e-17, 1.0, -0.0, 0.0, 1.0,
+                6.123233995736766e-17, 0.0,
+            ),
+            (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+        ),
+        angles=(
+            (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0004277699642),
+            (0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0006617156617),
+            (0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -0.0018179220006),
+            (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 8.90468712e-05),
+            (0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0009695294734),
+            (0.0, 0.0, 0.0, 0.0, 0.0, 1.0, -0.0022050175347),
+        ),
+    ),
+    0,
+)
 
 
 @_HOW.apart(_arms.SOLVES)
 def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    nearby = _nearby(pose, q_free) if _COMPILED else _NONE_NEAR
-    _all_joints(_NUMBERS, pose, _NO_FREE, seed, nearby, q, status)
+    if _solve_from_nearest(pose, _NO_FREE, q, status):
+        return
+    _all_joints(_NUMBERS, pose, _NO_FREE, seed, q, status)
+    _to_nearest_rows(_NO_FREE, q, status)
 
 
 _CALLS = _functions.of_robot(

@@ -54,8 +54,14 @@ const double ur5e_fleet_nominal[6][4] = {
 
 #ifndef __CUDACC_RTC__
 const char *const ur5e_fleet_branches[16] = {
+#ifdef UR5E_FLEET_PLAIN
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
     "root11", "root12", "root13", "root14", "root15", "root16",
+#else
+    "right-noflip-down", "right-noflip-up", "right-flip-down", "right-flip-up", "left-noflip-up",
+    "left-noflip-down", "left-flip-up", "left-flip-down", "further1", "further2", "further3",
+    "further4", "further5", "further6", "further7", "further8",
+#endif
 };
 #endif
 

@@ -109,10 +109,11 @@ DHGEN_PUBLIC void ur5e_fleet_jacobian(const ur5e_fleet_calibration *arm, const d
 DHGEN_PUBLIC void ur5e_fleet_joint_velocities(const ur5e_fleet_calibration *arm, const double q[6],
     const double twist[6], double velocities[6]);
 
-/* All solutions, in the order of the first joint, then the second and so on. (Where the nominal
- * arm's lead to them it is not proven that no second one is near one of these.) q_seed gives the
- * values of joints that are indeterminate at this pose (NULL: zeros). Returns how many rows are OK
- * or FREE_JOINT, or -UR5E_FLEET_INVALID_POSE, also for a seed that is not finite. */
+/* All solutions, each in the row of the nominal arm that has its posture, or behind these: of
+ * several solutions with one posture the first by ascending joint values has its row. (Where the
+ * nominal arm's lead to them it is not proven that no second one is near one of these.) q_seed
+ * gives the values of joints that are indeterminate at this pose (NULL: zeros). Returns how many
+ * rows are OK or FREE_JOINT, or -UR5E_FLEET_INVALID_POSE, also for a seed that is not finite. */
 DHGEN_PUBLIC int ur5e_fleet_ik(const ur5e_fleet_calibration *arm, const double T[16], const double
     *q_seed, double q[16][6], unsigned char status[16]);
 

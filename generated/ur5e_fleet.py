@@ -45,8 +45,9 @@ JOINT_LIMITS = (
     (-6.283185307179586, 6.283185307179586),
 )
 BRANCHES = (
-    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
-    "root11", "root12", "root13", "root14", "root15", "root16",
+    "right-noflip-down", "right-noflip-up", "right-flip-down", "right-flip-up", "left-noflip-up",
+    "left-noflip-down", "left-flip-up", "left-flip-down", "further1", "further2", "further3",
+    "further4", "further5", "further6", "further7", "further8",
 )
 MAX_SOLUTIONS = 16
 

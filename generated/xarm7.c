@@ -239,7 +239,7 @@ DHGEN_FN void solve(
     unsigned char *status)
 {
     (void)moved;
-    dhgen_general_rows(&general, &descents, T, free_joints, seed, NULL, 0, rows, status);
+    dhgen_general_rows(&general, &descents, T, free_joints, seed, rows, status);
 }
 
 DHGEN_TABLE int given_joints[1] = { 2 };

@@ -81,9 +81,10 @@ def _whole(kernel: GeneralKernel | NumericalKernel, story: Story) -> list[str]:
         degree = 2 * kernel.degree  # the latter counts cosines and sines
         joint = joint_symbol(kernel, kernel.first.joints[0]).text
         hidden = joint if kernel.hides_a_slide else f"tan({joint}/2)"
+        rows = "ascending joint values" if story.nominal is None else "posture"
         return [
             f"no closed form: the {kernel.method} algorithm, up to {kernel.rows} solutions",
-            f"a polynomial of degree {degree} in {hidden}; rows by ascending joint values",
+            f"a polynomial of degree {degree} in {hidden}; rows by {rows}",
             *missed_structure(story.algebra.chain),
             *_nearest(story),
             *(task_remarks(story.algebra.chain) if kernel.checked else []),

@@ -95,9 +95,7 @@ def _solved(
         plain("general.rows").any_turn(T[:3].copy(), flat)
     places = plain("general.candidates").PLACES
     loops, missing = np.empty((places, 6)), np.empty(places)
-    count = plain("general.search").solve_loop(
-        numbers, flat, given.copy(), np.empty((0, 6)), loops, missing
-    )
+    count = plain("general.search").solve_loop(numbers, flat, given.copy(), loops, missing)
     certified = count > 0 and not (status == FREE_JOINT).any()
     found = _polynomial(kernel, numbers, flat, given) if certified else None
     if found is None:

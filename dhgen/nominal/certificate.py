@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from dhgen.arrays import FloatArray
-    from dhgen.nominal.deviation import Deviation
     from dhgen.program.building.graph import Entry, Node
     from dhgen.program.ir import Expression, NamedConstant
 
@@ -44,15 +43,13 @@ POSES = 500  # by which what may be negative is told from what is not
 NEGATIVE = 1e-6  # times the largest value: less is rounding
 
 
-def certified(
-    solver: Regular, deviation: Deviation | None, names: frozenset[str]
-) -> Regular | None:
+def certified(solver: Regular, given: int, names: frozenset[str]) -> Regular | None:
     """The program, left where a branch may end within the deviation of a pose.
 
     Args:
         solver: The regular program of the nearest arm, without limits.
-        deviation: How far its tool may be from that of the arm; None where the caller says so, by
-            an angle and a length as the first and second value that it gives.
+        given: How many values the caller gives. Behind them come two numbers: by how much its tool
+            may be turned to that of the arm, and how far it may be away.
         names: Of the arm's own numbers, which stand beside those of the nearest arm.
 
     Returns:
@@ -61,7 +58,7 @@ def certified(
     if solver.fits or solver.outside is not None:
         return None
     try:
-        return _Certificate(solver, deviation, names).run()
+        return _Certificate(solver, given, names).run()
     except NoBoundError:
         return None
 
@@ -75,13 +72,14 @@ def _beginning(names: frozenset[str]) -> str:
 
 
 class _Certificate:
-    def __init__(self, solver: Regular, deviation: Deviation | None, names: frozenset[str]) -> None:
+    def __init__(self, solver: Regular, given: int, names: frozenset[str]) -> None:
         self._solver = solver
         self._word = word = _beginning(names)
         known = solver.program.reserved
         kept = replace(known, values=known.values | names, constants=known.constants | names)
         self._builder = Builder(kept, word)
-        self._bounds = Bounds(self._builder, *self._ball(deviation))
+        turned, moved = self._builder.given(given + 1), self._builder.given(given + 2)
+        self._bounds = Bounds(self._builder, turned, moved)
         self._values: dict[str, Node] = {}
 
     def run(self) -> Regular:
@@ -109,18 +107,6 @@ class _Certificate:
         finished = builder.finish(program.name, results, [])
         count = len(joints)
         return Regular(finished, finished.outputs[:count], None, None, finished.outputs[count:], ())
-
-    def _ball(self, deviation: Deviation | None) -> tuple[Node, Node]:
-        """By how much the two arms' tools are turned and moved at most."""
-        builder, word = self._builder, self._word
-        if deviation is None:
-            return builder.given(1), builder.given(2)
-        angle, length = deviation.angle, deviation.length
-        told = "the two arms' tools are turned by no more"
-        return (
-            builder.constant(f"{word}_angle", angle, told, 0),
-            builder.constant(f"{word}_length", length, "and no farther apart", 1),
-        )
 
     def _constant(self, constant: NamedConstant, names: str) -> Node:
         """A number of the nearest arm under a name of its own, also where others are made of it."""

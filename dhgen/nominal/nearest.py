@@ -44,6 +44,12 @@ class Nearest:
     offsets: Vector
     deviation: Deviation
 
+    @property
+    def links(self) -> FloatArray:
+        """C0 ... Cn of its pose C0 Rz(angle 1) C1 ... Rz(angle n) Cn at angles of the arm's."""
+        links = self.table.links(self.table.lengths, np.array(self.offsets[1:-1]))
+        return np.array([np.eye(4), *links, np.eye(4)])
+
 
 def nearest_arm(chain: Chain) -> Nearest | None:
     """The nearest arm with a structure; None where nothing is missed by little.

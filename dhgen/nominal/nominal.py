@@ -42,6 +42,7 @@ class Nominal:
         nearest: Its numbers.
         chain: The arm of its table alone.
         solver: Its closed form.
+        branches: What its rows look like where the arm is mounted.
         regular: The same of regular poses, left where its rows may not be all of the arm's.
         certain: At which part of random poses they are.
     """
@@ -49,6 +50,7 @@ class Nominal:
     nearest: Nearest
     chain: Chain
     solver: Program
+    branches: tuple[str, ...]
     regular: Regular
     certain: float
 
@@ -74,11 +76,13 @@ def nominal_arm(chain: Chain, reserved: Reserved) -> Nominal | None:
     names = frozenset(constant.name for constant in chain.constants)
     solver = replace(lower(derivation, reserved=reserved), name=NAME)
     whole = regular(solver)
-    own = None if whole is None else certified(whole, nearest.deviation, names)
+    own = None if whole is None else certified(whole, near.given, names)
     if own is None:
         return None
     certain = _certain(chain, nearest, own)
-    return Nominal(nearest, near, solver, own, certain) if certain >= WORTH else None
+    if certain < WORTH:
+        return None
+    return Nominal(nearest, near, solver, solver.branches, own, certain)
 
 
 def _is_asked_alone(chain: Chain) -> bool:
@@ -125,6 +129,10 @@ def _certain(chain: Chain, nearest: Nearest, solver: Regular) -> float:
     """At which part of random poses no branch may end near by."""
     q = np.random.default_rng(0).uniform(-np.pi, np.pi, (POSES, chain.dof))
     poses = np.array(nearest.left) @ numeric_arm(chain).pose(q) @ np.array(nearest.right)
-    found = outputs(solver.program, poses, free=q[:, [number - 1 for number in chain.free]])
+    deviation = nearest.deviation
+    given = np.empty((POSES, len(chain.free) + 2))
+    given[:, :-2] = q[:, [number - 1 for number in chain.free]]
+    given[:, -2:] = deviation.angle, deviation.length
+    found = outputs(solver.program, poses, free=given)
     doubts = [np.any(each.reshape(POSES, -1), axis=1) for each in found[len(solver.joints) :]]
     return float(1.0 - np.mean(np.any(doubts, axis=0)))

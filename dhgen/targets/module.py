@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from dhgen.program.regular.unguarded import Regular
 
 
+FURTHER = "further"  # of rows for a second solution of a posture, and for one that has none
 FAN = 64  # values of a free joint that are tried first
 LAST = 3  # column of a pose: its translation
 
@@ -54,6 +55,7 @@ class SolverModule:
         links: The table as the robot file has it.
         plain: Whether there is no fast path for regular poses.
         nominal: The nearest arm with a structure, where its rows are tried first.
+        nearest_branches: The names of its rows, or of the nominal arm's: what rows begin with.
         owner: The parallel robot of which this is a kind of leg; empty for a robot of its own.
     """
 
@@ -74,6 +76,7 @@ class SolverModule:
     precision: Precision = DOUBLE
     plain: bool = False
     nominal: Nominal | None = None
+    nearest_branches: tuple[str, ...] = ()
     owner: str = ""
 
     @property
@@ -84,7 +87,11 @@ class SolverModule:
     @property
     def branches(self) -> tuple[str, ...]:
         """The name of every row."""
-        return self.solver.branches
+        if not self.nearest_branches:
+            return self.solver.branches
+        rows, begin = self.solver.rows, self.nearest_branches
+        further = (f"{FURTHER}{number}" for number in range(1, rows - len(begin) + 1))
+        return (*begin, *further)
 
     @property
     def programs(self) -> tuple[Program, ...]:

@@ -61,6 +61,7 @@ class Calibration(ctypes.Structure):
         ("left", LINK),
         ("right", LINK),
         ("more", ctypes.c_double * 6),
+        ("nominal", LINK * 7),
     )
 
 

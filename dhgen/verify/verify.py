@@ -155,12 +155,27 @@ class _Checker:
             if not random and not sample.near and self._repeatable:
                 self._languages.unseeded(T, q, where)
             if meant is not None:
-                self._demands.agree(
-                    rows[held], meant.q[number][held], T, "the interpreted program", where
-                )
+                expected = self._expected(meant.q[number], rows, held, where)
+                self._demands.agree(rows[held], expected, T, "the interpreted program", where)
             self.poses += 1
             self.solutions += int(solved.sum())
         self._languages.batch(sample, poses)
+
+    def _expected(
+        self, meant: FloatArray, rows: FloatArray, held: NDArray[np.bool_], where: str
+    ) -> FloatArray:
+        """What rows hold of what the program means: by posture its rows stand in other places."""
+        if self._module.nominal is None:
+            return meant[held]
+        there = meant[~np.isnan(meant).any(axis=1)]
+        if len(there) != held.sum():
+            raise VerificationError(f"{where}: {held.sum()} solutions, {len(there)} are meant")
+        misses = self._demands.measures.joint_miss
+        nearest = [
+            int(misses(np.broadcast_to(row, there.shape), there).max(axis=1).argmin())
+            for row in rows[held]
+        ]
+        return there[nearest]
 
     def _may_be_moved(self, q: FloatArray, status: NDArray[np.uint8]) -> bool:
         """Whether a free joint may have been taken from q so that limits are kept.

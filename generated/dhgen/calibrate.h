@@ -189,7 +189,8 @@ DHGEN_FN void dhgen_fit_constant(
  * far the tools may be apart: a rotation counts at the length of what is behind it. */
 DHGEN_FN void dhgen_find_nearest(const dhgen_kind *kind, dhgen_calibration *of)
 {
-    double nominal[7][12], fit[7][12], back[12], shift, length;
+    double(*const nominal)[12] = of->nominal;
+    double fit[7][12], back[12], shift, length;
     dhgen_constants_of(kind, kind->nominal, nominal);
     shift =
         nominal[1][11] - of->constant[1][11]; /* along axis 1 the base takes up what is missed */
@@ -201,6 +202,7 @@ DHGEN_FN void dhgen_find_nearest(const dhgen_kind *kind, dhgen_calibration *of)
     for (int k = 1; k < 6; k++) {
         double next;
         dhgen_fit_constant(nominal[k], of->constant[k], shift, &next, &of->more[k], fit[k]);
+        dhgen_append_turn(nominal[k], cos(of->more[k]), sin(of->more[k]));
         shift = next;
     }
     dhgen_copy_link(dhgen_identity, fit[6]);
@@ -266,7 +268,7 @@ DHGEN_FN void dhgen_no_arm(dhgen_calibration *of)
 {
     for (int i = 0; i < 12; i++) {
         for (int k = 0; k < 7; k++)
-            of->constant[k][i] = of->loop[k][i] = DHGEN_NAN;
+            of->constant[k][i] = of->loop[k][i] = of->nominal[k][i] = DHGEN_NAN;
         of->left[i] = of->right[i] = DHGEN_NAN;
     }
     for (int i = 0; i < 6; i++)

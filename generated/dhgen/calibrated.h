@@ -8,6 +8,7 @@
 
 #include "calibrate.h"
 #include "certain.h"
+#include "general/postures.h"
 #include "ik.h"
 #include "velocities.h"
 
@@ -35,10 +36,11 @@ DHGEN_FN struct dhgen_calibrated_arm dhgen_calibrated_arm_of(
     return arm;
 }
 
-/* Angles of the loop that lead to all solutions. That no other branch has one is certain, that none
- * has a second one is not proven. Returns how many; -1 where it is not certain. */
-DHGEN_FN int dhgen_near_nominal(
-    const dhgen_kind *kind, const dhgen_calibration *of, const double *T, double (*nearby)[6])
+/* Angles of the loop that lead to all solutions, and the row of each. That no other branch has one
+ * is certain, that none has a second one is not proven. Returns how many; -1 where it is not
+ * certain. */
+DHGEN_FN int dhgen_near_nominal(const dhgen_kind *kind, const dhgen_calibration *of,
+    const double *T, double (*nearby)[6], int *rows)
 {
     const double apart[2] = { of->turned, of->moved };
     double pose[16], q[DHGEN_ROWS][6];
@@ -51,7 +53,7 @@ DHGEN_FN int dhgen_near_nominal(
         if (status[row] == DHGEN_OK) {
             for (int i = 0; i < 6; i++)
                 nearby[count][i] = kind->facing[i] * q[row][i] - of->more[i];
-            count++;
+            rows[count++] = row;
         }
     return count;
 }
@@ -66,23 +68,52 @@ DHGEN_FN dhgen_general_arm dhgen_general_arm_of(const dhgen_kind *kind, const dh
     return general;
 }
 
+/* All solutions of a pose where the nominal arm's rows lead to them, and the row of each. Returns
+ * how many, or -1 where the pose has to be left to the general algorithm. */
+DHGEN_FN int dhgen_solved_from_nominal(const dhgen_kind *kind, const dhgen_calibration *of,
+    const dhgen_general_arm *general, const double *T, double (*solution)[6], int *row)
+{
+    const int count = dhgen_near_nominal(kind, of, T, solution, row);
+    if (count < 0 || !dhgen_general_correct(general, T, NULL, solution, count))
+        return -1;
+    for (int k = 0; k < count; k++)
+        for (int i = 0; i < 6; i++) {
+            solution[k][i] *= kind->facing[i];
+            if (solution[k][i] <= -DHGEN_HALF_TURN)
+                solution[k][i] = DHGEN_HALF_TURN;
+        }
+    return count;
+}
+
 /* The rows of a pose where the nominal arm's lead to all solutions. Returns how many are inside
  * limits, or -1 where the pose has to be left to the general algorithm. */
 DHGEN_FN int dhgen_certain_rows(const dhgen_kind *kind, const dhgen_calibration *of,
     const double *T, double *q, unsigned char *status)
 {
     const dhgen_general_arm general = dhgen_general_arm_of(kind, of);
-    double rows[DHGEN_ROWS][6];
-    const int count = dhgen_near_nominal(kind, of, T, rows);
-    if (count < 0 || !dhgen_general_correct(&general, T, NULL, rows, count))
-        return -1;
-    for (int k = 0; k < count; k++)
-        for (int i = 0; i < 6; i++) {
-            rows[k][i] *= kind->facing[i];
-            if (rows[k][i] <= -DHGEN_HALF_TURN)
-                rows[k][i] = DHGEN_HALF_TURN;
-        }
-    return dhgen_fill_certain(kind->arm, rows, count, q, status);
+    double solution[DHGEN_ROWS][6];
+    int row[DHGEN_ROWS];
+    const int count = dhgen_solved_from_nominal(kind, of, &general, T, solution, row);
+    return count < 0 ? -1 : dhgen_fill_certain(kind->arm, solution, row, count, q, status);
+}
+
+/* Moves rows that ascend to those of their postures. */
+DHGEN_FN void dhgen_to_nominal_rows(
+    const dhgen_kind *kind, const dhgen_calibration *of, double *q, unsigned char *status)
+{
+    const double apart[2] = { 0.0, 0.0 };
+    const int place[6] = { 0, 1, 2, 3, 4, 5 };
+    int posture[DHGEN_ROWS];
+    for (int row = 0; row < DHGEN_ROWS && status[row] != DHGEN_UNREACHABLE; row++) {
+        double angle[6], pose[16];
+        for (int i = 0; i < 6; i++)
+            angle[i] = kind->facing[i] * q[6 * row + i];
+        dhgen_pose_of_links(of->nominal, angle, 6, pose);
+        for (int i = 0; i < 6; i++)
+            angle[i] = kind->facing[i] * (angle[i] + of->more[i]);
+        posture[row] = dhgen_posture(kind->nearest, kind->nearest_rows, pose, apart, angle, place);
+    }
+    dhgen_place_rows(posture, kind->nearest_rows, q, status);
 }
 
 /* All rows of a calibrated arm, as a robot's solver fills them. */
@@ -90,12 +121,19 @@ DHGEN_FN void dhgen_calibrated_rows(const dhgen_kind *kind, const dhgen_calibrat
     const double *T, const double *seed, double *q, unsigned char *status)
 {
     const dhgen_general_arm general = dhgen_general_arm_of(kind, of);
-    double nearby[DHGEN_ROWS][6];
+    double rows[DHGEN_ROWS][6];
+    int own[DHGEN_ROWS];
     struct dhgen_calibrated_descents descents;
     descents.arm = *kind->descents;
     descents.calibration = of;
-    const int count = dhgen_near_nominal(kind, of, T, nearby);
-    dhgen_general_rows(&general, &descents.arm, T, NULL, seed, nearby, count, q, status);
+    const int count = dhgen_solved_from_nominal(kind, of, &general, T, rows, own);
+    if (count >= 0) {
+        dhgen_keep_certain(rows, own, count, q, status);
+        return;
+    }
+    dhgen_general_rows(&general, &descents.arm, T, NULL, seed, q, status);
+    if (kind->nearest)
+        dhgen_to_nominal_rows(kind, of, q, status);
 }
 
 #endif

@@ -9,7 +9,7 @@
  * circle_tables, circle_cosines, circle_sines, circle, circle_parts, circle_cells, moebius, roots
  * (of a polynomial on the circle); null_vectors, recover, refine, solutions, eliminate;
  * closed_polynomial, offset_wrist, four_turns; correct (from near all solutions to these), search,
- * rows; near (the nearest arm with a structure). */
+ * rows; postures, near (the nearest arm with a structure). */
 #ifndef DHGEN_GENERAL_H
 #define DHGEN_GENERAL_H
 
@@ -24,18 +24,15 @@ extern "C" {
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most arm->most, but that of
  * continua, where there may be any, several members are told: DHGEN_PLACES at most.
  *
- * T: row by row. q, residual: room for DHGEN_PLACES rows. nearby, nearby_count: joint values that
- * lead to all solutions, each to one, as dhgen_near_solutions has them, or none where that is not
- * known; they are corrected. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows
- * whose q1 agree to DHGEN_TIE in the order of q2, and so on, singular ones and nearly singular ones
- * last. residual: by how much the loop stays open, in radians and arm sizes. Returns how many; -1 -
- * count when it is not certain that these are all: for want of a certificate of its own (where
- * every polynomial vanishes identically there may be a continuum, which poses close by do not
- * have), or because roots met or the arm is singular at a solution, or nearly, so that steps did
- * not make it exact. */
+ * T: row by row. q, residual: room for DHGEN_PLACES rows. q: the angles, in (-pi, pi], or length,
+ * rows in the order of q1, rows whose q1 agree to DHGEN_TIE in the order of q2, and so on, singular
+ * ones and nearly singular ones last. residual: by how much the loop stays open, in radians and arm
+ * sizes. Returns how many; -1 - count when it is not certain that these are all: for want of a
+ * certificate of its own (where every polynomial vanishes identically there may be a continuum,
+ * which poses close by do not have), or because roots met or the arm is singular at a solution, or
+ * nearly, so that steps did not make it exact. */
 DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double T[16],
-    const double *free_joints, double (*nearby)[6], int nearby_count, double (*q)[6],
-    double *residual);
+    const double *free_joints, double (*q)[6], double *residual);
 
 /* Takes angles that are near solutions to these, of an arm without slides. Returns whether all are
  * exact, and no two of them near one another; if not, nothing is known of them. */
@@ -44,11 +41,10 @@ DHGEN_API int dhgen_general_correct(const dhgen_general_arm *arm, const double T
 
 /* Fills rows with all solutions, by the first joint, then by the second and so on; other rows are
  * left as they are. Where it is not certain that these are all, the seed and evenly spread starts
- * are followed, too; singular solutions out of a continuum go to the seed. nearby, nearby_count: as
- * above. */
+ * are followed, too; singular solutions out of a continuum go to the seed. */
 DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
     const struct dhgen_numerical_arm *arm, const double *T, const double *free_joints,
-    const double *seed, double (*nearby)[6], int nearby_count, double *q, unsigned char *status);
+    const double *seed, double *q, unsigned char *status);
 
 #if defined(__cplusplus) && defined(DHGEN_SHARED)
 }

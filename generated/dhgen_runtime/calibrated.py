@@ -22,6 +22,7 @@ from .calibration import (
     LOOP,
     MORE,
     MOVED,
+    NOMINAL,
     NUMBERS,
     RIGHT,
     SIZE,
@@ -39,19 +40,18 @@ from .general.places import (
     PER_SIZE,
     SIZE_OF_LOOP,
 )
-from .general.rows import all_joints
+from .general.postures import rows_filled
 from .jit import of_file
 from .numerical.arm import Arm as Descents
 from .numerical.arm import ChainJoint, Joint
 from .numerical.places import BASE, CHAIN, CHAIN_RECORD, JOINT_AFTER
-from .rigid import follow, invert, slide, take, take_from, turn
-from .status import OK
+from .rigid import follow, invert, pose_of_links, slide, take, take_from, turn
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from .arm import Arm, Pose
-    from .arrays import Bytes, Floats, Ints
+    from .arm import Arm
+    from .arrays import Floats, Ints
     from .general.arm import Formulation
 
 OWN = of_file(__file__)
@@ -82,7 +82,7 @@ LENGTH = 1  # the size of the arm
 Z, E = 2, 14  # base and tool
 COUNTED = 26  # six: how joints count
 PARALLEL, MEETING = 32, 36  # whether axes i, i + 1, i + 2 are so nominally
-NOMINAL = 40  # the table of the data sheet
+TABLE = 40  # that of the data sheet
 NUMBERS_OF_KIND = 64
 
 
@@ -126,7 +126,7 @@ def kind_numbers(kind: Kind) -> Floats:
     for first, places in ((PARALLEL, kind.parallel), (MEETING, kind.meeting)):
         for place in places:
             numbers[first + place] = 1.0
-    numbers[NOMINAL:] = np.ravel(kind.table)
+    numbers[TABLE:] = np.ravel(kind.table)
     return numbers
 
 
@@ -315,16 +315,18 @@ def find_nearest(kind: Floats, of: Floats) -> None:
     the length of what is behind it.
     """
     constant = of[CONSTANT : CONSTANT + 84].reshape(7, 12)
-    left, right = of[LEFT : LEFT + 12], of[RIGHT : RIGHT + 12]
-    nominal, fit = np.empty((7, 12)), np.empty((7, 12))
-    constants_of(kind, kind[NOMINAL:], nominal)
+    nominal = of[NOMINAL : NOMINAL + 84].reshape(7, 12)
+    left, right, fit = of[LEFT : LEFT + 12], of[RIGHT : RIGHT + 12], np.empty((7, 12))
+    constants_of(kind, kind[TABLE:], nominal)
     shift = nominal[1, 11] - constant[1, 11]  # along axis 1 the base takes up what is missed
     take(left, nominal[0])
     slide(left, shift)
     follow(left, invert(constant[0]))
     of[MORE] = 0.0
     for k in range(1, JOINTS):
-        shift, of[MORE + k] = fit_constant(nominal[k], constant[k], shift, fit[k])
+        shift, more = fit_constant(nominal[k], constant[k], shift, fit[k])
+        turn(nominal[k], math.cos(more), math.sin(more))
+        of[MORE + k] = more
     _be_identity(fit[6])
     slide(fit[6], -shift)
     follow(fit[6], nominal[6])
@@ -427,36 +429,27 @@ def calibrate(kind: Floats, table: Floats, arm: Floats) -> int:
 
 
 @inner
-def near_rows(of: Floats, filled: Floats, places: Ints) -> Floats:
-    """Returns the angles of the loop in the nominal arm's rows that hold a solution, (k, 6).
+def near_angles(of: Floats, filled: Floats, places: Ints) -> tuple[Ints, Floats]:
+    """Returns the nominal arm's rows that hold a solution, and their angles of the loop, (k, 6).
 
     Args:
         of: The numbers of the calibrated arm.
         filled: What the formulas of regular poses fill in: joints' values, then statuses.
         places: Of the joints' values of each row, (rows, 6).
     """
-    rows, count = len(places), 0
-    nearby = np.empty((rows, JOINTS))
-    for row in range(rows):
-        if filled[len(filled) - rows + row] == OK:
-            for i in range(JOINTS):
-                nearby[count, i] = of[FACING + i] * filled[places[row, i]] - of[MORE + i]
-            count += 1
-    return nearby[:count]
+    rows = rows_filled(filled, len(places))
+    nearby = np.empty((len(rows), JOINTS))
+    for k in range(len(rows)):
+        for i in range(JOINTS):
+            nearby[k, i] = of[FACING + i] * filled[places[rows[k], i]] - of[MORE + i]
+    return rows, nearby
 
 
 @inner
-def calibrated_rows(
-    arm: Floats, pose: Pose, seed: Floats, nearby: Floats, q: Floats, status: Bytes
-) -> None:
-    """Computes all rows of a calibrated arm, as a robot's solver fills them.
-
-    Args:
-        arm: Its numbers.
-        pose: The pose.
-        seed: Values for joints that are indeterminate.
-        nearby: Angles of the loop that lead to all solutions; none where that is not certain.
-        q: Is filled where a row has a solution.
-        status: Likewise.
-    """
-    all_joints(descents_of(arm), pose, np.empty(0), seed, nearby, q, status)
+def nominal_pose(of: Floats, q: Floats, values: Floats) -> Floats:
+    """Returns the nominal arm's pose at joint values of this arm; fills in its own."""
+    angles = np.empty(JOINTS)
+    for i in range(JOINTS):
+        angles[i] = of[FACING + i] * q[i]
+        values[i] = of[FACING + i] * (angles[i] + of[MORE + i])
+    return pose_of_links(of, NOMINAL, angles)

@@ -25,7 +25,8 @@ LOOP = 92  # K0 ... K4, L and R of J(q1) K0 J(q2) ... K4 J(q6) = L T R
 SIZE = 176  # the length that is one in this loop
 LEFT, RIGHT = 177, 189  # from a pose T to that of the nearest arm, left T right
 MORE = 201  # six: what angles of the nearest arm are more than those of this
-NUMBERS = 207
+NOMINAL = 207  # C0 ... C6 of the nearest arm at joint values of this
+NUMBERS = 291
 
 
 @OWN.inner

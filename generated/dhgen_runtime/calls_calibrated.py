@@ -15,29 +15,30 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .arguments import BYTE, FLOAT, array_of, demand_array, of_each, results
-from .arm import SOLVES
+from .arm import SOLVES, descents_of
 from .calibrated import (
     JOINTS,
     TAKEN,
     blank_numbers,
     calibrate,
-    calibrated_rows,
     kind_numbers,
-    near_rows,
+    near_angles,
+    nominal_pose,
 )
 from .calibration import LEFT, MOVED, NUMBERS, RIGHT, TURNED, calibration_of
 from .careful import careful_ik
 from .entry import Choice, demand_filled, poses_of, share
 from .functions import again, compilers_of
 from .general.compiled import compile_apart as compile_general
-from .general.near import near_pose
+from .general.near import fill_corrected, filled_of, near_pose
+from .general.postures import place_rows, posture_of
+from .general.rows import all_joints
 from .jit import COMPILED, overload
 from .pose import read_pose
 from .refused_tables import refusal
 from .serial import OWN as SERIAL
 from .serial import serial_jacobian, serial_pose
-from .status import INVALID_POSE
-from .tiles import ENTRIES
+from .status import INVALID_POSE, UNREACHABLE
 from .velocities import find_velocities
 
 if TYPE_CHECKING:
@@ -51,34 +52,15 @@ if TYPE_CHECKING:
     from .functions import Formulas
     from .jit import Compiling
 
-APART = 2  # numbers that formulas get besides a pose: by how much the two arms differ at most
+NONE_GIVEN = np.zeros(0)
 
 # Of the kind:
 ROWS: int
-DOUBT: int  # the place of what is not zero for poses at which a row of the nominal arm may end
-KEPT: int  # the sizes of the formulas' arrays
-TURNS: int
-FILLED: int
 places: Ints  # of the joints' values of each row, (rows, joints)
-formulas: Callable[[Floats, Floats, Floats, int], None]
+filled_at: Callable[[Floats, Floats, float, float], tuple[Floats, bool]]
 robot: Callable[[], Robot]  # its functions, by their addresses
 shapes: str  # what is said of arrays with another shape
 ALL_NUMBERS: int  # how many an arm has
-
-
-def near_nominal(arm: Floats, pose: Pose) -> Floats:
-    """Returns angles of the loop that lead to all solutions, (k, 6); none where one may end.
-
-    That no other branch has one is certain, that none has a second one is not proven.
-    """
-    of = calibration_of(arm)
-    kept, turns, rows = np.zeros(KEPT), np.zeros(TURNS), np.zeros(FILLED)
-    near_pose(pose, of[LEFT : LEFT + 12], of[RIGHT : RIGHT + 12], kept)
-    kept[ENTRIES], kept[ENTRIES + 1] = of[TURNED], of[MOVED]
-    formulas(kept, turns, rows, len(kept) // KEPT)  # a literal would be a type of its own
-    if kept[DOUBT] != 0.0:
-        return np.empty((0, JOINTS))
-    return near_rows(of, rows, places)
 
 
 def solve(
@@ -94,8 +76,36 @@ def solve(
     The runtime hands what callers give, the values of given joints, to the solver as it is. Arms of
     a kind have no such joint: in their place the solver gets the arm.
     """
-    nearby = near_nominal(q_free, pose) if COMPILED else np.empty((0, JOINTS))
-    calibrated_rows(q_free, pose, seed, nearby, q, status)
+    if COMPILED and solve_from_nominal(q_free, pose, q, status):
+        return
+    all_joints(descents_of(q_free), pose, np.empty(0), seed, q, status)
+    to_nominal_rows(q_free, q, status)
+
+
+def solve_from_nominal(arm: Floats, pose: Pose, q: Floats, status: Bytes) -> bool:
+    """Fills the rows of solutions where the nominal arm's rows lead to all.
+
+    Returns whether they do. That no other branch has a solution is certain, that none has a second
+    one is not proven.
+    """
+    of = calibration_of(arm)
+    own = near_pose(pose, of[LEFT : LEFT + 12], of[RIGHT : RIGHT + 12])
+    filled, ends = filled_at(own, NONE_GIVEN, of[TURNED], of[MOVED])
+    if ends:
+        return False
+    rows, angles = near_angles(of, filled, places)
+    return fill_corrected(descents_of(arm), pose, np.empty(0), rows, angles, q, status)
+
+
+def to_nominal_rows(arm: Floats, q: Floats, status: Bytes) -> None:
+    """Moves rows that ascend to those of their postures."""
+    of, values, postures = calibration_of(arm), np.empty(JOINTS), np.full(ROWS, -1)
+    for row in range(ROWS):
+        if status[row] != UNREACHABLE:
+            filled, ends = filled_at(nominal_pose(of, q[row], values), NONE_GIVEN, 0.0, 0.0)
+            if not ends:
+                postures[row] = posture_of(filled, places, values)
+    place_rows(postures, len(places), q, status)
 
 
 def seeded(arm: Floats, T: Floats, q: Floats, status: Bytes, seed: Floats) -> int:
@@ -245,7 +255,7 @@ class CalibratedArm:
         return found
 
     def ik_all(self, T: ArrayLike, q_seed: ArrayLike | None = None) -> tuple[Floats, Bytes]:
-        """All solutions: q (16, 6) and status (16,), in the order of the first joint, the second...
+        """All solutions: q (16, 6) and status (16,), in rows by posture (BRANCHES).
 
         Args:
             T: Pose (4, 4).
@@ -344,7 +354,7 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
     kind, blank = kind_numbers(own.kind), blank_numbers(own.kind)
     names = {
         **texts,
-        **own.formulas.names(APART),
+        "places": own.formulas.places,
         "ROWS": rows,
         "ALL_NUMBERS": len(blank),
         "shapes": f"T, q and status must have shapes (4, 4), ({rows}, {JOINTS}), ({rows},)",
@@ -398,7 +408,9 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
     def add(name: str, compiled: Callable[[Any], Any]) -> None:
         names[name] = compiled(again(texts[name], names))
 
-    add("near_nominal", how.merged)
+    names["filled_at"] = filled_of(how, own.formulas, 0)
+    add("solve_from_nominal", how.merged)
+    add("to_nominal_rows", how.merged)
     add("solve", how.apart(SOLVES))
     names["robot"] = how.addresses("solve", None, None, None, None)
     for name in ("seeded", "pose_at", "jacobian_at", "velocities_at"):

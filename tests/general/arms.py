@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 Row = tuple[float, float, float, float]  # theta [quarter turns, or rad], d, a, alpha of standard DH
 Answer = tuple[np.ndarray, np.ndarray, bool]  # q (k, 6), residual (k,), certain
+Corrected = tuple[np.ndarray, bool]  # q (k, 6), whether these are exact and apart
 
 QUARTER = {-1: (0.0, -1.0), 0: (1.0, 0.0), 1: (0.0, 1.0), 2: (-1.0, 0.0)}
 C_RUNTIME = Path(runtime.__file__).parent / "c"
@@ -36,13 +37,16 @@ C_RUNTIME = Path(runtime.__file__).parent / "c"
 FLAGS = ("-std=c99", "-O1", "-march=native", "-fno-math-errno", "-fno-trapping-math", "-fPIC")
 COMMAND = ("gcc", *FLAGS, f"-I{C_RUNTIME}")
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
-NOWHERE = np.empty((0, 6))
 RUN = """
-int run(const double *T, double *nearby, int count, double *q, double *residual);
-int run(const double *T, double *nearby, int count, double *q, double *residual)
+int run(const double *T, double *q, double *residual);
+int run(const double *T, double *q, double *residual)
 {
-    double (*const starts)[6] = (double (*)[6])nearby, (*const rows)[6] = (double (*)[6])q;
-    return dhgen_general_solutions(&general, T, 0, starts, count, rows, residual);
+    return dhgen_general_solutions(&general, T, 0, (double (*)[6])q, residual);
+}
+int correct(const double *T, double *nearby, int count);
+int correct(const double *T, double *nearby, int count)
+{
+    return dhgen_general_correct(&general, T, 0, (double (*)[6])nearby, count);
 }
 """
 
@@ -138,11 +142,19 @@ def compiled(name: str, *flags: str) -> Callable[..., Answer]:
     return in_c(kernel(name), name, *flags)
 
 
-def in_c(known: GeneralKernel, name: str, *flags: str) -> Callable[..., Answer]:
-    """The same of any kernel, with what its traits leave of the runtime.
+@cache
+def correcting(name: str, *flags: str) -> Callable[[np.ndarray, np.ndarray], Corrected]:
+    """What takes joint values near solutions of a pose to these."""
+    return partial(_corrected, library(kernel(name), name, *flags).correct)
 
-    Called with a pose, and with joint values that are said to be near all solutions.
-    """
+
+def in_c(known: GeneralKernel, name: str, *flags: str) -> Callable[..., Answer]:
+    """The same of any kernel, with what its traits leave of the runtime."""
+    return partial(_answer, library(known, name, *flags).run)
+
+
+def library(known: GeneralKernel, name: str, *flags: str) -> ctypes.CDLL:
+    """The C of a kernel, with the functions above."""
     sizes = ["#define DHGEN_DOF 6", f"#define DHGEN_ROWS {known.rows}"]
     sizes += general_sizes(name.upper(), known)
     text = "\n".join([*sizes, '#include "dhgen/general.h"', general_source(known), RUN])
@@ -150,16 +162,17 @@ def in_c(known: GeneralKernel, name: str, *flags: str) -> Callable[..., Answer]:
     write_files(folder, {"arm.c": text})
     command = [*COMMAND, *STRICT, *flags, "-shared", "arm.c", "-o", "arm.so", "-lm"]
     subprocess.run(command, check=True, cwd=folder)
-    return partial(_answer, ctypes.CDLL(str(folder / "arm.so")).run)
+    return ctypes.CDLL(str(folder / "arm.so"))
 
 
 def one_by_one(known: GeneralKernel) -> Callable[..., Answer]:
     """The same without lanes, by a runtime that is compiled once for all kernels."""
-    return in_c(known, "arm", "-DDHGEN_SHARED", *_runtime_without_lanes())
+    return in_c(known, "arm", *without_lanes())
 
 
 @cache
-def _runtime_without_lanes() -> tuple[str, ...]:
+def without_lanes() -> tuple[str, ...]:
+    """What a runtime without lanes is linked by."""
     parts = ("dhgen", "general")
     command = (*COMMAND, "-DDHGEN_SHARED", "-DDHGEN_GENERAL_LANES=1", "-c")
 
@@ -170,7 +183,7 @@ def _runtime_without_lanes() -> tuple[str, ...]:
             subprocess.run([*command, *own], check=True)
 
     folder = made_once(command, compile_parts)
-    return tuple(str(folder / f"{part}.o") for part in parts)
+    return ("-DDHGEN_SHARED", *(str(folder / f"{part}.o") for part in parts))
 
 
 def doubtful_in_all_languages(known: GeneralKernel, poses: Sequence[np.ndarray]) -> int:
@@ -190,10 +203,15 @@ def doubtful_in_all_languages(known: GeneralKernel, poses: Sequence[np.ndarray])
     return doubtful
 
 
-def _answer(run: Callable[..., int], T: np.ndarray, nearby: np.ndarray = NOWHERE) -> Answer:
+def _answer(run: Callable[..., int], T: np.ndarray) -> Answer:
     q, residual = np.empty((PLACES, 6)), np.empty(PLACES)
-    arrays = np.ascontiguousarray(T, dtype=float), np.ascontiguousarray(nearby), q, residual
-    pose, starts, *rows = (ctypes.c_void_p(each.ctypes.data) for each in arrays)
-    count = run(pose, starts, len(nearby), *rows)
+    arrays = np.ascontiguousarray(T, dtype=float), q, residual
+    count = run(*(ctypes.c_void_p(each.ctypes.data) for each in arrays))
     found = count if count >= 0 else -1 - count
     return q[:found], residual[:found], count >= 0
+
+
+def _corrected(correct: Callable[..., int], T: np.ndarray, nearby: np.ndarray) -> Corrected:
+    pose, q = np.ascontiguousarray(T, dtype=float), np.array(nearby, dtype=float)
+    said = correct(*(ctypes.c_void_p(each.ctypes.data) for each in (pose, q)), len(q))
+    return q, bool(said)

@@ -91,38 +91,34 @@ def numbers(kernel: GeneralKernel) -> FloatArray:
 
 def solve(T: np.ndarray, kernel: GeneralKernel, free: Sequence[float] = ()) -> Solved:
     """All solutions of T = C0 J1(q1) C1 ... J6(q6) C6."""
-    return _solved(T, kernel, free, np.empty((0, 6)), _solve_loop)
+    return _solved(T, kernel, free, _solve_loop)
 
 
-def solve_slowly(
-    T: np.ndarray,
-    kernel: GeneralKernel,
-    free: Sequence[float] = (),
-    nearby: FloatArray | None = None,
-) -> Solved:
-    """The same in plain Python, as the compiler itself runs it.
-
-    Args:
-        T: The pose.
-        kernel: The arm.
-        free: Values of joints that are given.
-        nearby: Joint values (k, 6) that are said to be near all solutions, one near each.
-    """
-    starts = np.empty((0, 6)) if nearby is None else np.ascontiguousarray(nearby)
+def solve_slowly(T: np.ndarray, kernel: GeneralKernel, free: Sequence[float] = ()) -> Solved:
+    """The same in plain Python, as the compiler itself runs it."""
     with np.errstate(divide="ignore", invalid="ignore"):  # as compiled code divides
-        return _solved(T, kernel, free, starts, plain("general.search").solve_loop)
+        return _solved(T, kernel, free, plain("general.search").solve_loop)
+
+
+def correct_slowly(
+    T: np.ndarray, kernel: GeneralKernel, nearby: np.ndarray
+) -> tuple[FloatArray, bool]:
+    """From near solutions (k, 6) to these in plain Python, and whether they are exact and apart."""
+    angles, none = np.array(nearby), np.zeros(0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        said = plain("general.search").corrected(numbers(kernel), _pose(T, kernel), none, angles)
+    return angles, bool(said)
 
 
 def _solved(
     T: np.ndarray,
     kernel: GeneralKernel,
     free: Sequence[float],
-    nearby: FloatArray,
     solve_loop: Callable[..., int],
 ) -> Solved:
     q, residual = np.empty((PLACES, 6)), np.empty(PLACES)
     given = np.array(free, dtype=float)
-    count = solve_loop(numbers(kernel), _pose(T, kernel), given, nearby, q, residual)
+    count = solve_loop(numbers(kernel), _pose(T, kernel), given, q, residual)
     found = count if count >= 0 else -1 - count
     return Solved(q[:found], residual[:found], count >= 0)
 
@@ -137,11 +133,10 @@ def _solve_loop(
     arm: FloatArray,
     T: FloatArray,
     free: FloatArray,
-    nearby: FloatArray,
     q: FloatArray,
     residual: FloatArray,
 ) -> int:
-    return solve_loop(arm, T, free, nearby, q, residual)
+    return solve_loop(arm, T, free, q, residual)
 
 
 @OWN.jit

@@ -91,11 +91,17 @@ def turned(q: np.ndarray, other: np.ndarray) -> np.ndarray:
 def assert_alike(
     found: tuple[np.ndarray, np.ndarray], wanted: tuple[np.ndarray, np.ndarray]
 ) -> None:
-    """The same solutions with the same statuses: in any order, where first joints nearly agree."""
+    """The same solutions with the same statuses, in any rows."""
     for rows, status, others, kinds in zip(*found, *wanted, strict=True):
         np.testing.assert_array_equal(np.sort(status), np.sort(kinds))
-        here, there = rows[~np.isnan(rows[:, 0])], others[~np.isnan(others[:, 0])]
-        if len(here):
-            apart = turned(here[:, None], there[None]).max(axis=2)
+        own, other = ~np.isnan(rows[:, 0]), ~np.isnan(others[:, 0])
+        if own.any():
+            apart = turned(rows[own][:, None], others[other][None]).max(axis=2)
             np.testing.assert_allclose(apart.min(axis=0), 0.0, atol=1e-8)
             np.testing.assert_allclose(apart.min(axis=1), 0.0, atol=1e-8)
+            np.testing.assert_array_equal(status[own], kinds[other][apart.argmin(axis=1)])
+
+
+def count_alike(rows: np.ndarray, others: np.ndarray) -> int:
+    """At how many poses solutions are bit for bit those of another solver, in any rows."""
+    return sum(set(map(bytes, a)) == set(map(bytes, b)) for a, b in zip(rows, others, strict=True))

@@ -17,7 +17,8 @@ from dhgen.robot.load import load_text
 from dhgen.targets.reserved import RESERVED
 from dhgen.verify.native import C_FLAGS, PORTABLE, c_compiler
 from tests.compiling import library, written
-from tests.nominal.twins import seven, twin
+from tests.nominal.fleets import assert_alike, count_alike
+from tests.nominal.twins import coupled, seven, twin
 from tests.structures import first_of
 
 if TYPE_CHECKING:
@@ -34,13 +35,6 @@ def compiled(text: str, folder: Path) -> Compilation:
     path = folder / "twin.yaml"
     path.write_text(text, encoding="utf-8")
     return written(path, folder)
-
-
-def coupled(text: str) -> str:
-    """The same with a drive that moves two joints, and a limit of what the two do together."""
-    *before, third, after = text.split("theta: q", 3)
-    head = "theta: q".join([*before, third])
-    return f"{head}theta: q + q2{after}limits: [{{of: q2 + q3, from: -1.2, to: 3.5}}]\n"
 
 
 @pytest.mark.parametrize(
@@ -69,10 +63,8 @@ def test_solutions_are_those_of_the_general_algorithm(text: str, tmp_path: Path)
     poses = numeric_arm(chain).pose(q)
     free = q[:, [number - 1 for number in chain.free]] if chain.free else None
     (found, status), (wanted, kinds) = fast.batch(poses, free), general.batch(poses, free)
-    np.testing.assert_array_equal(status, kinds)
-    np.testing.assert_allclose(found, wanted, rtol=0.0, atol=1e-9)
-    alike = sum(np.array_equal(*both, equal_nan=True) for both in zip(found, wanted, strict=True))
-    assert alike < 0.7 * POSES  # as many poses at least are solved in the other way
+    assert_alike((found, status), (wanted, kinds))
+    assert count_alike(found, wanted) < 0.7 * POSES  # at least as many are solved in the other way
 
 
 NAMED = """\

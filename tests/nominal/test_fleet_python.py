@@ -332,9 +332,9 @@ WRONG = {
     "table": ("puma560_fleet.py", "meeting=(3,)", "meeting=()", "takes the nominal table"),
     "rates": ("dhgen_runtime/serial.py", AXIS, f"{AXIS} * 1.001", "the Jacobian is off by"),
     "row": (
-        "dhgen_runtime/calibrated.py",
-        "= rows[row, i]",
-        "= rows[row, i] + 1e-8",
+        "dhgen_runtime/numerical/solutions.py",
+        "take(q[row], joints)",
+        "take(q[row], joints + 1e-8)",
         "a row's pose is off by",
     ),
 }

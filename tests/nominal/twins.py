@@ -50,3 +50,10 @@ def twin(name: str, noise: float, seed: int = 1) -> str:
         rows.append(f"{{theta: q {sign} {abs(theta)!r}, d: {d!r}, a: {a!r}, alpha: {alpha!r}}}")
     head = f"name: twin_{name}\ntitle: {name}\nsource: random\nconvention: {table.convention}\n"
     return "\n".join([head + "joints:", *(f"  - {row}" for row in rows), "task: pose", ""])
+
+
+def coupled(text: str) -> str:
+    """The same with a drive that moves two joints, and a limit of what the two do together."""
+    *before, third, after = text.split("theta: q", 3)
+    head = "theta: q".join([*before, third])
+    return f"{head}theta: q + q2{after}limits: [{{of: q2 + q3, from: -1.2, to: 3.5}}]\n"

@@ -128,7 +128,8 @@ def _solutions(story: Story) -> str:
         return "Every pose within reach has one solution, row 0."
     count = counted(rows, "solution")
     if story.derivation.whole is not None:
-        return f"At most {count}, in rows by ascending joint values."
+        order = "ascending joint values" if story.nominal is None else "posture"
+        return f"At most {count}, in rows by {order}."
     returned = f"The inverse has at most {count}, returned in rows 0 to {rows - 1}"
     if not story.has_branch_words:
         return f"{returned}, each always in the same one; the tree below has the signs of each row."

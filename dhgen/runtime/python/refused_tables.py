@@ -15,9 +15,9 @@ from .calibrated import (
     MOST_DEVIATION,
     MOST_NUMBER,
     NO_MISS,
-    NOMINAL,
     NOT_FINITE,
     PARALLEL,
+    TABLE,
     TRIPLES,
     calibrate,
 )
@@ -57,7 +57,7 @@ def _entry(row: int, column: int) -> str:
 
 def _another_arm(kind: Floats, blank: Floats, table: Floats, unit: str) -> str:
     """By how much the arm is another one, and which number makes it so."""
-    size, nominal = float(kind[LENGTH]), kind[NOMINAL:].reshape(table.shape)
+    size, nominal = float(kind[LENGTH]), kind[TABLE:].reshape(table.shape)
     row, column = _farthest(kind, blank, table)
     in_unit = unit if LENGTHS[column] else "rad"
     number = f"{float(table[row, column]):.9g} {in_unit}"
@@ -79,7 +79,7 @@ def _too_large(table: Floats, size: float) -> Bools:
 
 def _farthest(kind: Floats, blank: Floats, table: Floats) -> tuple[int, int]:
     """The number in whose place that of the nominal arm would take the tool nearest to it."""
-    size, nominal = float(kind[LENGTH]), kind[NOMINAL:].reshape(table.shape)
+    size, nominal = float(kind[LENGTH]), kind[TABLE:].reshape(table.shape)
     large = np.argwhere(_too_large(table, size))
     if len(large):
         row, column = large[0].tolist()

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -75,3 +76,14 @@ def slide(T: Floats, d: float) -> None:
     """Multiplies T by a slide along z, in place."""
     for i in range(3):
         T[4 * i + 3] += T[4 * i + 2] * d
+
+
+@inner
+def pose_of_links(links: Floats, at: int, angles: Floats) -> Floats:
+    """Returns C0 Rz(angle 1) C1 ... Rz(angle n) Cn; C0 ... Cn stand at a place of an array."""
+    P = np.empty(12)
+    take_from(P, links, at)
+    for i in range(len(angles)):
+        turn(P, math.cos(angles[i]), math.sin(angles[i]))
+        follow_from(P, links, at + 12 * (i + 1))
+    return P

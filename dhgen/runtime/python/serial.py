@@ -15,7 +15,7 @@ from .arm import FK, JACOBIAN, fk_at, jacobian_at
 from .calibration import CONSTANT, FACING, calibration_of
 from .jit import of_file
 from .places import CALIBRATION
-from .rigid import follow_from, take_from, turn
+from .rigid import follow_from, pose_of_links, take_from, turn
 
 if TYPE_CHECKING:
     from .arm import Robot
@@ -27,11 +27,10 @@ OWN = of_file(__file__)
 @OWN.apart("float64[:, ::1](float64[::1], float64[::1])")
 def serial_pose(of: Floats, q: Floats) -> Floats:
     """Returns the pose (4, 4) of an arm of six turning joints."""
-    P, T = np.empty(12), np.zeros((4, 4))
-    take_from(P, of, CONSTANT)
+    angles, T = np.empty(6), np.zeros((4, 4))
     for i in range(6):
-        turn(P, math.cos(q[i]), of[FACING + i] * math.sin(q[i]))
-        follow_from(P, of, CONSTANT + 12 * (i + 1))
+        angles[i] = of[FACING + i] * q[i]
+    P = pose_of_links(of, CONSTANT, angles)
     for i in range(12):
         T[i // 4, i % 4] = P[i]
     T[3, 3] = 1.0

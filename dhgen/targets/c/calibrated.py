@@ -21,6 +21,7 @@ from dhgen.targets.general.numbers import row, rows
 from dhgen.targets.general.table import general_table
 from dhgen.targets.module import made_text
 from dhgen.targets.solver.common import common_of
+from dhgen.targets.solver.nearest import APART
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -85,7 +86,7 @@ def _values(kind: Kind) -> dict[str, object]:
     lines = brought_along(module, regular=True, first=["serial"], last=["calibrated"])
     return {
         **named(common),
-        "given": replace(common.given, count=2),
+        "given": replace(common.given, count=APART),
         "comments": replace(
             c_comments(module),
             made_h=made_text(nominal, "c/calibrated.h.jinja", " * "),

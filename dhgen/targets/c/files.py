@@ -216,10 +216,8 @@ def _whole(module: SolverModule) -> str:
     if whole is None:
         return ""
     given = "free_joints" if whole.given else "NULL"
-    if whole.general is None:
-        return f"dhgen_numerical_rows(&descents, T, {given}, seed, rows, status);"
-    near = "NULL, 0" if module.nominal is None else "nearby, nearby_count"
-    return f"dhgen_general_rows(&general, &descents, T, {given}, seed, {near}, rows, status);"
+    arms = "numerical_rows(" if whole.general is None else "general_rows(&general, "
+    return f"dhgen_{arms}&descents, T, {given}, seed, rows, status);"
 
 
 def _assignments(array: str, entries: list[str], columns: int) -> list[str]:

@@ -6,11 +6,16 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhgen.targets.c.regular import CRegular, Flats, flats_of, regular_values
-from dhgen.targets.general.numbers import rigid, row
+from dhgen.targets.general.numbers import rigid, row, rows
+from dhgen.targets.solver.given import given_of
+from dhgen.targets.solver.nearest import APART, nearest_angles
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.program.regular.unguarded import Regular
     from dhgen.targets.module import SolverModule
+    from dhgen.targets.solver.given import Given
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,19 +24,30 @@ class CNearest:
 
     Attributes:
         regular: Its regular poses.
+        given: What its closed form is given besides the pose: what the caller gives, and by how
+            much the two arms' tools differ at most.
         rows: How many rows it has.
+        turned: By how much the tools are turned at most [rad].
+        moved: By how much they are apart.
         left: What stands before a pose to make it this arm's.
         right: What stands behind it.
         offsets: What its angles are more than those of the loop.
         places: Of the joints that are solved for among all.
+        links: C0 ... Cn of its pose C0 Rz(angle 1) C1 ... Rz(angle n) Cn.
+        angles: Each as the factors of all joint values, and what is added.
     """
 
     regular: CRegular
+    given: Given
     rows: int
+    turned: float
+    moved: float
     left: str
     right: str
     offsets: str
     places: str
+    links: Sequence[str]
+    angles: Sequence[str]
 
 
 def nearest_module(module: SolverModule) -> SolverModule | None:
@@ -67,9 +83,14 @@ def c_nearest(module: SolverModule, flats: Flats | None) -> CNearest | None:
             regular_values(own, flats),
             one_pose=f"dhgen_solve_branches(solve_wide, {own.solver.rows}",
         ),
+        given=replace(given_of(own.chain), count=own.chain.given + APART),
         rows=own.solver.rows,
+        turned=nearest.deviation.angle,
+        moved=nearest.deviation.length,
         left=rigid(nearest.left),
         right=rigid(nearest.right),
         offsets=row([nearest.offsets[place] for place in own.chain.solved_places]),
         places=", ".join(map(str, own.chain.solved_places)),
+        links=[rigid(link) for link in nearest.links.tolist()],
+        angles=rows(nearest_angles(module.chain)),
     )

@@ -50,6 +50,7 @@ class CTables:
     Attributes:
         joints: The definitions of macros that list types, names and limits of the joints.
         branch_names: The name of every row, as lines.
+        plain_names: The same where no nearest arm is tried first.
         constants: Of the programs, as lines.
         regular_constants: Those that only regular poses need.
         lane_constants: Those that only branches in lanes need.
@@ -57,6 +58,7 @@ class CTables:
 
     joints: Sequence[str]
     branch_names: Sequence[str]
+    plain_names: Sequence[str]
     constants: Sequence[str]
     regular_constants: Sequence[str]
     lane_constants: Sequence[str]
@@ -84,6 +86,7 @@ def c_tables(module: SolverModule, regular: Sequence[Program]) -> CTables:
     return CTables(
         joints=_joints(module),
         branch_names=listed([f'"{text}"' for text in module.branches], INDENT),
+        plain_names=listed([f'"{text}"' for text in module.solver.branches], INDENT),
         constants=_constant_lines(own, []),
         regular_constants=_constant_lines([each for each in common if each not in own], own),
         lane_constants=_constant_lines([each for each in lanes if each not in common], common),

@@ -22,6 +22,7 @@ from dhgen.targets.python.single_file import in_one_file
 from dhgen.targets.python.table import arm_fields
 from dhgen.targets.python.texts import constant_lines, python_comments, python_tables
 from dhgen.targets.solver.common import common_of
+from dhgen.targets.solver.nearest import APART
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
     from dhgen.targets.calibrated import Kind
 
 TEMPLATE = "python/calibrated.py.jinja"
-APART = 2  # numbers that the closed form gets besides a pose: by how much two arms differ at most
 MODULES = {Formulation.__module__: "_loops"}
 
 

@@ -5,9 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.targets.python.formulas import ENTRIES, Formulas, formulas_of
+from dhgen.targets.layout import INDENT
+from dhgen.targets.python.formulas import Formulas, formulas_of
+from dhgen.targets.python.literal import literal
+from dhgen.targets.solver.nearest import APART, nearest_angles
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.kinematics.rigid import Matrix
     from dhgen.program.regular.flatten import Flat
     from dhgen.targets.module import SolverModule
@@ -19,40 +24,32 @@ class PythonNearest:
 
     Attributes:
         formulas: Its regular poses.
-        filled: How many numbers these fill in: the joints' values, and a status for each row.
-        given: How many values the caller gives.
-        doubt: Where it is kept whether a pose is left to the general algorithm.
-        left: What stands before a pose to make it this arm's.
-        right: What stands behind it.
-        offsets: What its angles are more than those of the loop.
-        solved: The places of the joints that are solved for.
+        fields: Its numbers by their names, as lines.
     """
 
     formulas: Formulas
-    filled: int
-    given: int
-    doubt: int
-    left: str
-    right: str
-    offsets: str
-    solved: str
+    fields: Sequence[str]
 
 
 def python_nearest(module: SolverModule, flat: Flat) -> PythonNearest:
     """What the templates name of it."""
     assert module.nominal is not None
     nearest, chain = module.nominal.nearest, module.nominal.chain
-    formulas, solved = formulas_of(flat, chain.given), chain.solved_places
-    values = {value for group in flat.groups for value in group}
+    solved = chain.solved_places
+    numbers: dict[str, object] = {
+        "turned": nearest.deviation.angle,
+        "moved": nearest.deviation.length,
+        "left": _twelve(nearest.left),
+        "right": _twelve(nearest.right),
+        "offsets": tuple(nearest.offsets[place] for place in solved),
+        "solved": solved,
+        "links": tuple(_twelve(link) for link in nearest.links.tolist()),
+        "angles": tuple(map(tuple, nearest_angles(module.chain))),
+    }
+    inside = INDENT * 2
     return PythonNearest(
-        formulas=formulas,
-        filled=len(values) + len(flat.choices),
-        given=chain.given,
-        doubt=len(ENTRIES) + chain.given,
-        left=repr(_twelve(nearest.left)),
-        right=repr(_twelve(nearest.right)),
-        offsets=repr(tuple(nearest.offsets[place] for place in solved)),
-        solved=repr(solved),
+        formulas=formulas_of(flat, chain.given + APART),
+        fields=[f"{inside}{name}={literal(value, {}, inside)}," for name, value in numbers.items()],
     )
 
 

@@ -27,14 +27,11 @@ class Whole:
         loop: The loop of the general algorithm; empty where descents alone find solutions.
         given: Whether the caller gives values of joints.
         free: These values, or none.
-        nearby: Joint values near all solutions, as a further argument; empty where descents alone
-            find solutions.
     """
 
     loop: str
     given: bool
     free: str
-    nearby: str
 
 
 def python_links(program: Program) -> str:
@@ -50,6 +47,5 @@ def python_whole(module: SolverModule) -> Whole | None:
         return None
     free = "q_free" if whole.given else "_NO_FREE"
     if whole.general is None:
-        return Whole("", whole.given, free, "")
-    nearby = ", _NONE_NEAR" if module.nominal is None else ", nearby"
-    return Whole(literal(runtime_loop(whole.general), MODULES), whole.given, free, nearby)
+        return Whole("", whole.given, free)
+    return Whole(literal(runtime_loop(whole.general), MODULES), whole.given, free)

@@ -51,6 +51,40 @@ struct dhgen_numerical_arm {
     const struct dhgen_drives *drives; /* 0 where every drive moves its own joint alone */
 };
 
+/* Moves angles by whole turns to (-pi, pi], and what such a turn moves besides. */
+DHGEN_FN void dhgen_wrap_units(const struct dhgen_numerical_arm *arm, double *u)
+{
+    const struct dhgen_drives *const drives = arm->drives;
+    const int together = drives && drives->turned;
+    for (int k = 0; together && k < drives->turned; k++) {
+        const double turns = ceil(u[drives->place[k]] / DHGEN_TURN - 0.5);
+        for (int j = 0; j < arm->solved; j++)
+            u[j] -= turns * drives->moves[arm->solved * k + j];
+    }
+    for (int j = 0; j < arm->solved && !together; j++)
+        if (arm->turning[j])
+            u[j] -= DHGEN_TURN * ceil(u[j] / DHGEN_TURN - 0.5);
+}
+
+/* A solution of the loop in units, of drives that move more than their own joint: by what they have
+ * of all joints, also of those among the joint values that are given. */
+DHGEN_FN void dhgen_to_drives(
+    const struct dhgen_numerical_arm *arm, const double *given, const double *angles, double *u)
+{
+    const int dof = dhgen_dof(arm);
+    double inner[DHGEN_JOINTS];
+    for (int i = 0; i < dof; i++)
+        inner[i] = given[i];
+    for (int j = 0; j < arm->solved; j++)
+        inner[arm->joint[j]] = angles[j] - arm->zero[j];
+    for (int j = 0; j < arm->solved; j++) {
+        double value = 0.0;
+        for (int i = 0; i < dof; i++)
+            value += arm->drives->back[dof * j + i] * inner[i];
+        u[j] = value / arm->unit[j];
+    }
+}
+
 /* A joint value as it counts where rows are put in order. */
 DHGEN_INLINE double dhgen_order_of(double value, int turns)
 {

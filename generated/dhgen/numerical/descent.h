@@ -66,21 +66,6 @@ DHGEN_FN void dhgen_copy_units(
         to[j] = from[j];
 }
 
-/* Moves angles by whole turns to (-pi, pi], and what such a turn moves besides. */
-DHGEN_FN void dhgen_wrap_units(const struct dhgen_numerical_arm *arm, double *u)
-{
-    const struct dhgen_drives *const drives = arm->drives;
-    const int together = drives && drives->turned;
-    for (int k = 0; together && k < drives->turned; k++) {
-        const double turns = ceil(u[drives->place[k]] / DHGEN_TURN - 0.5);
-        for (int j = 0; j < arm->solved; j++)
-            u[j] -= turns * drives->moves[arm->solved * k + j];
-    }
-    for (int j = 0; j < arm->solved && !together; j++)
-        if (arm->turning[j])
-            u[j] -= DHGEN_TURN * ceil(u[j] / DHGEN_TURN - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 DHGEN_FN void dhgen_shorten(const struct dhgen_numerical_arm *arm, double *step)
 {

@@ -16,6 +16,7 @@ typedef struct dhgen_calibration {
     double size;                /* the length that is one in this loop */
     double left[12], right[12]; /* from a pose T to that of the nearest arm, left T right */
     double more[6];             /* what angles of the nearest arm are more than those of this */
+    double nominal[7][12];      /* C0 ... C6 of the nearest arm at joint values of this */
 } dhgen_calibration;
 
 #endif

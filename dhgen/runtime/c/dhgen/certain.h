@@ -14,21 +14,6 @@
  * beside one of them is not even 1e-6 away from it. */
 #define DHGEN_MOVED_TO_LIMIT 1e-4
 
-/* The places of rows in their order: by the first joint, then by the second and so on. */
-DHGEN_FN void dhgen_order_rows(double (*q)[DHGEN_DOF], int count, int *order)
-{
-    unsigned char first[DHGEN_ROWS] = { 0 };
-    int single = count < 2;
-    for (int k = 0; k < count; k++)
-        order[k] = k;
-    for (int i = 0; i < DHGEN_DOF && !single; i++) {
-        double value[DHGEN_ROWS];
-        for (int k = 0; k < count; k++)
-            value[k] = dhgen_order_of(q[k][i], 1);
-        single = dhgen_order_blocks(value, DHGEN_TIE, count, order, first);
-    }
-}
-
 /* Turns the joints of a row inside their limits, or next to the end that they are beyond by little.
  * Returns its status; -1 where one of them is beyond a limit by so little that it may be moved
  * there. */
@@ -51,24 +36,32 @@ DHGEN_FN int dhgen_limited_row(const struct dhgen_arm *arm, double *q)
     return status;
 }
 
-/* Fills the rows of a pose with solutions in any order. Returns how many are inside limits, or -1
- * where one of them may be moved to a limit. */
-DHGEN_FN int dhgen_fill_certain(const struct dhgen_arm *arm, double (*solution)[DHGEN_DOF],
-    int count, double *q, unsigned char *status)
+/* Fills the rows of solutions, and no others. */
+DHGEN_FN void dhgen_keep_certain(
+    double (*solution)[DHGEN_DOF], const int *row, int count, double *q, unsigned char *status)
 {
-    int order[DHGEN_ROWS], inside = 0;
-    dhgen_order_rows(solution, count, order);
-    for (int row = 0; row < DHGEN_ROWS; row++) {
-        double *const values = row < count ? solution[order[row]] : NULL;
-        int said = DHGEN_UNREACHABLE;
-        if (values)
-            said = dhgen_limited_row(arm, values);
+    for (int k = 0; k < count; k++) {
+        for (int i = 0; i < DHGEN_DOF; i++)
+            q[DHGEN_DOF * row[k] + i] = solution[k][i];
+        status[row[k]] = DHGEN_OK;
+    }
+}
+
+/* Fills the rows of a pose with solutions, of which each has its own. Returns how many are inside
+ * limits, or -1 where one of them may be moved to a limit. */
+DHGEN_FN int dhgen_fill_certain(const struct dhgen_arm *arm, double (*solution)[DHGEN_DOF],
+    const int *row, int count, double *q, unsigned char *status)
+{
+    int inside = 0;
+    for (int k = 0; k < DHGEN_ROWS; k++)
+        dhgen_empty_row(arm, q + DHGEN_DOF * k, status + k);
+    dhgen_keep_certain(solution, row, count, q, status);
+    for (int k = 0; k < count; k++) {
+        const int said = dhgen_limited_row(arm, q + DHGEN_DOF * row[k]);
         if (said < 0)
             return -1;
-        for (int i = 0; i < DHGEN_DOF; i++)
-            q[DHGEN_DOF * row + i] = values ? values[i] : DHGEN_NAN;
-        status[row] = (unsigned char)said;
-        inside += status[row] == DHGEN_OK;
+        status[row[k]] = (unsigned char)said;
+        inside += said == DHGEN_OK;
     }
     return inside;
 }

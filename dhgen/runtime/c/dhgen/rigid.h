@@ -68,4 +68,17 @@ DHGEN_INLINE void dhgen_append(double A[12], const double B[12])
     dhgen_copy_link(C, A);
 }
 
+/* T = C0 Rz(angle 1) C1 ... Rz(angle n) Cn, row by row. */
+DHGEN_FN void dhgen_pose_of_links(
+    const double (*link)[12], const double *angle, int count, double T[16])
+{
+    dhgen_copy_link(link[0], T);
+    for (int i = 0; i < count; i++) {
+        dhgen_append_turn(T, cos(angle[i]), sin(angle[i]));
+        dhgen_append(T, link[i + 1]);
+    }
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
 #endif

@@ -34,13 +34,10 @@ struct dhgen_calibrated_descents {
 /* The pose of an arm of six turning joints. */
 DHGEN_FN void dhgen_serial_pose(const dhgen_calibration *of, const double *q, double *T)
 {
-    dhgen_copy_link(of->constant[0], T);
-    for (int i = 0; i < 6; i++) {
-        dhgen_append_turn(T, cos(q[i]), of->facing[i] * sin(q[i]));
-        dhgen_append(T, of->constant[i + 1]);
-    }
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    double angle[6];
+    for (int i = 0; i < 6; i++)
+        angle[i] = of->facing[i] * q[i];
+    dhgen_pose_of_links(of->constant, angle, 6, T);
 }
 
 /* Its geometric Jacobian, 6 x 6 row by row. */

@@ -85,7 +85,7 @@ def in_loop(arm: Floats, q: Floats, c: Floats, s: Floats) -> None:
 
 
 @inner
-def _from_loop(arm: Floats, c: Floats, s: Floats, q: Floats) -> None:
+def from_loop(arm: Floats, c: Floats, s: Floats, q: Floats) -> None:
     """Computes joint values, angles in (-pi, pi], from their cosines and sines in the loop."""
     for i in range(6):
         cosine, sine = arm[ADVANCE_C + i], arm[ADVANCE_S + i]
@@ -126,7 +126,7 @@ def keep_solution(
     if not missing <= SOLUTION:
         return -1, count
     theta = carray(room(6), 6)
-    _from_loop(arm, c, s, theta)
+    from_loop(arm, c, s, theta)
     place = count
     for k in range(count):
         if gap_between(arm, q[k], theta) < SAME:

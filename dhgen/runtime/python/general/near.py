@@ -1,48 +1,239 @@
 # SPDX-License-Identifier: MIT
-"""The nearest arm with a structure: joint values that lead to all solutions."""
+"""The nearest arm with a structure: joint values that lead to all solutions, and postures.
+
+`of_nearest` makes the compiled functions anew for a robot, with the names that are declared below.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import math
+from dataclasses import dataclass
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..jit import of_file
-from ..rigid import follow
-from ..status import OK
+from ..functions import again
+from ..jit import COMPILED, of_file
+from ..numerical.descent import wrap_angles
+from ..numerical.goal import given_joints, take_units
+from ..numerical.places import DOF
+from ..rigid import follow, pose_of_links, take
+from ..status import OK, UNREACHABLE
+from ..tiles import ENTRIES
+from .postures import place_rows, posture_of, rows_filled
+from .rows import loop_in_units
+from .search import corrected
 
 if TYPE_CHECKING:
-    from ..arrays import Floats, Ints
+    from collections.abc import Callable, Sequence
+
+    from ..arm import Pose
+    from ..arrays import Bytes, Floats, Ints
+    from ..functions import Formulas
+    from ..jit import Compiling
 
 OWN = of_file(__file__)
 inner = OWN.inner
 
+APART = 2  # numbers that formulas get last: by how much two arms' tools are turned and apart
+
+# Of a robot, or of a kind of arms:
+KEPT: int  # the sizes of the formulas' arrays
+TURNS: int
+FILLED: int
+DOUBT: int  # the place of what is not zero for poses at which a row may end so near
+formulas: Callable[[Floats, Floats, Floats, int], None]
+# Of a robot:
+arm: Floats  # its numbers
+nearest: Floats  # the places below
+places: Ints  # of the values of the loop's joints in each row, (rows, 6)
+filled_at: Callable[[Floats, Floats, float, float], tuple[Floats, bool]]
+
+# Where numbers of a nearest arm stand in its array.
+TURNED, MOVED = 0, 1  # how far its tool may be from that of the arm [rad, length]
+LEFT, RIGHT = 2, 14  # from a pose T to that of the nearest arm, left T right
+OFFSETS = 26  # six: what its angles are more than those of the loop
+SOLVED = 32  # six: the places of the joints that are solved for
+LINKS = 38  # C0 ... Cn of its pose C0 Rz(angle 1) C1 ... Rz(angle n) Cn; angles stand behind them
+
+
+@dataclass(frozen=True, slots=True)
+class Nearest:
+    """The nearest arm with a structure.
+
+    Attributes:
+        turned: By how much its tool and that of the arm are turned at most [rad].
+        moved: By how much they are apart.
+        left: What stands before a pose to make it this arm's, twelve numbers.
+        right: What stands behind it.
+        offsets: What its angles are more than those of the loop.
+        solved: The places of the joints that are solved for.
+        links: C0 ... Cn of its pose C0 Rz(angle 1) C1 ... Rz(angle n) Cn.
+        angles: Each as the factors of all joint values, and what is added.
+    """
+
+    turned: float
+    moved: float
+    left: Sequence[float]
+    right: Sequence[float]
+    offsets: Sequence[float]
+    solved: Sequence[int]
+    links: Sequence[Sequence[float]]
+    angles: Sequence[Sequence[float]]
+
+    @property
+    def numbers(self) -> Floats:
+        """All of them as an array."""
+        first = [self.turned, self.moved, *self.left, *self.right, *self.offsets, *self.solved]
+        return np.concatenate([first, np.ravel(self.links), np.ravel(self.angles)])
+
 
 @inner
-def near_pose(pose: tuple[float, ...], left: Floats, right: Floats, kept: Floats) -> None:
-    """Fills the first entries of `kept` with left T right: the pose of the nearest arm."""
-    T = np.empty(12)
+def near_pose(pose: Pose, left: Floats, right: Floats) -> Floats:
+    """Returns left T right, the pose of the nearest arm."""
+    T, P = np.empty(12), np.empty(12)
+    for i in range(12):
+        T[i], P[i] = pose[i], left[i]
+    follow(P, T)
+    follow(P, right)
+    return P
+
+
+@inner
+def fill_corrected(
+    arm: Floats,
+    pose: Pose,
+    q_free: Floats,
+    rows: Ints,
+    angles: Floats,
+    q: Floats,
+    status: Bytes,
+) -> bool:
+    """Fills the rows of solutions that angles of the loop lead to, and no others.
+
+    Returns whether all are exact, and no two of them near one another; if not, no row is filled.
+    """
+    T, u = np.empty(12), np.empty(6)
     for i in range(12):
         T[i] = pose[i]
-        kept[i] = left[i]
-    follow(kept, T)
-    follow(kept, right)
+    if not corrected(arm, T, q_free, angles):
+        return False
+    joints = given_joints(arm, q_free)
+    for k in range(len(rows)):
+        loop_in_units(arm, joints, angles[k], u)
+        wrap_angles(arm, u)
+        take_units(arm, u, joints)
+        take(q[rows[k]], joints)
+        status[rows[k]] = OK
+    return True
 
 
-@inner
-def near_solutions(filled: Floats, places: Ints, offsets: Floats) -> Floats:
-    """Returns the angles of the loop in the rows that hold a solution, (k, 6).
+def formulas_at(pose: Floats, given: Floats, turned: float, moved: float) -> tuple[Floats, bool]:
+    """Returns what the formulas fill in at a pose of the nearest arm, and whether a row may end.
 
     Args:
-        filled: What the formulas of regular poses fill in: joints' values, then statuses.
-        places: Of the values of the loop's joints in each row, (rows, 6).
-        offsets: What angles of the nearest arm are more than those of the loop.
+        pose: Twelve numbers.
+        given: The values of given joints.
+        turned: By how much the pose may be turned for that [rad].
+        moved: By how much it may be moved.
     """
-    rows, count = len(places), 0
-    nearby = np.empty((rows, 6))
-    for row in range(rows):
-        if filled[len(filled) - rows + row] == OK:
-            for i in range(6):
-                nearby[count, i] = filled[places[row, i]] - offsets[i]
-            count += 1
-    return nearby[:count]
+    kept, turns, filled = np.zeros(KEPT), np.zeros(TURNS), np.zeros(FILLED)
+    for i in range(12):
+        kept[i] = pose[i]
+    for i in range(DOUBT - APART - ENTRIES):
+        kept[ENTRIES + i] = given[i]
+    kept[DOUBT - 2], kept[DOUBT - 1] = turned, moved
+    formulas(kept, turns, filled, len(kept) // KEPT)  # a literal would be a type of its own
+    return filled, kept[DOUBT] != 0.0
+
+
+def solve_from_nearest(pose: Pose, q_free: Floats, q: Floats, status: Bytes) -> bool:
+    """Fills the rows of solutions where those of the nearest arm lead to all.
+
+    Returns whether they do. That no other branch has a solution is certain, that none has a second
+    one is not proven.
+    """
+    if not COMPILED:  # plain Python is not about time, and shows what the algorithm finds
+        return False
+    own = near_pose(pose, nearest[LEFT : LEFT + 12], nearest[RIGHT : RIGHT + 12])
+    filled, ends = filled_at(own, q_free, nearest[TURNED], nearest[MOVED])
+    if ends:
+        return False
+    rows = rows_filled(filled, len(places))
+    angles = np.empty((len(rows), 6))
+    for k in range(len(rows)):
+        for i in range(6):
+            angles[k, i] = filled[places[rows[k], i]] - nearest[OFFSETS + i]
+    return fill_corrected(arm, pose, q_free, rows, angles, q, status)
+
+
+def to_nearest_rows(q_free: Floats, q: Floats, status: Bytes) -> None:
+    """Moves rows that ascend to those of their postures."""
+    dof = int(arm[DOF])
+    angles, values, postures = np.empty(dof), np.empty(6), np.full(len(status), -1)
+    for row in range(len(status)):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(dof):
+            of = LINKS + 12 * (dof + 1) + (dof + 1) * i
+            angles[i] = nearest[of + dof]
+            for j in range(dof):
+                angles[i] += nearest[of + j] * q[row, j]
+        for i in range(6):
+            values[i] = angles[int(nearest[SOLVED + i])] + nearest[OFFSETS + i]
+        filled, ends = filled_at(pose_of_links(nearest, LINKS, angles), q_free, 0.0, 0.0)
+        if not ends:
+            postures[row] = posture_of(filled, places, values)
+    place_rows(postures, len(places), q, status)
+
+
+def _with_nan(run: Any) -> Callable[..., None]:  # noqa: ANN401  a function with its globals
+    """Formulas that compute as compiled ones do in plain Python: nothing stops them."""
+    as_compiled = SimpleNamespace(**{**vars(math), "sqrt": np.sqrt})
+    formulas = again(run, {**run.__globals__, "math": as_compiled})
+
+    def silent(*arrays: Floats) -> None:
+        with np.errstate(all="ignore"):
+            formulas(*arrays)
+
+    return silent
+
+
+def filled_of(how: Compiling, own: Formulas, given: int) -> Callable[..., tuple[Floats, bool]]:
+    """`formulas_at` of a closed form.
+
+    Args:
+        how: How the functions of its file are compiled.
+        own: The closed form.
+        given: How many values the caller gives.
+    """
+    names: dict[str, Any] = {**globals(), **own.names(given + APART)}
+    if not COMPILED:
+        names["formulas"] = _with_nan(own.run)
+    made: Callable[..., tuple[Floats, bool]] = how.merged(again(formulas_at, names))
+    return made
+
+
+def of_nearest(
+    how: Compiling, numbers: Floats, own: Formulas, nearest_arm: Nearest, given: int
+) -> tuple[Callable[..., bool], Callable[..., None]]:
+    """`solve_from_nearest` and `to_nearest_rows` of a robot.
+
+    Args:
+        how: How the functions of its file are compiled.
+        numbers: The arm's, as the general algorithm takes it.
+        own: The closed form of the nearest arm.
+        nearest_arm: Its numbers.
+        given: How many values the caller gives.
+    """
+    names: dict[str, Any] = {
+        **globals(),
+        "filled_at": filled_of(how, own, given),
+        "arm": numbers,
+        "nearest": nearest_arm.numbers,
+        "places": np.ascontiguousarray(own.places[:, nearest_arm.solved]),
+    }
+    made = (how.merged(again(each, names)) for each in (solve_from_nearest, to_nearest_rows))
+    solve, place = made
+    return solve, place

@@ -70,7 +70,7 @@ def any_turn(T: Floats, flat: Floats) -> None:
 
 
 @inner
-def _in_units(arm: Floats, joints: Floats, angles: Floats, u: Floats) -> None:
+def loop_in_units(arm: Floats, joints: Floats, angles: Floats, u: Floats) -> None:
     """Computes joint values, in units, from those of the loop and those that are given."""
     solved, dof, drives = int(arm[SOLVED]), int(arm[DOF]), int(arm[DRIVES])
     coupled = drives + 1 + int(arm[drives]) * (solved + 1)
@@ -141,7 +141,7 @@ def _keep_loop(
     """
     u, count = np.empty(int(arm[SOLVED])), 0
     for k in range(len(angles)):
-        _in_units(arm, joints, angles[k], u)
+        loop_in_units(arm, joints, angles[k], u)
         if certain:
             wrap_angles(arm, u)
             take(kept[count], u)
@@ -174,7 +174,7 @@ def _keep_without_turn(
         exact = certain
         for j in range(solved, 6):
             exact = exact and abs(angles[k, j]) <= EXACT
-        _in_units(arm, joints, angles[k], u)
+        loop_in_units(arm, joints, angles[k], u)
         if exact:
             wrap_angles(arm, u)
             take(kept[count], u)
@@ -206,21 +206,14 @@ def _keep_ahead(
 
 @apart(
     "void(float64[::1], UniTuple(float64, 12), float64[::1], float64[::1], float64[:, ::1], "
-    "float64[:, ::1], uint8[::1])"
+    "uint8[::1])"
 )
 def all_joints(
-    arm: Floats,
-    pose: Pose,
-    q_free: Floats,
-    seed: Floats,
-    nearby: Floats,
-    q: Floats,
-    status: Bytes,
+    arm: Floats, pose: Pose, q_free: Floats, seed: Floats, q: Floats, status: Bytes
 ) -> None:
     """Fills rows with all solutions, by the first joint, then by the second and so on.
 
-    Other rows are left as they are. A joint that is indeterminate follows the seed. `nearby` holds
-    joint values of the loop near which all solutions are, one near each, or none.
+    Other rows are left as they are. A joint that is indeterminate follows the seed.
     """
     goal = goal_of(pose, q_free, NO_ARM_ANGLE)
     T, joints, near = goal[0], given_joints(arm, q_free), in_units(arm, seed)
@@ -229,7 +222,7 @@ def all_joints(
     if arm[POINTING_LOOP] > 0.0:
         any_turn(T, flat)
     angles, residual = np.empty((PLACES, 6)), np.empty(PLACES)
-    known = solve_loop(arm, flat, q_free, nearby, angles, residual)
+    known = solve_loop(arm, flat, q_free, angles, residual)
     certain, many = known >= 0, known if known >= 0 else -1 - known
     kept, kinds = np.empty((rows, solved)), np.full(rows, -1, np.int64)
     ahead, n = (np.empty((PLACES + STARTS, solved)), np.ones(PLACES + STARTS, np.bool_)), 0
@@ -256,5 +249,5 @@ def solve_whole(arm: Floats, pose: Pose, q_free: Floats, seed: Floats) -> tuple[
     """Returns the rows that `all_joints` fills and what they hold, for callers in Python."""
     rows = int(arm[ROWS])
     q, status = np.full((rows, int(arm[DOF])), math.nan), np.full(rows, UNREACHABLE, np.uint8)
-    all_joints(arm, pose, q_free, seed, np.empty((0, 6)), q, status)
+    all_joints(arm, pose, q_free, seed, q, status)
     return q, status

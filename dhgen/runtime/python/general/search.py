@@ -13,11 +13,13 @@ from ..numerical.solutions import TIE, order_blocks, order_of
 from ..rigid import follow
 from ..tolerances import EXACT
 from .attempts import try_closed_form, try_formulation
-from .candidates import PLACES, count_singular, in_loop, keep_solution, offer, rank
+from .candidates import PLACES, count_singular, from_loop, gap_between, in_loop, offer, rank
 from .correct import MIDDLE_SIZE, correct, look_from_middle
 from .loop import POSE, close, vanishing
 from .places import CLOSED, ELIMINATIONS, MOST, REACH, SIZE_OF_LOOP, SLIDES
 from .tables import NUDGES
+
+WELL_APART = 0.01  # [rad] solutions of which some joint differs by more are not about to meet
 
 if TYPE_CHECKING:
     from ..arrays import Floats, Ints
@@ -146,41 +148,34 @@ def _in_order(arm: Floats, q: Floats, ranks: Ints, count: int) -> Ints:
     return order
 
 
-@inner
-def _solve_near(
-    arm: Floats, loop: Floats, nearby: Floats, q: Floats, residual: Floats, marks: Ints
-) -> tuple[bool, int]:
-    """Finds the solutions near joint values that are known to have one near each and no others.
+@apart("boolean(float64[::1], float64[::1], float64[::1], float64[:, ::1])")
+def corrected(arm: Floats, T: Floats, q_free: Floats, angles: Floats) -> bool:
+    """Takes angles (k, 6) that are near solutions to these, of an arm without slides.
 
-    Returns whether all of them are exact and unlike one another, and the count: if not, zero.
+    Returns whether all are exact, and no two of them near one another; if not, nothing is known.
     """
-    c, s, middle, count = np.empty(6), np.empty(6), np.empty(MIDDLE_SIZE), 0
+    loop = close(arm, T, q_free)
+    c, s, middle = np.empty(6), np.empty(6), np.empty(MIDDLE_SIZE)
     look_from_middle(loop, middle)
-    for i in range(len(nearby)):
-        in_loop(arm, nearby[i], c, s)
-        miss = correct(loop, middle, c, s)
-        _, count = keep_solution(arm, c, s, miss, 1.0, q, residual, marks, count)
-    complete = count == len(nearby)
-    for i in range(count):
-        complete = complete and residual[i] <= EXACT
-    return complete, count if complete else 0
+    for k in range(len(angles)):
+        in_loop(arm, angles[k], c, s)
+        if not correct(loop, middle, c, s) <= EXACT:
+            return False
+        from_loop(arm, c, s, angles[k])
+        for i in range(k):
+            if gap_between(arm, angles[i], angles[k]) < WELL_APART:
+                return False
+    return True
 
 
-@apart(
-    "int64(float64[::1], float64[::1], float64[::1], float64[:, ::1], float64[:, ::1], "
-    "float64[::1])"
-)
-def solve_loop(
-    arm: Floats, T: Floats, q_free: Floats, nearby: Floats, q: Floats, residual: Floats
-) -> int:
+@apart("int64(float64[::1], float64[::1], float64[::1], float64[:, ::1], float64[::1])")
+def solve_loop(arm: Floats, T: Floats, q_free: Floats, q: Floats, residual: Floats) -> int:
     """Finds all solutions of T = C0 J(q1) C1 ... J(q6) C6.
 
     Args:
         arm: The numbers of the arm.
         T: A rigid transform, twelve numbers.
         q_free: Values of the joints that the caller gives.
-        nearby: (k, 6), joint values with one solution near each and no other one, as
-            `near_solutions` has them; none where that is not known.
         q: (PLACES, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows
             whose q1 agree to TIE in the order of q2, and so on, those where the arm is singular or
             nearly so behind all others.
@@ -199,11 +194,7 @@ def solve_loop(
     found, missing = np.empty((PLACES, 6)), np.empty(PLACES)
     marks, doubles_met = np.zeros(PLACES, dtype=np.int64), np.zeros(1, dtype=np.int64)
     useless = vanishing(arm, q_free)
-    certified, count = False, 0
-    if len(nearby) > 0:
-        certified, count = _solve_near(arm, loop, nearby, found, missing, marks)
-    if not certified:
-        certified, count = _try(arm, loop, useless, found, missing, marks, doubles_met)
+    certified, count = _try(arm, loop, useless, found, missing, marks, doubles_met)
     complete = certified
     if not complete:
         complete, count = _from_nearby(arm, loop, useless, found, missing, marks, count)

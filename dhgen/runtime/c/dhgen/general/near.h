@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: MIT
  *
- * The nearest arm with a structure: joint values that lead to all solutions. */
+ * The nearest arm with a structure: joint values that lead to all solutions, and postures. */
 #ifndef DHGEN_GENERAL_NEAR_H
 #define DHGEN_GENERAL_NEAR_H
 
 #include "../general.h"
 #include "loop.h"
+#include "postures.h"
 
 #ifdef DHGEN_DOF
 #include "../certain.h"
 #endif
 
-/* The nearest arm with a structure: what stands before and behind a pose T to make it this arm's,
- * three rows of four, and what its angles are more than those of the loop; which of its joints are
- * those of the loop. */
+/* The nearest arm with a structure. */
 typedef struct {
-    int rows;
-    double left[12], right[12], offsets[6];
-    int place[6];
+    int rows, given;            /* of its closed form; how many values the caller gives */
+    double turned, moved;       /* the two arms' tools differ by no more [rad, length] */
+    double left[12], right[12]; /* from a pose T to that of this arm, left T right */
+    double offsets[6];          /* what its angles are more than those of the loop */
+    int place[6];               /* which of its joints are those of the loop */
+    const double (*link)[12];   /* C0 ... Cn of its pose C0 Rz(angle 1) C1 ... Rz(angle n) Cn */
+    const double *angle;        /* each as the factors of all joint values, and what is added; less
+                                   by the offsets, which are in the links */
 } dhgen_nearest_arm;
-
-/* Its rows at a pose; negative where a branch may end between there and the arm's pose. */
-typedef int dhgen_nearest_rows(
-    const double *T, const double *free_joints, double *q, unsigned char *status);
 
 /* Such an arm's pose for a pose T. */
 DHGEN_FN void dhgen_pose_of_nearest(
@@ -36,27 +36,91 @@ DHGEN_FN void dhgen_pose_of_nearest(
 }
 
 #ifdef DHGEN_DOF /* rows are as long as those of the robot whose file this is a part of */
-/* Angles of the loop that lead to all solutions. That no other branch has one is certain, that none
- * has a second one is not proven. Returns how many; 0 where it is not certain. */
-DHGEN_FN int dhgen_near_solutions(const dhgen_nearest_arm *arm, dhgen_nearest_rows *solve,
-    const double *T, const double *free_joints, double (*nearby)[6])
+/* What the closed form is given, DHGEN_DOF numbers at most: six joints are solved for. */
+DHGEN_FN void dhgen_give_nearest(const dhgen_nearest_arm *arm, const double *free_joints,
+    double turned, double moved, double *given)
 {
-    double pose[16], q[16][DHGEN_DOF];
+    for (int i = 0; i < arm->given; i++) {
+        given[i] = free_joints[i];
+    }
+    given[arm->given] = turned;
+    given[arm->given + 1] = moved;
+}
+
+/* Angles of the loop that lead to all solutions, and the row of each. That no other branch has one
+ * is certain, that none has a second one is not proven. Returns how many; -1 where it is not
+ * certain. */
+DHGEN_FN int dhgen_near_solutions(const dhgen_nearest_arm *arm, dhgen_nearest_rows *solve,
+    const double *T, const double *free_joints, double (*nearby)[6], int *rows)
+{
+    double pose[16], given[DHGEN_DOF], q[16][DHGEN_DOF];
     unsigned char status[16];
     int count = 0;
     dhgen_pose_of_nearest(arm->left, T, arm->right, pose);
-    if (solve(pose, free_joints, q[0], status) <= 0) {
-        return 0;
+    dhgen_give_nearest(arm, free_joints, arm->turned, arm->moved, given);
+    if (solve(pose, given, q[0], status) < 0) {
+        return -1;
     }
     for (int row = 0; row < arm->rows; row++) {
         if (status[row] == DHGEN_OK) {
             for (int i = 0; i < 6; i++) {
                 nearby[count][i] = q[row][arm->place[i]] - arm->offsets[i];
             }
-            count++;
+            rows[count++] = row;
         }
     }
     return count;
+}
+
+/* The joint values of angles of the loop. */
+DHGEN_FN void dhgen_values_of_loop(const struct dhgen_numerical_arm *arm, const double *free_joints,
+    const double *angles, double *q)
+{
+    double u[DHGEN_DOF];
+    for (int i = 0; i < arm->given_joints; i++) {
+        q[arm->given[i]] = free_joints[i];
+    }
+    if (arm->drives) {
+        dhgen_to_drives(arm, q, angles, u);
+        dhgen_wrap_units(arm, u);
+    }
+    for (int i = 0; i < 6; i++) {
+        q[arm->joint[i]] =
+            arm->drives ? u[i] : dhgen_wrap(arm->facing[i] * (angles[i] - arm->zero[i]));
+    }
+}
+
+/* All solutions of a pose where the nearest arm's rows lead to them, and the row of each. Returns
+ * how many, or -1 where the pose has to be left to the general algorithm. */
+DHGEN_FN int dhgen_solved_from_nearest(const dhgen_general_arm *general,
+    const struct dhgen_numerical_arm *descents, const dhgen_nearest_arm *nearest,
+    dhgen_nearest_rows *solve, const double *T, const double *free_joints,
+    double (*solution)[DHGEN_DOF], int *row)
+{
+    double angles[DHGEN_ROWS][6];
+    const int count = dhgen_near_solutions(nearest, solve, T, free_joints, angles, row);
+    if (count < 0 || !dhgen_general_correct(general, T, free_joints, angles, count)) {
+        return -1;
+    }
+    for (int k = 0; k < count; k++) {
+        dhgen_values_of_loop(descents, free_joints, angles[k], solution[k]);
+    }
+    return count;
+}
+
+/* Fills the rows of solutions where those of the nearest arm lead to all, and no others. Returns
+ * whether they do. */
+DHGEN_FN int dhgen_solve_from_nearest(const dhgen_general_arm *general,
+    const struct dhgen_numerical_arm *descents, const dhgen_nearest_arm *nearest,
+    dhgen_nearest_rows *solve, const double *T, const double *free_joints, double *q,
+    unsigned char *status)
+{
+    double solution[DHGEN_ROWS][DHGEN_DOF];
+    int row[DHGEN_ROWS];
+    const int count =
+        dhgen_solved_from_nearest(general, descents, nearest, solve, T, free_joints, solution, row);
+    dhgen_keep_certain(solution, row, count, q, status);
+    return count >= 0;
 }
 
 /* The rows of a pose where those of the nearest arm lead to all solutions. Returns how many are
@@ -66,20 +130,36 @@ DHGEN_FN int dhgen_near_rows(const struct dhgen_arm *arm, const dhgen_general_ar
     dhgen_nearest_rows *solve, const double *T, const double *free_joints, double *q,
     unsigned char *status)
 {
-    double nearby[DHGEN_ROWS][6], solution[DHGEN_ROWS][DHGEN_DOF];
-    const int count = dhgen_near_solutions(nearest, solve, T, free_joints, nearby);
-    if (count <= 0 || !dhgen_general_correct(general, T, free_joints, nearby, count))
-        return -1;
-    for (int k = 0; k < count; k++) {
-        for (int i = 0; i < arm->given_joint_count; i++) {
-            solution[k][arm->given_joints[i]] = free_joints[i];
+    double solution[DHGEN_ROWS][DHGEN_DOF];
+    int row[DHGEN_ROWS];
+    const int count =
+        dhgen_solved_from_nearest(general, descents, nearest, solve, T, free_joints, solution, row);
+    return count < 0 ? -1 : dhgen_fill_certain(arm, solution, row, count, q, status);
+}
+
+/* Moves rows that ascend to those of their postures. */
+DHGEN_FN void dhgen_to_nearest_rows(const dhgen_nearest_arm *nearest, dhgen_nearest_rows *solve,
+    const double *free_joints, double *q, unsigned char *status)
+{
+    int posture[DHGEN_ROWS];
+    double given[DHGEN_DOF];
+    dhgen_give_nearest(nearest, free_joints, 0.0, 0.0, given);
+    for (int row = 0; row < DHGEN_ROWS && status[row] != DHGEN_UNREACHABLE; row++) {
+        double angle[DHGEN_DOF], value[6], pose[16];
+        for (int i = 0; i < DHGEN_DOF; i++) {
+            const double *const of = nearest->angle + (DHGEN_DOF + 1) * i;
+            angle[i] = of[DHGEN_DOF];
+            for (int j = 0; j < DHGEN_DOF; j++) {
+                angle[i] += of[j] * q[DHGEN_DOF * row + j];
+            }
         }
+        dhgen_pose_of_links(nearest->link, angle, DHGEN_DOF, pose);
         for (int i = 0; i < 6; i++) {
-            const double value = descents->facing[i] * (nearby[k][i] - descents->zero[i]);
-            solution[k][descents->joint[i]] = value - DHGEN_TURN * ceil(value / DHGEN_TURN - 0.5);
+            value[i] = angle[nearest->place[i]] + nearest->offsets[i];
         }
+        posture[row] = dhgen_posture(solve, nearest->rows, pose, given, value, nearest->place);
     }
-    return dhgen_fill_certain(arm, solution, count, q, status);
+    dhgen_place_rows(posture, nearest->rows, q, status);
 }
 #endif
 

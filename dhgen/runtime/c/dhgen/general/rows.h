@@ -44,31 +44,12 @@ DHGEN_FN void dhgen_choose_spin(const double *T, double *whole)
         whole[i] = entries[i];
 }
 
-/* A solution of the loop in units, of drives that move more than their own joint: by what they have
- * of all joints, also of those that are given. */
-DHGEN_FN void dhgen_to_drives(const struct dhgen_descent *d, const double *angles, double *u)
-{
-    const struct dhgen_numerical_arm *const arm = d->arm;
-    const int dof = dhgen_dof(arm);
-    double inner[DHGEN_JOINTS];
-    for (int i = 0; i < dof; i++)
-        inner[i] = d->q[i];
-    for (int j = 0; j < arm->solved; j++)
-        inner[arm->joint[j]] = angles[j] - arm->zero[j];
-    for (int j = 0; j < arm->solved; j++) {
-        double value = 0.0;
-        for (int i = 0; i < dof; i++)
-            value += arm->drives->back[dof * j + i] * inner[i];
-        u[j] = value / arm->unit[j];
-    }
-}
-
 /* A solution of the loop as joint values in units. */
 DHGEN_FN void dhgen_from_loop(const struct dhgen_descent *d, const double *angles, double *u)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
     if (arm->drives)
-        dhgen_to_drives(d, angles, u);
+        dhgen_to_drives(arm, d->q, angles, u);
     for (int j = 0; j < arm->solved && !arm->drives; j++)
         u[j] = arm->facing[j] * (angles[j] - arm->zero[j]) / arm->unit[j];
 }
@@ -132,7 +113,7 @@ DHGEN_FN void dhgen_keep_loop(
 
 DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
     const struct dhgen_numerical_arm *arm, const double *T, const double *free_joints,
-    const double *seed, double (*nearby)[6], int nearby_count, double *q, unsigned char *status)
+    const double *seed, double *q, unsigned char *status)
 {
     struct dhgen_descent d;
     struct dhgen_kept kept;
@@ -143,9 +124,8 @@ DHGEN_API void dhgen_general_rows(const dhgen_general_arm *general,
     kept.ahead = &ahead;
     if (arm->directions == DHGEN_POINTING)
         dhgen_choose_spin(T, whole);
-    const int count =
-        dhgen_general_solutions(general, arm->directions == DHGEN_POINTING ? whole : T, free_joints,
-            nearby, nearby_count, angles, residual);
+    const int count = dhgen_general_solutions(
+        general, arm->directions == DHGEN_POINTING ? whole : T, free_joints, angles, residual);
     const int many = count < 0 ? -1 - count : count;
     int certain = count >= 0;
     if (!certain)

@@ -211,8 +211,7 @@ DHGEN_API int dhgen_general_correct(const dhgen_general_arm *arm, const double T
 }
 
 DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double T[16],
-    const double *free_joints, double (*nearby)[6], int nearby_count, double (*q)[6],
-    double *residual)
+    const double *free_joints, double (*q)[6], double *residual)
 {
     dhgen_found found;
     dhgen_loop whole;
@@ -224,7 +223,7 @@ DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > arm->reach) {
         return 0;
     }
-    certified = dhgen_solve_near(loop, nearby, nearby_count, &found) || dhgen_try_all(loop, &found);
+    certified = dhgen_try_all(loop, &found);
     if (!certified && !dhgen_search_nearby_poses(loop, &found)) {
         dhgen_search_everywhere(loop, &found);
     }
