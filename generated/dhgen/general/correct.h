@@ -277,26 +277,4 @@ DHGEN_FN int dhgen_are_apart(
     return 1;
 }
 
-/* Finds the solutions near joint values of which each leads to one, and all lead to all; returns
- * whether these are exact and unlike one another. If not, none is kept. */
-DHGEN_FN int dhgen_solve_near(
-    const dhgen_loop *loop, double (*nearby)[6], int nearby_count, dhgen_found *found)
-{
-    double residual[DHGEN_PLACES];
-    if (nearby_count <= 0) {
-        return 0;
-    }
-    dhgen_correct_angles(loop, nearby, nearby_count, residual);
-    int complete = 1;
-    for (int k = 0; k < nearby_count; k++) {
-        complete &= residual[k] <= DHGEN_LOOP_EXACT;
-        (void)dhgen_keep_solution(loop->arm, found, nearby[k], residual[k], 1.0);
-    }
-    if (!complete || found->count < nearby_count) {
-        dhgen_forget(found);
-        complete = 0;
-    }
-    return complete;
-}
-
 #endif
