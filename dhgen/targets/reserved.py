@@ -18,13 +18,13 @@ drive_table drives drives_back e end ended ends enough entries exact exactly exa
 farther fault first formulations found frames FREE G gap general given given_joints given_places
 given_shares half held here high i inner inside is_open j joints k kept kind known LANES last leads
 least least_u left length links lost low many measure middle miss most most_u motions moved moves n
-named nearby nearby_count nearest nearest_arm NEARLY nearly next NONE off other others outer over
-overshoot own P p pace part past place plane_miss pulled reached residual rest result right rows s
-search seen served serves settled slope solve_certain solve_regular solved solves span_low
-span_width special spin square stands start step steps stride sum sum_factors sum_highest
-sum_lowest sum_slacks table there third to together tool top towards tried turn_moves turned_drives
-turning turns twist u unit valid value values velocities w way weights why within worst wrist x xx
-xy y yy z zero zeros zz
+named nearby nearby_count nearest nearest_angles nearest_arm nearest_links NEARLY nearly next NONE
+off other others outer over overshoot own P p pace part past place plane_miss pulled reached
+residual rest result right rows s search seen served serves settled slope solve_certain
+solve_regular solved solves span_low span_width special spin square stands start step steps stride
+sum sum_factors sum_highest sum_lowest sum_slacks table there third to together tool top towards
+tried turn_moves turned_drives turning turns twist u unit valid value values velocities w way
+weights why within worst wrist x xx xy y yy z zero zeros zz
 """
 
 _LANES = """

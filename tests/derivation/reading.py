@@ -107,7 +107,7 @@ def _command(command: str, tokens: list[re.Match[str]], at: int) -> tuple[Node, 
     if command in ACCENTS:
         inside, at = _argument(tokens, at)
         return ("id", spelt(inside) + ACCENTS[command]), at
-    if command in {"left", "right"}:
+    if command in {"left", "right", "thinspace"}:
         return ("skip",), at
     if command in {"quad", "qquad"}:
         return ("space",), at

@@ -58,6 +58,8 @@ def _of_tag(element: ET.Element) -> Nodes:
             return [("id", text)] if text else []
         case "mo":
             return [] if text in SILENT else [("op", text)]
+        case "mspace" if element.get("width") == "0.167em":  # between factors
+            return []
         case "mspace":
             return [("space",)]
         case "mtable":

@@ -66,7 +66,9 @@ def test_no_other_branch_has_solutions_near_by(text: str) -> None:
     assert nominal is not None
     rng, nearest = np.random.default_rng(3), nominal.nearest
     q = rng.uniform(-np.pi, np.pi, (POSES, chain.dof))
-    free = q[:, [number - 1 for number in chain.free]]
+    given = q[:, [number - 1 for number in chain.free]]
+    deviation = np.broadcast_to([nearest.deviation.angle, nearest.deviation.length], (POSES, 2))
+    free = np.concatenate([given, deviation], axis=1)
     T = np.array(nearest.left) @ numeric_arm(chain).pose(q) @ np.array(nearest.right)
     exists, certain = solved(nominal, T, free)
     assert 0.5 < certain.mean() < 0.97

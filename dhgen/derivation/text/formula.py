@@ -200,6 +200,12 @@ def is_function(formula: Formula) -> bool:
     return isinstance(base, Symbol) and base.text.startswith(("cos ", "sin "))
 
 
+def is_word(formula: Formula) -> bool:
+    """Whether a formula is a name of several letters, or a power of one."""
+    base = formula.base if isinstance(formula, Power) else formula
+    return isinstance(base, Symbol) and base.latex.startswith(r"\mathit{")
+
+
 def times(*factors: Formula) -> Formula:
     """The product of some factors; signs and numbers come first.
 

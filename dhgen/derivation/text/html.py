@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
 
 
+THIN = "0.167em"  # browsers know spaces by their widths alone
 COMMA = "{,}"  # of decimals, in LaTeX; the converter knows points alone
 _DECIMAL = re.compile(r"(<mn>\d+)\.(\d+</mn>)")
 _MATH = re.compile(r"<math [^>]*>(.*)</math>", re.DOTALL)
@@ -86,7 +87,8 @@ def _in_text(formula: Formula) -> str:
 def _mathml(latex: str) -> str:
     if not latex:
         return ""
-    found = _MATH.fullmatch(convert(latex.replace(COMMA, ".")))
+    converted = convert(latex.replace(COMMA, ".")).replace("thinmathspace", THIN)
+    found = _MATH.fullmatch(converted)
     assert found is not None, latex
     numbers = _DECIMAL.sub(r"\1,\2", found[1]) if COMMA in latex else found[1]
     named = _NAME.sub(_in_one, numbers)

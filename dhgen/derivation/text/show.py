@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.text.formula import (
@@ -21,6 +22,7 @@ from dhgen.derivation.text.formula import (
     Sum,
     Symbol,
     is_function,
+    is_word,
 )
 
 if TYPE_CHECKING:
@@ -37,7 +39,7 @@ def show(formula: Formula, style: Style) -> str:
         case Sum(terms):
             return "".join(signed_terms(terms, style))
         case Product(factors):
-            return " ".join(show_factor(factor, style) for factor in factors)
+            return _show_product(factors, style)
         case Number() | Power() | Quotient() | Root() | Size():
             return _show_unit(formula, style)
         case _:
@@ -85,6 +87,15 @@ def _show_group(formula: Call | Relation | Listing | Matrix | Element, style: St
             name = show(matrix, style)
             name = name if isinstance(matrix, Symbol) else style.enclosed(name, tall=False)
             return f"{name}[{row},{column}]"
+
+
+def _show_product(factors: tuple[Formula, ...], style: Style) -> str:
+    """Factors side by side; beside a name of several letters there has to be room."""
+    shown = show_factor(factors[0], style)
+    for before, factor in pairwise(factors):
+        room = style.room if is_word(before) or is_word(factor) else " "
+        shown += room + show_factor(factor, style)
+    return shown
 
 
 def show_entry(entry: Formula | None, style: Style) -> str:

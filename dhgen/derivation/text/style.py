@@ -30,6 +30,11 @@ class Style(Protocol):
         ...
 
     @property
+    def room(self) -> str:
+        """What stands between factors of which one is a name of several letters."""
+        ...
+
+    @property
     def any_entry(self) -> str:
         """The sign for an entry of a matrix that does not matter."""
         ...
@@ -82,6 +87,7 @@ class Latex:
 
     minus: str = "-"
     comma: str = r",\quad "
+    room: str = r" \thinspace "
     any_entry: str = r"\cdot"
     slanted: bool = False
 
@@ -129,6 +135,7 @@ class Plain:
 
     minus: str = "−"
     comma: str = ", "
+    room: str = " "
     any_entry: str = "·"
     slanted: bool = True
 

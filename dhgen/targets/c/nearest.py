@@ -33,6 +33,7 @@ class CNearest:
         right: What stands behind it.
         offsets: What its angles are more than those of the loop.
         places: Of the joints that are solved for among all.
+        link_count: How many links it has.
         links: C0 ... Cn of its pose C0 Rz(angle 1) C1 ... Rz(angle n) Cn.
         angles: Each as the factors of all joint values, and what is added.
     """
@@ -46,6 +47,7 @@ class CNearest:
     right: str
     offsets: str
     places: str
+    link_count: int
     links: Sequence[str]
     angles: Sequence[str]
 
@@ -91,6 +93,7 @@ def c_nearest(module: SolverModule, flats: Flats | None) -> CNearest | None:
         right=rigid(nearest.right),
         offsets=row([nearest.offsets[place] for place in own.chain.solved_places]),
         places=", ".join(map(str, own.chain.solved_places)),
+        link_count=len(nearest.links),
         links=[rigid(link) for link in nearest.links.tolist()],
         angles=rows(nearest_angles(module.chain)),
     )
