@@ -95,6 +95,30 @@ def test_a_look_may_end_in_the_middle_of_a_pair(edge: float, off: float, noise: 
     np.testing.assert_allclose(np.sort(np.mod(found.simple, 2 * np.pi)), real, atol=1e-6)
 
 
+@pytest.mark.parametrize("gaps", [(2e-6, 1e-6), (2e-6, 7e-6), (7e-6, 2e-6), (1e-4, 2e-6)])
+@pytest.mark.parametrize("apart", np.linspace(0.0575, 0.0635, 25).tolist())
+def test_a_look_at_one_pair_takes_nothing_of_another(
+    apart: float, gaps: tuple[float, float]
+) -> None:
+    """Pairs that a look resolves at its middle are double roots at its edge, if anything."""
+    firsts = [(2.3, gaps[0]), (2.3 + apart, gaps[1])]
+    pairs = [(at, at + gap) for first, gap in firsts for at in (first, first + np.pi)]
+    rest = product((1.0, 1.0), (4.0, 1.0), (5.5, 1.0), (0.2, 1.0), real=[*np.ravel(pairs)])
+
+    def at(cosine: np.ndarray, sine: np.ndarray) -> np.ndarray:
+        rounding = 1e-11 * np.sin(1e4 * np.arctan2(sine, cosine))
+        return np.asarray(rest(cosine, sine) * (1.0 + rounding))
+
+    found = real_roots(at)
+    assert found is not None
+    for pair in pairs:
+        beside = [
+            abs(np.angle(np.exp(1j * (np.array(each) - np.mean(pair)))))
+            for each in (found.simple, found.double)
+        ]
+        assert (beside[0] < 1e-3).sum() == 2 or (beside[1] < 1e-3).any() or not found.complete
+
+
 def test_a_double_root_stays_one() -> None:
     found = real_roots(product((1.0, 0.0), (2.0, 0.5)))
     assert found is not None

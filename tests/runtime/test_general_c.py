@@ -270,6 +270,7 @@ SHARED = {
         {
             "LOOK_COSINE": "NEAR_COSINE",
             "WITHIN_COSINE": "WITHIN_COSINE",
+            "ASIDE_COSINE": "ASIDE_COSINE",
             "LIFTED": "LIFTED_BY",
             "INDEPENDENT": "INDEPENDENT",
         },

@@ -12,9 +12,11 @@
 /* How far a closer look reaches to both sides is nearly 1/16 rad; its cosine, from half the
  * tangent. */
 #define DHGEN_LOOK_COSINE 0.9980487804878049
-/* Double roots between 15/256 rad and that have a look of their own: what a look shows of them may
- * end in the middle of one, where two simple roots are. */
+/* A look replaces what is known within 15/256 rad, so that it shows both roots of a pair that ends
+ * beyond; what it shows farther away, less magnified, is new where nothing known is within 1/512
+ * rad of it. The cosines. */
 #define DHGEN_WITHIN_COSINE 0.9982848583483567
+#define DHGEN_ASIDE_COSINE 0.9999980926531862
 /* In its middle a map of this strength magnifies 16 times. */
 #define DHGEN_STRENGTH 0.8823529411764706
 /* How far a closer look reaches, in cells: 1/16 rad becomes 0.93 rad. */
@@ -50,22 +52,46 @@ typedef struct {
     const void *of;
 } dhgen_source;
 
-/* Whether two angles, by their cosines and sines, are as near as `reach`, the cosine of the angle
- * between them: that to which a closer look reaches, or shows double roots whole. */
-DHGEN_FN int dhgen_is_near(double c, double s, double cosine, double sine, double reach)
+/* Whether any of some angles, by their cosines and sines, is as near to one as `reach`, the cosine
+ * of the angle between them. */
+DHGEN_FN int dhgen_any_near(
+    const double *c, const double *s, int many, double cosine, double sine, double reach)
 {
-    return c * cosine + s * sine >= reach;
+    int any = 0;
+    for (int i = 0; i < many; i++) {
+        any |= c[i] * cosine + s[i] * sine >= reach;
+    }
+    return any;
 }
 
-/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
-DHGEN_FN int dhgen_select_roots(int near, double cosine, double sine, double reach,
-    const double *from_c, const double *from_s, int many, double *c, double *s, int count)
+/* Removes what is within a look of roots; returns how many are left. */
+DHGEN_FN int dhgen_remove_within(double cosine, double sine, double *c, double *s, int many)
+{
+    int count = 0;
+    for (int i = 0; i < many; i++) {
+        if (c[i] * cosine + s[i] * sine < DHGEN_WITHIN_COSINE) {
+            c[count] = c[i];
+            s[count++] = s[i];
+        }
+    }
+    return count;
+}
+
+/* Adds what a look shows to roots of one kind, of which, and of those of the other kind, only the
+ * first ones were known before; returns how many there are. */
+DHGEN_FN int dhgen_add_shown(double cosine, double sine, const dhgen_roots *known, int simple,
+    int doubles, const double *from_c, const double *from_s, int many, double *c, double *s,
+    int count)
 {
     for (int i = 0; i < many && count < DHGEN_ROOTS; i++) {
-        if (dhgen_is_near(from_c[i], from_s[i], cosine, sine, reach) == near) {
+        const double near = from_c[i] * cosine + from_s[i] * sine;
+        const int is_new = near >= DHGEN_LOOK_COSINE
+            && !dhgen_any_near(known->c, known->s, simple, from_c[i], from_s[i], DHGEN_ASIDE_COSINE)
+            && !dhgen_any_near(known->double_c, known->double_s, doubles, from_c[i], from_s[i],
+                DHGEN_ASIDE_COSINE);
+        if (near >= DHGEN_WITHIN_COSINE || is_new) {
             c[count] = from_c[i];
-            s[count] = from_s[i];
-            count++;
+            s[count++] = from_s[i];
         }
     }
     return count;
@@ -112,29 +138,22 @@ DHGEN_FN int dhgen_magnify(
     dhgen_undo_moebius(&map, found.doubles, found.double_c, found.double_s);
     dhgen_undo_moebius(&map, found.lifted, found.lifted_c, found.lifted_s);
     dhgen_take_lifted(source, &found);
-    roots->simple = dhgen_select_roots(0, cosine, sine, DHGEN_LOOK_COSINE, roots->c, roots->s,
-        roots->simple, roots->c, roots->s, 0);
-    roots->doubles = dhgen_select_roots(0, cosine, sine, DHGEN_WITHIN_COSINE, roots->double_c,
-        roots->double_s, roots->doubles, roots->double_c, roots->double_s, 0);
-    roots->simple = dhgen_select_roots(1, cosine, sine, DHGEN_LOOK_COSINE, found.c, found.s,
-        found.simple, roots->c, roots->s, roots->simple);
-    roots->doubles = dhgen_select_roots(1, cosine, sine, DHGEN_WITHIN_COSINE, found.double_c,
-        found.double_s, found.doubles, roots->double_c, roots->double_s, roots->doubles);
+    const int simple = dhgen_remove_within(cosine, sine, roots->c, roots->s, roots->simple),
+              doubles = dhgen_remove_within(
+                  cosine, sine, roots->double_c, roots->double_s, roots->doubles);
+    roots->simple = dhgen_add_shown(cosine, sine, roots, simple, doubles, found.c, found.s,
+        found.simple, roots->c, roots->s, simple);
+    roots->doubles = dhgen_add_shown(cosine, sine, roots, simple, doubles, found.double_c,
+        found.double_s, found.doubles, roots->double_c, roots->double_s, doubles);
     return 1;
 }
 
-/* Whether any root is near to an angle. */
-DHGEN_FN int dhgen_any_near(const dhgen_roots *roots, double cosine, double sine)
+/* Whether any root is within a look. */
+DHGEN_FN int dhgen_shows_any(const dhgen_roots *roots, double cosine, double sine)
 {
-    int any = 0;
-    for (int i = 0; i < roots->simple; i++) {
-        any |= dhgen_is_near(roots->c[i], roots->s[i], cosine, sine, DHGEN_LOOK_COSINE);
-    }
-    for (int i = 0; i < roots->doubles; i++) {
-        any |= dhgen_is_near(
-            roots->double_c[i], roots->double_s[i], cosine, sine, DHGEN_WITHIN_COSINE);
-    }
-    return any;
+    return dhgen_any_near(roots->c, roots->s, roots->simple, cosine, sine, DHGEN_WITHIN_COSINE)
+        || dhgen_any_near(
+            roots->double_c, roots->double_s, roots->doubles, cosine, sine, DHGEN_WITHIN_COSINE);
 }
 
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
@@ -148,11 +167,8 @@ DHGEN_FN void dhgen_look_closer(const dhgen_source *source, dhgen_roots *roots)
         return;
     }
     while (i < roots->doubles) {
-        int seen = 0;
-        for (int k = 0; k < looks; k++) {
-            seen |= dhgen_is_near(
-                roots->double_c[i], roots->double_s[i], c[k], s[k], DHGEN_WITHIN_COSINE);
-        }
+        const int seen = dhgen_any_near(
+            c, s, looks, roots->double_c[i], roots->double_s[i], DHGEN_WITHIN_COSINE);
         if (seen) {
             i++;
             continue;
@@ -164,7 +180,7 @@ DHGEN_FN void dhgen_look_closer(const dhgen_source *source, dhgen_roots *roots)
         s[looks] = roots->double_s[i];
         emptied[looks] = dhgen_magnify(source, c[looks], s[looks], roots);
         clear &= emptied[looks];
-        emptied[looks] &= !dhgen_any_near(roots, c[looks], s[looks]);
+        emptied[looks] &= !dhgen_shows_any(roots, c[looks], s[looks]);
         looks++;
         i = 0;
     }

@@ -51,10 +51,12 @@ LOOKS = 4  # more closely, at most
 # How far a closer look reaches to both sides [rad], nearly, and its cosine from half the tangent.
 NEAR = 1 / 16
 NEAR_COSINE = (1 - (NEAR / 2) ** 2) / (1 + (NEAR / 2) ** 2)
-# Double roots between this and NEAR have a look of their own: what a look shows of them may end in
-# the middle of one, where two simple roots are.
+# A look replaces what is known within this, so that it shows both roots of a pair that ends beyond;
+# what it shows farther away, less magnified, is new where nothing known is within ASIDE of it.
 WITHIN = 15 / 256
 WITHIN_COSINE = (1 - (WITHIN / 2) ** 2) / (1 + (WITHIN / 2) ** 2)
+ASIDE = 1 / 512
+ASIDE_COSINE = (1 - (ASIDE / 2) ** 2) / (1 + (ASIDE / 2) ** 2)
 STRENGTH = (1 - NEAR) / (1 + NEAR)  # in the middle a lens of this strength magnifies 1 / NEAR times
 REACH = 38  # in cells: from tan(psi/2) = tan(phi/2) / NEAR, NEAR becomes 0.93 rad
 # An extremum beside zero may be a double root that rounding has lifted off, also that of the
@@ -169,9 +171,12 @@ def _seen(
 
 
 @inner
-def _is_near(x: float, middle: float, twice: int) -> bool:
-    """Whether a root, simple or double, is as near to an angle as a closer look shows it whole."""
-    return math.cos(x - middle) >= (WITHIN_COSINE if twice == DOUBLE else NEAR_COSINE)
+def _any_near(angles: Floats, count: int, x: float, reach: float) -> bool:
+    """Whether any of some angles is as near to one as `reach`, the cosine of what is between."""
+    near = False
+    for i in range(count):
+        near = near or math.cos(x - angles[i]) >= reach
+    return near
 
 
 @apart("void(float64[:, ::1], int64[::1], float64[:, ::1], int64[::1], float64)")
@@ -179,37 +184,39 @@ def _replace(
     roots: Floats, counts: Ints, closer: Floats, closer_counts: Ints, middle: float
 ) -> None:
     """Replaces the roots near to an angle by those that a closer look shows there."""
+    known = np.zeros(2, np.int64)
     for twice in range(2):
-        kept = 0
         for i in range(counts[twice]):
-            if not _is_near(roots[twice, i], middle, twice):
-                roots[twice, kept] = roots[twice, i]
-                kept += 1
+            if math.cos(roots[twice, i] - middle) < WITHIN_COSINE:
+                roots[twice, known[twice]] = roots[twice, i]
+                known[twice] += 1
+        counts[twice] = known[twice]
+    for twice in range(2):
         for i in range(closer_counts[twice]):
-            if _is_near(closer[twice, i], middle, twice) and kept < ROOTS:
-                roots[twice, kept] = closer[twice, i]
-                kept += 1
-        counts[twice] = kept
+            x = closer[twice, i]
+            near = math.cos(x - middle)
+            is_new = (
+                near >= NEAR_COSINE
+                and not _any_near(roots[0], known[0], x, ASIDE_COSINE)
+                and not _any_near(roots[DOUBLE], known[1], x, ASIDE_COSINE)
+            )
+            if (near >= WITHIN_COSINE or is_new) and counts[twice] < ROOTS:
+                roots[twice, counts[twice]] = x
+                counts[twice] += 1
 
 
 @inner
-def _any_near(roots: Floats, counts: Ints, middle: float) -> bool:
-    """Whether any root is near to an angle."""
-    near = False
-    for twice in range(2):
-        for i in range(counts[twice]):
-            near = near or _is_near(roots[twice, i], middle, twice)
-    return near
+def _shows_any(roots: Floats, counts: Ints, middle: float) -> bool:
+    """Whether any root is within a look."""
+    simple = _any_near(roots[0], counts[0], middle, WITHIN_COSINE)
+    return simple or _any_near(roots[DOUBLE], counts[DOUBLE], middle, WITHIN_COSINE)
 
 
 @inner
 def _next_double(roots: Floats, counts: Ints, seen: Floats, looks: int) -> int:
     """Returns the first double root without a closer look; their count if there is none."""
     for i in range(counts[DOUBLE]):
-        near = False
-        for k in range(looks):
-            near = near or _is_near(roots[DOUBLE, i], seen[k], DOUBLE)
-        if not near:
+        if not _any_near(seen, looks, roots[DOUBLE, i], WITHIN_COSINE):
             return i
     return int(counts[DOUBLE])
 
@@ -280,7 +287,7 @@ def real_roots(
         looks += 1
         if not _look_closer(arm, kind, E, joints, links, between, middle, roots, counts):
             clear = False
-        elif not _any_near(roots, counts, middle):
+        elif not _shows_any(roots, counts, middle):
             unseen[empty] = middle
             empty += 1
         i = _next_double(roots, counts, seen, looks)
