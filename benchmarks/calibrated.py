@@ -27,7 +27,7 @@ from benchmarks.report import table, time_text
 from dhgen.atomic_write import write_files
 from dhgen.calibrated import kind_of
 from dhgen.compiler import worked_out
-from dhgen.program.interpret import outputs
+from dhgen.nominal.nominal import left_poses
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import c_runtime_files
 from dhgen.runtime.python.calibration import LEFT, MOVED, RIGHT, TURNED
@@ -104,23 +104,21 @@ def measure(kind: Kind, solvers: list[Native], error: float, count: int) -> tupl
     own, plain = solvers
     seconds, alone = own.each(T, PASSES), plain.each(T, PASSES)
     rows, others = own.rows(T), plain.rows(T)
-    left = np.mean(left_poses(kind, FleetArm(own.library, kind, numbers), T))
+    left = np.mean(doubted_poses(kind, FleetArm(own.library, kind, numbers), T))
     differ = unlike(rows, others) + unlike(others, rows)
     times = [seconds.mean(), *np.quantile(seconds, [0.5, 0.99, 1.0])]
     told = [time_text(1e9 * each) for each in (*times, alone.mean())]
     return (*told[:4], f"{100.0 * left:.1f} %", told[4], str(differ))
 
 
-def left_poses(kind: Kind, arm: FleetArm, T: FloatArray) -> NDArray[np.bool_]:
-    """Which poses (N, 4, 4) are left, since a row of the nominal arm may end near by."""
-    lower, of, solver = [[0.0, 0.0, 0.0, 1.0]], arm.numbers, kind.regular
+def doubted_poses(kind: Kind, arm: FleetArm, T: FloatArray) -> NDArray[np.bool_]:
+    """Which poses (N, 4, 4) of an arm are left, since a row of the nominal arm may end near by."""
+    lower, of = [[0.0, 0.0, 0.0, 1.0]], arm.numbers
     left, right = (
         np.concatenate([of[place : place + 12].reshape(3, 4), lower]) for place in (LEFT, RIGHT)
     )
     apart = np.tile(of[[TURNED, MOVED]], (len(T), 1))
-    doubts = outputs(solver.program, left @ T @ right, free=apart)[len(solver.joints) :]
-    ended = [each.reshape(len(T), -1).any(axis=1) for each in doubts]
-    return np.asarray(np.any(ended, axis=0))
+    return left_poses(kind.regular, left @ T @ right, apart)
 
 
 def with_errors(kind: Kind, source: np.random.Generator, error: float) -> FloatArray:

@@ -169,7 +169,7 @@ def _module(
         precision=precision,
         plain=robot.plain,
         nominal=story.nominal,
-        nearest_branches=() if story.nominal is None else story.nominal.branches,
+        nearest_branches=() if story.nominal is None else story.nominal.solver.branches,
         owner=robot.owner,
     )
 

@@ -39,11 +39,7 @@ class NumericArm:
 
     def pose(self, q: FloatArray) -> FloatArray:
         """T of joint values, shape (..., n) to (..., 4, 4)."""
-        steps = self.steps(np.asarray(q, np.float64))
-        T = self.base
-        for element in (*self.elements, self.tool):
-            T = T @ (steps[..., element - 1, :, :] if isinstance(element, int) else element)
-        return T
+        return self._frames(q)[0]
 
     def axes(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Directions and points (..., n, 3) of the joints' axes at joint values (..., n)."""

@@ -21,6 +21,9 @@ from dhgen.robot.load import load_text
 from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
     from dhgen.nominal.nearest import Nearest
     from dhgen.program.ir import Program
@@ -42,7 +45,6 @@ class Nominal:
         nearest: Its numbers.
         chain: The arm of its table alone.
         solver: Its closed form.
-        branches: What its rows look like where the arm is mounted.
         regular: The same of regular poses, left where its rows may not be all of the arm's.
         certain: At which part of random poses they are.
     """
@@ -50,7 +52,6 @@ class Nominal:
     nearest: Nearest
     chain: Chain
     solver: Program
-    branches: tuple[str, ...]
     regular: Regular
     certain: float
 
@@ -82,7 +83,7 @@ def nominal_arm(chain: Chain, reserved: Reserved) -> Nominal | None:
     certain = _certain(chain, nearest, own)
     if certain < WORTH:
         return None
-    return Nominal(nearest, near, solver, solver.branches, own, certain)
+    return Nominal(nearest, near, solver, own, certain)
 
 
 def _is_asked_alone(chain: Chain) -> bool:
@@ -133,6 +134,17 @@ def _certain(chain: Chain, nearest: Nearest, solver: Regular) -> float:
     given = np.empty((POSES, len(chain.free) + 2))
     given[:, :-2] = q[:, [number - 1 for number in chain.free]]
     given[:, -2:] = deviation.angle, deviation.length
-    found = outputs(solver.program, poses, free=given)
-    doubts = [np.any(each.reshape(POSES, -1), axis=1) for each in found[len(solver.joints) :]]
-    return float(1.0 - np.mean(np.any(doubts, axis=0)))
+    return float(1.0 - np.mean(left_poses(solver, poses, given)))
+
+
+def left_poses(solver: Regular, poses: FloatArray, given: FloatArray) -> NDArray[np.bool_]:
+    """Which poses a certified program leaves, since one of its branches may end near by.
+
+    Args:
+        solver: The program.
+        poses: Of its arm, (N, 4, 4).
+        given: What it is given besides, by how much the other arm may be away last, (N, k).
+    """
+    doubts = outputs(solver.program, poses, free=given)[len(solver.joints) :]
+    ended = [each.reshape(len(poses), -1).any(axis=1) for each in doubts]
+    return np.asarray(np.any(ended, axis=0))

@@ -146,7 +146,7 @@ def test_rows_are_postures_of_the_nearest_arm(text: str, tmp_path: Path) -> None
     module = written(path, tmp_path).module
     nominal, chain = module.nominal, module.chain
     assert nominal is not None
-    assert module.branches[: nominal.solver.rows] == nominal.branches
+    assert module.branches[: nominal.solver.rows] == nominal.solver.branches
     q = np.random.default_rng(4).uniform(-np.pi, np.pi, (POSES, chain.dof))
     free = [number - 1 for number in chain.free]
     given = q[:, free] if free else None

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
+from dhgen.derivation.geometry import neighbours
 from dhgen.derivation.notation.expressions import text_symbol
 from dhgen.derivation.notation.names import unknown_symbol
 from dhgen.derivation.sections.frames import frame_sentences
@@ -14,7 +13,6 @@ from dhgen.derivation.sections.tables import axes_blocks, table_blocks
 from dhgen.derivation.text.blocks import Given, Heading, Paragraph, Prose, joined, paragraph, say
 from dhgen.derivation.text.formula import ONE, equal, minus, times
 from dhgen.derivation.text.words import counted, many, numeral
-from dhgen.kinematics.numeric import numeric_arm
 from dhgen.method import Method
 from dhgen.paul.kind import Part
 from dhgen.robot.robot import DhTable, JointKind
@@ -27,8 +25,6 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Axis
     from dhgen.robot.task import Task
 
-
-ON_AXIS = 1e-9  # of the arm's size
 
 _TASKS = {
     TaskKind.POSE: "the pose of the tool, position and orientation",
@@ -176,11 +172,9 @@ def _seen(story: Story, axis: Axis) -> str:
 
 def _shoulder_is_on_axis_1(story: Story) -> bool:
     """Whether axes 1 and 2 meet, so that nothing is nearer to axis 1 than the shoulder."""
-    chain = story.algebra.chain
-    directions, points = numeric_arm(chain).axes(np.zeros(chain.dof))
-    normal = np.cross(directions[0], directions[1])
-    apart = abs(normal @ (points[1] - points[0]))
-    return bool(apart <= ON_AXIS * chain.size < np.linalg.norm(normal) * chain.size)
+    return any(
+        pair.first == 1 and pair.meet is not None for pair in neighbours(story.algebra.chain)
+    )
 
 
 def _choice(story: Story, place: int, axis: Axis) -> Prose:
