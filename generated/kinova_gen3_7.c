@@ -760,7 +760,7 @@ DHGEN_FN void solve(
 #endif
     dhgen_general_rows(&general, &descents, T, free_joints, seed, rows, status);
 #ifndef KINOVA_GEN3_7_PLAIN
-    dhgen_to_nearest_rows(&nearest_arm, solve_regular, free_joints, rows, status);
+    dhgen_to_nearest_rows(&nearest_arm, solve_wide, free_joints, rows, status);
 #endif
 }
 

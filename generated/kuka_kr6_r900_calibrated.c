@@ -652,7 +652,7 @@ DHGEN_FN void solve(
 #endif
     dhgen_general_rows(&general, &descents, T, NULL, seed, rows, status);
 #ifndef KUKA_KR6_R900_CALIBRATED_PLAIN
-    dhgen_to_nearest_rows(&nearest_arm, solve_regular, NULL, rows, status);
+    dhgen_to_nearest_rows(&nearest_arm, solve_wide, NULL, rows, status);
 #endif
 }
 

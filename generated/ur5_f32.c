@@ -434,9 +434,9 @@ DHGEN_SMALL float dhgen_at_an_end(
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const float near = value + DHGEN_TURN * floorf((seed - value) / DHGEN_TURN + 0.5f);
-    const float past = fabsf(dhgen_past_an_end(arm, joint, near));
-    if (!of->revolute)
+    if (!of->revolute || (near == value && of->lowest <= value && value <= of->highest))
         return value;
+    const float past = fabsf(dhgen_past_an_end(arm, joint, near));
     if (0.0f < past && past < DHGEN_DOUBTFUL && fabsf(near - seed) < DHGEN_BESIDE_SEED)
         return near;
     const float off = dhgen_overshoot(arm, joint, value);
@@ -1278,7 +1278,7 @@ DHGEN_FN void dhgen_solve_rows(const struct dhgen_arm *arm, const float *T,
     if (arm->merges)
         dhgen_remove_duplicates(arm, T, q, status);
     for (int row = 0; row < dhgen_rows(arm) && arm->winds; row++)
-        for (int i = 0; i < dhgen_dof(arm); i++) {
+        for (int i = 0; i < dhgen_dof(arm) && status[row] != DHGEN_UNREACHABLE; i++) {
             float *const value = q + dhgen_dof(arm) * row + i;
             *value = dhgen_at_an_end(arm, i, *value, seed[i]);
         }

@@ -557,9 +557,9 @@ static const dhgen_kind kind = {
     0x2u, 0x0u, /* bit i: axes i, i + 1 and i + 2 are parallel; meet */
     &arm_of_kind, &descents, &general,
 #ifdef UR5E_FLEET_PLAIN
-    NULL, 0,
+    NULL, NULL, 0,
 #else
-    solve_regular, 8,
+    solve_regular, solve_wide, 8,
 #endif
 };
 

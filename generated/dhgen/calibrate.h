@@ -39,6 +39,7 @@ typedef struct {
     const dhgen_general_arm *general;           /* without links */
     dhgen_nearest_rows *nearest;                /* regular poses of the nominal arm, given by how
                                                    much the calibrated arm may be away */
+    dhgen_solve_wide *nearest_wide;             /* of several poses */
     int nearest_rows;
 } dhgen_kind;
 

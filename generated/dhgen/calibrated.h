@@ -103,16 +103,18 @@ DHGEN_FN void dhgen_to_nominal_rows(
 {
     const double apart[2] = { 0.0, 0.0 };
     const int place[6] = { 0, 1, 2, 3, 4, 5 };
-    int posture[DHGEN_ROWS];
-    for (int row = 0; row < DHGEN_ROWS && status[row] != DHGEN_UNREACHABLE; row++) {
-        double angle[6], pose[16];
-        for (int i = 0; i < 6; i++)
-            angle[i] = kind->facing[i] * q[6 * row + i];
-        dhgen_pose_of_links(of->nominal, angle, 6, pose);
-        for (int i = 0; i < 6; i++)
-            angle[i] = kind->facing[i] * (angle[i] + of->more[i]);
-        posture[row] = dhgen_posture(kind->nearest, kind->nearest_rows, pose, apart, angle, place);
-    }
+    double posture[DHGEN_ASKED];
+    dhgen_asked asked;
+    asked.count = 0;
+    while (asked.count < DHGEN_ROWS && status[asked.count] != DHGEN_UNREACHABLE)
+        asked.count++;
+    for (int k = 0; k < DHGEN_ASKED; k++)
+        for (int i = 0; i < 6; i++) {
+            asked.angle[i][k] = k < asked.count ? kind->facing[i] * q[6 * k + i] : 0.0;
+            asked.value[i][k] = kind->facing[i] * (asked.angle[i][k] + of->more[i]);
+        }
+    dhgen_ask_poses(of->nominal, &asked);
+    dhgen_find_postures(kind->nearest_wide, kind->nearest_rows, apart, 2, place, &asked, posture);
     dhgen_place_rows(posture, kind->nearest_rows, q, status);
 }
 
@@ -121,16 +123,9 @@ DHGEN_FN void dhgen_calibrated_rows(const dhgen_kind *kind, const dhgen_calibrat
     const double *T, const double *seed, double *q, unsigned char *status)
 {
     const dhgen_general_arm general = dhgen_general_arm_of(kind, of);
-    double rows[DHGEN_ROWS][6];
-    int own[DHGEN_ROWS];
     struct dhgen_calibrated_descents descents;
     descents.arm = *kind->descents;
     descents.calibration = of;
-    const int count = dhgen_solved_from_nominal(kind, of, &general, T, rows, own);
-    if (count >= 0) {
-        dhgen_keep_certain(rows, own, count, q, status);
-        return;
-    }
     dhgen_general_rows(&general, &descents.arm, T, NULL, seed, q, status);
     if (kind->nearest)
         dhgen_to_nominal_rows(kind, of, q, status);

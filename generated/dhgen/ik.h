@@ -90,7 +90,7 @@ DHGEN_FN void dhgen_solve_rows(const struct dhgen_arm *arm, const double *T,
     if (arm->merges)
         dhgen_remove_duplicates(arm, T, q, status);
     for (int row = 0; row < dhgen_rows(arm) && arm->winds; row++)
-        for (int i = 0; i < dhgen_dof(arm); i++) {
+        for (int i = 0; i < dhgen_dof(arm) && status[row] != DHGEN_UNREACHABLE; i++) {
             double *const value = q + dhgen_dof(arm) * row + i;
             *value = dhgen_at_an_end(arm, i, *value, seed[i]);
         }

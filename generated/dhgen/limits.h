@@ -81,9 +81,9 @@ DHGEN_SMALL double dhgen_at_an_end(
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const double near = value + DHGEN_TURN * floor((seed - value) / DHGEN_TURN + 0.5);
-    const double past = fabs(dhgen_past_an_end(arm, joint, near));
-    if (!of->revolute)
+    if (!of->revolute || (near == value && of->lowest <= value && value <= of->highest))
         return value;
+    const double past = fabs(dhgen_past_an_end(arm, joint, near));
     if (0.0 < past && past < DHGEN_DOUBTFUL && fabs(near - seed) < DHGEN_BESIDE_SEED)
         return near;
     const double off = dhgen_overshoot(arm, joint, value);

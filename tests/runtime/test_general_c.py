@@ -342,3 +342,21 @@ def test_its_tables_are_those_of_the_runtime_in_python(name: str, expected: np.n
     assert found is not None
     numbers = re.findall(r"-?[\d.]+(?:e[+-]?\d+)?", found[1])
     np.testing.assert_array_equal(np.array(numbers, dtype=float), expected.ravel())
+
+
+@pytest.mark.parametrize("build", BUILDS)
+def test_directions_of_angles_are_within_two_units_in_the_last_place(build: str) -> None:
+    source = np.random.default_rng(5)
+    quarters = np.arange(-9, 10) * (np.pi / 2.0)
+    beside = (quarters[:, None] + np.array([-1e-3, -1e-9, 0.0, 1e-9, 1e-3])).ravel()
+    angles = np.concatenate([beside, source.uniform(-15.0, 15.0, 2000), [1e-300, -0.0]])
+    found = np.empty((2, len(angles)))
+    cosine, sine = ctypes.c_double(), ctypes.c_double()
+    for place, angle in enumerate(angles):
+        library(build).run_direction(
+            ctypes.c_double(angle), ctypes.byref(cosine), ctypes.byref(sine)
+        )
+        found[:, place] = cosine.value, sine.value
+    expected = np.array([np.cos(angles), np.sin(angles)])
+    units = np.maximum(np.spacing(np.abs(expected)), 2.0**-56)
+    assert np.abs((found - expected) / units).max() <= 2.0

@@ -11,6 +11,8 @@
 /* Steps at most, and the longest that is the last one [rad]: the next one would be its square. */
 #define DHGEN_CORRECTIONS 8
 #define DHGEN_LAST_CORRECTION 1e-07
+/* The longest step [rad]: where one is longer the solution is too far to be this row's. */
+#define DHGEN_LONGEST_CORRECTION 0.25
 /* What so short a step may take back [rad, arm sizes]: the loop is two long. */
 #define DHGEN_LAST_MISS 1e-05
 /* Solutions of which some joint differs by more are not about to meet [rad]. */
@@ -74,7 +76,7 @@ DHGEN_INLINE dhgen_lane dhgen_middle_miss(const dhgen_loop *loop, const dhgen_mi
 {
     const double *const B = middle->back_1;
     dhgen_rigid U, W;
-    dhgen_lane R[3][3], square, trace;
+    dhgen_lane square, along_x, along_z;
     DHGEN_UNROLL
     for (int j = 0; j < 4; j++) {
         U[0][j] = c[2] * B[j] + s[2] * B[4 + j];
@@ -97,23 +99,25 @@ DHGEN_INLINE dhgen_lane dhgen_middle_miss(const dhgen_loop *loop, const dhgen_mi
     dhgen_turn(W, c[5], s[5]);
     DHGEN_UNROLL
     for (int i = 0; i < 3; i++) {
-        DHGEN_UNROLL
-        for (int j = 0; j < 3; j++) {
-            R[i][j] = U[i][0] * W[j][0] + U[i][1] * W[j][1] + U[i][2] * W[j][2];
-        }
-        A[i][4] = U[i][3] - (R[i][0] * W[0][3] + R[i][1] * W[1][3] + R[i][2] * W[2][3]);
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        A[3 + i][4] = 0.5
+            * ((U[k][0] * W[j][0] + U[k][1] * W[j][1] + U[k][2] * W[j][2])
+                - (U[j][0] * W[k][0] + U[j][1] * W[k][1] + U[j][2] * W[k][2]));
     }
-    A[3][4] = 0.5 * (R[2][1] - R[1][2]);
-    A[4][4] = 0.5 * (R[0][2] - R[2][0]);
-    A[5][4] = 0.5 * (R[1][0] - R[0][1]);
+    DHGEN_UNROLL
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        A[i][4] = U[i][3] - W[i][3] - (A[3 + j][4] * W[k][3] - A[3 + k][4] * W[j][3]);
+    }
     square = A[0][4] * A[0][4];
     DHGEN_UNROLL
     for (int i = 1; i < 6; i++) {
         square += A[i][4] * A[i][4];
     }
-    /* half a turn away the skew part vanishes, too, but the trace is negative */
-    trace = R[0][0] + R[1][1] + R[2][2];
-    return dhgen_lane_select(trace < 0.0, square + 1.0, square);
+    /* half a turn away the skew part vanishes, too, but the x or the z axes are apart */
+    along_x = U[0][0] * W[0][0] + U[1][0] * W[1][0] + U[2][0] * W[2][0];
+    along_z = U[0][2] * W[0][2] + U[1][2] * W[1][2] + U[2][2] * W[2][2];
+    return dhgen_lane_select(dhgen_lane_min(along_x, along_z) < 0.0, square + 1.0, square);
 }
 
 /* Solves four equations, the last column of M the right side, by minors of two rows. */
@@ -168,11 +172,29 @@ DHGEN_INLINE void dhgen_correction(const dhgen_middle *middle, dhgen_lane A[6][5
     x[5] = y[3];
 }
 
-/* Takes cosines and sines of the joints from near to solutions to these. Returns the misses, no
- * less than they are: those before the last step are taken back by it up to its square. */
-DHGEN_INLINE dhgen_lane dhgen_correct_lanes(
-    const dhgen_loop *loop, const dhgen_middle *middle, dhgen_lane c[6], dhgen_lane s[6])
+/* Turns a cosine and a sine by an angle up to DHGEN_LONGEST_CORRECTION, by its series. */
+DHGEN_INLINE void dhgen_turn_by(dhgen_lane x, dhgen_lane *c, dhgen_lane *s)
 {
+    const dhgen_lane u = x * x, old = *c;
+    dhgen_lane a = dhgen_lane_all(dhgen_cosine_series[4]), b = dhgen_lane_all(dhgen_sine_series[4]);
+    DHGEN_UNROLL
+    for (int k = 3; k >= 0; k--) {
+        a = a * u + dhgen_cosine_series[k];
+        b = b * u + dhgen_sine_series[k];
+    }
+    a = a * u;
+    b = x + b * u * x;
+    *c = old + (old * a - *s * b);
+    *s = *s + (*s * a + old * b);
+}
+
+/* Takes angles of the joints, and their cosines and sines, from near to solutions to these. Returns
+ * the misses, no less than they are: those before the last step are taken back by it up to its
+ * square. */
+DHGEN_INLINE dhgen_lane dhgen_correct_lanes(const dhgen_loop *loop, const dhgen_middle *middle,
+    dhgen_lane angle[6], dhgen_lane c[6], dhgen_lane s[6])
+{
+    const dhgen_lane longest = dhgen_lane_all(DHGEN_LONGEST_CORRECTION);
     dhgen_lane A[6][5], x[6], most = dhgen_lane_all(1.0), sum = most, square = most;
     for (int n = 0; n < DHGEN_CORRECTIONS && dhgen_lane_largest(most) > DHGEN_LAST_CORRECTION;
          n++) {
@@ -181,11 +203,9 @@ DHGEN_INLINE dhgen_lane dhgen_correct_lanes(
         most = sum = dhgen_lane_all(0.0);
         DHGEN_UNROLL
         for (int i = 0; i < 6; i++) {
-            /* a turn by 2 atan(x/2), without trigonometry */
-            const dhgen_lane u = 0.25 * x[i] * x[i], f = 1.0 / (1.0 + u);
-            const dhgen_lane dc = (1.0 - u) * f, ds = x[i] * f, old = c[i];
-            c[i] = old * dc - s[i] * ds;
-            s[i] = s[i] * dc + old * ds;
+            x[i] = dhgen_lane_max(-longest, dhgen_lane_min(longest, x[i]));
+            dhgen_turn_by(x[i], &c[i], &s[i]);
+            angle[i] += x[i];
             most = dhgen_lane_max(most, dhgen_lane_abs(x[i]));
             sum += dhgen_lane_abs(x[i]);
         }
@@ -194,29 +214,14 @@ DHGEN_INLINE dhgen_lane dhgen_correct_lanes(
         square <= DHGEN_LAST_MISS * DHGEN_LAST_MISS, sum * sum, dhgen_lane_all(1.0));
 }
 
-/* Cosine and sine of an angle within a turn of zero, to 1e-7, and of a vector that is one long: the
- * eighth of the angle by its series, and doubled three times. */
-DHGEN_INLINE void dhgen_lane_direction(dhgen_lane angle, dhgen_lane *c, dhgen_lane *s)
+/* An angle within a turn and a half of zero, in (-pi, pi]: half a turn is +pi, also when rounding
+ * says otherwise. */
+DHGEN_INLINE dhgen_lane dhgen_lane_wrap(dhgen_lane angle)
 {
-    const dhgen_lane y = 0.125 * angle, u = y * y;
-    dhgen_lane a = 1.0
-        + u
-            * (-1.0 / 2.0
-                + u
-                    * (1.0 / 24.0
-                        + u * (-1.0 / 720.0 + u * (1.0 / 40320.0 - u * (1.0 / 3628800.0)))));
-    dhgen_lane b = y
-        * (1.0 + u * (-1.0 / 6.0 + u * (1.0 / 120.0 + u * (-1.0 / 5040.0 + u * (1.0 / 362880.0)))));
-    const dhgen_lane f = 1.5 - 0.5 * (a * a + b * b);
-    a *= f;
-    b *= f;
-    for (int n = 0; n < 3; n++) {
-        const dhgen_lane old = a;
-        a = old * old - b * b;
-        b = 2.0 * old * b;
-    }
-    *c = a;
-    *s = b;
+    const dhgen_lane half = dhgen_lane_all(DHGEN_HALF_TURN), turn = half + half;
+    angle = dhgen_lane_select(angle > half, angle - turn, angle);
+    angle = dhgen_lane_select(angle < -half, angle + turn, angle);
+    return dhgen_lane_select(angle < -DHGEN_ALMOST_PI, half, angle);
 }
 
 /* Takes angles of the loop from near to solutions to these, and tells by how much it stays open
@@ -231,30 +236,27 @@ DHGEN_FN void dhgen_correct_angles(
         const int left = count - from,
                   now = left < DHGEN_GENERAL_LANES ? left : DHGEN_GENERAL_LANES;
         double values[6][DHGEN_GENERAL_LANES], miss[DHGEN_GENERAL_LANES];
-        dhgen_lane c[6], s[6];
+        dhgen_lane a[6], c[6], s[6];
         DHGEN_UNROLL
         for (int i = 0; i < 6; i++) {
-            dhgen_lane a, b;
             for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
                 values[i][k] = angle[from + (k < now ? k : 0)][i];
             }
-            dhgen_lane_direction(DHGEN_LOAD(values[i]), &a, &b);
-            c[i] = a * cosine[i] + b * sine[i];
-            s[i] = b * cosine[i] - a * sine[i];
+            a[i] = DHGEN_LOAD(values[i]);
+            dhgen_lane x, y;
+            dhgen_lane_direction(a[i], &x, &y);
+            c[i] = x * cosine[i] + y * sine[i];
+            s[i] = y * cosine[i] - x * sine[i];
         }
-        DHGEN_STORE(miss, dhgen_correct_lanes(loop, &middle, c, s));
+        DHGEN_STORE(miss, dhgen_correct_lanes(loop, &middle, a, c, s));
         DHGEN_UNROLL
         for (int i = 0; i < 6; i++) {
-            DHGEN_STORE(values[i],
-                dhgen_lane_angle(
-                    s[i] * cosine[i] + c[i] * sine[i], c[i] * cosine[i] - s[i] * sine[i]));
+            DHGEN_STORE(values[i], dhgen_lane_wrap(a[i]));
         }
         for (int k = 0; k < now; k++) {
             residual[from + k] = miss[k];
             for (int i = 0; i < 6; i++) {
-                /* half a turn is +pi, also when rounding says otherwise */
-                angle[from + k][i] =
-                    values[i][k] < -DHGEN_ALMOST_PI ? DHGEN_HALF_TURN : values[i][k];
+                angle[from + k][i] = values[i][k];
             }
         }
     }

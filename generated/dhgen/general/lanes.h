@@ -46,6 +46,28 @@
 #define DHGEN_UNROLL
 #endif
 
+/* Factors of the even powers of a cosine from the second on, and of the odd ones of a sine from the
+ * third on. */
+DHGEN_TABLE double dhgen_cosine_series[8] = {
+    -1.0 / 2.0,
+    1.0 / 24.0,
+    -1.0 / 720.0,
+    1.0 / 40320.0,
+    -1.0 / 3628800.0,
+    1.0 / 479001600.0,
+    -1.0 / 87178291200.0,
+    1.0 / 20922789888000.0,
+};
+DHGEN_TABLE double dhgen_sine_series[7] = {
+    -1.0 / 6.0,
+    1.0 / 120.0,
+    -1.0 / 5040.0,
+    1.0 / 362880.0,
+    -1.0 / 39916800.0,
+    1.0 / 6227020800.0,
+    -1.0 / 1307674368000.0,
+};
+
 #if DHGEN_GENERAL_LANES > 1
 typedef double dhgen_lane __attribute__((vector_size(8 * DHGEN_GENERAL_LANES)));
 typedef long long dhgen_mask __attribute__((vector_size(8 * DHGEN_GENERAL_LANES)));
@@ -99,6 +121,10 @@ DHGEN_INLINE dhgen_lane dhgen_lane_sqrt(dhgen_lane x)
     return r;
 #endif
 }
+/* Added and taken away again this leaves the nearest integer, and its last bits in those of the
+ * sum: 1.5 * 2^52. */
+#define DHGEN_TO_INTEGER 6755399441055744.0
+
 #else
 typedef double dhgen_lane;
 typedef int dhgen_mask;
@@ -130,6 +156,7 @@ DHGEN_INLINE dhgen_lane dhgen_lane_sqrt(dhgen_lane x)
 {
     return sqrt(x);
 }
+
 #endif
 
 DHGEN_INLINE dhgen_lane dhgen_lane_all(double x)
@@ -146,6 +173,36 @@ DHGEN_INLINE dhgen_lane dhgen_lane_max(dhgen_lane a, dhgen_lane b)
 DHGEN_INLINE dhgen_lane dhgen_lane_min(dhgen_lane a, dhgen_lane b)
 {
     return dhgen_lane_select(a < b, a, b);
+}
+
+/* Cosine and sine of an angle within a few turns of zero, within 2 ulp: of what is left of the
+ * nearest quarter turn, pi/2 in two parts, by their series. */
+DHGEN_INLINE void dhgen_lane_direction(dhgen_lane angle, dhgen_lane *c, dhgen_lane *s)
+{
+#if DHGEN_GENERAL_LANES > 1
+    const dhgen_lane counted = angle * (1.0 / DHGEN_HALF_PI) + DHGEN_TO_INTEGER;
+    const dhgen_lane quarters = counted - DHGEN_TO_INTEGER;
+    const dhgen_mask number = (dhgen_mask)counted, odd = -(number & 1);
+    const dhgen_lane r = (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11;
+    const dhgen_lane u = r * r;
+    dhgen_lane a = dhgen_lane_all(dhgen_cosine_series[7]), b = dhgen_lane_all(dhgen_sine_series[6]);
+    DHGEN_UNROLL
+    for (int k = 6; k >= 0; k--) {
+        a = a * u + dhgen_cosine_series[k];
+    }
+    DHGEN_UNROLL
+    for (int k = 5; k >= 0; k--) {
+        b = b * u + dhgen_sine_series[k];
+    }
+    a = 1.0 + a * u;
+    b = r + b * u * r;
+    const dhgen_lane x = dhgen_lane_select(odd, b, a), y = dhgen_lane_select(odd, a, b);
+    *c = (dhgen_lane)((dhgen_mask)x ^ ((number + 1) & 2) << 62);
+    *s = (dhgen_lane)((dhgen_mask)y ^ (number & 2) << 62);
+#else
+    *c = cos(angle);
+    *s = sin(angle);
+#endif
 }
 
 /* The largest number of all lanes. */

@@ -138,27 +138,31 @@ DHGEN_FN int dhgen_near_rows(const struct dhgen_arm *arm, const dhgen_general_ar
 }
 
 /* Moves rows that ascend to those of their postures. */
-DHGEN_FN void dhgen_to_nearest_rows(const dhgen_nearest_arm *nearest, dhgen_nearest_rows *solve,
+DHGEN_FN void dhgen_to_nearest_rows(const dhgen_nearest_arm *nearest, dhgen_solve_wide *solve,
     const double *free_joints, double *q, unsigned char *status)
 {
-    int posture[DHGEN_ROWS];
-    double given[DHGEN_DOF];
+    double given[DHGEN_DOF], posture[DHGEN_ASKED];
+    dhgen_asked asked;
     dhgen_give_nearest(nearest, free_joints, 0.0, 0.0, given);
-    for (int row = 0; row < DHGEN_ROWS && status[row] != DHGEN_UNREACHABLE; row++) {
-        double angle[DHGEN_DOF], value[6], pose[16];
+    asked.count = 0;
+    while (asked.count < DHGEN_ROWS && status[asked.count] != DHGEN_UNREACHABLE) {
+        asked.count++;
+    }
+    for (int k = 0; k < DHGEN_ASKED; k++) {
         for (int i = 0; i < DHGEN_DOF; i++) {
             const double *const of = nearest->angle + (DHGEN_DOF + 1) * i;
-            angle[i] = of[DHGEN_DOF];
-            for (int j = 0; j < DHGEN_DOF; j++) {
-                angle[i] += of[j] * q[DHGEN_DOF * row + j];
+            asked.angle[i][k] = of[DHGEN_DOF];
+            for (int j = 0; j < DHGEN_DOF && k < asked.count; j++) {
+                asked.angle[i][k] += of[j] * q[DHGEN_DOF * k + j];
             }
         }
-        dhgen_pose_of_links(nearest->link, angle, DHGEN_DOF, pose);
         for (int i = 0; i < 6; i++) {
-            value[i] = angle[nearest->place[i]] + nearest->offsets[i];
+            asked.value[i][k] = asked.angle[nearest->place[i]][k] + nearest->offsets[i];
         }
-        posture[row] = dhgen_posture(solve, nearest->rows, pose, given, value, nearest->place);
     }
+    dhgen_ask_poses(nearest->link, &asked);
+    dhgen_find_postures(
+        solve, nearest->rows, given, nearest->given + 2, nearest->place, &asked, posture);
     dhgen_place_rows(posture, nearest->rows, q, status);
 }
 #endif

@@ -24,6 +24,8 @@ apart, inner, merged = OWN.apart, OWN.inner, OWN.merged
 CORRECTIONS = 8  # steps at most
 LAST_MISS = 1e-5  # what so short a step may take back [rad, arm sizes]: the loop is two long
 LAST_CORRECTION = 1e-7  # the longest step that is the last one [rad]: the next one is its square
+# The longest step [rad]: where one is longer the solution is too far to be this row's.
+LONGEST_CORRECTION = 0.25
 # Places in what the pose's solutions have in common: the inverses of K1 and K0; the twist of axis 4
 # divided by its largest entry but the last; the place of that entry, those of the others, and its
 # inverse.
@@ -162,6 +164,8 @@ def correct(loop: Floats, middle: Floats, c: Floats, s: Floats) -> float:
         _correction(middle, A, x)
         most, total = 0.0, 0.0
         for i in range(6):
+            if abs(x[i]) > LONGEST_CORRECTION:
+                x[i] = math.copysign(LONGEST_CORRECTION, x[i])
             turn_by(c, s, i, x[i])
             most = max(most, abs(x[i]))
             total += abs(x[i])

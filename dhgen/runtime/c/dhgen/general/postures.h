@@ -6,6 +6,7 @@
 #define DHGEN_GENERAL_POSTURES_H
 
 #include "../arm.h"
+#include "motions.h"
 
 /* Joint values are those of a row that misses them by less [rad]: at poses that the closed form
  * does not leave its rows are known to 1e-9. */
@@ -18,32 +19,74 @@ typedef int dhgen_nearest_rows(
     const double *T, const double *given, double *q, unsigned char *status);
 
 #ifdef DHGEN_DOF /* rows are as long as those of the robot whose file this is a part of */
-/* The posture of joint values that take the nearest arm to a pose: the row that holds them. Returns
- * -1 where a branch ends, or no row does. */
-DHGEN_FN int dhgen_posture(dhgen_nearest_rows *solve, int rows, const double *pose,
-    const double *given, const double *value, const int *place)
+#include "../tile.h"
+
+/* Postures that are asked for at once: as many as there are rows, in lanes of any number. */
+#define DHGEN_ASKED ((DHGEN_ROWS + 7) / 8 * 8)
+
+/* Joint values whose postures are asked for: the angles of all joints of the nearest arm, those of
+ * the joints that its closed form is asked for, and the poses to which they take it. */
+typedef struct {
+    int count;
+    double angle[DHGEN_DOF][DHGEN_ASKED], value[6][DHGEN_ASKED], pose[16][DHGEN_ASKED];
+} dhgen_asked;
+
+/* The poses T = C0 Rz(angle 1) C1 ... Rz(angle n) Cn. */
+DHGEN_FN void dhgen_ask_poses(const double (*link)[12], dhgen_asked *asked)
 {
-    double q[16][DHGEN_DOF], least = DHGEN_SAME_POSTURE;
-    unsigned char status[16];
-    int posture = -1;
-    const int count = solve(pose, given, q[0], status);
-    for (int row = 0; row < rows && count > 0; row++) {
-        double most = status[row] == DHGEN_OK ? 0.0 : HUGE_VAL;
-        for (int i = 0; i < 6 && most < least; i++) {
-            most = fmax(most, fabs(dhgen_wrap(q[row][place[i]] - value[i])));
+    for (int from = 0; from < asked->count; from += DHGEN_GENERAL_LANES) {
+        dhgen_rigid T;
+        dhgen_broadcast(T, link[0]);
+        for (int i = 0; i < DHGEN_DOF; i++) {
+            dhgen_lane c, s;
+            dhgen_lane_direction(DHGEN_LOAD(asked->angle[i] + from), &c, &s);
+            dhgen_turn(T, c, s);
+            dhgen_multiply(T, link[i + 1]);
         }
-        if (most < least) {
-            least = most;
-            posture = row;
+        for (int i = 0; i < 16; i++) {
+            const dhgen_lane last = dhgen_lane_all(i == 15);
+            DHGEN_STORE(asked->pose[i] + from, i < 12 ? T[i / 4][i % 4] : last);
         }
     }
-    return posture;
+}
+
+/* The postures of joint values: the row that holds each at the pose to which it takes the nearest
+ * arm; -1 where a branch ends, or no row does. */
+DHGEN_FN void dhgen_find_postures(dhgen_solve_wide *solve, int rows, const double *given, int many,
+    const int *place, const dhgen_asked *asked, double *posture)
+{
+    dhgen_wide pose[16], held[DHGEN_DOF], q[16 * DHGEN_DOF];
+    dhgen_wide_mask kind[16];
+    for (int i = 0; i < many; i++) {
+        held[i] = dhgen_all_wide(given[i]);
+    }
+    for (int from = 0; from < asked->count; from += DHGEN_LANES) {
+        dhgen_wide least = dhgen_all_wide(DHGEN_SAME_POSTURE), found = dhgen_all_wide(-1.0);
+        for (int i = 0; i < 16; i++) {
+            pose[i] = *(const dhgen_wide_at *)(asked->pose[i] + from);
+        }
+        const dhgen_wide_mask left = solve(pose, held, q, kind);
+        for (int row = 0; row < rows; row++) {
+            dhgen_wide most = dhgen_all_wide(0.0);
+            for (int i = 0; i < 6; i++) {
+                const dhgen_wide gap = dhgen_abs_wide(q[DHGEN_DOF * row + place[i]]
+                    - *(const dhgen_wide_at *)(asked->value[i] + from));
+                const dhgen_wide around = dhgen_abs_wide(gap - DHGEN_TURN);
+                most = dhgen_maximum_wide(most, dhgen_minimum_wide(gap, around));
+            }
+            const dhgen_wide_mask here =
+                (kind[row] == (long long)DHGEN_OK) & (left == 0) & (most < least);
+            found = dhgen_pick_wide(here, dhgen_all_wide(row), found);
+            least = dhgen_pick_wide(here, most, least);
+        }
+        *(dhgen_wide_at *)(posture + from) = found;
+    }
 }
 
 /* Moves solutions, which fill the first rows, to those of their postures: of several with one
  * posture the first. The others follow behind the nearest arm's rows, and fill empty ones of these
  * should there be more. */
-DHGEN_FN void dhgen_place_rows(const int *posture, int rows, double *q, unsigned char *status)
+DHGEN_FN void dhgen_place_rows(const double *posture, int rows, double *q, unsigned char *status)
 {
     double solution[DHGEN_ROWS][DHGEN_DOF];
     unsigned char was[DHGEN_ROWS];
@@ -58,7 +101,7 @@ DHGEN_FN void dhgen_place_rows(const int *posture, int rows, double *q, unsigned
     }
     for (int late = 0; late < 2; late++) {
         for (int k = 0; k < count; k++) {
-            int row = late ? next % DHGEN_ROWS : posture[k];
+            int row = late ? next % DHGEN_ROWS : (int)posture[k];
             if (was[k] == DHGEN_UNREACHABLE || row < 0) {
                 continue;
             }
