@@ -138,55 +138,27 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
-    v3 = s1 * s2
-    v4 = q[2] + offset3
-    c3 = math.cos(v4)
-    s3 = math.sin(v4)
-    x3_x = x2_x * c3 - v2 * s3
-    x3_y = x2_y * c3 - v3 * s3
-    v5 = s2 * c3 + c2 * s3
-    z3_x = v2 * c3 + x2_x * s3
-    z3_y = v3 * c3 + x2_y * s3
-    z3_z = c2 * c3 - s2 * s3
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
+    v3, v4 = s1 * s2, q[2] + offset3
+    c3, s3 = math.cos(v4), math.sin(v4)
+    x3_x, x3_y, v5 = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    z3_x, z3_y, z3_z = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, c2 * c3 - s2 * s3
     v6 = q[3] + offset4
-    c4 = math.cos(v6)
-    s4 = math.sin(v6)
-    x4_x = x3_x * c4 - s1 * s4
-    x4_y = x3_y * c4 + c1 * s4
-    v7 = v5 * c4
-    z4_x = s1 * c4 + x3_x * s4
-    v8 = v5 * s4
-    z4_y = x3_y * s4 - c1 * c4
+    c4, s4 = math.cos(v6), math.sin(v6)
+    x4_x, x4_y, v7 = x3_x * c4 - s1 * s4, x3_y * c4 + c1 * s4, v5 * c4
+    z4_x, v8, z4_y = s1 * c4 + x3_x * s4, v5 * s4, x3_y * s4 - c1 * c4
     v9 = q[4] + offset5
-    c5 = math.cos(v9)
-    s5 = math.sin(v9)
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = x4_y * c5 + z3_y * s5
-    x5_z = z3_z * s5 - v7 * c5
-    v10 = z3_z * c5 + v7 * s5
-    z5_x = x4_x * s5 - z3_x * c5
-    z5_y = x4_y * s5 - z3_y * c5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 + z4_x * s6
-    T[0, 1] = z4_x * c6 - x5_x * s6
-    T[0, 2] = z5_x
+    c5, s5 = math.cos(v9), math.sin(v9)
+    x5_x, x5_y, x5_z = x4_x * c5 + z3_x * s5, x4_y * c5 + z3_y * s5, z3_z * s5 - v7 * c5
+    v10, z5_x, z5_y = z3_z * c5 + v7 * s5, x4_x * s5 - z3_x * c5, x4_y * s5 - z3_y * c5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + z4_x * s6, z4_x * c6 - x5_x * s6, z5_x
     T[0, 3] = c1 * a1 + x2_x * a2 + z3_x * d4 + z5_x * d6
-    T[1, 0] = x5_y * c6 + z4_y * s6
-    T[1, 1] = z4_y * c6 - x5_y * s6
-    T[1, 2] = z5_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + z4_y * s6, z4_y * c6 - x5_y * s6, z5_y
     T[1, 3] = s1 * a1 + x2_y * a2 + z3_y * d4 + z5_y * d6
-    T[2, 0] = x5_z * c6 - v8 * s6
-    T[2, 1] = -(v8 * c6 + x5_z * s6)
-    T[2, 2] = -v10
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 - v8 * s6, -(v8 * c6 + x5_z * s6), -v10
     T[2, 3] = d1 - s2 * a2 + z3_z * d4 - v10 * d6
     T[3, 3] = 1.0
     return T
@@ -198,84 +170,41 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
-    v3 = s1 * s2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
-    p2_z = d1 - s2 * a2
-    v4 = q[2] + offset3
-    c3 = math.cos(v4)
-    s3 = math.sin(v4)
-    x3_x = x2_x * c3 - v2 * s3
-    x3_y = x2_y * c3 - v3 * s3
-    v5 = s2 * c3 + c2 * s3
-    z3_x = v2 * c3 + x2_x * s3
-    z3_y = v3 * c3 + x2_y * s3
-    z3_z = c2 * c3 - s2 * s3
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y, v1 = c1 * a1, s1 * a1, q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
+    v3, p2_x, p2_y = s1 * s2, p1_x + x2_x * a2, p1_y + x2_y * a2
+    p2_z, v4 = d1 - s2 * a2, q[2] + offset3
+    c3, s3 = math.cos(v4), math.sin(v4)
+    x3_x, x3_y, v5 = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    z3_x, z3_y, z3_z = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, c2 * c3 - s2 * s3
     v6 = q[3] + offset4
-    c4 = math.cos(v6)
-    s4 = math.sin(v6)
-    z4_x = s1 * c4 + x3_x * s4
-    v7 = v5 * s4
-    p4_x = p2_x + z3_x * d4
-    p4_y = p2_y + z3_y * d4
-    p4_z = p2_z + z3_z * d4
-    z4_y = x3_y * s4 - c1 * c4
+    c4, s4 = math.cos(v6), math.sin(v6)
+    z4_x, v7, p4_x = s1 * c4 + x3_x * s4, v5 * s4, p2_x + z3_x * d4
+    p4_y, p4_z, z4_y = p2_y + z3_y * d4, p2_z + z3_z * d4, x3_y * s4 - c1 * c4
     v8 = q[4] + offset5
-    c5 = math.cos(v8)
-    s5 = math.sin(v8)
-    v9 = z3_z * c5 + v5 * c4 * s5
-    z5_x = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5
-    z5_y = (x3_y * c4 + c1 * s4) * s5 - z3_y * c5
-    p6_x = p4_x + z5_x * d6
-    p6_y = p4_y + z5_y * d6
-    p6_z = p4_z - v9 * d6
-    v10 = p6_z - d1
-    v11 = p6_x - p2_x
-    v12 = p6_y - p2_y
-    v13 = p6_z - p2_z
-    v14 = p6_x - p4_x
-    v15 = p6_y - p4_y
+    c5, s5 = math.cos(v8), math.sin(v8)
+    v9, z5_x = z3_z * c5 + v5 * c4 * s5, (x3_x * c4 - s1 * s4) * s5 - z3_x * c5
+    z5_y, p6_x = (x3_y * c4 + c1 * s4) * s5 - z3_y * c5, p4_x + z5_x * d6
+    p6_y, p6_z = p4_y + z5_y * d6, p4_z - v9 * d6
+    v10, v11, v12 = p6_z - d1, p6_x - p2_x, p6_y - p2_y
+    v13, v14, v15 = p6_z - p2_z, p6_x - p4_x, p6_y - p4_y
     v16 = p6_z - p4_z
-    J[0, 0] = -p6_y
-    J[0, 1] = c1 * v10
-    J[0, 2] = c1 * v13
-    J[0, 3] = z3_y * v13 - z3_z * v12
-    J[0, 4] = z4_y * v16 + v7 * v15
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, c1 * v10, c1 * v13
+    J[0, 3], J[0, 4] = z3_y * v13 - z3_z * v12, z4_y * v16 + v7 * v15
     J[0, 5] = z5_y * v16 + v9 * v15
-    J[1, 0] = p6_x
-    J[1, 1] = s1 * v10
-    J[1, 2] = s1 * v13
-    J[1, 3] = z3_z * v11 - z3_x * v13
-    J[1, 4] = -(v7 * v14 + z4_x * v16)
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, s1 * v10, s1 * v13
+    J[1, 3], J[1, 4] = z3_z * v11 - z3_x * v13, -(v7 * v14 + z4_x * v16)
     J[1, 5] = -(v9 * v14 + z5_x * v16)
-    J[2, 1] = -(s1 * (p6_y - p1_y) + c1 * (p6_x - p1_x))
-    J[2, 2] = -(s1 * v12 + c1 * v11)
-    J[2, 3] = z3_x * v12 - z3_y * v11
-    J[2, 4] = z4_x * v15 - z4_y * v14
+    J[2, 1], J[2, 2] = -(s1 * (p6_y - p1_y) + c1 * (p6_x - p1_x)), -(s1 * v12 + c1 * v11)
+    J[2, 3], J[2, 4] = z3_x * v12 - z3_y * v11, z4_x * v15 - z4_y * v14
     J[2, 5] = z5_x * v15 - z5_y * v14
-    J[3, 1] = -s1
-    J[3, 2] = -s1
-    J[3, 3] = z3_x
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = c1
-    J[4, 2] = c1
-    J[4, 3] = z3_y
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 3] = z3_z
-    J[5, 4] = -v7
+    J[3, 1], J[3, 2], J[3, 3] = -s1, -s1, z3_x
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = c1, c1, z3_y
+    J[4, 4], J[4, 5] = z4_y, z5_y
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, z3_z, -v7
     J[5, 5] = -v9
     return J
 
@@ -326,8 +255,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2
         Y1_2 = a2 + d4 * s3
-        v5 = Z1_3 * Y1_2
-        v6 = v1 * Y1_2
+        v5, v6 = Z1_3 * Y1_2, v1 * Y1_2
 
         # theta4
         v10 = T13 * c1 + T23 * s1
@@ -335,9 +263,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v11 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v13 = T12 * s1 - T22 * c1
-        v14 = T12 * c1 + T22 * s1
-        v16 = T11 * s1 - T21 * c1
+        v13, v14, v16 = T12 * s1 - T22 * c1, T12 * c1 + T22 * s1, T11 * s1 - T21 * c1
         v17 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
@@ -369,8 +295,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T33 * v9 - s23 * v10
 
             # theta6
-            v15 = v9 * v14 + T32 * s23
-            v18 = v9 * v17 + T31 * s23
+            v15, v18 = v9 * v14 + T32 * s23, v9 * v17 + T31 * s23
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -387,20 +312,15 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s5 = w4 * e4
 
                 # theta6
-                c6 = c4 * v13 - s4 * v15
-                s6 = c4 * v16 - s4 * v18
+                c6, s6 = c4 * v13 - s4 * v15, c4 * v16 - s4 * v18
                 q6 = _atan2(s6, c6)
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
                 q5 = _wrap(_atan2(s5, c5) - offset5)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -412,103 +332,63 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        wx = T14 - d6 * T13
-        Y1 = d6 * T23 - T24
+        wx, Y1 = T14 - d6 * T13, d6 * T23 - T24
         v1 = wx * wx + Y1 * Y1
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
         factor1 = w1 * v2
-        v3 = wx * factor1
-        s1 = Y1 * factor1
+        v3, s1 = wx * factor1, Y1 * factor1
 
         # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        Z1_3 = T34 - d6 * T33 - d1
-        v4 = a1 + w1
-        v5 = a1 - w1
+        Z1_3, v4, v5 = T34 - d6 * T33 - d1, a1 + w1, a1 - w1
         v6 = Z1_3 * Z1_3
-        N3_p = v6 + v4 * v4
-        N3_m = v6 + v5 * v5
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
-        v7 = k1 * (N3_p - k2)
+        N3_p, N3_m = v6 + v4 * v4, v6 + v5 * v5
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p, w3_m, v7 = math.sqrt(D3_p), math.sqrt(D3_m), k1 * (N3_p - k2)
         v8 = k1 * (N3_m - k2)
 
         # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-        v9 = m5 + m4 * N3_p
-        v10 = m5 + m4 * N3_m
-        v11 = Z1_3 * v9
-        v12 = Z1_3 * v10
-        v13 = m4 * Z1_3
-        v14 = m4 * -Z1_3
-        v15 = v4 * v9
-        v16 = v5 * v10
-        factor2_p = 1.0 / N3_p
-        factor2_m = 1.0 / N3_m
+        v9, v10 = m5 + m4 * N3_p, m5 + m4 * N3_m
+        v11, v12, v13 = Z1_3 * v9, Z1_3 * v10, m4 * Z1_3
+        v14, v15, v16 = m4 * -Z1_3, v4 * v9, v5 * v10
+        factor2_p, factor2_m = 1.0 / N3_p, 1.0 / N3_m
 
         # theta4, type 2: U4[3, 3]
-        v17 = m7 - m6 * N3_p
-        v18 = m7 - m6 * N3_m
-        v19 = T23 * s1 - T13 * v3
+        v17, v18, v19 = m7 - m6 * N3_p, m7 - m6 * N3_m, T23 * s1 - T13 * v3
         v20 = T33 * Z1_3
-        v21 = v20 - v4 * v19
-        v22 = v20 - v19 * -v5
-        v23 = Z1_3 * v17
-        v24 = Z1_3 * -v18
-        v25 = T33 * v17
-        v26 = T33 * v18
-        v27 = v19 * v23 + v4 * v25
-        v28 = v19 * v24 + v5 * v26
-        X4_pp = v27 + w3_p * (m6 * v21)
-        X4_pm = v27 + w3_p * (m6 * -v21)
-        X4_mp = v28 + w3_m * (m6 * v22)
-        X4_mm = v28 + w3_m * (m6 * -v22)
+        v21, v22, v23 = v20 - v4 * v19, v20 - v19 * -v5, Z1_3 * v17
+        v24, v25, v26 = Z1_3 * -v18, T33 * v17, T33 * v18
+        v27, v28 = v19 * v23 + v4 * v25, v19 * v24 + v5 * v26
+        X4_pp, X4_pm = v27 + w3_p * (m6 * v21), v27 + w3_p * (m6 * -v21)
+        X4_mp, X4_mm = v28 + w3_m * (m6 * v22), v28 + w3_m * (m6 * -v22)
         v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
-        v30 = v29 * v29
-        v31 = factor2_p * X4_pp
-        v32 = factor2_p * X4_pm
-        v33 = factor2_m * X4_mp
-        v34 = factor2_m * X4_mm
-        v35 = v30 + factor2_p * (X4_pp * v31)
-        v36 = v30 + factor2_p * (X4_pm * v32)
-        v37 = v30 + factor2_m * (X4_mp * v33)
+        v30, v31, v32 = v29 * v29, factor2_p * X4_pp, factor2_p * X4_pm
+        v33, v34, v35 = factor2_m * X4_mp, factor2_m * X4_mm, v30 + factor2_p * (X4_pp * v31)
+        v36, v37 = v30 + factor2_p * (X4_pm * v32), v30 + factor2_m * (X4_mp * v33)
         v38 = v30 + factor2_m * (X4_mm * v34)
 
         # theta5, type 3: U4[2, 3] and U4[1, 3]
-        v39 = v19 * (v4 * -v17) + Z1_3 * v25
-        v40 = v19 * (v5 * v18) + Z1_3 * v26
+        v39, v40 = v19 * (v4 * -v17) + Z1_3 * v25, v19 * (v5 * v18) + Z1_3 * v26
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v41 = w1 * (v2 * (wx * T22 + Y1 * T12))
-        v42 = s1 * T22 - v3 * T12
-        v43 = Z1_3 * T32
-        v44 = v43 - v4 * v42
-        v45 = v43 - -v5 * v42
-        v46 = v23 * v42 + v4 * (v17 * T32)
-        v47 = v24 * v42 + v5 * (v18 * T32)
-        v48 = w1 * (v2 * (wx * T21 + Y1 * T11))
-        v49 = s1 * T21 - v3 * T11
-        v50 = Z1_3 * T31
-        v51 = v50 - v4 * v49
-        v52 = v50 - -v5 * v49
-        v53 = v23 * v49 + v4 * (v17 * T31)
-        v54 = v24 * v49 + v5 * (v18 * T31)
-        v55 = v29 * (v53 + w3_p * (m6 * v51)) - X4_pp * v48
+        v41, v42, v43 = w1 * (v2 * (wx * T22 + Y1 * T12)), s1 * T22 - v3 * T12, Z1_3 * T32
+        v44, v45, v46 = v43 - v4 * v42, v43 - -v5 * v42, v23 * v42 + v4 * (v17 * T32)
+        v47, v48 = v24 * v42 + v5 * (v18 * T32), w1 * (v2 * (wx * T21 + Y1 * T11))
+        v49, v50 = s1 * T21 - v3 * T11, Z1_3 * T31
+        v51, v52, v53 = v50 - v4 * v49, v50 - -v5 * v49, v23 * v49 + v4 * (v17 * T31)
+        v54, v55 = v24 * v49 + v5 * (v18 * T31), v29 * (v53 + w3_p * (m6 * v51)) - X4_pp * v48
         v56 = v29 * (v53 + w3_p * (m6 * -v51)) - X4_pm * v48
         v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m6 * v52))
         v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m6 * -v52))
 
         # joint values
-        v59 = w3_p * (m4 * v4)
-        v68 = math.copysign(half_turn, -v29)
-        v69 = math.copysign(half_turn, v29)
-        v78 = w3_p * (m6 * (Z1_3 * v19 + T33 * v4))
+        v59, v68 = w3_p * (m4 * v4), math.copysign(half_turn, -v29)
+        v69, v78 = math.copysign(half_turn, v29), w3_p * (m6 * (Z1_3 * v19 + T33 * v4))
         v79 = w3_m * (m6 * (-Z1_3 * v19 + T33 * v5))
 
         # a joint is free, or branches meet
@@ -516,11 +396,12 @@ def _formulas(kept, turns, rows, w):
             1.0 if v38 <= m8 or v37 <= m8 or v36 <= m8 or v35 <= m8 or abs(D3_m) <= m3 or v1 <= m1
             or abs(D3_p) <= m3 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Y1, w3_p, w3_m, v7
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v8, v55, v56, v57
-        kept[25 * w + k], kept[26 * w + k], kept[27 * w + k], turns[0 * w + k] = v58, v68, v69, Y1
-        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = v55, v56, v57, v58
-        turns[5 * w + k], turns[6 * w + k] = v59 - v11, -(v11 + v59)
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y1, w3_p, w3_m
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v7, v8, v55
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = v56, v57, v58
+        kept[26 * w + k], kept[27 * w + k], turns[0 * w + k] = v68, v69, Y1
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = v55, v56, v57
+        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = v58, v59 - v11, -(v11 + v59)
         turns[7 * w + k], turns[8 * w + k] = w3_m * (m4 * v5) - v12, w3_m * (m4 * -v5) - v12
         turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = v7, v8, -v29
         turns[12 * w + k], turns[13 * w + k], turns[14 * w + k] = -v29, v29, v29
@@ -545,16 +426,16 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        Y1, w3_p, w3_m, v7 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v8, v55, v56, v57 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        v58, v68, v69 = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k]
-        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
-        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
-        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
-        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
-        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
-        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
-        angle19 = turns[18 * w + k]
+        Y1, w3_p, w3_m = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v7, v8, v55 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v56, v57, v58 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        v68, v69, angle1 = kept[26 * w + k], kept[27 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
+        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
+        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
+        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
+        angle17, angle18, angle19 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
         q6_ppm = angle2 - math.copysign(half_turn, v55)
@@ -563,30 +444,21 @@ def _formulas(kept, turns, rows, w):
         q6_mmm = angle5 - math.copysign(half_turn, v58)
 
         # joint values
-        v60 = angle6 - offset2
-        v61 = angle7 - offset2
-        v62 = angle8 - offset2
+        v60, v61, v62 = angle6 - offset2, angle7 - offset2, angle8 - offset2
         v63 = angle9 - offset2
         q2_ppp = v60 + (-turn if half_turn < v60 else 0.0)
         q2_pmp = v61 + (-turn if half_turn < v61 else 0.0)
         q2_mpp = v62 + (-turn if half_turn < v62 else 0.0)
         q2_mmp = v63 + (-turn if half_turn < v63 else 0.0)
-        v64 = angle10 - offset3
-        v65 = math.copysign(half_turn, v7) - angle10 - offset3
-        v66 = angle11 - offset3
-        v67 = math.copysign(half_turn, v8) - angle11 - offset3
+        v64, v65 = angle10 - offset3, math.copysign(half_turn, v7) - angle10 - offset3
+        v66, v67 = angle11 - offset3, math.copysign(half_turn, v8) - angle11 - offset3
         q3_ppp = v64 + (turn if v64 <= -half_turn else 0.0)
         q3_pmp = v65 + (turn if v65 <= -half_turn else 0.0)
         q3_mpp = v66 + (turn if v66 <= -half_turn else 0.0)
         q3_mmp = v67 + (turn if v67 <= -half_turn else 0.0)
-        v70 = angle12 - offset4
-        v71 = angle12 - v68 - offset4
-        v72 = angle13 - offset4
-        v73 = angle13 - v68 - offset4
-        v74 = angle14 - offset4
-        v75 = angle14 - v69 - offset4
-        v76 = angle15 - offset4
-        v77 = angle15 - v69 - offset4
+        v70, v71, v72 = angle12 - offset4, angle12 - v68 - offset4, angle13 - offset4
+        v73, v74, v75 = angle13 - v68 - offset4, angle14 - offset4, angle14 - v69 - offset4
+        v76, v77 = angle15 - offset4, angle15 - v69 - offset4
         q4_ppp = v70 + (turn if v70 <= -half_turn else 0.0)
         q4_ppm = v71 + (turn if v71 <= -half_turn else 0.0)
         q4_pmp = v72 + (turn if v72 <= -half_turn else 0.0)
@@ -595,14 +467,9 @@ def _formulas(kept, turns, rows, w):
         q4_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
         q4_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
         q4_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
-        v80 = angle16 - offset5
-        v81 = offset5 + angle16
-        v82 = angle17 - offset5
-        v83 = offset5 + angle17
-        v84 = angle18 - offset5
-        v85 = offset5 + angle18
-        v86 = angle19 - offset5
-        v87 = offset5 + angle19
+        v80, v81, v82 = angle16 - offset5, offset5 + angle16, angle17 - offset5
+        v83, v84, v85 = offset5 + angle17, angle18 - offset5, offset5 + angle18
+        v86, v87 = angle19 - offset5, offset5 + angle19
         q5_ppp = v80 + (turn if v80 <= -half_turn else 0.0)
         q5_ppm = (turn if -v81 <= -half_turn else 0.0) - v81
         q5_pmp = v82 + (turn if v82 <= -half_turn else 0.0)
@@ -626,25 +493,16 @@ def _formulas(kept, turns, rows, w):
         rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = q3_mmp, q4_mmp, q5_mmp
         rows[30 * w + k], rows[31 * w + k], rows[32 * w + k] = angle5, q4_mmm, q5_mmm
         rows[33 * w + k] = q6_mmm
-        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[36 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[40 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[34 * w + k] = rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[38 * w + k] = rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[40 * w + k] = rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 19, 20, 21, 22],
-    [17, 18, 19, 23, 24, 25],
-    [17, 26, 27, 28, 29, 30],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22], [17, 18, 19, 23, 24, 25], [17, 26, 27, 28, 29, 30],
     [17, 26, 27, 31, 32, 33],
 ])
 

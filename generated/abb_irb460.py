@@ -147,46 +147,24 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
-    v3 = s1 * s2
-    v4 = q[2] - q[1] + offset3
-    c3 = math.cos(v4)
-    s3 = math.sin(v4)
-    v5 = x2_x * c3 - v2 * s3
-    v6 = x2_y * c3 - v3 * s3
-    v7 = s2 * c3 + c2 * s3
-    v8 = v2 * c3 + x2_x * s3
-    v9 = v3 * c3 + x2_y * s3
-    v10 = s2 * s3 - c2 * c3
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
+    v3, v4 = s1 * s2, q[2] - q[1] + offset3
+    c3, s3 = math.cos(v4), math.sin(v4)
+    v5, v6, v7 = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    v8, v9, v10 = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, s2 * s3 - c2 * c3
     c3p = math.cos(-q[2])
     s3p = math.sin(-q[2])
-    x3_x = v5 * c3p - v8 * s3p
-    x3_y = v6 * c3p - v9 * s3p
-    x3_z = v10 * s3p - v7 * c3p
-    v11 = v8 * c3p + v5 * s3p
-    v12 = v9 * c3p + v6 * s3p
-    z3_z = v10 * c3p + v7 * s3p
+    x3_x, x3_y, x3_z = v5 * c3p - v8 * s3p, v6 * c3p - v9 * s3p, v10 * s3p - v7 * c3p
+    v11, v12, z3_z = v8 * c3p + v5 * s3p, v9 * c3p + v6 * s3p, v10 * c3p + v7 * s3p
     v13 = q[3] + offset4
-    c4 = math.cos(v13)
-    s4 = math.sin(v13)
-    T[0, 0] = x3_x * c4 + s1 * s4
-    T[0, 1] = s1 * c4 - x3_x * s4
-    T[0, 2] = -v11
+    c4, s4 = math.cos(v13), math.sin(v13)
+    T[0, 0], T[0, 1], T[0, 2] = x3_x * c4 + s1 * s4, s1 * c4 - x3_x * s4, -v11
     T[0, 3] = c1 * a1 + x2_x * a2 + v5 * a3 + x3_x * a4 - v11 * d5
-    T[1, 0] = x3_y * c4 - c1 * s4
-    T[1, 1] = -(c1 * c4 + x3_y * s4)
-    T[1, 2] = -v12
+    T[1, 0], T[1, 1], T[1, 2] = x3_y * c4 - c1 * s4, -(c1 * c4 + x3_y * s4), -v12
     T[1, 3] = s1 * a1 + x2_y * a2 + v6 * a3 + x3_y * a4 - v12 * d5
-    T[2, 0] = x3_z * c4
-    T[2, 1] = -(x3_z * s4)
-    T[2, 2] = z3_z
+    T[2, 0], T[2, 1], T[2, 2] = x3_z * c4, -(x3_z * s4), z3_z
     T[2, 3] = d1 - s2 * a2 - v7 * a3 + x3_z * a4 + z3_z * d5
     T[3, 3] = 1.0
     return T
@@ -198,67 +176,35 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
-    v3 = s1 * s2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
-    p2_z = d1 - s2 * a2
-    v4 = q[2] - q[1] + offset3
-    c3 = math.cos(v4)
-    s3 = math.sin(v4)
-    v5 = x2_x * c3 - v2 * s3
-    v6 = x2_y * c3 - v3 * s3
-    v7 = s2 * c3 + c2 * s3
-    v8 = v2 * c3 + x2_x * s3
-    v9 = v3 * c3 + x2_y * s3
-    v10 = s2 * s3 - c2 * c3
-    v11 = p2_x + v5 * a3
-    v12 = p2_y + v6 * a3
-    v13 = p2_z - v7 * a3
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y, v1 = c1 * a1, s1 * a1, q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
+    v3, p2_x, p2_y = s1 * s2, p1_x + x2_x * a2, p1_y + x2_y * a2
+    p2_z, v4 = d1 - s2 * a2, q[2] - q[1] + offset3
+    c3, s3 = math.cos(v4), math.sin(v4)
+    v5, v6, v7 = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    v8, v9, v10 = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    v11, v12, v13 = p2_x + v5 * a3, p2_y + v6 * a3, p2_z - v7 * a3
     c3p = math.cos(-q[2])
     s3p = math.sin(-q[2])
-    v14 = v8 * c3p + v5 * s3p
-    v15 = v9 * c3p + v6 * s3p
-    z3_z = v10 * c3p + v7 * s3p
-    p3_x = v11 + (v5 * c3p - v8 * s3p) * a4
-    p3_y = v12 + (v6 * c3p - v9 * s3p) * a4
-    p3_z = v13 + (v10 * s3p - v7 * c3p) * a4
-    p4_x = p3_x - v14 * d5
-    p4_y = p3_y - v15 * d5
+    v14, v15, z3_z = v8 * c3p + v5 * s3p, v9 * c3p + v6 * s3p, v10 * c3p + v7 * s3p
+    p3_x, p3_y = v11 + (v5 * c3p - v8 * s3p) * a4, v12 + (v6 * c3p - v9 * s3p) * a4
+    p3_z, p4_x, p4_y = v13 + (v10 * s3p - v7 * c3p) * a4, p3_x - v14 * d5, p3_y - v15 * d5
     p4_z = p3_z + z3_z * d5
-    v16 = p4_z - d1
-    v17 = p4_z - p2_z
-    v18 = c1 * v17
-    v19 = s1 * v17
-    v20 = s1 * (p4_y - p2_y) + c1 * (p4_x - p2_x)
-    v21 = p4_x - p3_x
-    v22 = p4_y - p3_y
-    v23 = p4_z - p3_z
+    v16, v17 = p4_z - d1, p4_z - p2_z
+    v18, v19, v20 = c1 * v17, s1 * v17, s1 * (p4_y - p2_y) + c1 * (p4_x - p2_x)
+    v21, v22, v23 = p4_x - p3_x, p4_y - p3_y, p4_z - p3_z
     v24 = p4_z - v13
-    J[0, 0] = -p4_y
-    J[0, 1] = c1 * v16 - v18
-    J[0, 2] = v18 - c1 * v24
+    J[0, 0], J[0, 1], J[0, 2] = -p4_y, c1 * v16 - v18, v18 - c1 * v24
     J[0, 3] = -(v15 * v23 + z3_z * v22)
-    J[1, 0] = p4_x
-    J[1, 1] = s1 * v16 - v19
-    J[1, 2] = v19 - s1 * v24
+    J[1, 0], J[1, 1], J[1, 2] = p4_x, s1 * v16 - v19, v19 - s1 * v24
     J[1, 3] = z3_z * v21 + v14 * v23
     J[2, 1] = v20 - (s1 * (p4_y - p1_y) + c1 * (p4_x - p1_x))
-    J[2, 2] = s1 * (p4_y - v12) + c1 * (p4_x - v11) - v20
-    J[2, 3] = v15 * v21 - v14 * v22
+    J[2, 2], J[2, 3] = s1 * (p4_y - v12) + c1 * (p4_x - v11) - v20, v15 * v21 - v14 * v22
     J[3, 3] = -v14
     J[4, 3] = -v15
-    J[5, 0] = 1.0
-    J[5, 3] = z3_z
+    J[5, 0], J[5, 3] = 1.0, z3_z
     return J
 
 
@@ -316,8 +262,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2
         Y1_2 = a2 + a3 * c3
-        v5 = Z1_3 * Y1_2
-        v6 = v2 * Y1_2
+        v5, v6 = Z1_3 * Y1_2, v2 * Y1_2
 
         # joint values
         q4 = _wrap(_atan2(s4, c4) - offset4)
@@ -343,9 +288,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _wrap(_atan2(s2, c2) - offset2)
             q3 = _wrap(q2 + (_atan2(s3, c3) - offset3))
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
             q[row, 3] = q4
             status[row] = FREE_JOINT if free1 or free2 or steep else OK
 
@@ -358,8 +301,8 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T14, T21, T24 = kept[0 * w + k], kept[3 * w + k], kept[4 * w + k], kept[7 * w + k]
-        T34 = kept[11 * w + k]
+        T11, T14, T21 = kept[0 * w + k], kept[3 * w + k], kept[4 * w + k]
+        T24, T34 = kept[7 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[3, 4]
         v1 = T14 * T14 + T24 * T24
@@ -369,28 +312,17 @@ def _formulas(kept, turns, rows, w):
         s4 = T14 * T21 - T24 * T11
 
         # theta3, type 8: U1[2, 4] and U1[1, 4]
-        Z1_3 = T34 - k1
-        v2 = k2 + w1
-        v3 = k2 - w1
+        Z1_3, v2, v3 = T34 - k1, k2 + w1, k2 - w1
         v4 = Z1_3 * Z1_3
-        N3_p = v4 + v2 * v2
-        N3_m = v4 + v3 * v3
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
-        v5 = w3_p - w3_p
-        v6 = w3_m - w3_m
+        N3_p, N3_m = v4 + v2 * v2, v4 + v3 * v3
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
+        v5, v6 = w3_p - w3_p, w3_m - w3_m
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
-        v7 = m6 - m5 * N3_p
-        v8 = m6 - m5 * N3_m
-        v9 = Z1_3 * v7
-        v10 = Z1_3 * v8
-        v11 = m5 * Z1_3
-        v12 = m5 * -Z1_3
-        v13 = v2 * -v7
-        v14 = v3 * -v8
+        v7, v8 = m6 - m5 * N3_p, m6 - m5 * N3_m
+        v9, v10, v11 = Z1_3 * v7, Z1_3 * v8, m5 * Z1_3
+        v12, v13, v14 = m5 * -Z1_3, v2 * -v7, v3 * -v8
 
         # joint values
         v15 = w3_p * (m5 * v2)
@@ -400,8 +332,8 @@ def _formulas(kept, turns, rows, w):
             1.0 if v1 <= m2 or T11 * T11 + T21 * T21 <= m1 or abs(D3_p) <= m4 or abs(D3_m) <= m4
             else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], turns[0 * w + k] = s4, v5, v6, -T24
-        turns[1 * w + k], turns[2 * w + k] = v9 + v15, v9 - v15
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = s4, v5, v6
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = -T24, v9 + v15, v9 - v15
         turns[3 * w + k], turns[4 * w + k] = v10 + w3_m * (m5 * v3), v10 + w3_m * (m5 * -v3)
         turns[5 * w + k], turns[6 * w + k], turns[7 * w + k] = w3_p, w3_m, s4
         turns[8 * w + k], turns[9 * w + k] = -T14, -(v13 + w3_p * v11)
@@ -413,32 +345,25 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, 8 * w):
         turns[k] = _atan2(turns[k], turns[k + 8 * w])
     for k in range(w):
-        T24, s4, v5, v6 = kept[7 * w + k], kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
-        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
-        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
-        angle7, angle8 = turns[6 * w + k], turns[7 * w + k]
+        T24, s4, v5 = kept[7 * w + k], kept[17 * w + k], kept[18 * w + k]
+        v6, angle1, angle2 = kept[19 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
+        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
 
         # theta1, type 2: U1[3, 4]
         q1__m = angle1 - math.copysign(half_turn, -T24)
 
         # joint values
-        v16 = angle2 - offset2
-        v17 = angle3 - offset2
-        v18 = angle4 - offset2
+        v16, v17, v18 = angle2 - offset2, angle3 - offset2, angle4 - offset2
         v19 = angle5 - offset2
         q2_pp = v16 + (-turn if half_turn < v16 else 0.0)
         q2_pm = v17 + (-turn if half_turn < v17 else 0.0)
         q2_mp = v18 + (-turn if half_turn < v18 else 0.0)
         q2_mm = v19 + (-turn if half_turn < v19 else 0.0)
-        q3_pp = _wrap(q2_pp + (angle6 - offset3))
-        q3_pm = _wrap(q2_pm - (offset3 + angle6))
-        q3_mp = _wrap(q2_mp + (angle7 - offset3))
-        q3_mm = _wrap(q2_mm - (offset3 + angle7))
-        v20 = angle8 - offset4
-        v21 = angle8 - math.copysign(half_turn, s4) - offset4
-        v22 = abs(angle1) - high1
-        v23 = abs(q1__m) - high1
-        q1_pp = angle1 + v5
+        q3_pp, q3_pm = _wrap(q2_pp + (angle6 - offset3)), _wrap(q2_pm - (offset3 + angle6))
+        q3_mp, q3_mm = _wrap(q2_mp + (angle7 - offset3)), _wrap(q2_mm - (offset3 + angle7))
+        v20, v21 = angle8 - offset4, angle8 - math.copysign(half_turn, s4) - offset4
+        v22, v23, q1_pp = abs(angle1) - high1, abs(q1__m) - high1, angle1 + v5
         q1_mp = q1__m + v6
         q4_pp = v5 + (v20 + (turn if v20 <= -half_turn else 0.0))
         q4_mp = v6 + (v21 + (turn if v21 <= -half_turn else 0.0))
@@ -454,9 +379,7 @@ def _formulas(kept, turns, rows, w):
         excess_mm = (
             max(max(low3 - q3_mm, q3_mm - high3), max(v23, max(low2 - q2_mm, q2_mm - high2)))
         )
-        outside_pp = 0.0 < excess_pp
-        outside_pm = 0.0 < excess_pm
-        outside_mp = 0.0 < excess_mp
+        outside_pp, outside_pm, outside_mp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
         outside_mm = 0.0 < excess_mm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
@@ -477,10 +400,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3],
-    [0, 4, 5, 3],
-    [6, 7, 8, 9],
-    [6, 10, 11, 9],
+    [0, 1, 2, 3], [0, 4, 5, 3], [6, 7, 8, 9], [6, 10, 11, 9],
 ])
 
 

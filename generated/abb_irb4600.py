@@ -154,51 +154,25 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * s2
-    x2_y = s1 * s2
-    y2_x = c1 * c2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, y2_x = c1 * s2, s1 * s2, c1 * c2
     y2_y = s1 * c2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = c2 * c3 - s2 * s3
-    y3_x = y2_x * c3 - x2_x * s3
-    y3_y = y2_y * c3 - x2_y * s3
-    v1 = s2 * c3 + c2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + s1 * s4
-    x4_y = x3_y * c4 - c1 * s4
-    x4_z = x3_z * c4
-    y4_x = s1 * c4 - x3_x * s4
-    z5_y = c1 * c4 + x3_y * s4
-    z5_z = x3_z * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + y3_x * s5
-    x5_y = x4_y * c5 + y3_y * s5
-    x5_z = x4_z * c5 - v1 * s5
-    y5_x = y3_x * c5 - x4_x * s5
-    y5_y = y3_y * c5 - x4_y * s5
-    v2 = v1 * c5 + x4_z * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = -(x5_x * c6 + y4_x * s6)
-    T[0, 1] = x5_x * s6 - y4_x * c6
-    T[0, 2] = y5_x
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, c2 * c3 - s2 * s3
+    y3_x, y3_y, v1 = y2_x * c3 - x2_x * s3, y2_y * c3 - x2_y * s3, s2 * c3 + c2 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 + s1 * s4, x3_y * c4 - c1 * s4, x3_z * c4
+    y4_x, z5_y, z5_z = s1 * c4 - x3_x * s4, c1 * c4 + x3_y * s4, x3_z * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 + y3_x * s5, x4_y * c5 + y3_y * s5, x4_z * c5 - v1 * s5
+    y5_x, y5_y, v2 = y3_x * c5 - x4_x * s5, y3_y * c5 - x4_y * s5, v1 * c5 + x4_z * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = -(x5_x * c6 + y4_x * s6), x5_x * s6 - y4_x * c6, y5_x
     T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 + y3_x * d4 + y5_x * d6
-    T[1, 0] = z5_y * s6 - x5_y * c6
-    T[1, 1] = z5_y * c6 + x5_y * s6
-    T[1, 2] = y5_y
+    T[1, 0], T[1, 1], T[1, 2] = z5_y * s6 - x5_y * c6, z5_y * c6 + x5_y * s6, y5_y
     T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 + y3_y * d4 + y5_y * d6
-    T[2, 0] = z5_z * s6 - x5_z * c6
-    T[2, 1] = z5_z * c6 + x5_z * s6
-    T[2, 2] = -v2
+    T[2, 0], T[2, 1], T[2, 2] = z5_z * s6 - x5_z * c6, z5_z * c6 + x5_z * s6, -v2
     T[2, 3] = d1 + c2 * a2 + x3_z * a3 - v1 * d4 - v2 * d6
     T[3, 3] = 1.0
     return T
@@ -210,84 +184,39 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p2_x = c1 * a1
-    p2_y = s1 * a1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * s2
-    x2_y = s1 * s2
-    y2_x = c1 * c2
-    y2_y = s1 * c2
-    p3_x = p2_x + x2_x * a2
-    p3_y = p2_y + x2_y * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p2_x, p2_y = c1 * a1, s1 * a1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, y2_x = c1 * s2, s1 * s2, c1 * c2
+    y2_y, p3_x, p3_y = s1 * c2, p2_x + x2_x * a2, p2_y + x2_y * a2
     p3_z = d1 + c2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = c2 * c3 - s2 * s3
-    y3_x = y2_x * c3 - x2_x * s3
-    y3_y = y2_y * c3 - x2_y * s3
-    v1 = s2 * c3 + c2 * s3
-    p4_x = p3_x + x3_x * a3
-    p4_y = p3_y + x3_y * a3
-    p4_z = p3_z + x3_z * a3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    z5_y = c1 * c4 + x3_y * s4
-    z5_z = x3_z * s4
-    p5_x = p4_x + y3_x * d4
-    p5_y = p4_y + y3_y * d4
-    p5_z = p4_z - v1 * d4
-    z5_x = x3_x * s4 - s1 * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    y5_x = y3_x * c5 - (x3_x * c4 + s1 * s4) * s5
-    y5_y = y3_y * c5 - (x3_y * c4 - c1 * s4) * s5
-    v2 = v1 * c5 + x3_z * c4 * s5
-    J21 = p5_x + y5_x * d6
-    v3 = p5_y + y5_y * d6
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, c2 * c3 - s2 * s3
+    y3_x, y3_y, v1 = y2_x * c3 - x2_x * s3, y2_y * c3 - x2_y * s3, s2 * c3 + c2 * s3
+    p4_x, p4_y, p4_z = p3_x + x3_x * a3, p3_y + x3_y * a3, p3_z + x3_z * a3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    z5_y, z5_z, p5_x = c1 * c4 + x3_y * s4, x3_z * s4, p4_x + y3_x * d4
+    p5_y, p5_z, z5_x = p4_y + y3_y * d4, p4_z - v1 * d4, x3_x * s4 - s1 * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    y5_x, y5_y = y3_x * c5 - (x3_x * c4 + s1 * s4) * s5, y3_y * c5 - (x3_y * c4 - c1 * s4) * s5
+    v2, J21, v3 = v1 * c5 + x3_z * c4 * s5, p5_x + y5_x * d6, p5_y + y5_y * d6
     v4 = p5_z - v2 * d6
-    v5 = v4 - d1
-    v6 = v4 - p3_z
-    v7 = J21 - p4_x
-    v8 = v3 - p4_y
-    v9 = v4 - p4_z
-    v10 = J21 - p5_x
-    v11 = v3 - p5_y
-    v12 = v4 - p5_z
-    J[0, 0] = -v3
-    J[0, 1] = c1 * v5
-    J[0, 2] = c1 * v6
-    J[0, 3] = y3_y * v9 + v1 * v8
-    J[0, 4] = z5_y * v12 - z5_z * v11
-    J[0, 5] = y5_y * v12 + v2 * v11
-    J[1, 0] = J21
-    J[1, 1] = s1 * v5
-    J[1, 2] = s1 * v6
-    J[1, 3] = -(v1 * v7 + y3_x * v9)
-    J[1, 4] = z5_z * v10 - z5_x * v12
+    v5, v6, v7 = v4 - d1, v4 - p3_z, J21 - p4_x
+    v8, v9, v10 = v3 - p4_y, v4 - p4_z, J21 - p5_x
+    v11, v12 = v3 - p5_y, v4 - p5_z
+    J[0, 0], J[0, 1], J[0, 2] = -v3, c1 * v5, c1 * v6
+    J[0, 3], J[0, 4], J[0, 5] = y3_y * v9 + v1 * v8, z5_y * v12 - z5_z * v11, y5_y * v12 + v2 * v11
+    J[1, 0], J[1, 1], J[1, 2] = J21, s1 * v5, s1 * v6
+    J[1, 3], J[1, 4] = -(v1 * v7 + y3_x * v9), z5_z * v10 - z5_x * v12
     J[1, 5] = -(v2 * v10 + y5_x * v12)
     J[2, 1] = -(s1 * (v3 - p2_y) + c1 * (J21 - p2_x))
-    J[2, 2] = -(s1 * (v3 - p3_y) + c1 * (J21 - p3_x))
-    J[2, 3] = y3_x * v8 - y3_y * v7
-    J[2, 4] = z5_x * v11 - z5_y * v10
-    J[2, 5] = y5_x * v11 - y5_y * v10
-    J[3, 1] = -s1
-    J[3, 2] = -s1
-    J[3, 3] = y3_x
-    J[3, 4] = z5_x
-    J[3, 5] = y5_x
-    J[4, 1] = c1
-    J[4, 2] = c1
-    J[4, 3] = y3_y
-    J[4, 4] = z5_y
-    J[4, 5] = y5_y
-    J[5, 0] = 1.0
-    J[5, 3] = -v1
-    J[5, 4] = z5_z
+    J[2, 2], J[2, 3] = -(s1 * (v3 - p3_y) + c1 * (J21 - p3_x)), y3_x * v8 - y3_y * v7
+    J[2, 4], J[2, 5] = z5_x * v11 - z5_y * v10, y5_x * v11 - y5_y * v10
+    J[3, 1], J[3, 2], J[3, 3] = -s1, -s1, y3_x
+    J[3, 4], J[3, 5] = z5_x, y5_x
+    J[4, 1], J[4, 2], J[4, 3] = c1, c1, y3_y
+    J[4, 4], J[4, 5] = z5_y, y5_y
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, -v1, z5_z
     J[5, 5] = -v2
     return J
 
@@ -328,8 +257,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v3 = k1 * K3
-        v4 = k2 * K3
+        v3, v4 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[2, 3]
         v6 = T13 * c1 + T23 * s1
@@ -337,9 +265,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v7 = Y4 * Y4
 
         # theta6, type 3: U4[2, 2] and U4[2, 1]
-        v8 = T12 * s1 - T22 * c1
-        v9 = T12 * c1 + T22 * s1
-        v11 = T11 * s1 - T21 * c1
+        v8, v9, v11 = T12 * s1 - T22 * c1, T12 * c1 + T22 * s1, T11 * s1 - T21 * c1
         v12 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
@@ -348,8 +274,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e3
-            s3 = (k2 * root3 - v3) * k4
-            c3 = k4 * (v4 + k1 * root3)
+            s3, c3 = (k2 * root3 - v3) * k4, k4 * (v4 + k1 * root3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1[1, 4] and U1[3, 4]
@@ -365,8 +290,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _atan2(s2, c2)
 
             # theta4
-            c23 = c3 * c2 - s3 * s2
-            s23 = c3 * s2 + s3 * c2
+            c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
             X4 = T33 * c23 + s23 * v6
             w4 = math.sqrt(X4 * X4 + v7)
             free4 = w4 <= free_limit
@@ -376,8 +300,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = c23 * v6 - T33 * s23
 
             # theta6
-            v10 = T32 * c23 + s23 * v9
-            v13 = T31 * c23 + s23 * v12
+            v10, v13 = T32 * c23 + s23 * v9, T31 * c23 + s23 * v12
 
             for i3 in range(2):  # noflip, flip
                 e4 = 1.0 - 2.0 * i3
@@ -394,16 +317,11 @@ def _solve(pose, q_free, seed, moved, q, status):
                 q5 = _atan2(s5, c5)
 
                 # theta6
-                c6 = s4 * v10 - c4 * v8
-                s6 = s4 * v13 - c4 * v11
+                c6, s6 = s4 * v10 - c4 * v8, s4 * v13 - c4 * v11
                 q6 = _atan2(s6, c6)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -415,84 +333,51 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[2, 4]
-        t14 = T14 - d6 * T13
-        Y1 = d6 * T23 - T24
+        t14, Y1 = T14 - d6 * T13, d6 * T23 - T24
         v1 = t14 * t14 + Y1 * Y1
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
 
         # theta3, type 6: U1[3, 4] and U1[1, 4]
-        Z1_3 = T34 - d6 * T33 - d1
-        v3 = a1 + w1
-        v4 = a1 - w1
+        Z1_3, v3, v4 = T34 - d6 * T33 - d1, a1 + w1, a1 - w1
         v5 = Z1_3 * Z1_3
-        N3_p = v5 + v3 * v3
-        N3_m = v5 + v4 * v4
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
+        N3_p, N3_m = v5 + v3 * v3, v5 + v4 * v4
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
 
         # theta2, type 3: U1[1, 4] and U1[3, 4]
-        X1_2_p = m4 * N3_p - m5
-        X1_2_m = m4 * N3_m - m5
-        v8 = v3 * X1_2_p
-        v9 = v4 * X1_2_m
-        v10 = m4 * Z1_3
-        v11 = m4 * -Z1_3
-        v12 = Z1_3 * X1_2_p
-        v13 = Z1_3 * X1_2_m
-        factor2_p = 1.0 / N3_p
-        factor2_m = 1.0 / N3_m
-        v14 = w3_p * (m4 * v3)
+        X1_2_p, X1_2_m = m4 * N3_p - m5, m4 * N3_m - m5
+        v8, v9, v10 = v3 * X1_2_p, v4 * X1_2_m, m4 * Z1_3
+        v11, v12, v13 = m4 * -Z1_3, Z1_3 * X1_2_p, Z1_3 * X1_2_m
+        factor2_p, factor2_m, v14 = 1.0 / N3_p, 1.0 / N3_m, w3_p * (m4 * v3)
 
         # theta4, type 2: U4[2, 3]
-        v15 = m6 * Z1_3
-        v16 = m7 + m8 * factor2_p
-        v17 = m7 + m8 * factor2_m
-        v18 = m6 + m9 * factor2_p
-        v19 = m6 + m9 * factor2_m
-        v20 = Z1_3 * v16 - v3 * v18
-        v21 = Z1_3 * v17 - v4 * v19
+        v15, v16, v17 = m6 * Z1_3, m7 + m8 * factor2_p, m7 + m8 * factor2_m
+        v18, v19 = m6 + m9 * factor2_p, m6 + m9 * factor2_m
+        v20, v21 = Z1_3 * v16 - v3 * v18, Z1_3 * v17 - v4 * v19
         v22 = w3_p * (factor2_p * (v15 + m7 * v3))
-        c23_pp = v20 + v22
-        c23_pm = v20 - v22
-        v23 = w3_m * (factor2_m * (v15 + m7 * v4))
-        c23_mp = v21 + v23
-        c23_mm = v21 - v23
-        v24 = m7 * Z1_3
-        v25 = v24 - m6 * v3
-        v26 = v24 - m6 * v4
-        v27 = Z1_3 * v18 + v3 * v16
-        v28 = Z1_3 * v19 + v4 * v17
-        s23_pp = w3_p * (factor2_p * v25) - v27
-        s23_pm = w3_p * (factor2_p * -v25) - v27
-        s23_mp = w3_m * (factor2_m * v26) - v28
-        s23_mm = w3_m * (factor2_m * -v26) - v28
-        v29 = w1 * (v2 * (T23 * Y1 - T13 * t14))
-        X4_pp = T33 * c23_pp + s23_pp * v29
-        X4_pm = T33 * c23_pm + s23_pm * v29
-        X4_mp = T33 * c23_mp - s23_mp * v29
-        X4_mm = T33 * c23_mm - s23_mm * v29
+        c23_pp, c23_pm, v23 = v20 + v22, v20 - v22, w3_m * (factor2_m * (v15 + m7 * v4))
+        c23_mp, c23_mm, v24 = v21 + v23, v21 - v23, m7 * Z1_3
+        v25, v26, v27 = v24 - m6 * v3, v24 - m6 * v4, Z1_3 * v18 + v3 * v16
+        v28, s23_pp = Z1_3 * v19 + v4 * v17, w3_p * (factor2_p * v25) - v27
+        s23_pm, s23_mp = w3_p * (factor2_p * -v25) - v27, w3_m * (factor2_m * v26) - v28
+        s23_mm, v29 = w3_m * (factor2_m * -v26) - v28, w1 * (v2 * (T23 * Y1 - T13 * t14))
+        X4_pp, X4_pm = T33 * c23_pp + s23_pp * v29, T33 * c23_pm + s23_pm * v29
+        X4_mp, X4_mm = T33 * c23_mp - s23_mp * v29, T33 * c23_mm - s23_mm * v29
         v30 = w1 * (v2 * (T13 * Y1 + t14 * T23))
         v31 = v30 * v30
-        v32 = v31 + X4_pp * X4_pp
-        v33 = v31 + X4_pm * X4_pm
-        v34 = v31 + X4_mp * X4_mp
-        v35 = v31 + X4_mm * X4_mm
-        v36 = math.copysign(half_turn, -v30)
+        v32, v33, v34 = v31 + X4_pp * X4_pp, v31 + X4_pm * X4_pm, v31 + X4_mp * X4_mp
+        v35, v36 = v31 + X4_mm * X4_mm, math.copysign(half_turn, -v30)
         v37 = math.copysign(half_turn, v30)
 
         # theta6, type 3: U4[2, 2] and U4[2, 1]
-        v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
-        v39 = w1 * (v2 * (Y1 * T22 - t14 * T12))
-        v40 = w1 * (v2 * (t14 * T21 + Y1 * T11))
-        v41 = w1 * (v2 * (Y1 * T21 - t14 * T11))
+        v38, v39 = w1 * (v2 * (t14 * T22 + Y1 * T12)), w1 * (v2 * (Y1 * T22 - t14 * T12))
+        v40, v41 = w1 * (v2 * (t14 * T21 + Y1 * T11)), w1 * (v2 * (Y1 * T21 - t14 * T11))
         v42 = X4_pp * v40 - v30 * (c23_pp * T31 + s23_pp * v41)
         v43 = X4_pm * v40 - v30 * (c23_pm * T31 + s23_pm * v41)
         v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40
@@ -503,9 +388,10 @@ def _formulas(kept, turns, rows, w):
             1.0 if v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <=
             m1 or abs(D3_p) <= m3 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Y1, w3_p, w3_m, v36
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v37, v42, v43, v44
-        kept[25 * w + k], turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = v45, Y1, w3_p, w3_m
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y1, w3_p, w3_m
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v36, v37, v42
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = v43, v44, v45
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = Y1, w3_p, w3_m
         turns[3 * w + k], turns[4 * w + k] = -(v8 + w3_p * v10), -(v8 + w3_p * v11)
         turns[5 * w + k], turns[6 * w + k] = -(v9 + w3_m * v10), -(v9 + w3_m * v11)
         turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = -v30, -v30, v30
@@ -534,26 +420,23 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        Y1, w3_p, w3_m, v36 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v37, v42, v43, v44 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        v45, angle1, angle2 = kept[25 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
-        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
-        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
-        angle18, angle19 = turns[17 * w + k], turns[18 * w + k]
+        Y1, w3_p, w3_m = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v36, v37, v42 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v43, v44, v45 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        angle19 = turns[18 * w + k]
 
         # theta3, type 6: U1[3, 4] and U1[1, 4]
-        q3__pp = angle2 - turn1
-        v6 = turn1 + angle2
-        q3__mp = angle3 - turn1
+        q3__pp, v6, q3__mp = angle2 - turn1, turn1 + angle2, angle3 - turn1
         v7 = turn1 + angle3
 
         # theta4, type 2: U4[2, 3]
-        q4_ppm = angle8 - v36
-        q4_pmm = angle9 - v36
-        q4_mpm = angle10 - v37
+        q4_ppm, q4_pmm, q4_mpm = angle8 - v36, angle9 - v36, angle10 - v37
         q4_mmm = angle11 - v37
 
         # theta6, type 3: U4[2, 2] and U4[2, 1]
@@ -571,14 +454,9 @@ def _formulas(kept, turns, rows, w):
         v51 = v47 - (turn if high3 < v47 else 0.0)
         v52 = v48 - (turn if high3 < v48 else 0.0)
         v53 = v49 - (turn if high3 < v49 else 0.0)
-        v54 = max(low3 - v50, v50 - high3)
-        v55 = max(low3 - v51, v51 - high3)
-        v56 = max(low3 - v52, v52 - high3)
-        v57 = max(low3 - v53, v53 - high3)
-        v58 = v46 - high3
-        v59 = v47 - high3
-        v60 = v48 - high3
-        v61 = v49 - high3
+        v54, v55 = max(low3 - v50, v50 - high3), max(low3 - v51, v51 - high3)
+        v56, v57, v58 = max(low3 - v52, v52 - high3), max(low3 - v53, v53 - high3), v46 - high3
+        v59, v60, v61 = v47 - high3, v48 - high3, v49 - high3
         v62 = v58 if v58 < v54 else v54
         v63 = v59 if v59 < v55 else v55
         v64 = v60 if v60 < v56 else v56
@@ -601,14 +479,9 @@ def _formulas(kept, turns, rows, w):
         excess_mpm = max(v68, max(low5 + angle14, -(high5 + angle14)))
         excess_mmp = max(v69, max(low5 - angle15, angle15 - high5))
         excess_mmm = max(v69, max(low5 + angle15, -(high5 + angle15)))
-        outside_ppp = 0.0 < excess_ppp
-        outside_ppm = 0.0 < excess_ppm
-        outside_pmp = 0.0 < excess_pmp
-        outside_pmm = 0.0 < excess_pmm
-        outside_mpp = 0.0 < excess_mpp
-        outside_mpm = 0.0 < excess_mpm
-        outside_mmp = 0.0 < excess_mmp
-        outside_mmm = 0.0 < excess_mmm
+        outside_ppp, outside_ppm, outside_pmp = 0.0 < excess_ppp, 0.0 < excess_ppm, 0.0 < excess_pmp
+        outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
+        outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
@@ -658,13 +531,8 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 19, 20, 21, 22],
-    [17, 18, 19, 23, 24, 25],
-    [17, 26, 27, 28, 29, 30],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22], [17, 18, 19, 23, 24, 25], [17, 26, 27, 28, 29, 30],
     [17, 26, 27, 31, 32, 33],
 ])
 

@@ -156,53 +156,26 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
     v3 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v2 * s3
-    x3_y = x2_y * c3 - v3 * s3
-    v4 = s2 * c3 + c2 * s3
-    v5 = v2 * c3 + x2_x * s3
-    v6 = v3 * c3 + x2_y * s3
-    z3_z = s2 * s3 - c2 * c3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + s1 * s4
-    x4_y = x3_y * c4 - c1 * s4
-    v7 = v4 * c4
-    z4_y = c1 * c4 + x3_y * s4
-    v8 = v4 * s4
-    z4_x = x3_x * s4 - s1 * c4
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v4 = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    v5, v6, z3_z = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, v7 = x3_x * c4 + s1 * s4, x3_y * c4 - c1 * s4, v4 * c4
+    z4_y, v8, z4_x = c1 * c4 + x3_y * s4, v4 * s4, x3_x * s4 - s1 * c4
     v9 = q[4] + offset5
-    c5 = math.cos(v9)
-    s5 = math.sin(v9)
-    x5_x = x4_x * c5 - v5 * s5
-    x5_y = x4_y * c5 - v6 * s5
-    x5_z = z3_z * s5 - v7 * c5
-    z5_x = v5 * c5 + x4_x * s5
-    z5_y = v6 * c5 + x4_y * s5
-    v10 = z3_z * c5 + v7 * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 + z4_x * s6
-    T[0, 1] = z4_x * c6 - x5_x * s6
-    T[0, 2] = z5_x
+    c5, s5 = math.cos(v9), math.sin(v9)
+    x5_x, x5_y, x5_z = x4_x * c5 - v5 * s5, x4_y * c5 - v6 * s5, z3_z * s5 - v7 * c5
+    z5_x, z5_y, v10 = v5 * c5 + x4_x * s5, v6 * c5 + x4_y * s5, z3_z * c5 + v7 * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + z4_x * s6, z4_x * c6 - x5_x * s6, z5_x
     T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 - v5 * d4 + z5_x * d6
-    T[1, 0] = x5_y * c6 + z4_y * s6
-    T[1, 1] = z4_y * c6 - x5_y * s6
-    T[1, 2] = z5_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + z4_y * s6, z4_y * c6 - x5_y * s6, z5_y
     T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 - v6 * d4 + z5_y * d6
-    T[2, 0] = x5_z * c6 - v8 * s6
-    T[2, 1] = -(v8 * c6 + x5_z * s6)
-    T[2, 2] = -v10
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 - v8 * s6, -(v8 * c6 + x5_z * s6), -v10
     T[2, 3] = d1 - s2 * a2 - v4 * a3 + z3_z * d4 - v10 * d6
     T[3, 3] = 1.0
     return T
@@ -214,86 +187,41 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
-    v3 = s1 * s2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y, v1 = c1 * a1, s1 * a1, q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
+    v3, p2_x, p2_y = s1 * s2, p1_x + x2_x * a2, p1_y + x2_y * a2
     p2_z = d1 - s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v2 * s3
-    x3_y = x2_y * c3 - v3 * s3
-    v4 = s2 * c3 + c2 * s3
-    v5 = v2 * c3 + x2_x * s3
-    v6 = v3 * c3 + x2_y * s3
-    z3_z = s2 * s3 - c2 * c3
-    p3_x = p2_x + x3_x * a3
-    p3_y = p2_y + x3_y * a3
-    p3_z = p2_z - v4 * a3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    z4_y = c1 * c4 + x3_y * s4
-    v7 = v4 * s4
-    p4_x = p3_x - v5 * d4
-    p4_y = p3_y - v6 * d4
-    p4_z = p3_z + z3_z * d4
-    z4_x = x3_x * s4 - s1 * c4
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v4 = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    v5, v6, z3_z = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    p3_x, p3_y, p3_z = p2_x + x3_x * a3, p2_y + x3_y * a3, p2_z - v4 * a3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    z4_y, v7, p4_x = c1 * c4 + x3_y * s4, v4 * s4, p3_x - v5 * d4
+    p4_y, p4_z, z4_x = p3_y - v6 * d4, p3_z + z3_z * d4, x3_x * s4 - s1 * c4
     v8 = q[4] + offset5
-    c5 = math.cos(v8)
-    s5 = math.sin(v8)
-    z5_x = v5 * c5 + (x3_x * c4 + s1 * s4) * s5
-    z5_y = v6 * c5 + (x3_y * c4 - c1 * s4) * s5
-    v9 = z3_z * c5 + v4 * c4 * s5
-    p6_x = p4_x + z5_x * d6
-    p6_y = p4_y + z5_y * d6
+    c5, s5 = math.cos(v8), math.sin(v8)
+    z5_x, z5_y = v5 * c5 + (x3_x * c4 + s1 * s4) * s5, v6 * c5 + (x3_y * c4 - c1 * s4) * s5
+    v9, p6_x, p6_y = z3_z * c5 + v4 * c4 * s5, p4_x + z5_x * d6, p4_y + z5_y * d6
     p6_z = p4_z - v9 * d6
-    v10 = p6_z - d1
-    v11 = p6_z - p2_z
-    v12 = p6_x - p3_x
-    v13 = p6_y - p3_y
-    v14 = p6_z - p3_z
-    v15 = p6_x - p4_x
-    v16 = p6_y - p4_y
-    v17 = p6_z - p4_z
-    J[0, 0] = -p6_y
-    J[0, 1] = c1 * v10
-    J[0, 2] = c1 * v11
-    J[0, 3] = -(v6 * v14 + z3_z * v13)
-    J[0, 4] = z4_y * v17 + v7 * v16
+    v10, v11, v12 = p6_z - d1, p6_z - p2_z, p6_x - p3_x
+    v13, v14, v15 = p6_y - p3_y, p6_z - p3_z, p6_x - p4_x
+    v16, v17 = p6_y - p4_y, p6_z - p4_z
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, c1 * v10, c1 * v11
+    J[0, 3], J[0, 4] = -(v6 * v14 + z3_z * v13), z4_y * v17 + v7 * v16
     J[0, 5] = z5_y * v17 + v9 * v16
-    J[1, 0] = p6_x
-    J[1, 1] = s1 * v10
-    J[1, 2] = s1 * v11
-    J[1, 3] = z3_z * v12 + v5 * v14
-    J[1, 4] = -(v7 * v15 + z4_x * v17)
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, s1 * v10, s1 * v11
+    J[1, 3], J[1, 4] = z3_z * v12 + v5 * v14, -(v7 * v15 + z4_x * v17)
     J[1, 5] = -(v9 * v15 + z5_x * v17)
     J[2, 1] = -(s1 * (p6_y - p1_y) + c1 * (p6_x - p1_x))
-    J[2, 2] = -(s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x))
-    J[2, 3] = v6 * v12 - v5 * v13
-    J[2, 4] = z4_x * v16 - z4_y * v15
-    J[2, 5] = z5_x * v16 - z5_y * v15
-    J[3, 1] = -s1
-    J[3, 2] = -s1
-    J[3, 3] = -v5
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = c1
-    J[4, 2] = c1
-    J[4, 3] = -v6
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 3] = z3_z
-    J[5, 4] = -v7
+    J[2, 2], J[2, 3] = -(s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)), v6 * v12 - v5 * v13
+    J[2, 4], J[2, 5] = z4_x * v16 - z4_y * v15, z5_x * v16 - z5_y * v15
+    J[3, 1], J[3, 2], J[3, 3] = -s1, -s1, -v5
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = c1, c1, -v6
+    J[4, 4], J[4, 5] = z4_y, z5_y
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, z3_z, -v7
     J[5, 5] = -v9
     return J
 
@@ -337,8 +265,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v3 = k1 * K3
-        v4 = k2 * K3
+        v3, v4 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[3, 3]
         v8 = T13 * c1 + T23 * s1
@@ -346,9 +273,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v9 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v10 = T22 * c1 - T12 * s1
-        v11 = T12 * c1 + T22 * s1
-        v13 = T21 * c1 - T11 * s1
+        v10, v11, v13 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T21 * c1 - T11 * s1
         v14 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
@@ -357,8 +282,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e3
-            s3 = (k2 * root3 - v3) * k4
-            c3 = k4 * (v4 + k1 * root3)
+            s3, c3 = (k2 * root3 - v3) * k4, k4 * (v4 + k1 * root3)
             q3 = _atan2(s3, c3)
 
             # theta2
@@ -373,8 +297,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             s2 = math.sin(v7) if free2 else S2 * factor2
 
             # theta4
-            c23 = c3 * c2 - s3 * s2
-            s23 = c3 * s2 + s3 * c2
+            c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
             X4 = T33 * s23 - c23 * v8
             w4 = math.sqrt(X4 * X4 + v9)
             free4 = w4 <= free_limit
@@ -384,8 +307,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T33 * c23 + s23 * v8
 
             # theta6
-            v12 = c23 * v11 - T32 * s23
-            v15 = c23 * v14 - T31 * s23
+            v12, v15 = c23 * v11 - T32 * s23, c23 * v14 - T31 * s23
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -402,19 +324,14 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s5 = w4 * e4
 
                 # theta6
-                c6 = c4 * v10 + s4 * v12
-                s6 = c4 * v13 + s4 * v15
+                c6, s6 = c4 * v10 + s4 * v12, c4 * v13 + s4 * v15
                 q6 = _atan2(s6, c6)
 
                 # joint values
                 q5 = _wrap(_atan2(s5, c5) - offset5)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -426,83 +343,51 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        wx = T14 - d6 * T13
-        Y1 = d6 * T23 - T24
+        wx, Y1 = T14 - d6 * T13, d6 * T23 - T24
         v1 = wx * wx + Y1 * Y1
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
 
         # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        Z1_3 = T34 - d6 * T33 - d1
-        v3 = a1 + w1
-        v4 = a1 - w1
+        Z1_3, v3, v4 = T34 - d6 * T33 - d1, a1 + w1, a1 - w1
         v5 = Z1_3 * Z1_3
-        N3_p = v5 + v3 * v3
-        N3_m = v5 + v4 * v4
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
+        N3_p, N3_m = v5 + v3 * v3, v5 + v4 * v4
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
 
         # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-        Y1_2_p = m4 * N3_p - m5
-        Y1_2_m = m4 * N3_m - m5
-        v8 = Z1_3 * -Y1_2_p
-        v9 = Z1_3 * -Y1_2_m
-        v10 = v3 * Y1_2_p
-        v11 = v4 * Y1_2_m
-        v12 = m4 * Z1_3
-        v13 = m4 * -Z1_3
-        factor2_p = 1.0 / N3_p
-        factor2_m = 1.0 / N3_m
+        Y1_2_p, Y1_2_m = m4 * N3_p - m5, m4 * N3_m - m5
+        v8, v9, v10 = Z1_3 * -Y1_2_p, Z1_3 * -Y1_2_m, v3 * Y1_2_p
+        v11, v12, v13 = v4 * Y1_2_m, m4 * Z1_3, m4 * -Z1_3
+        factor2_p, factor2_m = 1.0 / N3_p, 1.0 / N3_m
 
         # theta4, type 2: U4[3, 3]
         v14 = m6 * Z1_3
-        v15 = v14 - m7 * v3
-        v16 = v14 - m7 * v4
-        v17 = m7 + m8 * factor2_p
-        v18 = m7 + m8 * factor2_m
-        v19 = m6 + m9 * factor2_p
-        v20 = m6 + m9 * factor2_m
-        v21 = Z1_3 * v17 + v3 * v19
-        v22 = Z1_3 * v18 + v4 * v20
-        c23_pp = w3_p * (factor2_p * v15) - v21
-        c23_pm = w3_p * (factor2_p * -v15) - v21
-        c23_mp = w3_m * (factor2_m * v16) - v22
-        c23_mm = w3_m * (factor2_m * -v16) - v22
-        v23 = m7 * Z1_3
-        v24 = v3 * v17 - Z1_3 * v19
-        v25 = v4 * v18 - Z1_3 * v20
+        v15, v16, v17 = v14 - m7 * v3, v14 - m7 * v4, m7 + m8 * factor2_p
+        v18, v19, v20 = m7 + m8 * factor2_m, m6 + m9 * factor2_p, m6 + m9 * factor2_m
+        v21, v22 = Z1_3 * v17 + v3 * v19, Z1_3 * v18 + v4 * v20
+        c23_pp, c23_pm = w3_p * (factor2_p * v15) - v21, w3_p * (factor2_p * -v15) - v21
+        c23_mp, c23_mm = w3_m * (factor2_m * v16) - v22, w3_m * (factor2_m * -v16) - v22
+        v23, v24, v25 = m7 * Z1_3, v3 * v17 - Z1_3 * v19, v4 * v18 - Z1_3 * v20
         v26 = w3_p * (factor2_p * (v23 + m6 * v3))
-        s23_pp = v24 - v26
-        s23_pm = v24 + v26
-        v27 = w3_m * (factor2_m * (v23 + m6 * v4))
-        s23_mp = v25 - v27
-        s23_mm = v25 + v27
-        v28 = w1 * (v2 * (T23 * Y1 - T13 * wx))
-        X4_pp = T33 * s23_pp - c23_pp * v28
-        X4_pm = T33 * s23_pm - c23_pm * v28
-        X4_mp = T33 * s23_mp + c23_mp * v28
-        X4_mm = T33 * s23_mm + c23_mm * v28
+        s23_pp, s23_pm, v27 = v24 - v26, v24 + v26, w3_m * (factor2_m * (v23 + m6 * v4))
+        s23_mp, s23_mm, v28 = v25 - v27, v25 + v27, w1 * (v2 * (T23 * Y1 - T13 * wx))
+        X4_pp, X4_pm = T33 * s23_pp - c23_pp * v28, T33 * s23_pm - c23_pm * v28
+        X4_mp, X4_mm = T33 * s23_mp + c23_mp * v28, T33 * s23_mm + c23_mm * v28
         Y4 = w1 * (v2 * (T13 * Y1 + wx * T23))
         v29 = Y4 * Y4
-        v30 = v29 + X4_pp * X4_pp
-        v31 = v29 + X4_pm * X4_pm
-        v32 = v29 + X4_mp * X4_mp
-        v33 = v29 + X4_mm * X4_mm
-        v34 = math.copysign(half_turn, Y4)
+        v30, v31, v32 = v29 + X4_pp * X4_pp, v29 + X4_pm * X4_pm, v29 + X4_mp * X4_mp
+        v33, v34 = v29 + X4_mm * X4_mm, math.copysign(half_turn, Y4)
         v35 = math.copysign(half_turn, -Y4)
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v36 = w1 * (v2 * (wx * T22 + Y1 * T12))
-        v37 = w1 * (v2 * (Y1 * T22 - wx * T12))
-        v38 = w1 * (v2 * (wx * T21 + Y1 * T11))
-        v39 = w1 * (v2 * (Y1 * T21 - wx * T11))
+        v36, v37 = w1 * (v2 * (wx * T22 + Y1 * T12)), w1 * (v2 * (Y1 * T22 - wx * T12))
+        v38, v39 = w1 * (v2 * (wx * T21 + Y1 * T11)), w1 * (v2 * (Y1 * T21 - wx * T11))
         v40 = Y4 * (c23_pp * v39 - s23_pp * T31) - -X4_pp * v38
         v41 = Y4 * (c23_pm * v39 - s23_pm * T31) - -X4_pm * v38
         v42 = Y4 * (c23_mp * v39 + s23_mp * T31) - X4_mp * v38
@@ -516,18 +401,19 @@ def _formulas(kept, turns, rows, w):
             1.0 if v33 <= m10 or v32 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1 <=
             m1 or abs(D3_p) <= m3 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Y1, w3_p, w3_m, v34
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v35, v40, v41, v42
-        kept[25 * w + k], turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = v43, Y1, w3_p, w3_m
-        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = Y4, Y4, -Y4, -Y4
-        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = v40, v41, v42, v43
-        turns[11 * w + k], turns[12 * w + k] = v8 + v44, v8 - v44
-        turns[13 * w + k], turns[14 * w + k] = v9 + w3_m * (m4 * v4), v9 + w3_m * (m4 * -v4)
-        turns[15 * w + k], turns[16 * w + k] = math.sqrt(v30), math.sqrt(v31)
-        turns[17 * w + k], turns[18 * w + k] = math.sqrt(v32), math.sqrt(v33)
-        turns[24 * w + k], turns[25 * w + k], turns[26 * w + k] = -wx, N3_p - k3, N3_m - k3
-        turns[27 * w + k], turns[28 * w + k], turns[29 * w + k] = -X4_pp, -X4_pm, -X4_mp
-        turns[30 * w + k] = -X4_mm
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y1, w3_p, w3_m
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v34, v35, v40
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = v41, v42, v43
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = Y1, w3_p, w3_m
+        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = Y4, Y4, -Y4
+        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = -Y4, v40, v41
+        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = v42, v43, v8 + v44
+        turns[12 * w + k], turns[13 * w + k] = v8 - v44, v9 + w3_m * (m4 * v4)
+        turns[14 * w + k], turns[15 * w + k] = v9 + w3_m * (m4 * -v4), math.sqrt(v30)
+        turns[16 * w + k], turns[17 * w + k] = math.sqrt(v31), math.sqrt(v32)
+        turns[18 * w + k], turns[24 * w + k], turns[25 * w + k] = math.sqrt(v33), -wx, N3_p - k3
+        turns[26 * w + k], turns[27 * w + k], turns[28 * w + k] = N3_m - k3, -X4_pp, -X4_pm
+        turns[29 * w + k], turns[30 * w + k] = -X4_mp, -X4_mm
         turns[31 * w + k] = Y4 * (c23_pp * v37 - s23_pp * T32) - -X4_pp * v36
         turns[32 * w + k] = Y4 * (c23_pm * v37 - s23_pm * T32) - -X4_pm * v36
         turns[33 * w + k] = Y4 * (c23_mp * v37 + s23_mp * T32) - X4_mp * v36
@@ -547,29 +433,26 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        Y1, w3_p, w3_m, v34 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v35, v40, v41, v42 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        v43, angle1, angle2 = kept[25 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
-        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
-        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
-        angle18, angle19 = turns[17 * w + k], turns[18 * w + k]
+        Y1, w3_p, w3_m = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v34, v35, v40 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v41, v42, v43 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        angle19 = turns[18 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
         q1__m = angle1 - math.copysign(half_turn, Y1)
 
         # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        q3__pp = angle2 - turn1
-        v6 = turn1 + angle2
-        q3__mp = angle3 - turn1
+        q3__pp, v6, q3__mp = angle2 - turn1, turn1 + angle2, angle3 - turn1
         v7 = turn1 + angle3
 
         # theta4, type 2: U4[3, 3]
-        q4_ppm = angle4 - v34
-        q4_pmm = angle5 - v34
-        q4_mpm = angle6 - v35
+        q4_ppm, q4_pmm, q4_mpm = angle4 - v34, angle5 - v34, angle6 - v35
         q4_mmm = angle7 - v35
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
@@ -579,22 +462,15 @@ def _formulas(kept, turns, rows, w):
         q6_mmm = angle11 - math.copysign(half_turn, v43)
 
         # joint values
-        v45 = angle12 - offset2
-        v46 = angle13 - offset2
-        v47 = angle14 - offset2
+        v45, v46, v47 = angle12 - offset2, angle13 - offset2, angle14 - offset2
         v48 = angle15 - offset2
         q2_ppp = v45 + (-turn if half_turn < v45 else 0.0)
         q2_pmp = v46 + (-turn if half_turn < v46 else 0.0)
         q2_mpp = v47 + (-turn if half_turn < v47 else 0.0)
         q2_mmp = v48 + (-turn if half_turn < v48 else 0.0)
-        v49 = angle16 - offset5
-        v50 = offset5 + angle16
-        v51 = angle17 - offset5
-        v52 = offset5 + angle17
-        v53 = angle18 - offset5
-        v54 = offset5 + angle18
-        v55 = angle19 - offset5
-        v56 = offset5 + angle19
+        v49, v50, v51 = angle16 - offset5, offset5 + angle16, angle17 - offset5
+        v52, v53, v54 = offset5 + angle17, angle18 - offset5, offset5 + angle18
+        v55, v56 = angle19 - offset5, offset5 + angle19
         q5_ppp = v49 + (turn if v49 <= -half_turn else 0.0)
         q5_ppm = (turn if -v50 <= -half_turn else 0.0) - v50
         q5_pmp = v51 + (turn if v51 <= -half_turn else 0.0)
@@ -607,20 +483,14 @@ def _formulas(kept, turns, rows, w):
         v58 = (turn if -v6 <= -half_turn else 0.0) - v6
         v59 = q3__mp + (turn if q3__mp <= -half_turn else 0.0)
         v60 = (turn if -v7 <= -half_turn else 0.0) - v7
-        v61 = abs(angle1) - high1
-        v62 = abs(q1__m) - high1
+        v61, v62 = abs(angle1) - high1, abs(q1__m) - high1
         v63 = v57 - (turn if high3 < v57 else 0.0)
         v64 = v58 - (turn if high3 < v58 else 0.0)
         v65 = v59 - (turn if high3 < v59 else 0.0)
         v66 = v60 - (turn if high3 < v60 else 0.0)
-        v67 = max(low3 - v63, v63 - high3)
-        v68 = max(low3 - v64, v64 - high3)
-        v69 = max(low3 - v65, v65 - high3)
-        v70 = max(low3 - v66, v66 - high3)
-        v71 = v57 - high3
-        v72 = v58 - high3
-        v73 = v59 - high3
-        v74 = v60 - high3
+        v67, v68 = max(low3 - v63, v63 - high3), max(low3 - v64, v64 - high3)
+        v69, v70, v71 = max(low3 - v65, v65 - high3), max(low3 - v66, v66 - high3), v57 - high3
+        v72, v73, v74 = v58 - high3, v59 - high3, v60 - high3
         v75 = v71 if v71 < v67 else v67
         v76 = v72 if v72 < v68 else v68
         v77 = v73 if v73 < v69 else v69
@@ -629,28 +499,18 @@ def _formulas(kept, turns, rows, w):
         q3_pmp = v58 if 0.0 < v76 else v64
         q3_mpp = v59 if 0.0 < v77 else v65
         q3_mmp = v60 if 0.0 < v78 else v66
-        q1_ppp = angle1 + (w3_p - w3_p)
-        q1_mpp = q1__m + (w3_m - w3_m)
+        q1_ppp, q1_mpp = angle1 + (w3_p - w3_p), q1__m + (w3_m - w3_m)
         v79 = max(v75, max(v61, max(low2 - q2_ppp, q2_ppp - high2)))
         v80 = max(v76, max(v61, max(low2 - q2_pmp, q2_pmp - high2)))
         v81 = max(v77, max(v62, max(low2 - q2_mpp, q2_mpp - high2)))
         v82 = max(v78, max(v62, max(low2 - q2_mmp, q2_mmp - high2)))
-        excess_ppp = max(v79, abs(q5_ppp) - high5)
-        excess_ppm = max(v79, abs(q5_ppm) - high5)
-        excess_pmp = max(v80, abs(q5_pmp) - high5)
-        excess_pmm = max(v80, abs(q5_pmm) - high5)
-        excess_mpp = max(v81, abs(q5_mpp) - high5)
-        excess_mpm = max(v81, abs(q5_mpm) - high5)
-        excess_mmp = max(v82, abs(q5_mmp) - high5)
-        excess_mmm = max(v82, abs(q5_mmm) - high5)
-        outside_ppp = 0.0 < excess_ppp
-        outside_ppm = 0.0 < excess_ppm
-        outside_pmp = 0.0 < excess_pmp
-        outside_pmm = 0.0 < excess_pmm
-        outside_mpp = 0.0 < excess_mpp
-        outside_mpm = 0.0 < excess_mpm
-        outside_mmp = 0.0 < excess_mmp
-        outside_mmm = 0.0 < excess_mmm
+        excess_ppp, excess_ppm = max(v79, abs(q5_ppp) - high5), max(v79, abs(q5_ppm) - high5)
+        excess_pmp, excess_pmm = max(v80, abs(q5_pmp) - high5), max(v80, abs(q5_pmm) - high5)
+        excess_mpp, excess_mpm = max(v81, abs(q5_mpp) - high5), max(v81, abs(q5_mpm) - high5)
+        excess_mmp, excess_mmm = max(v82, abs(q5_mmp) - high5), max(v82, abs(q5_mmm) - high5)
+        outside_ppp, outside_ppm, outside_pmp = 0.0 < excess_ppp, 0.0 < excess_ppm, 0.0 < excess_pmp
+        outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
+        outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
@@ -700,13 +560,8 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 19, 20, 21, 22],
-    [17, 18, 19, 23, 24, 25],
-    [17, 26, 27, 28, 29, 30],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22], [17, 18, 19, 23, 24, 25], [17, 26, 27, 28, 29, 30],
     [17, 26, 27, 31, 32, 33],
 ])
 

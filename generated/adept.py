@@ -116,20 +116,12 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_y = c1 * c2 - s1 * s2
-    x2_z = s1 * c2 + c1 * s2
-    T[0, 2] = -1.0
-    T[0, 3] = d1 - q[2] - ez
-    T[1, 0] = -x2_z
-    T[1, 1] = x2_y
-    T[1, 3] = c1 * l1 + x2_y * l2
-    T[2, 0] = x2_y
-    T[2, 1] = x2_z
-    T[2, 3] = zz_ + s1 * l1 + x2_z * l2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_y, x2_z = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    T[0, 2], T[0, 3] = -1.0, d1 - q[2] - ez
+    T[1, 0], T[1, 1], T[1, 3] = -x2_z, x2_y, c1 * l1 + x2_y * l2
+    T[2, 0], T[2, 1], T[2, 3] = x2_y, x2_z, zz_ + s1 * l1 + x2_z * l2
     T[3, 3] = 1.0
     return T
 
@@ -140,21 +132,14 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_y = c1 * l1
-    p1_z = zz_ + s1 * l1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    p2_y = p1_y + (c1 * c2 - s1 * s2) * l2
-    p2_z = p1_z + (s1 * c2 + c1 * s2) * l2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_y, p1_z = c1 * l1, zz_ + s1 * l1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    p2_y, p2_z = p1_y + (c1 * c2 - s1 * s2) * l2, p1_z + (s1 * c2 + c1 * s2) * l2
     J[0, 2] = -1.0
-    J[1, 0] = zz_ - p2_z
-    J[1, 1] = p1_z - p2_z
-    J[2, 0] = p2_y
-    J[2, 1] = p2_y - p1_y
-    J[3, 0] = 1.0
-    J[3, 1] = 1.0
+    J[1, 0], J[1, 1] = zz_ - p2_z, p1_z - p2_z
+    J[2, 0], J[2, 1] = p2_y, p2_y - p1_y
+    J[3, 0], J[3, 1] = 1.0, 1.0
     return J
 
 
@@ -171,21 +156,18 @@ def _solve(pose, q_free, seed, moved, q, status):
     w12 = math.sqrt(T32 * T32 + T22 * T22)
     short12 = w12 <= free_limit
     v1 = 1.0 / (1.0 if short12 else w12)
-    c12 = T22 * v1
-    s12 = T32 * v1
+    c12, s12 = T22 * v1, T32 * v1
 
     # theta1, type 3: U0[1, 4] and U0[2, 4]
     t14 = T24 - ez * T23
     v2 = c12 * l2
     t24 = T34 - ez * T33 - zz_
     v3 = s12 * l2
-    v4 = l1 * (t24 - v3)
-    v5 = l1 * (t14 - v2)
+    v4, v5 = l1 * (t24 - v3), l1 * (t14 - v2)
     w1 = math.sqrt(v4 * v4 + v5 * v5)
     short1 = w1 <= free_limit2
     v6 = 1.0 / (1.0 if short1 else w1)
-    c1 = v5 * v6
-    s1 = v4 * v6
+    c1, s1 = v5 * v6, v4 * v6
     q1 = _atan2(s1, c1)
 
     # is the pose one that the arm can take?
@@ -200,9 +182,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     # joint values
     q2 = _wrap(_atan2(s12, c12) - q1)
     row = 0
-    q[row, 0] = q1
-    q[row, 1] = q2
-    q[row, 2] = r3
+    q[row, 0], q[row, 1], q[row, 2] = q1, q2, r3
     status[row] = OK
 
 
@@ -214,9 +194,9 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T12, T13, T14, T22 = kept[1 * w + k], kept[2 * w + k], kept[3 * w + k], kept[5 * w + k]
-        T23, T24, T32, T33 = kept[6 * w + k], kept[7 * w + k], kept[9 * w + k], kept[10 * w + k]
-        T34 = kept[11 * w + k]
+        T12, T13, T14 = kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T22, T23, T24 = kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # r3, type 1: U0[3, 4]
         t34 = T14 - ez * T13
@@ -224,32 +204,26 @@ def _formulas(kept, turns, rows, w):
 
         # theta12, type 3: U0[2, 1] and U0[1, 1]
         v1 = T32 * T32 + T22 * T22
-        w12 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w12, v2 = math.sqrt(v1), 1.0 / v1
         v3 = w12 * v2
 
         # theta1, type 3: U0[1, 4] and U0[2, 4]
-        t14 = T24 - ez * T23
-        t24 = T34 - ez * T33 - zz_
-        v4 = m2 * t24 - w12 * (m1 * (T32 * v2))
-        v5 = m2 * t14 - w12 * (m1 * (T22 * v2))
+        t14, t24 = T24 - ez * T23, T34 - ez * T33 - zz_
+        v4, v5 = m2 * t24 - w12 * (m1 * (T32 * v2)), m2 * t14 - w12 * (m1 * (T22 * v2))
         v6 = v4 * v4 + v5 * v5
         v7 = math.sqrt(v6) * (1.0 / v6)
 
         # is the pose one that the arm can take?
-        v8 = t34 - (d1 - q3)
-        v9 = T13 + 1.0
-        v10 = t24 - (l2 * (T32 * v3) + l1 * (v4 * v7))
-        v11 = t14 - (l2 * (T22 * v3) + l1 * (v5 * v7))
-        v12 = v1 - 1.0
+        v8, v9, v10 = t34 - (d1 - q3), T13 + 1.0, t24 - (l2 * (T32 * v3) + l1 * (v4 * v7))
+        v11, v12 = t14 - (l2 * (T22 * v3) + l1 * (v5 * v7)), v1 - 1.0
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
             1.0 if m4 < v8 * v8 + v10 * v10 + v11 * v11 or m5 < v9 * v9 + T12 * T12 + T33 * T33 +
             T23 * T23 + v12 * v12 or v6 <= m3 else kept[16 * w + k]
         )
-        kept[17 * w + k], turns[0 * w + k], turns[1 * w + k], turns[8 * w + k] = q3, v4, T32, v5
-        turns[9 * w + k] = T22
+        kept[17 * w + k], turns[0 * w + k], turns[1 * w + k] = q3, v4, T32
+        turns[8 * w + k], turns[9 * w + k] = v5, T22
     if w == 1 and kept[16] != 0.0:
         return
     end = 8 if w == 1 else 2 * w

@@ -123,24 +123,14 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    v1 = x2_y * s4
-    v2 = x2_y * c4
-    T[0, 0] = x2_x * c4 + v1
-    T[0, 1] = v2 - x2_x * s4
-    T[0, 3] = c1 * a1 + x2_x * a2
-    T[1, 0] = v2 + -x2_x * s4
-    T[1, 1] = -x2_x * c4 - v1
-    T[1, 3] = s1 * a1 + x2_y * a2
-    T[2, 2] = -1.0
-    T[2, 3] = d1 - q[2]
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    v1, v2 = x2_y * s4, x2_y * c4
+    T[0, 0], T[0, 1], T[0, 3] = x2_x * c4 + v1, v2 - x2_x * s4, c1 * a1 + x2_x * a2
+    T[1, 0], T[1, 1], T[1, 3] = v2 + -x2_x * s4, -x2_x * c4 - v1, s1 * a1 + x2_y * a2
+    T[2, 2], T[2, 3] = -1.0, d1 - q[2]
     T[3, 3] = 1.0
     return T
 
@@ -151,22 +141,14 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    p2_x = p1_x + (c1 * c2 - s1 * s2) * a2
-    p2_y = p1_y + (s1 * c2 + c1 * s2) * a2
-    J[0, 0] = -p2_y
-    J[0, 1] = p1_y - p2_y
-    J[1, 0] = p2_x
-    J[1, 1] = p2_x - p1_x
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * a1, s1 * a1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    p2_x, p2_y = p1_x + (c1 * c2 - s1 * s2) * a2, p1_y + (s1 * c2 + c1 * s2) * a2
+    J[0, 0], J[0, 1] = -p2_y, p1_y - p2_y
+    J[1, 0], J[1, 1] = p2_x, p2_x - p1_x
     J[2, 2] = -1.0
-    J[5, 0] = 1.0
-    J[5, 1] = 1.0
-    J[5, 3] = -1.0
+    J[5, 0], J[5, 1], J[5, 3] = 1.0, 1.0, -1.0
     return J
 
 
@@ -198,8 +180,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     X1_1 = a1 + a2 * c2
-    v2 = T24 * X1_1
-    v3 = T14 * X1_1
+    v2, v3 = T24 * X1_1, T14 * X1_1
 
     # is the pose one that the arm can take?
     if (
@@ -229,8 +210,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         q1 = _atan2(s1, c1)
 
         # is the pose one that the arm can take?
-        c12 = c2 * c1 - s2 * s1
-        s12 = c2 * s1 + s2 * c1
+        c12, s12 = c2 * c1 - s2 * s1, c2 * s1 + s2 * c1
         if (
             not (abs(T14 - (a2 * c12 + a1 * c1)) <= pose_slack1 and abs(T24 - (a2 * s12 + a1 * s1))
             <= pose_slack1)
@@ -240,9 +220,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         # joint values
         q4 = _wrap(q2 + q1 - theta12m4)
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = r3
+        q[row, 0], q[row, 1], q[row, 2] = q1, q2, r3
         q[row, 3] = q4
         status[row] = FREE_JOINT if free1 else OK
 
@@ -255,9 +233,9 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T13, T14, T21 = kept[0 * w + k], kept[2 * w + k], kept[3 * w + k], kept[4 * w + k]
-        T23, T24, T31, T33 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k], kept[10 * w + k]
-        T34 = kept[11 * w + k]
+        T11, T13, T14 = kept[0 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T23, T24 = kept[4 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T33, T34 = kept[8 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # r3, type 1: U0[3, 4]
         r3 = d1 - T34
@@ -269,15 +247,11 @@ def _formulas(kept, turns, rows, w):
 
         # theta1, type 3: U0[2, 4] and U0[1, 4]
         v1 = m3 + m2 * N2
-        v2 = T24 * v1
-        v3 = T14 * v1
-        v4 = w2 * (m2 * T14)
+        v2, v3, v4 = T24 * v1, T14 * v1, w2 * (m2 * T14)
         v5 = w2 * (m2 * T24)
 
         # is the pose one that the arm can take?
-        v6 = T34 - (d1 - r3)
-        v7 = 1.0 + T33
-        v8 = T21 * T21 + T11 * T11 - 1.0
+        v6, v7, v8 = T34 - (d1 - r3), 1.0 + T33, T21 * T21 + T11 * T11 - 1.0
 
         # joint values
         q3_p = r3 + (w2 - w2)
@@ -303,8 +277,7 @@ def _formulas(kept, turns, rows, w):
         angle3, angle4 = turns[2 * w + k], turns[3 * w + k]
 
         # joint values
-        v9 = angle2 + angle3 - angle1
-        v10 = angle4 - angle2 - angle1
+        v9, v10 = angle2 + angle3 - angle1, angle4 - angle2 - angle1
         q4_p = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
         q4_m = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
 
@@ -317,8 +290,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3],
-    [4, 5, 2, 6],
+    [0, 1, 2, 3], [4, 5, 2, 6],
 ])
 
 

@@ -121,30 +121,17 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
     v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    v3 = v1 * c3 + x2_x * s3
-    v4 = v2 * c3 + x2_y * s3
-    z3_z = s2 * s3 - c2 * c3
-    T[0, 0] = x2_x * c3 - v1 * s3
-    T[0, 1] = s1
-    T[0, 2] = -v3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    v3, v4, z3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    T[0, 0], T[0, 1], T[0, 2] = x2_x * c3 - v1 * s3, s1, -v3
     T[0, 3] = x2_x * a2 - v3 * d4
-    T[1, 0] = x2_y * c3 - v2 * s3
-    T[1, 1] = -c1
-    T[1, 2] = -v4
+    T[1, 0], T[1, 1], T[1, 2] = x2_y * c3 - v2 * s3, -c1, -v4
     T[1, 3] = x2_y * a2 - v4 * d4
-    T[2, 0] = -(s2 * c3 + c2 * s3)
-    T[2, 2] = z3_z
-    T[2, 3] = d1 - s2 * a2 + z3_z * d4
+    T[2, 0], T[2, 2], T[2, 3] = -(s2 * c3 + c2 * s3), z3_z, d1 - s2 * a2 + z3_z * d4
     T[3, 3] = 1.0
     return T
 
@@ -155,34 +142,19 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    p2_x = x2_x * a2
-    p2_y = x2_y * a2
-    p2_z = d1 - s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    J21 = p2_x - (c1 * s2 * c3 + x2_x * s3) * d4
-    v1 = p2_y - (s1 * s2 * c3 + x2_y * s3) * d4
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2, s1 * c2
+    p2_x, p2_y, p2_z = x2_x * a2, x2_y * a2, d1 - s2 * a2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    J21, v1 = p2_x - (c1 * s2 * c3 + x2_x * s3) * d4, p2_y - (s1 * s2 * c3 + x2_y * s3) * d4
     v2 = p2_z + (s2 * s3 - c2 * c3) * d4
-    v3 = v2 - d1
-    v4 = v2 - p2_z
-    J[0, 0] = -v1
-    J[0, 1] = c1 * v3
-    J[0, 2] = c1 * v4
-    J[1, 0] = J21
-    J[1, 1] = s1 * v3
-    J[1, 2] = s1 * v4
-    J[2, 1] = -(s1 * v1 + c1 * J21)
-    J[2, 2] = -(s1 * (v1 - p2_y) + c1 * (J21 - p2_x))
-    J[3, 1] = -s1
-    J[3, 2] = -s1
-    J[4, 1] = c1
-    J[4, 2] = c1
+    v3, v4 = v2 - d1, v2 - p2_z
+    J[0, 0], J[0, 1], J[0, 2] = -v1, c1 * v3, c1 * v4
+    J[1, 0], J[1, 1], J[1, 2] = J21, s1 * v3, s1 * v4
+    J[2, 1], J[2, 2] = -(s1 * v1 + c1 * J21), -(s1 * (v1 - p2_y) + c1 * (J21 - p2_x))
+    J[3, 1], J[3, 2] = -s1, -s1
+    J[4, 1], J[4, 2] = c1, c1
     J[5, 0] = 1.0
     return J
 
@@ -224,8 +196,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         Y1_2 = a2 + d4 * v2
-        v4 = Z1_3 * Y1_2
-        v5 = root1 * Y1_2
+        v4, v5 = Z1_3 * Y1_2, root1 * Y1_2
 
         for i2 in range(2):  # +, -
             e3 = 1.0 - 2.0 * i2
@@ -246,9 +217,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             s2 = math.sin(seed[1]) if free2 else S2 * factor2
             q2 = _atan2(s2, c2)
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
@@ -275,19 +244,11 @@ def _formulas(kept, turns, rows, w):
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         v3 = m5 + m4 * N3
-        v4 = Z1_3 * v3
-        v5 = w3 * (m4 * w1)
-        S2_pp = v5 - v4
-        v6 = v4 + v5
-        v7 = w3 * (m4 * Z1_3)
-        v8 = w3 * (m4 * -Z1_3)
-        v9 = w1 * v3
-        v10 = v7 + v9
-        v11 = v8 + v9
-        v12 = v7 - v9
-        v13 = v8 - v9
-        v14 = S2_pp * S2_pp
-        v15 = v6 * v6
+        v4, v5 = Z1_3 * v3, w3 * (m4 * w1)
+        S2_pp, v6, v7 = v5 - v4, v4 + v5, w3 * (m4 * Z1_3)
+        v8, v9 = w3 * (m4 * -Z1_3), w1 * v3
+        v10, v11, v12 = v7 + v9, v8 + v9, v7 - v9
+        v13, v14, v15 = v8 - v9, S2_pp * S2_pp, v6 * v6
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
@@ -308,32 +269,26 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 8 * w])
     for k in range(w):
-        T24, N3, v2, angle1 = kept[7 * w + k], kept[17 * w + k], kept[18 * w + k], turns[0 * w + k]
-        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
-        angle5, angle6 = turns[4 * w + k], turns[5 * w + k]
+        T24, N3, v2 = kept[7 * w + k], kept[17 * w + k], kept[18 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
 
         # theta3, type 8: U1[2, 4] and U1[1, 4]
         q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) - angle2
 
         # joint values
-        q1_pp = angle1 + v2
-        q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24))
+        q1_pp, q1_mp = angle1 + v2, v2 + (angle1 - math.copysign(half_turn, -T24))
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_pp, angle3, angle2
         rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle4, q3_pm, q1_mp
         rows[6 * w + k], rows[7 * w + k] = angle5, angle6
-        rows[8 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
-        rows[9 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
-        rows[10 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
-        rows[11 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
+        rows[8 * w + k] = rows[9 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
+        rows[10 * w + k] = rows[11 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [0, 3, 4],
-    [5, 6, 2],
-    [5, 7, 4],
+    [0, 1, 2], [0, 3, 4], [5, 6, 2], [5, 7, 4],
 ])
 
 

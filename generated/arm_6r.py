@@ -130,51 +130,25 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
     v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    v3 = s2 * c3 + c2 * s3
-    v4 = v1 * c3 + x2_x * s3
-    v5 = v2 * c3 + x2_y * s3
-    z3_z = s2 * s3 - c2 * c3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + s1 * s4
-    x4_y = x3_y * c4 - c1 * s4
-    v6 = v3 * c4
-    y5_x = s1 * c4 - x3_x * s4
-    z4_y = c1 * c4 + x3_y * s4
-    y5_z = v3 * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 - v4 * s5
-    x5_y = x4_y * c5 - v5 * s5
-    x5_z = z3_z * s5 - v6 * c5
-    v7 = v4 * c5 + x4_x * s5
-    v8 = v5 * c5 + x4_y * s5
-    z5_z = z3_z * c5 + v6 * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 + y5_x * s6
-    T[0, 1] = y5_x * c6 - x5_x * s6
-    T[0, 2] = -v7
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v3 = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v4, v5, z3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, v6 = x3_x * c4 + s1 * s4, x3_y * c4 - c1 * s4, v3 * c4
+    y5_x, z4_y, y5_z = s1 * c4 - x3_x * s4, c1 * c4 + x3_y * s4, v3 * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 - v4 * s5, x4_y * c5 - v5 * s5, z3_z * s5 - v6 * c5
+    v7, v8, z5_z = v4 * c5 + x4_x * s5, v5 * c5 + x4_y * s5, z3_z * c5 + v6 * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + y5_x * s6, y5_x * c6 - x5_x * s6, -v7
     T[0, 3] = x2_x * a2 - v4 * d4 - v7 * d6
-    T[1, 0] = x5_y * c6 - z4_y * s6
-    T[1, 1] = -(z4_y * c6 + x5_y * s6)
-    T[1, 2] = -v8
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 - z4_y * s6, -(z4_y * c6 + x5_y * s6), -v8
     T[1, 3] = x2_y * a2 - v5 * d4 - v8 * d6
-    T[2, 0] = x5_z * c6 + y5_z * s6
-    T[2, 1] = y5_z * c6 - x5_z * s6
-    T[2, 2] = z5_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 + y5_z * s6, y5_z * c6 - x5_z * s6, z5_z
     T[2, 3] = d1 - s2 * a2 + z3_z * d4 + z5_z * d6
     T[3, 3] = 1.0
     return T
@@ -186,78 +160,37 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    p2_x = x2_x * a2
-    p2_y = x2_y * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
+    v2, p2_x, p2_y = s1 * s2, x2_x * a2, x2_y * a2
     p2_z = d1 - s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    v3 = s2 * c3 + c2 * s3
-    v4 = v1 * c3 + x2_x * s3
-    v5 = v2 * c3 + x2_y * s3
-    z3_z = s2 * s3 - c2 * c3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    z4_y = c1 * c4 + x3_y * s4
-    y5_z = v3 * s4
-    p4_x = p2_x - v4 * d4
-    p4_y = p2_y - v5 * d4
-    p4_z = p2_z + z3_z * d4
-    z4_x = x3_x * s4 - s1 * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    v6 = v4 * c5 + (x3_x * c4 + s1 * s4) * s5
-    v7 = v5 * c5 + (x3_y * c4 - c1 * s4) * s5
-    z5_z = z3_z * c5 + v3 * c4 * s5
-    p6_x = p4_x - v6 * d6
-    p6_y = p4_y - v7 * d6
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v3 = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v4, v5, z3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    z4_y, y5_z, p4_x = c1 * c4 + x3_y * s4, v3 * s4, p2_x - v4 * d4
+    p4_y, p4_z, z4_x = p2_y - v5 * d4, p2_z + z3_z * d4, x3_x * s4 - s1 * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    v6, v7 = v4 * c5 + (x3_x * c4 + s1 * s4) * s5, v5 * c5 + (x3_y * c4 - c1 * s4) * s5
+    z5_z, p6_x, p6_y = z3_z * c5 + v3 * c4 * s5, p4_x - v6 * d6, p4_y - v7 * d6
     p6_z = p4_z + z5_z * d6
-    v8 = p6_z - d1
-    v9 = p6_x - p2_x
-    v10 = p6_y - p2_y
-    v11 = p6_z - p2_z
-    v12 = p6_x - p4_x
-    v13 = p6_y - p4_y
+    v8, v9, v10 = p6_z - d1, p6_x - p2_x, p6_y - p2_y
+    v11, v12, v13 = p6_z - p2_z, p6_x - p4_x, p6_y - p4_y
     v14 = p6_z - p4_z
-    J[0, 0] = -p6_y
-    J[0, 1] = c1 * v8
-    J[0, 2] = c1 * v11
-    J[0, 3] = -(v5 * v11 + z3_z * v10)
-    J[0, 4] = z4_y * v14 + y5_z * v13
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, c1 * v8, c1 * v11
+    J[0, 3], J[0, 4] = -(v5 * v11 + z3_z * v10), z4_y * v14 + y5_z * v13
     J[0, 5] = -(v7 * v14 + z5_z * v13)
-    J[1, 0] = p6_x
-    J[1, 1] = s1 * v8
-    J[1, 2] = s1 * v11
-    J[1, 3] = z3_z * v9 + v4 * v11
-    J[1, 4] = -(y5_z * v12 + z4_x * v14)
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, s1 * v8, s1 * v11
+    J[1, 3], J[1, 4] = z3_z * v9 + v4 * v11, -(y5_z * v12 + z4_x * v14)
     J[1, 5] = z5_z * v12 + v6 * v14
-    J[2, 1] = -(s1 * p6_y + c1 * p6_x)
-    J[2, 2] = -(s1 * v10 + c1 * v9)
-    J[2, 3] = v5 * v9 - v4 * v10
-    J[2, 4] = z4_x * v13 - z4_y * v12
-    J[2, 5] = v7 * v12 - v6 * v13
-    J[3, 1] = -s1
-    J[3, 2] = -s1
-    J[3, 3] = -v4
-    J[3, 4] = z4_x
-    J[3, 5] = -v6
-    J[4, 1] = c1
-    J[4, 2] = c1
-    J[4, 3] = -v5
-    J[4, 4] = z4_y
-    J[4, 5] = -v7
-    J[5, 0] = 1.0
-    J[5, 3] = z3_z
-    J[5, 4] = -y5_z
+    J[2, 1], J[2, 2], J[2, 3] = -(s1 * p6_y + c1 * p6_x), -(s1 * v10 + c1 * v9), v5 * v9 - v4 * v10
+    J[2, 4], J[2, 5] = z4_x * v13 - z4_y * v12, v7 * v12 - v6 * v13
+    J[3, 1], J[3, 2], J[3, 3] = -s1, -s1, -v4
+    J[3, 4], J[3, 5] = z4_x, -v6
+    J[4, 1], J[4, 2], J[4, 3] = c1, c1, -v5
+    J[4, 4], J[4, 5] = z4_y, -v7
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, z3_z, -y5_z
     J[5, 5] = z5_z
     return J
 
@@ -302,8 +235,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
         Y1_2 = a2 + d4 * v2
-        v4 = Z1_3 * Y1_2
-        v5 = root1 * Y1_2
+        v4, v5 = Z1_3 * Y1_2, root1 * Y1_2
 
         # theta4, type 2: U4[3, 3]
         v7 = T13 * c1 + T23 * s1
@@ -311,9 +243,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v8 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v9 = T22 * c1 - T12 * s1
-        v10 = T12 * c1 + T22 * s1
-        v12 = T21 * c1 - T11 * s1
+        v9, v10, v12 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T21 * c1 - T11 * s1
         v13 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
@@ -336,16 +266,14 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _atan2(s2, c2)
 
             # theta4
-            c23 = c3 * c2 + v2 * s2
-            s23 = c3 * s2 - v2 * c2
+            c23, s23 = c3 * c2 + v2 * s2, c3 * s2 - v2 * c2
             X4 = T33 * s23 - c23 * v7
             w4 = math.sqrt(X4 * X4 + v8)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta6
-            v11 = c23 * v10 - T32 * s23
-            v14 = c23 * v13 - T31 * s23
+            v11, v14 = c23 * v10 - T32 * s23, c23 * v13 - T31 * s23
 
             for i3 in range(2):  # noflip, flip
                 e4 = 1.0 - 2.0 * i3
@@ -363,12 +291,8 @@ def _solve(pose, q_free, seed, moved, q, status):
                 # theta6
                 q6 = _atan2(-(c4 * v12 + s4 * v14), -(c4 * v9 + s4 * v11))
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -380,98 +304,61 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        wx = T14 - d6 * T13
-        Y1 = d6 * T23 - T24
+        wx, Y1 = T14 - d6 * T13, d6 * T23 - T24
         v1 = wx * wx + Y1 * Y1
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
 
         # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         Z1_3 = T34 - d6 * T33 - d1
         N3 = v1 + Z1_3 * Z1_3
         D3 = (longest3 - N3) * (N3 - shortest3)
         w3 = math.sqrt(D3)
-        v3 = w3 - w3
-        v4 = k1 * (N3 - k2)
-        v5 = k3 * v4
-        v6 = k1 * w3
+        v3, v4 = w3 - w3, k1 * (N3 - k2)
+        v5, v6 = k3 * v4, k1 * w3
         c3 = k3 * v6
 
         # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-        v7 = d4 * c3
-        Y1_2 = a2 + d4 * v5
-        v8 = Z1_3 * Y1_2
-        v9 = w1 * v7
-        v10 = v9 - v8
-        v11 = v8 + v9
-        v12 = m5 + m4 * N3
-        v13 = Z1_3 * v12
-        v14 = w3 * (m4 * w1)
-        S2_pp = v14 - v13
-        v15 = v13 + v14
-        v16 = w1 * Y1_2
+        v7, Y1_2 = d4 * c3, a2 + d4 * v5
+        v8, v9 = Z1_3 * Y1_2, w1 * v7
+        v10, v11, v12 = v9 - v8, v8 + v9, m5 + m4 * N3
+        v13, v14 = Z1_3 * v12, w3 * (m4 * w1)
+        S2_pp, v15, v16 = v14 - v13, v13 + v14, w1 * Y1_2
         v17 = Z1_3 * v7
-        v18 = v16 + v17
-        v19 = v16 - v17
-        v20 = w3 * (m4 * Z1_3)
-        v21 = w3 * (m4 * -Z1_3)
-        v22 = w1 * v12
-        v23 = v20 + v22
-        v24 = v21 + v22
-        v25 = v20 - v22
-        v26 = v21 - v22
-        v27 = S2_pp * S2_pp
-        v28 = v27 + v23 * v23
-        v29 = v15 * v15
-        v30 = v29 + v24 * v24
-        v31 = v29 + v25 * v25
-        v32 = v27 + v26 * v26
-        w2_pp = math.sqrt(v28)
-        w2_pm = math.sqrt(v30)
-        w2_mp = math.sqrt(v31)
-        w2_mm = math.sqrt(v32)
-        v33 = 1.0 / v28
-        v34 = 1.0 / v30
-        v35 = 1.0 / v31
-        v36 = 1.0 / v32
+        v18, v19, v20 = v16 + v17, v16 - v17, w3 * (m4 * Z1_3)
+        v21, v22 = w3 * (m4 * -Z1_3), w1 * v12
+        v23, v24, v25 = v20 + v22, v21 + v22, v20 - v22
+        v26, v27 = v21 - v22, S2_pp * S2_pp
+        v28, v29 = v27 + v23 * v23, v15 * v15
+        v30, v31, v32 = v29 + v24 * v24, v29 + v25 * v25, v27 + v26 * v26
+        w2_pp, w2_pm, w2_mp = math.sqrt(v28), math.sqrt(v30), math.sqrt(v31)
+        w2_mm, v33, v34 = math.sqrt(v32), 1.0 / v28, 1.0 / v30
+        v35, v36 = 1.0 / v31, 1.0 / v32
 
         # theta4, type 2: U4[3, 3]
         v37 = v5 * v10 - c3 * v18
-        c23_pp = w2_pp * (v33 * v37)
-        v38 = v5 * v11
-        c23_pm = w2_pm * (v34 * (c3 * v19 - v38))
-        v39 = w2_mp * (v35 * (v38 + c3 * -v19))
-        c23_mm = w2_mm * (v36 * v37)
-        v40 = c3 * v10 + v5 * v18
-        s23_pp = w2_pp * (v33 * v40)
-        v41 = c3 * v11
-        s23_pm = w2_pm * (v34 * (v41 + v5 * v19))
-        s23_mp = w2_mp * (v35 * (v5 * -v19 - v41))
-        v42 = w2_mm * (v36 * v40)
-        v43 = w1 * (v2 * (T23 * Y1 - T13 * wx))
-        X4_pp = T33 * s23_pp - c23_pp * v43
-        X4_pm = T33 * s23_pm - c23_pm * v43
-        X4_mp = T33 * s23_mp - v39 * v43
-        X4_mm = c23_mm * v43 - T33 * v42
+        c23_pp, v38 = w2_pp * (v33 * v37), v5 * v11
+        c23_pm, v39 = w2_pm * (v34 * (c3 * v19 - v38)), w2_mp * (v35 * (v38 + c3 * -v19))
+        c23_mm, v40 = w2_mm * (v36 * v37), c3 * v10 + v5 * v18
+        s23_pp, v41 = w2_pp * (v33 * v40), c3 * v11
+        s23_pm, s23_mp = w2_pm * (v34 * (v41 + v5 * v19)), w2_mp * (v35 * (v5 * -v19 - v41))
+        v42, v43 = w2_mm * (v36 * v40), w1 * (v2 * (T23 * Y1 - T13 * wx))
+        X4_pp, X4_pm = T33 * s23_pp - c23_pp * v43, T33 * s23_pm - c23_pm * v43
+        X4_mp, X4_mm = T33 * s23_mp - v39 * v43, c23_mm * v43 - T33 * v42
         Y4 = w1 * (v2 * (T13 * Y1 + wx * T23))
         v44 = Y4 * Y4
-        v45 = v44 + X4_pp * X4_pp
-        v46 = v44 + X4_pm * X4_pm
-        v47 = v44 + X4_mp * X4_mp
-        v48 = v44 + X4_mm * X4_mm
-        v49 = math.copysign(half_turn, Y4)
+        v45, v46, v47 = v44 + X4_pp * X4_pp, v44 + X4_pm * X4_pm, v44 + X4_mp * X4_mp
+        v48, v49 = v44 + X4_mm * X4_mm, math.copysign(half_turn, Y4)
         v50 = math.copysign(half_turn, -Y4)
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v51 = w1 * (v2 * (wx * T22 + Y1 * T12))
-        v52 = w1 * (v2 * (Y1 * T22 - wx * T12))
-        v53 = w1 * (v2 * (wx * T21 + Y1 * T11))
-        v54 = w1 * (v2 * (Y1 * T21 - wx * T11))
+        v51, v52 = w1 * (v2 * (wx * T22 + Y1 * T12)), w1 * (v2 * (Y1 * T22 - wx * T12))
+        v53, v54 = w1 * (v2 * (wx * T21 + Y1 * T11)), w1 * (v2 * (Y1 * T21 - wx * T11))
         v55 = -X4_pp * v53 - Y4 * (c23_pp * v54 - s23_pp * T31)
         v56 = -X4_pm * v53 - Y4 * (c23_pm * v54 - s23_pm * T31)
         v57 = Y4 * (v39 * v54 - s23_mp * T31) - -X4_mp * v53
@@ -482,18 +369,19 @@ def _formulas(kept, turns, rows, w):
             1.0 if v48 <= m7 or v32 <= m6 or v47 <= m7 or v31 <= m6 or v46 <= m7 or v30 <= m6 or v45
             <= m7 or v1 <= m1 or abs(D3) <= m3 or v28 <= m6 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Y1, v3, v4, v49
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v50, v55, v56, v57
-        kept[25 * w + k], turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = v58, Y1, -v4, S2_pp
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y1, v3, v4
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v49, v50, v55
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = v56, v57, v58
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = Y1, -v4, S2_pp
         turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = -v15, -v15, S2_pp
-        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = Y4, Y4, -Y4, -Y4
-        turns[10 * w + k], turns[11 * w + k] = -math.sqrt(v45), -math.sqrt(v46)
-        turns[12 * w + k], turns[13 * w + k] = -math.sqrt(v47), -math.sqrt(v48)
-        turns[14 * w + k], turns[15 * w + k], turns[16 * w + k] = v55, v56, v57
-        turns[17 * w + k], turns[24 * w + k], turns[25 * w + k] = v58, -wx, v6
-        turns[26 * w + k], turns[27 * w + k], turns[28 * w + k] = -v23, -v24, -v25
-        turns[29 * w + k], turns[30 * w + k], turns[31 * w + k] = -v26, -X4_pp, -X4_pm
-        turns[32 * w + k], turns[33 * w + k] = -X4_mp, -X4_mm
+        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = Y4, Y4, -Y4
+        turns[9 * w + k], turns[10 * w + k] = -Y4, -math.sqrt(v45)
+        turns[11 * w + k], turns[12 * w + k] = -math.sqrt(v46), -math.sqrt(v47)
+        turns[13 * w + k], turns[14 * w + k], turns[15 * w + k] = -math.sqrt(v48), v55, v56
+        turns[16 * w + k], turns[17 * w + k], turns[24 * w + k] = v57, v58, -wx
+        turns[25 * w + k], turns[26 * w + k], turns[27 * w + k] = v6, -v23, -v24
+        turns[28 * w + k], turns[29 * w + k], turns[30 * w + k] = -v25, -v26, -X4_pp
+        turns[31 * w + k], turns[32 * w + k], turns[33 * w + k] = -X4_pm, -X4_mp, -X4_mm
         turns[34 * w + k] = -(T33 * c23_pp + s23_pp * v43)
         turns[35 * w + k] = -(T33 * c23_pm + s23_pm * v43)
         turns[36 * w + k], turns[37 * w + k] = T33 * v39 + s23_mp * v43, -(T33 * c23_mm + v42 * v43)
@@ -510,23 +398,21 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        Y1, v3, v4, v49 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v50, v55, v56, v57 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        v58, angle1, angle2 = kept[25 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
-        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
-        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
-        angle18 = turns[17 * w + k]
+        Y1, v3, v4 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v49, v50, v55 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v56, v57, v58 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
 
         # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         q3_pmp = math.copysign(half_turn, -v4) - angle2
 
         # theta4, type 2: U4[3, 3]
-        q4_ppm = angle7 - v49
-        q4_pmm = angle8 - v49
-        q4_mpm = angle9 - v50
+        q4_ppm, q4_pmm, q4_mpm = angle7 - v49, angle8 - v49, angle9 - v50
         q4_mmm = angle10 - v50
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
@@ -536,8 +422,7 @@ def _formulas(kept, turns, rows, w):
         q6_mmm = angle18 - math.copysign(half_turn, v58)
 
         # joint values
-        q1_ppp = angle1 + v3
-        q1_mpp = v3 + (angle1 - math.copysign(half_turn, Y1))
+        q1_ppp, q1_mpp = angle1 + v3, v3 + (angle1 - math.copysign(half_turn, Y1))
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, angle3, angle2
         rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle7, angle11, angle15
@@ -550,25 +435,16 @@ def _formulas(kept, turns, rows, w):
         rows[24 * w + k], rows[25 * w + k], rows[26 * w + k] = q6_mpm, angle6, angle10
         rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = angle14, angle18, q4_mmm
         rows[30 * w + k], rows[31 * w + k] = -angle14, q6_mmm
-        rows[32 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[33 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[36 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[37 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[32 * w + k] = rows[33 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[34 * w + k] = rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = rows[37 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[38 * w + k] = rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 2, 19, 20, 21],
-    [17, 18, 2, 22, 23, 24],
-    [17, 25, 10, 26, 27, 28],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 2, 19, 20, 21], [17, 18, 2, 22, 23, 24], [17, 25, 10, 26, 27, 28],
     [17, 25, 10, 29, 30, 31],
 ])
 

@@ -112,27 +112,16 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = c1 * c3
-    x3_y = s1 * c3
-    z4_x = c1 * s3
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, z4_x = c1 * c3, s1 * c3, c1 * s3
     z4_y = s1 * s3
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    T[0, 0] = x3_x * c5 + s1 * s5
-    T[0, 1] = s1 * c5 - x3_x * s5
-    T[0, 2] = z4_x
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    T[0, 0], T[0, 1], T[0, 2] = x3_x * c5 + s1 * s5, s1 * c5 - x3_x * s5, z4_x
     T[0, 3] = s1 * q[1] + z4_x * q[3]
-    T[1, 0] = x3_y * c5 - c1 * s5
-    T[1, 1] = -(c1 * c5 + x3_y * s5)
-    T[1, 2] = z4_y
+    T[1, 0], T[1, 1], T[1, 2] = x3_y * c5 - c1 * s5, -(c1 * c5 + x3_y * s5), z4_y
     T[1, 3] = z4_y * q[3] - c1 * q[1]
-    T[2, 0] = s3 * c5
-    T[2, 1] = -(s3 * s5)
-    T[2, 2] = -c3
+    T[2, 0], T[2, 1], T[2, 2] = s3 * c5, -(s3 * s5), -c3
     T[2, 3] = d1 - c3 * q[3]
     T[3, 3] = 1.0
     return T
@@ -144,33 +133,19 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
     J = _zeros(6, 5)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p2_x = s1 * q[1]
-    v1 = c1 * q[1]
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    z4_x = c1 * s3
-    z4_y = s1 * s3
-    p4_x = p2_x + z4_x * q[3]
-    p4_y = z4_y * q[3] - v1
-    v2 = d1 - c3 * q[3] - d1
-    J[0, 0] = -p4_y
-    J[0, 1] = s1
-    J[0, 2] = -(c1 * v2)
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p2_x, v1 = s1 * q[1], c1 * q[1]
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    z4_x, z4_y = c1 * s3, s1 * s3
+    p4_x, p4_y, v2 = p2_x + z4_x * q[3], z4_y * q[3] - v1, d1 - c3 * q[3] - d1
+    J[0, 0], J[0, 1], J[0, 2] = -p4_y, s1, -(c1 * v2)
     J[0, 3] = z4_x
-    J[1, 0] = p4_x
-    J[1, 1] = -c1
-    J[1, 2] = -(s1 * v2)
+    J[1, 0], J[1, 1], J[1, 2] = p4_x, -c1, -(s1 * v2)
     J[1, 3] = z4_y
-    J[2, 2] = s1 * (v1 + p4_y) + c1 * (p4_x - p2_x)
-    J[2, 3] = -c3
-    J[3, 2] = s1
-    J[3, 4] = z4_x
-    J[4, 2] = -c1
-    J[4, 4] = z4_y
-    J[5, 0] = 1.0
-    J[5, 4] = -c3
+    J[2, 2], J[2, 3] = s1 * (v1 + p4_y) + c1 * (p4_x - p2_x), -c3
+    J[3, 2], J[3, 4] = s1, z4_x
+    J[4, 2], J[4, 4] = -c1, z4_y
+    J[5, 0], J[5, 4] = 1.0, -c3
     return J
 
 
@@ -225,13 +200,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         w5 = math.sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5)
         short5 = w5 <= free_limit
         v4 = 1.0 / (1.0 if short5 else w5)
-        v5 = Z1_5 * v4
-        v6 = Z2_5 * v4
+        v5, v6 = Z1_5 * v4, Z2_5 * v4
         q5 = _atan2(-v6, -v5)
 
         # is the pose one that the arm can take?
-        v7 = c1 * s3
-        v8 = s1 * s3
+        v7, v8 = c1 * s3, s1 * s3
         if (
             not (abs(T34 - (d1 + v3 * r4)) <= pose_slack1 and abs(T33 - v3) <= pose_slack and
             abs(T31 + s3 * v5) <= pose_slack and abs(T24 - (r4 * v8 - c1 * r2)) <= pose_slack1 and
@@ -241,11 +214,8 @@ def _solve(pose, q_free, seed, moved, q, status):
         ):
             continue  # the arm can't take this pose
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = r2
-        q[row, 2] = q3
-        q[row, 3] = r4
-        q[row, 4] = q5
+        q[row, 0], q[row, 1], q[row, 2] = q1, r2, q3
+        q[row, 3], q[row, 4] = r4, q5
         status[row] = FREE_JOINT if free1 else OK
 
 
@@ -257,24 +227,21 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T33, T34 = kept[8 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T33, T34 = kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[2, 3], so theta1 = atan2(T23, T13) or half a turn from it. Where both
         # are small, U1[3] x U1[4], element 2 says more: its vector, along the same line, is added
         v1 = T34 - d1
-        X2_1 = v1 * T23 - T24 * T33
-        Y2_1 = v1 * T13 - T33 * T14
+        X2_1, Y2_1 = v1 * T23 - T24 * T33, v1 * T13 - T33 * T14
         sigma1 = math.copysign(second_weight, X2_1 * T13 - T23 * Y2_1)
-        Xhat1 = T13 + X2_1 * sigma1
-        Yhat1 = Y2_1 * sigma1 - T23
+        Xhat1, Yhat1 = T13 + X2_1 * sigma1, Y2_1 * sigma1 - T23
         v2 = Xhat1 * Xhat1 + Yhat1 * Yhat1
-        w1 = math.sqrt(v2)
-        v3 = 1.0 / v2
+        w1, v3 = math.sqrt(v2), 1.0 / v2
         factor1 = w1 * v3
-        v4 = Xhat1 * factor1
-        s1 = Yhat1 * factor1
+        v4, s1 = Xhat1 * factor1, Yhat1 * factor1
 
         # r2, type 1: U1[2, 4]
         q2_p = w1 * (v3 * (T24 * Xhat1 + T14 * Yhat1))
@@ -282,34 +249,24 @@ def _formulas(kept, turns, rows, w):
         # theta3, type 3: U1[3, 3] and U1[1, 3]
         Z2_3 = w1 * (v3 * (T23 * Yhat1 - T13 * Xhat1))
         v5 = T33 * T33 + Z2_3 * Z2_3
-        w3 = math.sqrt(v5)
-        v6 = 1.0 / v5
+        w3, v6 = math.sqrt(v5), 1.0 / v5
         factor3 = w3 * v6
-        v7 = T33 * factor3
-        s3 = Z2_3 * factor3
+        v7, s3 = T33 * factor3, Z2_3 * factor3
 
         # r4, type 1: U3[2, 4]
         q4_p = w3 * (v6 * ((T23 * s1 - T13 * v4) * (T24 * s1 - T14 * v4) - T33 * -v1))
 
         # theta5, type 3: U1[2, 2] and U1[2, 1]
-        v8 = w1 * (v3 * (Xhat1 * T22 + Yhat1 * T12))
-        v9 = w1 * (v3 * (Xhat1 * T21 + Yhat1 * T11))
+        v8, v9 = w1 * (v3 * (Xhat1 * T22 + Yhat1 * T12)), w1 * (v3 * (Xhat1 * T21 + Yhat1 * T11))
         v10 = v9 * v9 + v8 * v8
         v11 = math.sqrt(v10) * (1.0 / v10)
-        v12 = v8 * v11
-        v13 = v9 * v11
+        v12, v13 = v8 * v11, v9 * v11
 
         # is the pose one that the arm can take?
-        v14 = v4 * s3
-        v15 = s1 * s3
-        v16 = T34 - (d1 + v7 * q4_p)
-        v17 = T33 - v7
-        v18 = T31 - s3 * v12
-        v19 = T24 - (q4_p * v15 + v4 * q2_p)
-        v20 = T23 - v15
-        v21 = T21 - (v4 * v13 - v12 * (s1 * v7))
-        v22 = T14 - (s1 * q2_p - q4_p * v14)
-        v23 = T11 - (v12 * (v4 * v7) + s1 * v13)
+        v14, v15, v16 = v4 * s3, s1 * s3, T34 - (d1 + v7 * q4_p)
+        v17, v18, v19 = T33 - v7, T31 - s3 * v12, T24 - (q4_p * v15 + v4 * q2_p)
+        v20, v21 = T23 - v15, T21 - (v4 * v13 - v12 * (s1 * v7))
+        v22, v23 = T14 - (s1 * q2_p - q4_p * v14), T11 - (v12 * (v4 * v7) + s1 * v13)
         v24 = T13 + v14
 
         # a joint is free, or branches meet
@@ -319,8 +276,9 @@ def _formulas(kept, turns, rows, w):
             + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Yhat1, q2_p, q4_p
-        kept[20 * w + k], turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = v9, Yhat1, Z2_3, v9
-        turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = -Xhat1, -T33, v8
+        kept[20 * w + k], turns[0 * w + k], turns[1 * w + k] = v9, Yhat1, Z2_3
+        turns[2 * w + k], turns[8 * w + k], turns[9 * w + k] = v9, -Xhat1, -T33
+        turns[10 * w + k] = v8
     if w == 1 and kept[16] != 0.0:
         return
     end = 8 if w == 1 else 3 * w
@@ -350,8 +308,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4],
-    [5, 6, 7, 3, 8],
+    [0, 1, 2, 3, 4], [5, 6, 7, 3, 8],
 ])
 
 

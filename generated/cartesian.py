@@ -101,12 +101,9 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    T[0, 2] = 1.0
-    T[0, 3] = q[2]
-    T[1, 1] = -1.0
-    T[1, 3] = q[1]
-    T[2, 0] = 1.0
-    T[2, 3] = q[0]
+    T[0, 2], T[0, 3] = 1.0, q[2]
+    T[1, 1], T[1, 3] = -1.0, q[1]
+    T[2, 0], T[2, 3] = 1.0, q[0]
     T[3, 3] = 1.0
     return T
 
@@ -129,9 +126,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
 
     row = 0
-    q[row, 0] = T34
-    q[row, 1] = T24
-    q[row, 2] = T14
+    q[row, 0], q[row, 1], q[row, 2] = T34, T24, T14
     status[row] = OK
 
 

@@ -167,56 +167,28 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    v2 = s1 * c2
-    y2_x = c1 * s2
-    v3 = s1 * s2
-    v4 = q[2] + offset3
-    c3 = math.cos(v4)
-    s3 = math.sin(v4)
-    x3_x = x2_x * c3 + y2_x * s3
-    v5 = v2 * c3 + v3 * s3
-    x3_z = c2 * s3 - s2 * c3
-    z3_x = y2_x * c3 - x2_x * s3
-    z3_y = v2 * s3 - v3 * c3
-    z3_z = c2 * c3 + s2 * s3
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, v2, y2_x = c1 * c2, s1 * c2, c1 * s2
+    v3, v4 = s1 * s2, q[2] + offset3
+    c3, s3 = math.cos(v4), math.sin(v4)
+    x3_x, v5, x3_z = x2_x * c3 + y2_x * s3, v2 * c3 + v3 * s3, c2 * s3 - s2 * c3
+    z3_x, z3_y, z3_z = y2_x * c3 - x2_x * s3, v2 * s3 - v3 * c3, c2 * c3 + s2 * s3
     v6 = q[3] + offset4
-    c4 = math.cos(v6)
-    s4 = math.sin(v6)
-    x4_x = x3_x * c4 + s1 * s4
-    x4_y = c1 * s4 - v5 * c4
-    x4_z = x3_z * c4
-    v7 = c1 * c4 + v5 * s4
-    z4_z = x3_z * s4
-    z4_x = x3_x * s4 - s1 * c4
+    c4, s4 = math.cos(v6), math.sin(v6)
+    x4_x, x4_y, x4_z = x3_x * c4 + s1 * s4, c1 * s4 - v5 * c4, x3_z * c4
+    v7, z4_z, z4_x = c1 * c4 + v5 * s4, x3_z * s4, x3_x * s4 - s1 * c4
     v8 = q[4] + offset5
-    c5 = math.cos(v8)
-    s5 = math.sin(v8)
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = x4_y * c5 + z3_y * s5
-    x5_z = x4_z * c5 + z3_z * s5
-    z6_x = z3_x * c5 - x4_x * s5
-    z6_y = z3_y * c5 - x4_y * s5
-    z6_z = z3_z * c5 - x4_z * s5
+    c5, s5 = math.cos(v8), math.sin(v8)
+    x5_x, x5_y, x5_z = x4_x * c5 + z3_x * s5, x4_y * c5 + z3_y * s5, x4_z * c5 + z3_z * s5
+    z6_x, z6_y, z6_z = z3_x * c5 - x4_x * s5, z3_y * c5 - x4_y * s5, z3_z * c5 - x4_z * s5
     v9 = q[5] + offset6
-    c6 = math.cos(v9)
-    s6 = math.sin(v9)
-    T[0, 0] = x5_x * c6 + z4_x * s6
-    T[0, 1] = x5_x * s6 - z4_x * c6
-    T[0, 2] = z6_x
+    c6, s6 = math.cos(v9), math.sin(v9)
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + z4_x * s6, x5_x * s6 - z4_x * c6, z6_x
     T[0, 3] = c1 * a1 + x2_x * a2 - s1 * d2 + x3_x * a3 + s1 * d3 - z3_x * d4 - -z6_x * d6
-    T[1, 0] = x5_y * c6 - v7 * s6
-    T[1, 1] = v7 * c6 + x5_y * s6
-    T[1, 2] = z6_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 - v7 * s6, v7 * c6 + x5_y * s6, z6_y
     T[1, 3] = c1 * d3 - (s1 * a1 + v2 * a2 + c1 * d2 + v5 * a3) - z3_y * d4 - -z6_y * d6
-    T[2, 0] = x5_z * c6 + z4_z * s6
-    T[2, 1] = x5_z * s6 - z4_z * c6
-    T[2, 2] = z6_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 + z4_z * s6, x5_z * s6 - z4_z * c6, z6_z
     T[2, 3] = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -z6_z * d6
     T[3, 3] = 1.0
     return T
@@ -228,88 +200,42 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    v1 = s1 * a1
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    v3 = s1 * c2
-    y2_x = c1 * s2
-    v4 = s1 * s2
-    p2_z = d1 - s2 * a2
-    p2_x = p1_x + x2_x * a2 - s1 * d2
-    v5 = v1 + v3 * a2 + c1 * d2
-    v6 = q[2] + offset3
-    c3 = math.cos(v6)
-    s3 = math.sin(v6)
-    x3_x = x2_x * c3 + y2_x * s3
-    v7 = v3 * c3 + v4 * s3
-    x3_z = c2 * s3 - s2 * c3
-    z3_x = y2_x * c3 - x2_x * s3
-    z3_y = v3 * s3 - v4 * c3
-    z3_z = c2 * c3 + s2 * s3
-    p3_z = p2_z + x3_z * a3
-    p3_x = p2_x + x3_x * a3 + s1 * d3
-    p3_y = c1 * d3 - (v5 + v7 * a3)
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, v1, v2 = c1 * a1, s1 * a1, q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, v3, y2_x = c1 * c2, s1 * c2, c1 * s2
+    v4, p2_z, p2_x = s1 * s2, d1 - s2 * a2, p1_x + x2_x * a2 - s1 * d2
+    v5, v6 = v1 + v3 * a2 + c1 * d2, q[2] + offset3
+    c3, s3 = math.cos(v6), math.sin(v6)
+    x3_x, v7, x3_z = x2_x * c3 + y2_x * s3, v3 * c3 + v4 * s3, c2 * s3 - s2 * c3
+    z3_x, z3_y, z3_z = y2_x * c3 - x2_x * s3, v3 * s3 - v4 * c3, c2 * c3 + s2 * s3
+    p3_z, p3_x, p3_y = p2_z + x3_z * a3, p2_x + x3_x * a3 + s1 * d3, c1 * d3 - (v5 + v7 * a3)
     v8 = q[3] + offset4
-    c4 = math.cos(v8)
-    s4 = math.sin(v8)
-    v9 = c1 * c4 + v7 * s4
-    z4_z = x3_z * s4
-    p4_x = p3_x - z3_x * d4
-    p4_y = p3_y - z3_y * d4
-    p4_z = p3_z - z3_z * d4
-    z4_x = x3_x * s4 - s1 * c4
+    c4, s4 = math.cos(v8), math.sin(v8)
+    v9, z4_z, p4_x = c1 * c4 + v7 * s4, x3_z * s4, p3_x - z3_x * d4
+    p4_y, p4_z, z4_x = p3_y - z3_y * d4, p3_z - z3_z * d4, x3_x * s4 - s1 * c4
     v10 = q[4] + offset5
-    c5 = math.cos(v10)
-    s5 = math.sin(v10)
-    z5_x = (x3_x * c4 + s1 * s4) * s5 - z3_x * c5
-    z5_y = (c1 * s4 - v7 * c4) * s5 - z3_y * c5
-    z5_z = x3_z * c4 * s5 - z3_z * c5
-    p6_x = p4_x - z5_x * d6
-    p6_y = p4_y - z5_y * d6
+    c5, s5 = math.cos(v10), math.sin(v10)
+    z5_x, z5_y = (x3_x * c4 + s1 * s4) * s5 - z3_x * c5, (c1 * s4 - v7 * c4) * s5 - z3_y * c5
+    z5_z, p6_x, p6_y = x3_z * c4 * s5 - z3_z * c5, p4_x - z5_x * d6, p4_y - z5_y * d6
     p6_z = p4_z - z5_z * d6
-    v11 = p6_z - d1
-    v12 = p6_z - p2_z
-    v13 = p6_x - p3_x
-    v14 = p6_y - p3_y
-    v15 = p6_z - p3_z
-    v16 = p6_x - p4_x
-    v17 = p6_y - p4_y
-    v18 = p6_z - p4_z
-    J[0, 0] = p6_y
-    J[0, 1] = c1 * v11
-    J[0, 2] = -(c1 * v12)
-    J[0, 3] = z3_y * v15 - z3_z * v14
-    J[0, 4] = -(v9 * v18 + z4_z * v17)
+    v11, v12, v13 = p6_z - d1, p6_z - p2_z, p6_x - p3_x
+    v14, v15, v16 = p6_y - p3_y, p6_z - p3_z, p6_x - p4_x
+    v17, v18 = p6_y - p4_y, p6_z - p4_z
+    J[0, 0], J[0, 1], J[0, 2] = p6_y, c1 * v11, -(c1 * v12)
+    J[0, 3], J[0, 4] = z3_y * v15 - z3_z * v14, -(v9 * v18 + z4_z * v17)
     J[0, 5] = z5_y * v18 - z5_z * v17
-    J[1, 0] = -p6_x
-    J[1, 1] = -(s1 * v11)
-    J[1, 2] = s1 * v12
-    J[1, 3] = z3_z * v13 - z3_x * v15
-    J[1, 4] = z4_z * v16 - z4_x * v18
+    J[1, 0], J[1, 1], J[1, 2] = -p6_x, -(s1 * v11), s1 * v12
+    J[1, 3], J[1, 4] = z3_z * v13 - z3_x * v15, z4_z * v16 - z4_x * v18
     J[1, 5] = z5_z * v16 - z5_x * v18
-    J[2, 1] = s1 * (v1 + p6_y) - c1 * (p6_x - p1_x)
-    J[2, 2] = c1 * (p6_x - p2_x) - s1 * (v5 + p6_y)
-    J[2, 3] = z3_x * v14 - z3_y * v13
-    J[2, 4] = z4_x * v17 + v9 * v16
+    J[2, 1], J[2, 2] = s1 * (v1 + p6_y) - c1 * (p6_x - p1_x), c1 * (p6_x - p2_x) - s1 * (v5 + p6_y)
+    J[2, 3], J[2, 4] = z3_x * v14 - z3_y * v13, z4_x * v17 + v9 * v16
     J[2, 5] = z5_x * v17 - z5_y * v16
-    J[3, 1] = s1
-    J[3, 2] = -s1
-    J[3, 3] = z3_x
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = c1
-    J[4, 2] = -c1
-    J[4, 3] = z3_y
-    J[4, 4] = -v9
-    J[4, 5] = z5_y
-    J[5, 0] = -1.0
-    J[5, 3] = z3_z
-    J[5, 4] = z4_z
+    J[3, 1], J[3, 2], J[3, 3] = s1, -s1, z3_x
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = c1, -c1, z3_y
+    J[4, 4], J[4, 5] = -v9, z5_y
+    J[5, 0], J[5, 3], J[5, 4] = -1.0, z3_z, z4_z
     J[5, 5] = z5_z
     return J
 
@@ -330,8 +256,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else k1 * math.sqrt(N1)))
-    v1 = X1 * k1
-    v2 = wy * k1
+    v1, v2 = X1 * k1, wy * k1
 
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     wz = d6 * T33 - T34
@@ -364,8 +289,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (-boundary3 <= D3 * v4):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v5 = k5 * K3
-        v6 = k6 * K3
+        v5, v6 = k5 * K3, k6 * K3
 
         # theta4
         v8 = T13 * c1 - T23 * s1
@@ -373,9 +297,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v9 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v11 = T22 * c1 + T12 * s1
-        v12 = T12 * c1 - T22 * s1
-        v14 = T21 * c1 + T11 * s1
+        v11, v12, v14 = T22 * c1 + T12 * s1, T12 * c1 - T22 * s1, T21 * c1 + T11 * s1
         v15 = T11 * c1 - T21 * s1
 
         for i2 in range(2):  # +, -
@@ -384,8 +306,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e3
-            s3 = (v5 + k6 * root3) * k8
-            c3 = k8 * (v6 - k5 * root3)
+            s3, c3 = (v5 + k6 * root3) * k8, k8 * (v6 - k5 * root3)
 
             # theta2
             X1_2 = a2 + (a3 * c3 + d4 * s3)
@@ -410,8 +331,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T33 * c2m3 + s2m3 * v8
 
             # theta6
-            v13 = c2m3 * v12 - T32 * s2m3
-            v16 = c2m3 * v15 - T31 * s2m3
+            v13, v16 = c2m3 * v12 - T32 * s2m3, c2m3 * v15 - T31 * s2m3
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -427,20 +347,15 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s4 = math.sin(v10) if free4 else Y4 * factor4
 
                 # theta6
-                s6 = s4 * v16 - c4 * v14
-                c6 = c4 * v11 - s4 * v13
+                s6, c6 = s4 * v16 - c4 * v14, c4 * v11 - s4 * v13
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
                 q5 = _wrap(_atan2(-(w4 * e4), c5) - offset5)
                 q6 = _wrap(_atan2(s6, c6) - offset6)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -452,106 +367,64 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        X1 = d6 * T13 - T14
-        wy = d6 * T23 - T24
+        X1, wy = d6 * T13 - T14, d6 * T23 - T24
         N1 = X1 * X1 + wy * wy
         D1 = N1 - k1
-        w1 = math.sqrt(D1)
-        inverse1 = 1.0 / N1
+        w1, inverse1 = math.sqrt(D1), 1.0 / N1
         v1 = inverse1 * (k1 * wy)
-        c1_p = v1 - w1 * (X1 * inverse1)
-        c1_m = v1 - w1 * (inverse1 * -X1)
-        v2 = inverse1 * (k1 * X1)
-        s1_p = v2 + w1 * (wy * inverse1)
-        s1_m = v2 + w1 * (inverse1 * -wy)
+        c1_p, c1_m, v2 = v1 - w1 * (X1 * inverse1), v1 - w1 * (inverse1 * -X1), inverse1 * (k1 * X1)
+        s1_p, s1_m = v2 + w1 * (wy * inverse1), v2 + w1 * (inverse1 * -wy)
 
         # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        Z1_3 = d1 + (d6 * T33 - T34)
-        Z2_3_p = w1 - a1
-        v3 = a1 + w1
+        Z1_3, Z2_3_p, v3 = d1 + (d6 * T33 - T34), w1 - a1, a1 + w1
         v4 = Z1_3 * Z1_3
-        N3_p = v4 + Z2_3_p * Z2_3_p
-        N3_m = v4 + v3 * v3
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        v5 = k4 * w1
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
+        N3_p, N3_m = v4 + Z2_3_p * Z2_3_p, v4 + v3 * v3
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        v5, w3_p, w3_m = k4 * w1, math.sqrt(D3_p), math.sqrt(D3_m)
 
         # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        X1_2_p = m4 + m3 * N3_p
-        X1_2_m = m4 + m3 * N3_m
-        v6 = Z1_3 * X1_2_p
-        v7 = Z1_3 * X1_2_m
-        v8 = Z2_3_p * X1_2_p
-        v9 = v3 * X1_2_m
-        v10 = m3 * Z1_3
-        factor2_p = 1.0 / N3_p
+        X1_2_p, X1_2_m = m4 + m3 * N3_p, m4 + m3 * N3_m
+        v6, v7, v8 = Z1_3 * X1_2_p, Z1_3 * X1_2_m, Z2_3_p * X1_2_p
+        v9, v10, factor2_p = v3 * X1_2_m, m3 * Z1_3, 1.0 / N3_p
         factor2_m = 1.0 / N3_m
 
         # theta4, type 2: U4[3, 3]
         v11 = m5 * Z1_3
-        v12 = v11 - m6 * Z2_3_p
-        v13 = m6 - m7 * factor2_p
-        v14 = m6 - m7 * factor2_m
-        v15 = m5 - m8 * factor2_p
-        v16 = m5 - m8 * factor2_m
-        v17 = Z1_3 * v13 + Z2_3_p * v15
-        v18 = Z1_3 * v14 - v3 * v16
-        c2m3_pp = v17 + w3_p * (factor2_p * v12)
-        c2m3_pm = v17 + w3_p * (factor2_p * -v12)
+        v12, v13, v14 = v11 - m6 * Z2_3_p, m6 - m7 * factor2_p, m6 - m7 * factor2_m
+        v15, v16 = m5 - m8 * factor2_p, m5 - m8 * factor2_m
+        v17, v18 = Z1_3 * v13 + Z2_3_p * v15, Z1_3 * v14 - v3 * v16
+        c2m3_pp, c2m3_pm = v17 + w3_p * (factor2_p * v12), v17 + w3_p * (factor2_p * -v12)
         v19 = w3_m * (factor2_m * (v11 + m6 * v3))
-        c2m3_mp = v18 + v19
-        c2m3_mm = v18 - v19
-        v20 = m6 * Z1_3
-        v21 = v20 - m5 * v3
-        v22 = Z1_3 * v15 + Z2_3_p * -v13
-        v23 = Z1_3 * v16 - v3 * -v14
+        c2m3_mp, c2m3_mm, v20 = v18 + v19, v18 - v19, m6 * Z1_3
+        v21, v22, v23 = v20 - m5 * v3, Z1_3 * v15 + Z2_3_p * -v13, Z1_3 * v16 - v3 * -v14
         v24 = w3_p * (factor2_p * (v20 + m5 * Z2_3_p))
-        s2m3_pp = v22 - v24
-        s2m3_pm = v22 + v24
-        s2m3_mp = v23 - w3_m * (factor2_m * v21)
-        s2m3_mm = v23 - w3_m * (factor2_m * -v21)
-        v25 = T13 * c1_p - T23 * s1_p
-        v26 = T13 * c1_m - T23 * s1_m
-        X4_pp = T33 * s2m3_pp - c2m3_pp * v25
-        X4_pm = T33 * s2m3_pm - c2m3_pm * v25
-        X4_mp = T33 * s2m3_mp - c2m3_mp * v26
-        X4_mm = T33 * s2m3_mm - c2m3_mm * v26
-        Y4_p = T23 * c1_p + T13 * s1_p
-        Y4_m = T23 * c1_m + T13 * s1_m
-        v27 = Y4_p * Y4_p
-        v28 = Y4_m * Y4_m
-        v29 = v27 + X4_pp * X4_pp
-        v30 = v27 + X4_pm * X4_pm
-        v31 = v28 + X4_mp * X4_mp
-        v32 = v28 + X4_mm * X4_mm
+        s2m3_pp, s2m3_pm, s2m3_mp = v22 - v24, v22 + v24, v23 - w3_m * (factor2_m * v21)
+        s2m3_mm, v25 = v23 - w3_m * (factor2_m * -v21), T13 * c1_p - T23 * s1_p
+        v26, X4_pp = T13 * c1_m - T23 * s1_m, T33 * s2m3_pp - c2m3_pp * v25
+        X4_pm, X4_mp = T33 * s2m3_pm - c2m3_pm * v25, T33 * s2m3_mp - c2m3_mp * v26
+        X4_mm, Y4_p = T33 * s2m3_mm - c2m3_mm * v26, T23 * c1_p + T13 * s1_p
+        Y4_m, v27 = T23 * c1_m + T13 * s1_m, Y4_p * Y4_p
+        v28, v29, v30 = Y4_m * Y4_m, v27 + X4_pp * X4_pp, v27 + X4_pm * X4_pm
+        v31, v32 = v28 + X4_mp * X4_mp, v28 + X4_mm * X4_mm
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v33 = c1_p * T22 + s1_p * T12
-        v34 = c1_m * T22 + s1_m * T12
-        v35 = c1_p * T12 - s1_p * T22
-        v36 = c1_m * T12 - s1_m * T22
-        v37 = c1_p * T21 + s1_p * T11
-        v38 = c1_m * T21 + s1_m * T11
-        v39 = c1_p * T11 - s1_p * T21
-        v40 = c1_m * T11 - s1_m * T21
+        v33, v34, v35 = c1_p * T22 + s1_p * T12, c1_m * T22 + s1_m * T12, c1_p * T12 - s1_p * T22
+        v36, v37, v38 = c1_m * T12 - s1_m * T22, c1_p * T21 + s1_p * T11, c1_m * T21 + s1_m * T11
+        v39, v40 = c1_p * T11 - s1_p * T21, c1_m * T11 - s1_m * T21
         s6_pp = Y4_p * (c2m3_pp * v39 - s2m3_pp * T31) - v37 * -X4_pp
         s6_pm = Y4_p * (c2m3_pm * v39 - s2m3_pm * T31) - v37 * -X4_pm
         s6_mp = Y4_m * (c2m3_mp * v40 - s2m3_mp * T31) - v38 * -X4_mp
         s6_mm = Y4_m * (c2m3_mm * v40 - s2m3_mm * T31) - v38 * -X4_mm
 
         # joint values
-        v41 = w3_p * v10
-        v44 = w3_m * (m3 * v3)
-        v45 = w3_m * v10
-        v52 = math.copysign(half_turn, Y4_p)
-        v53 = math.copysign(half_turn, Y4_m)
+        v41, v44, v45 = w3_p * v10, w3_m * (m3 * v3), w3_m * v10
+        v52, v53 = math.copysign(half_turn, Y4_p), math.copysign(half_turn, Y4_m)
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
@@ -602,30 +475,21 @@ def _formulas(kept, turns, rows, w):
         angle20 = turns[19 * w + k]
 
         # joint values
-        v42 = angle3 - offset2
-        v43 = angle4 - offset2
-        v46 = angle5 - offset2
+        v42, v43, v46 = angle3 - offset2, angle4 - offset2, angle5 - offset2
         v47 = angle6 - offset2
         q2_ppp = v42 + (-turn if half_turn < v42 else 0.0)
         q2_pmp = v43 + (-turn if half_turn < v43 else 0.0)
         q2_mpp = v46 + (-turn if half_turn < v46 else 0.0)
         q2_mmp = v47 + (-turn if half_turn < v47 else 0.0)
-        v48 = angle7 - turn1 - offset3
-        v49 = offset3 + (turn1 + angle7)
-        v50 = angle8 - turn1 - offset3
-        v51 = offset3 + (turn1 + angle8)
+        v48, v49 = angle7 - turn1 - offset3, offset3 + (turn1 + angle7)
+        v50, v51 = angle8 - turn1 - offset3, offset3 + (turn1 + angle8)
         q3_ppp = v48 + (turn if v48 <= -half_turn else 0.0)
         q3_pmp = (turn if -v49 <= -half_turn else 0.0) - v49
         q3_mpp = v50 + (turn if v50 <= -half_turn else 0.0)
         q3_mmp = (turn if -v51 <= -half_turn else 0.0) - v51
-        v54 = angle9 - offset4
-        v55 = angle9 - v52 - offset4
-        v56 = angle10 - offset4
-        v57 = angle10 - v52 - offset4
-        v58 = angle11 - offset4
-        v59 = angle11 - v53 - offset4
-        v60 = angle12 - offset4
-        v61 = angle12 - v53 - offset4
+        v54, v55, v56 = angle9 - offset4, angle9 - v52 - offset4, angle10 - offset4
+        v57, v58, v59 = angle10 - v52 - offset4, angle11 - offset4, angle11 - v53 - offset4
+        v60, v61 = angle12 - offset4, angle12 - v53 - offset4
         q4_ppp = v54 + (turn if v54 <= -half_turn else 0.0)
         q4_ppm = v55 + (turn if v55 <= -half_turn else 0.0)
         q4_pmp = v56 + (turn if v56 <= -half_turn else 0.0)
@@ -634,14 +498,9 @@ def _formulas(kept, turns, rows, w):
         q4_mpm = v59 + (turn if v59 <= -half_turn else 0.0)
         q4_mmp = v60 + (turn if v60 <= -half_turn else 0.0)
         q4_mmm = v61 + (turn if v61 <= -half_turn else 0.0)
-        v62 = angle13 - offset5
-        v63 = offset5 + angle13
-        v64 = angle14 - offset5
-        v65 = offset5 + angle14
-        v66 = angle15 - offset5
-        v67 = offset5 + angle15
-        v68 = angle16 - offset5
-        v69 = offset5 + angle16
+        v62, v63, v64 = angle13 - offset5, offset5 + angle13, angle14 - offset5
+        v65, v66, v67 = offset5 + angle14, angle15 - offset5, offset5 + angle15
+        v68, v69 = angle16 - offset5, offset5 + angle16
         q5_ppp = v62 + (turn if v62 <= -half_turn else 0.0)
         q5_ppm = (turn if -v63 <= -half_turn else 0.0) - v63
         q5_pmp = v64 + (turn if v64 <= -half_turn else 0.0)
@@ -650,14 +509,10 @@ def _formulas(kept, turns, rows, w):
         q5_mpm = (turn if -v67 <= -half_turn else 0.0) - v67
         q5_mmp = v68 + (turn if v68 <= -half_turn else 0.0)
         q5_mmm = (turn if -v69 <= -half_turn else 0.0) - v69
-        v70 = angle17 - offset6
-        v71 = angle17 - math.copysign(half_turn, s6_pp) - offset6
-        v72 = angle18 - offset6
-        v73 = angle18 - math.copysign(half_turn, s6_pm) - offset6
-        v74 = angle19 - offset6
-        v75 = angle19 - math.copysign(half_turn, s6_mp) - offset6
-        v76 = angle20 - offset6
-        v77 = angle20 - math.copysign(half_turn, s6_mm) - offset6
+        v70, v71 = angle17 - offset6, angle17 - math.copysign(half_turn, s6_pp) - offset6
+        v72, v73 = angle18 - offset6, angle18 - math.copysign(half_turn, s6_pm) - offset6
+        v74, v75 = angle19 - offset6, angle19 - math.copysign(half_turn, s6_mp) - offset6
+        v76, v77 = angle20 - offset6, angle20 - math.copysign(half_turn, s6_mm) - offset6
         q6_ppp = v70 + (turn if v70 <= -half_turn else 0.0)
         q6_ppm = v71 + (turn if v71 <= -half_turn else 0.0)
         q6_pmp = v72 + (turn if v72 <= -half_turn else 0.0)
@@ -666,30 +521,19 @@ def _formulas(kept, turns, rows, w):
         q6_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
         q6_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
         q6_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
-        v78 = abs(angle1) - high1
-        v79 = abs(angle2) - high1
-        q1_ppp = angle1 + (w3_p - w3_p)
+        v78, v79, q1_ppp = abs(angle1) - high1, abs(angle2) - high1, angle1 + (w3_p - w3_p)
         q1_mpp = angle2 + (w3_m - w3_m)
         v80 = max(max(low3 - q3_ppp, q3_ppp - high3), max(v78, max(low2 - q2_ppp, q2_ppp - high2)))
         v81 = max(max(low3 - q3_pmp, q3_pmp - high3), max(v78, max(low2 - q2_pmp, q2_pmp - high2)))
         v82 = max(max(low3 - q3_mpp, q3_mpp - high3), max(v79, max(low2 - q2_mpp, q2_mpp - high2)))
         v83 = max(max(low3 - q3_mmp, q3_mmp - high3), max(v79, max(low2 - q2_mmp, q2_mmp - high2)))
-        excess_ppp = max(v80, abs(q5_ppp) - high5)
-        excess_ppm = max(v80, abs(q5_ppm) - high5)
-        excess_pmp = max(v81, abs(q5_pmp) - high5)
-        excess_pmm = max(v81, abs(q5_pmm) - high5)
-        excess_mpp = max(v82, abs(q5_mpp) - high5)
-        excess_mpm = max(v82, abs(q5_mpm) - high5)
-        excess_mmp = max(v83, abs(q5_mmp) - high5)
-        excess_mmm = max(v83, abs(q5_mmm) - high5)
-        outside_ppp = 0.0 < excess_ppp
-        outside_ppm = 0.0 < excess_ppm
-        outside_pmp = 0.0 < excess_pmp
-        outside_pmm = 0.0 < excess_pmm
-        outside_mpp = 0.0 < excess_mpp
-        outside_mpm = 0.0 < excess_mpm
-        outside_mmp = 0.0 < excess_mmp
-        outside_mmm = 0.0 < excess_mmm
+        excess_ppp, excess_ppm = max(v80, abs(q5_ppp) - high5), max(v80, abs(q5_ppm) - high5)
+        excess_pmp, excess_pmm = max(v81, abs(q5_pmp) - high5), max(v81, abs(q5_pmm) - high5)
+        excess_mpp, excess_mpm = max(v82, abs(q5_mpp) - high5), max(v82, abs(q5_mpm) - high5)
+        excess_mmp, excess_mmm = max(v83, abs(q5_mmp) - high5), max(v83, abs(q5_mmm) - high5)
+        outside_ppp, outside_ppm, outside_pmp = 0.0 < excess_ppp, 0.0 < excess_ppm, 0.0 < excess_pmp
+        outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
+        outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
@@ -739,13 +583,8 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 19, 20, 21, 22],
-    [17, 18, 19, 23, 24, 25],
-    [17, 26, 27, 28, 29, 30],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22], [17, 18, 19, 23, 24, 25], [17, 26, 27, 28, 29, 30],
     [17, 26, 27, 31, 32, 33],
 ])
 

@@ -128,42 +128,21 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2 * k2
-    v2 = s1 * s2 * k2
-    z3_z = c2 * k2
-    v3 = s1 * k2
-    z3_x = v1 - v3
-    v4 = c1 * k2
-    z3_y = v2 + v4
-    v5 = v1 + v3
-    v6 = v4 - v2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v5 * s3
-    x3_y = x2_y * c3 + v6 * s3
-    v7 = s2 * c3 + z3_z * s3
-    v8 = v5 * c3 + x2_x * s3
-    y3_y = v6 * c3 - x2_y * s3
-    y3_z = s2 * s3 - z3_z * c3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    T[0, 0] = x3_x * c4 - v8 * s4
-    T[0, 1] = -(v8 * c4 + x3_x * s4)
-    T[0, 2] = z3_x
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2 * k2
+    v2, z3_z, v3 = s1 * s2 * k2, c2 * k2, s1 * k2
+    z3_x, v4 = v1 - v3, c1 * k2
+    z3_y, v5, v6 = v2 + v4, v1 + v3, v4 - v2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v7 = x2_x * c3 - v5 * s3, x2_y * c3 + v6 * s3, s2 * c3 + z3_z * s3
+    v8, y3_y, y3_z = v5 * c3 + x2_x * s3, v6 * c3 - x2_y * s3, s2 * s3 - z3_z * c3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    T[0, 0], T[0, 1], T[0, 2] = x3_x * c4 - v8 * s4, -(v8 * c4 + x3_x * s4), z3_x
     T[0, 3] = z3_x + x3_x * a3 + z3_x * d4
-    T[1, 0] = x3_y * c4 + y3_y * s4
-    T[1, 1] = y3_y * c4 - x3_y * s4
-    T[1, 2] = z3_y
+    T[1, 0], T[1, 1], T[1, 2] = x3_y * c4 + y3_y * s4, y3_y * c4 - x3_y * s4, z3_y
     T[1, 3] = z3_y + x3_y * a3 + z3_y * d4
-    T[2, 0] = y3_z * s4 - v7 * c4
-    T[2, 1] = y3_z * c4 + v7 * s4
-    T[2, 2] = z3_z
+    T[2, 0], T[2, 1], T[2, 2] = y3_z * s4 - v7 * c4, y3_z * c4 + v7 * s4, z3_z
     T[2, 3] = z3_z - v7 * a3 + z3_z * d4
     T[3, 3] = 1.0
     return T
@@ -175,42 +154,23 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    v1 = c1 * s2 * k2
-    v2 = s1 * s2 * k2
-    z3_z = c2 * k2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    v1, v2, z3_z = c1 * s2 * k2, s1 * s2 * k2, c2 * k2
     v3 = s1 * k2
-    z3_x = v1 - v3
-    v4 = c1 * k2
+    z3_x, v4 = v1 - v3, c1 * k2
     z3_y = v2 + v4
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
     p4_x = z3_x + (c1 * c2 * c3 - (v1 + v3) * s3) * a3 + z3_x * d4
     p4_y = z3_y + (s1 * c2 * c3 + (v4 - v2) * s3) * a3 + z3_y * d4
-    p4_z = z3_z - (s2 * c3 + z3_z * s3) * a3 + z3_z * d4
-    v5 = p4_x - z3_x
-    v6 = p4_y - z3_y
+    p4_z, v5, v6 = z3_z - (s2 * c3 + z3_z * s3) * a3 + z3_z * d4, p4_x - z3_x, p4_y - z3_y
     v7 = p4_z - z3_z
-    J[0, 0] = -p4_y
-    J[0, 1] = c1 * p4_z
-    J[0, 2] = z3_y * v7 - z3_z * v6
-    J[1, 0] = p4_x
-    J[1, 1] = s1 * p4_z
-    J[1, 2] = z3_z * v5 - z3_x * v7
-    J[2, 1] = -(s1 * p4_y + c1 * p4_x)
-    J[2, 2] = z3_x * v6 - z3_y * v5
-    J[3, 1] = -s1
-    J[3, 2] = z3_x
-    J[3, 3] = z3_x
-    J[4, 1] = c1
-    J[4, 2] = z3_y
-    J[4, 3] = z3_y
-    J[5, 0] = 1.0
-    J[5, 2] = z3_z
-    J[5, 3] = z3_z
+    J[0, 0], J[0, 1], J[0, 2] = -p4_y, c1 * p4_z, z3_y * v7 - z3_z * v6
+    J[1, 0], J[1, 1], J[1, 2] = p4_x, s1 * p4_z, z3_z * v5 - z3_x * v7
+    J[2, 1], J[2, 2] = -(s1 * p4_y + c1 * p4_x), z3_x * v6 - z3_y * v5
+    J[3, 1], J[3, 2], J[3, 3] = -s1, z3_x, z3_x
+    J[4, 1], J[4, 2], J[4, 3] = c1, z3_y, z3_y
+    J[5, 0], J[5, 2], J[5, 3] = 1.0, z3_z, z3_z
     return J
 
 
@@ -228,16 +188,14 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else k2 * math.sqrt(N1)))
-    v1 = T13 * k2
-    v2 = T23 * k2
+    v1, v2 = T13 * k2, T23 * k2
 
     # theta2, type 3: U1[3, 3] and U1[1, 3]
     v3 = k2 * T33
     v4 = v3 * v3
 
     # theta3, type 3: U2[3, 4] and U2[1, 4]
-    v10 = 2.0 * T24
-    v11 = 2.0 * T14
+    v10, v11 = 2.0 * T24, 2.0 * T14
 
     for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
@@ -254,38 +212,29 @@ def _solve(pose, q_free, seed, moved, q, status):
         w2 = math.sqrt(S2 * S2 + v4)
         short2 = w2 <= free_limit
         v5 = 1.0 / (1.0 if short2 else w2)
-        c2 = v3 * v5
-        v6 = S2 * v5
+        c2, v6 = v3 * v5, S2 * v5
         q2 = _atan2(-v6, c2)
 
         # theta34, type 3: U1[2, 2] and U1[2, 1]
         Z2_34 = T21 * c1 - T11 * s1
-        v7 = k2 * Z2_34
-        v8 = k2 * (T22 * c1 - T12 * s1)
+        v7, v8 = k2 * Z2_34, k2 * (T22 * c1 - T12 * s1)
         w34 = math.sqrt(v7 * v7 + v8 * v8)
         short34 = w34 <= free_limit
         v9 = 1.0 / (1.0 if short34 else w34)
-        c34 = v8 * v9
-        s34 = v7 * v9
+        c34, s34 = v8 * v9, v7 * v9
 
         # theta3
-        v12 = v6 * T34
-        v13 = a3 * (k1 * (s1 * v11 - c1 * v10 + k7))
+        v12, v13 = v6 * T34, a3 * (k1 * (s1 * v11 - c1 * v10 + k7))
         C3 = k2 * (c2 * (c1 * T14 + s1 * T24) + v12)
         w3 = math.sqrt(v13 * v13 + C3 * C3)
         short3 = w3 <= free_limit2
         factor3 = 1.0 / (1.0 if short3 else w3)
-        c3 = C3 * factor3
-        v14 = v13 * factor3
+        c3, v14 = C3 * factor3, v13 * factor3
         q3 = _atan2(-v14, c3)
 
         # is the pose one that the arm can take?
-        v15 = c1 * c2
-        v16 = c1 * v6
-        v17 = s1 * c2
-        v18 = s1 * v6
-        v19 = k1 * (sqrt2 * s34)
-        v20 = a3 * v14
+        v15, v16, v17 = c1 * c2, c1 * v6, s1 * c2
+        v18, v19, v20 = s1 * v6, k1 * (sqrt2 * s34), a3 * v14
         if (
             not (abs(c1 * T24 - s1 * T14 - k1 * (sqrt2 * (k6 - v20))) <= pose_slack1 and abs(T23 *
             c1 - T13 * s1 - k2) <= pose_slack and abs(Z2_34 - v19) <= pose_slack and abs(T14 * v16 +
@@ -300,9 +249,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         # joint values
         q4 = _wrap(_atan2(s34, c34) - q3)
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
+        q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
         q[row, 3] = q4
         status[row] = FREE_JOINT if free1 else OK
 
@@ -315,104 +262,66 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T33, T34 = kept[8 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T33, T34 = kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[2, 3]
         N1 = T13 * T13 + T23 * T23
         D1 = N1 - k3
-        w1 = math.sqrt(D1)
-        inverse1 = 1.0 / N1
-        v1 = k2 * T13
+        w1, inverse1, v1 = math.sqrt(D1), 1.0 / N1, k2 * T13
         v2 = k2 * T23
-        v3 = inverse1 * v2
-        v4 = w1 * (T13 * inverse1)
-        c1_p = v3 - v4
-        c1_m = v3 + v4
-        v5 = inverse1 * v1
+        v3, v4 = inverse1 * v2, w1 * (T13 * inverse1)
+        c1_p, c1_m, v5 = v3 - v4, v3 + v4, inverse1 * v1
         v6 = w1 * (T23 * inverse1)
-        v7 = v5 + v6
-        v8 = v5 - v6
+        v7, v8 = v5 + v6, v5 - v6
 
         # theta2, type 3: U1[3, 3] and U1[1, 3]
-        S2 = k2 * w1
-        v9 = k2 * T33
+        S2, v9 = k2 * w1, k2 * T33
         v10 = v9 * v9 + S2 * S2
-        w2 = math.sqrt(v10)
-        v11 = 1.0 / v10
+        w2, v11 = math.sqrt(v10), 1.0 / v10
         v12 = w2 * v11
-        c2 = v9 * v12
-        v13 = S2 * v12
+        c2, v13 = v9 * v12, S2 * v12
 
         # theta34, type 3: U1[2, 2] and U1[2, 1]
-        v14 = T23 * T11 - T13 * T21
-        v15 = m3 * (inverse1 * (v1 * T11 + v2 * T21))
-        v16 = v15 + w1 * (m3 * (inverse1 * v14))
-        v17 = v15 + w1 * (m3 * (inverse1 * -v14))
-        v18 = T23 * T12 - T13 * T22
-        v19 = m3 * (inverse1 * (v1 * T12 + v2 * T22))
-        v20 = v19 + w1 * (m3 * (inverse1 * v18))
-        v21 = v19 + w1 * (m3 * (inverse1 * -v18))
-        v22 = v16 * v16 + v20 * v20
-        v23 = v17 * v17 + v21 * v21
-        v24 = math.sqrt(v22) * (1.0 / v22)
-        v25 = math.sqrt(v23) * (1.0 / v23)
+        v14, v15 = T23 * T11 - T13 * T21, m3 * (inverse1 * (v1 * T11 + v2 * T21))
+        v16, v17 = v15 + w1 * (m3 * (inverse1 * v14)), v15 + w1 * (m3 * (inverse1 * -v14))
+        v18, v19 = T23 * T12 - T13 * T22, m3 * (inverse1 * (v1 * T12 + v2 * T22))
+        v20, v21 = v19 + w1 * (m3 * (inverse1 * v18)), v19 + w1 * (m3 * (inverse1 * -v18))
+        v22, v23 = v16 * v16 + v20 * v20, v17 * v17 + v21 * v21
+        v24, v25 = math.sqrt(v22) * (1.0 / v22), math.sqrt(v23) * (1.0 / v23)
 
         # theta3, type 3: U2[3, 4] and U2[1, 4]
-        v26 = 2.0 * T24
-        v27 = 2.0 * T14
-        v28 = v13 * T34
-        v29 = T13 * v26 - T23 * v27
-        v30 = m5 - m4 * (inverse1 * (v1 * v27 + v2 * v26))
-        v31 = v30 + w1 * (m4 * (inverse1 * v29))
-        v32 = v30 + w1 * (m4 * (inverse1 * -v29))
+        v26, v27, v28 = 2.0 * T24, 2.0 * T14, v13 * T34
+        v29, v30 = T13 * v26 - T23 * v27, m5 - m4 * (inverse1 * (v1 * v27 + v2 * v26))
+        v31, v32 = v30 + w1 * (m4 * (inverse1 * v29)), v30 + w1 * (m4 * (inverse1 * -v29))
         v33 = S2 * T34
         C3_p = w2 * (m3 * (v11 * (v33 + v9 * (c1_p * T14 - v7 * T24))))
         C3_m = w2 * (m3 * (v11 * (v9 * (c1_m * T14 - v8 * T24) - v33)))
-        v34 = v31 * v31 + C3_p * C3_p
-        v35 = v32 * v32 + C3_m * C3_m
-        factor3_p = math.sqrt(v34) * (1.0 / v34)
-        factor3_m = math.sqrt(v35) * (1.0 / v35)
+        v34, v35 = v31 * v31 + C3_p * C3_p, v32 * v32 + C3_m * C3_m
+        factor3_p, factor3_m = math.sqrt(v34) * (1.0 / v34), math.sqrt(v35) * (1.0 / v35)
 
         # is the pose one that the arm can take?
-        v36 = c1_p * c2
-        v37 = c1_m * c2
-        v38 = c1_p * v13
-        v39 = c1_m * v13
-        v40 = v7 * c2
-        v41 = v8 * c2
-        v42 = v7 * v13
-        v43 = v8 * v13
-        v44 = k1 * (sqrt2 * (v16 * v24))
-        v45 = k1 * (sqrt2 * (v17 * v25))
-        v46 = a3 * (v31 * factor3_p)
-        v47 = a3 * (v32 * factor3_m)
+        v36, v37, v38 = c1_p * c2, c1_m * c2, c1_p * v13
+        v39, v40, v41 = c1_m * v13, v7 * c2, v8 * c2
+        v42, v43, v44 = v7 * v13, v8 * v13, k1 * (sqrt2 * (v16 * v24))
+        v45, v46, v47 = k1 * (sqrt2 * (v17 * v25)), a3 * (v31 * factor3_p), a3 * (v32 * factor3_m)
         v48 = c1_p * T24 + v7 * T14 - k1 * (sqrt2 * (k6 - v46))
-        v49 = c1_m * T24 + v8 * T14 - k1 * (sqrt2 * (k6 - v47))
-        v50 = T23 * c1_p + T13 * v7 - k2
-        v51 = T23 * c1_m + T13 * v8 - k2
-        v52 = c1_p * T21 + v7 * T11 - v44
-        v53 = c1_m * T21 + v8 * T11 - v45
-        v54 = c2 * T34
+        v49, v50 = c1_m * T24 + v8 * T14 - k1 * (sqrt2 * (k6 - v47)), T23 * c1_p + T13 * v7 - k2
+        v51, v52 = T23 * c1_m + T13 * v8 - k2, c1_p * T21 + v7 * T11 - v44
+        v53, v54 = c1_m * T21 + v8 * T11 - v45, c2 * T34
         v55 = T14 * v38 - T24 * v42 - v54 + k1 * (sqrt2 * (k6 + v46))
-        v56 = T24 * v43 - T14 * v39 - v54 + k1 * (sqrt2 * (k6 + v47))
-        v57 = T33 * c2
-        v58 = k2 + (T13 * v38 - T23 * v42 - v57)
-        v59 = k2 + (T23 * v43 - T13 * v39 - v57)
+        v56, v57 = T24 * v43 - T14 * v39 - v54 + k1 * (sqrt2 * (k6 + v47)), T33 * c2
+        v58, v59 = k2 + (T13 * v38 - T23 * v42 - v57), k2 + (T23 * v43 - T13 * v39 - v57)
         v60 = c2 * T31
-        v61 = T11 * v38 - T21 * v42 - v60 - v44
-        v62 = T21 * v43 - T11 * v39 - v60 - v45
+        v61, v62 = T11 * v38 - T21 * v42 - v60 - v44, T21 * v43 - T11 * v39 - v60 - v45
         v63 = v28 + (T14 * v36 - T24 * v40) - a3 * (C3_p * factor3_p)
-        v64 = T14 * v37 - T24 * v41 - v28 - a3 * (C3_m * factor3_m)
-        v65 = v13 * T31
+        v64, v65 = T14 * v37 - T24 * v41 - v28 - a3 * (C3_m * factor3_m), v13 * T31
         v66 = v65 + (T11 * v36 - T21 * v40) - v20 * v24
-        v67 = T11 * v37 - T21 * v41 - v65 - v21 * v25
-        v68 = T33 * v13
-        v69 = v68 + (T13 * v36 - T23 * v40)
-        v70 = T13 * v37 - T23 * v41 - v68
-        v71 = v48 * v48 + v55 * v55 + v63 * v63
-        v72 = v49 * v49 + v56 * v56 + v64 * v64
+        v67, v68 = T11 * v37 - T21 * v41 - v65 - v21 * v25, T33 * v13
+        v69, v70 = v68 + (T13 * v36 - T23 * v40), T13 * v37 - T23 * v41 - v68
+        v71, v72 = v48 * v48 + v55 * v55 + v63 * v63, v49 * v49 + v56 * v56 + v64 * v64
         v73 = v50 * v50 + v52 * v52 + v58 * v58 + v61 * v61 + v66 * v66 + v69 * v69
         v74 = v51 * v51 + v53 * v53 + v59 * v59 + v62 * v62 + v67 * v67 + v70 * v70
 
@@ -427,11 +336,12 @@ def _formulas(kept, turns, rows, w):
             (m7 < v71 and v71 <= m8) or (m9 < v74 and v74 <= m10) or abs(D1) <= m1 or v10 <= m2 or
             (m9 < v73 and v73 <= m10) else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k], turns[1 * w + k] = v78, v79, -S2, -v31
-        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = -v32, v16, v17, -v7
-        turns[6 * w + k], turns[8 * w + k], turns[9 * w + k] = -v8, v9, C3_p
-        turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = C3_m, v20, v21
-        turns[13 * w + k], turns[14 * w + k] = c1_p, c1_m
+        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = v78, v79, -S2
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -v31, -v32, v16
+        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = v17, -v7, -v8
+        turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = v9, C3_p, C3_m
+        turns[11 * w + k], turns[12 * w + k], turns[13 * w + k] = v20, v21, c1_p
+        turns[14 * w + k] = c1_m
     if w == 1 and kept[16] != 0.0:
         return
     end = 8 if w == 1 else 7 * w
@@ -446,27 +356,22 @@ def _formulas(kept, turns, rows, w):
         angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
 
         # joint values
-        v75 = angle4 - angle2
-        v76 = angle5 - angle3
-        q1_p = v78 + angle6
-        q1_m = v79 + angle7
-        q2_p = angle1 + v78
-        q2_m = v79 - angle1
-        q3_p = angle2 + v78
-        q3_m = angle3 + v79
+        v75, v76, q1_p = angle4 - angle2, angle5 - angle3, v78 + angle6
+        q1_m, q2_p, q2_m = v79 + angle7, angle1 + v78, v79 - angle1
+        q3_p, q3_m = angle2 + v78, angle3 + v79
         q4_p = v78 + (v75 + (turn if v75 <= -half_turn else (-turn if half_turn < v75 else 0.0)))
         q4_m = v79 + (v76 + (turn if v76 <= -half_turn else (-turn if half_turn < v76 else 0.0)))
 
-        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k], rows[3 * w + k] = q1_p, q2_p, q3_p, q4_p
-        rows[4 * w + k], rows[5 * w + k], rows[6 * w + k], rows[7 * w + k] = q1_m, q2_m, q3_m, q4_m
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_p, q2_p, q3_p
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q4_p, q1_m, q2_m
+        rows[6 * w + k], rows[7 * w + k] = q3_m, q4_m
         rows[8 * w + k] = UNREACHABLE if q1_p != q1_p else OK
         rows[9 * w + k] = UNREACHABLE if q1_m != q1_m else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3],
-    [4, 5, 6, 7],
+    [0, 1, 2, 3], [4, 5, 6, 7],
 ])
 
 

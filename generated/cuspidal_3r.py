@@ -135,28 +135,16 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - s1 * s3
-    x3_y = x2_y * c3 + c1 * s3
-    v1 = s2 * c3
-    T[0, 0] = x3_x
-    T[0, 1] = -(s1 * c3 + x2_x * s3)
-    T[0, 2] = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2, s1 * c2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v1 = x2_x * c3 - s1 * s3, x2_y * c3 + c1 * s3, s2 * c3
+    T[0, 0], T[0, 1], T[0, 2] = x3_x, -(s1 * c3 + x2_x * s3), c1 * s2
     T[0, 3] = c1 * a1 + x2_x * a2 - s1 * d2 + x3_x * a3
-    T[1, 0] = x3_y
-    T[1, 1] = c1 * c3 - x2_y * s3
-    T[1, 2] = s1 * s2
+    T[1, 0], T[1, 1], T[1, 2] = x3_y, c1 * c3 - x2_y * s3, s1 * s2
     T[1, 3] = s1 * a1 + x2_y * a2 + c1 * d2 + x3_y * a3
-    T[2, 0] = -v1
-    T[2, 1] = s2 * s3
-    T[2, 2] = c2
+    T[2, 0], T[2, 1], T[2, 2] = -v1, s2 * s3, c2
     T[2, 3] = -(s2 * a2 + v1 * a3)
     T[3, 3] = 1.0
     return T
@@ -168,41 +156,22 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    z2_x = c1 * s2
-    z2_y = s1 * s2
-    v1 = s2 * a2
-    p2_x = p1_x + x2_x * a2 - s1 * d2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * a1, s1 * a1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, z2_x = c1 * c2, s1 * c2, c1 * s2
+    z2_y, v1, p2_x = s1 * s2, s2 * a2, p1_x + x2_x * a2 - s1 * d2
     p2_y = p1_y + x2_y * a2 + c1 * d2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    p3_x = p2_x + (x2_x * c3 - s1 * s3) * a3
-    p3_y = p2_y + (x2_y * c3 + c1 * s3) * a3
-    v2 = v1 + s2 * c3 * a3
-    v3 = p3_x - p2_x
-    v4 = p3_y - p2_y
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    p3_x, p3_y = p2_x + (x2_x * c3 - s1 * s3) * a3, p2_y + (x2_y * c3 + c1 * s3) * a3
+    v2, v3, v4 = v1 + s2 * c3 * a3, p3_x - p2_x, p3_y - p2_y
     v5 = v1 - v2
-    J[0, 0] = -p3_y
-    J[0, 1] = -(c1 * v2)
-    J[0, 2] = z2_y * v5 - c2 * v4
-    J[1, 0] = p3_x
-    J[1, 1] = -(s1 * v2)
-    J[1, 2] = c2 * v3 - z2_x * v5
-    J[2, 1] = -(s1 * (p3_y - p1_y) + c1 * (p3_x - p1_x))
-    J[2, 2] = z2_x * v4 - z2_y * v3
-    J[3, 1] = -s1
-    J[3, 2] = z2_x
-    J[4, 1] = c1
-    J[4, 2] = z2_y
-    J[5, 0] = 1.0
-    J[5, 2] = c2
+    J[0, 0], J[0, 1], J[0, 2] = -p3_y, -(c1 * v2), z2_y * v5 - c2 * v4
+    J[1, 0], J[1, 1], J[1, 2] = p3_x, -(s1 * v2), c2 * v3 - z2_x * v5
+    J[2, 1], J[2, 2] = -(s1 * (p3_y - p1_y) + c1 * (p3_x - p1_x)), z2_x * v4 - z2_y * v3
+    J[3, 1], J[3, 2] = -s1, z2_x
+    J[4, 1], J[4, 2] = c1, z2_y
+    J[5, 0], J[5, 2] = 1.0, c2
     return J
 
 
@@ -215,21 +184,12 @@ def _solve(pose, q_free, seed, moved, q, status):
     v1 = T14 * T14 + (T24 * T24 + (T34 * T34 + k3))
     R2c1 = 2.0 * (T14 * a1)
     R2s1 = 2.0 * (T24 * a1)
-    v2 = k1 + a3 * v1
-    v3 = a3 * R2c1 + k1 * T24
-    v4 = a3 * R2s1 - k1 * T14
-    v5 = k2 * T24
-    v6 = k2 * T14
-    v7 = v3 * v3
-    v8 = v4 * v4
-    v9 = 2.0 * v2
-    v10 = v5 * v5
+    v2, v3, v4 = k1 + a3 * v1, a3 * R2c1 + k1 * T24, a3 * R2s1 - k1 * T14
+    v5, v6, v7 = k2 * T24, k2 * T14, v3 * v3
+    v8, v9, v10 = v4 * v4, 2.0 * v2, v5 * v5
     v11 = v6 * v6
-    v12 = v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11))
-    v13 = v3 * v9 + v5 * k5
-    v14 = v6 * k5 - v4 * v9
-    v15 = k4 * (v7 - v8) + k4 * (v10 - v11)
-    v16 = v3 * v4 - v5 * v6
+    v12, v13 = v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11)), v3 * v9 + v5 * k5
+    v14, v15, v16 = v6 * k5 - v4 * v9, k4 * (v7 - v8) + k4 * (v10 - v11), v3 * v4 - v5 * v6
     v17 = v12 - k7
     free1 = abs(v17) + abs(v13) + abs(v14) + abs(v15) + abs(v16) <= free_limit6
     x1_roots, x1_close = _circle_roots(1.0 if free1 else v17, -1.0 if free1 else -v13, 0.0 if free1
@@ -241,8 +201,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (x1 <= 4.0):
             continue  # out of reach
         q1 = seed[0] if free1 else x1
-        c1 = math.cos(q1)
-        s1 = math.sin(q1)
+        c1, s1 = math.cos(q1), math.sin(q1)
 
         # theta3, type 3: U1[3, 4] and the squared length of column 4 of U1
         v18 = d2 + (T14 * s1 - T24 * c1)
@@ -261,9 +220,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         s2 = math.sin(seed[1]) if free2 else -(v19 * factor2)
         q2 = _atan2(s2, c2)
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
+        q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
         status[row] = (
             FREE_JOINT if free1 or free2 else _status.CLOSE if x1_close[i1] or near2 else OK
         )

@@ -105,16 +105,10 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    T[0, 0] = c1
-    T[0, 2] = -s1
-    T[0, 3] = -(s1 * q[2])
-    T[1, 0] = s1
-    T[1, 2] = c1
-    T[1, 3] = c1 * q[2]
-    T[2, 1] = -1.0
-    T[2, 3] = d1 + q[1]
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    T[0, 0], T[0, 2], T[0, 3] = c1, -s1, -(s1 * q[2])
+    T[1, 0], T[1, 2], T[1, 3] = s1, c1, c1 * q[2]
+    T[2, 1], T[2, 3] = -1.0, d1 + q[1]
     T[3, 3] = 1.0
     return T
 
@@ -125,12 +119,9 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    J[0, 0] = -(c1 * q[2])
-    J[0, 2] = -s1
-    J[1, 0] = -(s1 * q[2])
-    J[1, 2] = c1
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    J[0, 0], J[0, 2] = -(c1 * q[2]), -s1
+    J[1, 0], J[1, 2] = -(s1 * q[2]), c1
     J[2, 1] = 1.0
     J[5, 0] = 1.0
     return J
@@ -148,8 +139,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     w1 = math.sqrt(T21 * T21 + T11 * T11)
     short1 = w1 <= free_limit
     v1 = 1.0 / (1.0 if short1 else w1)
-    c1 = T11 * v1
-    s1 = T21 * v1
+    c1, s1 = T11 * v1, T21 * v1
     q1 = _atan2(s1, c1)
 
     # r3, type 1: U1[2, 4]
@@ -164,9 +154,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     ):
         return  # the arm can't take this pose
     row = 0
-    q[row, 0] = q1
-    q[row, 1] = r2
-    q[row, 2] = r3
+    q[row, 0], q[row, 1], q[row, 2] = q1, r2, r3
     status[row] = OK
 
 
@@ -178,38 +166,33 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T13, T14, T21 = kept[0 * w + k], kept[2 * w + k], kept[3 * w + k], kept[4 * w + k]
-        T23, T24, T31, T33 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k], kept[10 * w + k]
-        T34 = kept[11 * w + k]
+        T11, T13, T14 = kept[0 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T23, T24 = kept[4 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T33, T34 = kept[8 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # r2, type 1: U0[3, 4]
         q2 = T34 - d1
 
         # theta1, type 3: U0[2, 1] and U0[1, 1]
         v1 = T21 * T21 + T11 * T11
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
         v3 = w1 * v2
-        c1 = T11 * v3
-        s1 = T21 * v3
+        c1, s1 = T11 * v3, T21 * v3
 
         # r3, type 1: U1[2, 4]
         q3 = w1 * (v2 * (T11 * T24 - T21 * T14))
 
         # is the pose one that the arm can take?
-        v4 = T34 - (d1 + q2)
-        v5 = T24 - c1 * q3
-        v6 = T23 - c1
-        v7 = T14 + s1 * q3
-        v8 = s1 + T13
-        v9 = v1 - 1.0
+        v4, v5, v6 = T34 - (d1 + q2), T24 - c1 * q3, T23 - c1
+        v7, v8, v9 = T14 + s1 * q3, s1 + T13, v1 - 1.0
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
             1.0 if m1 < v4 * v4 + v5 * v5 + v7 * v7 or m2 < T33 * T33 + T31 * T31 + v6 * v6 + v8 *
             v8 + v9 * v9 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k], turns[1 * w + k] = q2, q3, T21, T11
+        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = q2, q3, T21
+        turns[1 * w + k] = T11
     if w == 1 and kept[16] != 0.0:
         return
     for k in range(0 * w, 1 * w):

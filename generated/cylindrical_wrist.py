@@ -113,35 +113,19 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = c1 * c4
-    x4_y = s1 * c4
-    v1 = c1 * s4
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, v1 = c1 * c4, s1 * c4, c1 * s4
     v2 = s1 * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + s1 * s5
-    x5_y = x4_y * c5 - c1 * s5
-    v3 = s4 * c5
-    z5_y = c1 * c5 + x4_y * s5
-    v4 = s4 * s5
-    z5_x = x4_x * s5 - s1 * c5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 - v1 * s6
-    T[0, 1] = -(v1 * c6 + x5_x * s6)
-    T[0, 2] = z5_x
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, v3 = x4_x * c5 + s1 * s5, x4_y * c5 - c1 * s5, s4 * c5
+    z5_y, v4, z5_x = c1 * c5 + x4_y * s5, s4 * s5, x4_x * s5 - s1 * c5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 - v1 * s6, -(v1 * c6 + x5_x * s6), z5_x
     T[0, 3] = z5_x * d6 - s1 * q[2]
-    T[1, 0] = x5_y * c6 - v2 * s6
-    T[1, 1] = -(v2 * c6 + x5_y * s6)
-    T[1, 2] = z5_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 - v2 * s6, -(v2 * c6 + x5_y * s6), z5_y
     T[1, 3] = c1 * q[2] + z5_y * d6
-    T[2, 0] = -(v3 * c6 + c4 * s6)
-    T[2, 1] = v3 * s6 - c4 * c6
-    T[2, 2] = -v4
+    T[2, 0], T[2, 1], T[2, 2] = -(v3 * c6 + c4 * s6), v3 * s6 - c4 * c6, -v4
     T[2, 3] = d1 + q[1] - v4 * d6
     T[3, 3] = 1.0
     return T
@@ -153,48 +137,23 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p2_z = d1 + q[1]
-    v1 = s1 * q[2]
-    p3_y = c1 * q[2]
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    v2 = c1 * s4
-    v3 = s1 * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    z5_y = c1 * c5 + s1 * c4 * s5
-    v4 = s4 * s5
-    z5_x = c1 * c4 * s5 - s1 * c5
-    p6_x = z5_x * d6 - v1
-    p6_y = p3_y + z5_y * d6
-    v5 = v1 + p6_x
-    v6 = p6_y - p3_y
-    v7 = p2_z - v4 * d6 - p2_z
-    J[0, 0] = -p6_y
-    J[0, 2] = -s1
-    J[0, 3] = c1 * v7
-    J[0, 4] = c4 * v6 - v3 * v7
-    J[0, 5] = z5_y * v7 + v4 * v6
-    J[1, 0] = p6_x
-    J[1, 2] = c1
-    J[1, 3] = s1 * v7
-    J[1, 4] = v2 * v7 - c4 * v5
-    J[1, 5] = -(v4 * v5 + z5_x * v7)
-    J[2, 1] = 1.0
-    J[2, 3] = -(s1 * v6 + c1 * v5)
-    J[2, 4] = v3 * v5 - v2 * v6
+    c1, s1, p2_z = math.cos(q[0]), math.sin(q[0]), d1 + q[1]
+    v1, p3_y = s1 * q[2], c1 * q[2]
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    v2, v3 = c1 * s4, s1 * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    z5_y, v4, z5_x = c1 * c5 + s1 * c4 * s5, s4 * s5, c1 * c4 * s5 - s1 * c5
+    p6_x, p6_y = z5_x * d6 - v1, p3_y + z5_y * d6
+    v5, v6, v7 = v1 + p6_x, p6_y - p3_y, p2_z - v4 * d6 - p2_z
+    J[0, 0], J[0, 2], J[0, 3] = -p6_y, -s1, c1 * v7
+    J[0, 4], J[0, 5] = c4 * v6 - v3 * v7, z5_y * v7 + v4 * v6
+    J[1, 0], J[1, 2], J[1, 3] = p6_x, c1, s1 * v7
+    J[1, 4], J[1, 5] = v2 * v7 - c4 * v5, -(v4 * v5 + z5_x * v7)
+    J[2, 1], J[2, 3], J[2, 4] = 1.0, -(s1 * v6 + c1 * v5), v3 * v5 - v2 * v6
     J[2, 5] = z5_x * v6 - z5_y * v5
-    J[3, 3] = -s1
-    J[3, 4] = -v2
-    J[3, 5] = z5_x
-    J[4, 3] = c1
-    J[4, 4] = -v3
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 4] = -c4
-    J[5, 5] = -v4
+    J[3, 3], J[3, 4], J[3, 5] = -s1, -v2, z5_x
+    J[4, 3], J[4, 4], J[4, 5] = c1, -v3, z5_y
+    J[5, 0], J[5, 4], J[5, 5] = 1.0, -c4, -v4
     return J
 
 
@@ -238,8 +197,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         c5 = T23 * c1 - T13 * s1
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v3 = T12 * c1 + T22 * s1
-        v4 = T11 * c1 + T21 * s1
+        v3, v4 = T12 * c1 + T22 * s1, T11 * c1 + T21 * s1
 
         for i2 in range(2):  # noflip, flip
             e4 = 1.0 - 2.0 * i2
@@ -257,12 +215,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             # theta6
             q6 = _atan2(-(T31 * c4 + s4 * v4), -(T32 * c4 + s4 * v3))
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = r2
-            q[row, 2] = r3
-            q[row, 3] = q4
-            q[row, 4] = q5
-            q[row, 5] = q6
+            q[row, 0], q[row, 1], q[row, 2] = q1, r2, r3
+            q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
             status[row] = FREE_JOINT if free1 or free4 else OK
 
 
@@ -274,16 +228,16 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # r2, type 1: U0 A6^-1 [3, 4]
         q2_pp = T34 - d6 * T33 - d1
 
         # theta1, r3, type 4: U0 A6^-1 [1, 4] and U0 A6^-1 [2, 4]
-        wy = T24 - d6 * T23
-        s1 = d6 * T13 - T14
+        wy, s1 = T24 - d6 * T23, d6 * T13 - T14
         v1 = s1 * s1 + wy * wy
         q3_pp = math.sqrt(v1)
         factor1 = q3_pp * (1.0 / v1)
@@ -299,9 +253,10 @@ def _formulas(kept, turns, rows, w):
         # a joint is free, or branches meet
         kept[16 * w + k] = 1.0 if v1 <= m1 or v3 <= m3 else kept[16 * w + k]
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = q2_pp, s1, q3_pp
-        kept[20 * w + k], kept[21 * w + k], turns[0 * w + k], turns[1 * w + k] = v3, v4, s1, T33
-        turns[2 * w + k], turns[3 * w + k], turns[8 * w + k] = -math.sqrt(v3), v4, wy
-        turns[9 * w + k], turns[10 * w + k] = -v2, factor1 * (T23 * wy - T13 * s1)
+        kept[20 * w + k], kept[21 * w + k], turns[0 * w + k] = v3, v4, s1
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = T33, -math.sqrt(v3), v4
+        turns[8 * w + k], turns[9 * w + k] = wy, -v2
+        turns[10 * w + k] = factor1 * (T23 * wy - T13 * s1)
         turns[11 * w + k] = X4 * T32 - T33 * (wy * T12 + s1 * T22)
     if w == 1 and kept[16] != 0.0:
         return
@@ -334,18 +289,13 @@ def _formulas(kept, turns, rows, w):
         rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q4_pm, -angle3, q6_pm
         rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = q1_mp, -q3_pp, -q4_pm
         rows[12 * w + k], rows[13 * w + k], rows[14 * w + k] = q5_mp, -angle2, -q5_mp
-        rows[15 * w + k] = UNREACHABLE if angle1 != angle1 else OK
-        rows[16 * w + k] = UNREACHABLE if angle1 != angle1 else OK
-        rows[17 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
-        rows[18 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
+        rows[15 * w + k] = rows[16 * w + k] = UNREACHABLE if angle1 != angle1 else OK
+        rows[17 * w + k] = rows[18 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [9, 1, 10, 11, 12, 8],
-    [9, 1, 10, 13, 14, 5],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [9, 1, 10, 11, 12, 8], [9, 1, 10, 13, 14, 5],
 ])
 
 

@@ -118,27 +118,16 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3
-    x3_y = x2_y * c3
-    T[0, 0] = x3_x
-    T[0, 1] = -(x2_x * s3)
-    T[0, 2] = x2_y
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y = x2_x * c3, x2_y * c3
+    T[0, 0], T[0, 1], T[0, 2] = x3_x, -(x2_x * s3), x2_y
     T[0, 3] = c1 * crank + x3_x * rod
-    T[1, 0] = x3_y
-    T[1, 1] = -(x2_y * s3)
-    T[1, 2] = -x2_x
+    T[1, 0], T[1, 1], T[1, 2] = x3_y, -(x2_y * s3), -x2_x
     T[1, 3] = s1 * crank + x3_y * rod
-    T[2, 0] = s3
-    T[2, 1] = c3
-    T[2, 3] = s3 * rod
+    T[2, 0], T[2, 1], T[2, 3] = s3, c3, s3 * rod
     T[3, 3] = 1.0
     return T
 
@@ -149,32 +138,19 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * crank
-    p1_y = s1 * crank
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    p3_x = p1_x + x2_x * c3 * rod
-    p3_y = p1_y + x2_y * c3 * rod
-    p3_z = s3 * rod
-    J22 = p3_x - p1_x
-    v1 = p3_y - p1_y
-    J[0, 0] = -p3_y
-    J[0, 1] = -v1
-    J[0, 2] = -x2_x * p3_z
-    J[1, 0] = p3_x
-    J[1, 1] = J22
-    J[1, 2] = -(x2_y * p3_z)
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * crank, s1 * crank
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    p3_x, p3_y, p3_z = p1_x + x2_x * c3 * rod, p1_y + x2_y * c3 * rod, s3 * rod
+    J22, v1 = p3_x - p1_x, p3_y - p1_y
+    J[0, 0], J[0, 1], J[0, 2] = -p3_y, -v1, -x2_x * p3_z
+    J[1, 0], J[1, 1], J[1, 2] = p3_x, J22, -(x2_y * p3_z)
     J[2, 2] = x2_y * v1 - -x2_x * J22
     J[3, 2] = x2_y
     J[4, 2] = -x2_x
-    J[5, 0] = 1.0
-    J[5, 1] = 1.0
+    J[5, 0], J[5, 1] = 1.0, 1.0
     return J
 
 
@@ -197,8 +173,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v1 * math.sqrt(N1)))
-    v3 = X1 * Z1
-    v4 = Y1 * Z1
+    v3, v4 = X1 * Z1, Y1 * Z1
 
     # theta3, type 3: U2[2, 4] and U2[1, 4]
     s3 = T34 * rod * k2
@@ -231,14 +206,11 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _atan2(s2, c2)
 
             # theta3
-            c12 = c1 * c2 - s1 * s2
-            s12 = s1 * c2 + c1 * s2
+            c12, s12 = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
             c3 = rod * (T14 * c12 + T24 * s12 - crank * c2) * k2
             q3 = _atan2(s3, c3)
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
@@ -253,33 +225,21 @@ def _formulas(kept, turns, rows, w):
         T14, T24, T34 = kept[3 * w + k], kept[7 * w + k], kept[11 * w + k]
 
         # theta1, type 2: the squared length of column 4 of U1
-        X1 = crank * T24 * 2.0
-        Y1 = 2.0 * (crank * T14)
-        N1 = X1 * X1 + Y1 * Y1
-        Z1 = T14 * T14 + (T24 * T24 + (k1 + T34 * T34))
+        X1, Y1 = crank * T24 * 2.0, 2.0 * (crank * T14)
+        N1, Z1 = X1 * X1 + Y1 * Y1, T14 * T14 + (T24 * T24 + (k1 + T34 * T34))
         D1 = N1 - Z1 * Z1
-        w1 = math.sqrt(D1)
-        inverse1 = 1.0 / N1
-        v1 = X1 * Z1
+        w1, inverse1, v1 = math.sqrt(D1), 1.0 / N1, X1 * Z1
         v2 = Y1 * Z1
-        v3 = inverse1 * v2
-        v4 = w1 * (X1 * inverse1)
-        c1_p = v3 - v4
-        c1_m = v3 + v4
-        v5 = inverse1 * v1
+        v3, v4 = inverse1 * v2, w1 * (X1 * inverse1)
+        c1_p, c1_m, v5 = v3 - v4, v3 + v4, inverse1 * v1
         v6 = w1 * (Y1 * inverse1)
-        s1_p = v5 + v6
-        s1_m = v5 - v6
+        s1_p, s1_m = v5 + v6, v5 - v6
 
         # theta2, type 2: U2[3, 4]
-        v7 = X1 * T14 - T24 * Y1
-        v8 = m2 - inverse1 * (T24 * v1 + T14 * v2)
-        X2_p = v8 + w1 * (inverse1 * v7)
-        X2_m = v8 + w1 * (inverse1 * -v7)
-        Y2_p = T24 * c1_p - T14 * s1_p
-        Y2_m = T24 * c1_m - T14 * s1_m
-        v9 = X2_p * X2_p + Y2_p * Y2_p
-        v10 = X2_m * X2_m + Y2_m * Y2_m
+        v7, v8 = X1 * T14 - T24 * Y1, m2 - inverse1 * (T24 * v1 + T14 * v2)
+        X2_p, X2_m = v8 + w1 * (inverse1 * v7), v8 + w1 * (inverse1 * -v7)
+        Y2_p, Y2_m = T24 * c1_p - T14 * s1_p, T24 * c1_m - T14 * s1_m
+        v9, v10 = X2_p * X2_p + Y2_p * Y2_p, X2_m * X2_m + Y2_m * Y2_m
 
         # theta3, type 3: U2[2, 4] and U2[1, 4]
         s3 = k2 * (rod * T34)
@@ -292,8 +252,9 @@ def _formulas(kept, turns, rows, w):
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y2_p, Y2_m, v11
         turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = s1_p, s1_m, Y2_p
-        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k], turns[8 * w + k] = Y2_m, s3, s3, c1_p
-        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = c1_m, -X2_p, -X2_m
+        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = Y2_m, s3, s3
+        turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = c1_p, c1_m, -X2_p
+        turns[11 * w + k] = -X2_m
         turns[12 * w + k] = (
             math.sqrt(v9) * (1.0 / v9) * (k2 * (rod * (T24 * (c1_p * Y2_p - s1_p * X2_p) - T14 *
             (c1_p * X2_p + s1_p * Y2_p) + crank * X2_p)))
@@ -320,19 +281,13 @@ def _formulas(kept, turns, rows, w):
         q2_mm = angle4 - math.copysign(half_turn, Y2_m)
 
         # theta3, type 3: U2[2, 4] and U2[1, 4]
-        q3_pm = v11 - angle5
-        q3_mm = v11 - angle6
+        q3_pm, q3_mm = v11 - angle5, v11 - angle6
 
         # joint values
-        v12 = max(low1 - angle1, angle1 - high1)
-        v13 = max(low1 - angle2, angle2 - high1)
-        excess_pp = max(v12, abs(angle5) - high3)
-        excess_pm = max(v12, abs(q3_pm) - high3)
-        excess_mp = max(v13, abs(angle6) - high3)
-        excess_mm = max(v13, abs(q3_mm) - high3)
-        outside_pp = 0.0 < excess_pp
-        outside_pm = 0.0 < excess_pm
-        outside_mp = 0.0 < excess_mp
+        v12, v13 = max(low1 - angle1, angle1 - high1), max(low1 - angle2, angle2 - high1)
+        excess_pp, excess_pm = max(v12, abs(angle5) - high3), max(v12, abs(q3_pm) - high3)
+        excess_mp, excess_mm = max(v13, abs(angle6) - high3), max(v13, abs(q3_mm) - high3)
+        outside_pp, outside_pm, outside_mp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
         outside_mm = 0.0 < excess_mm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
@@ -361,10 +316,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [0, 3, 4],
-    [5, 6, 7],
-    [5, 8, 9],
+    [0, 1, 2], [0, 3, 4], [5, 6, 7], [5, 8, 9],
 ])
 
 

@@ -153,54 +153,26 @@ def fk(q):
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v3 = c1 * s2
-    v4 = s1 * s2
-    v5 = q[2] + offset3
-    c3 = math.cos(v5)
-    s3 = math.sin(v5)
-    x3_x = x2_x * c3 - v3 * s3
-    x3_y = x2_y * c3 - v4 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v6 = v3 * c3 + x2_x * s3
-    v7 = v4 * c3 + x2_y * s3
-    z3_z = c2 * c3 - s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - s1 * s4
-    x4_y = x3_y * c4 + c1 * s4
-    x4_z = x3_z * c4
-    z4_x = s1 * c4 + x3_x * s4
-    z4_z = x3_z * s4
-    z4_y = x3_y * s4 - c1 * c4
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, x2_y, v3 = c1 * c2, s1 * c2, c1 * s2
+    v4, v5 = s1 * s2, q[2] + offset3
+    c3, s3 = math.cos(v5), math.sin(v5)
+    x3_x, x3_y, x3_z = x2_x * c3 - v3 * s3, x2_y * c3 - v4 * s3, s2 * c3 + c2 * s3
+    v6, v7, z3_z = v3 * c3 + x2_x * s3, v4 * c3 + x2_y * s3, c2 * c3 - s2 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 - s1 * s4, x3_y * c4 + c1 * s4, x3_z * c4
+    z4_x, z4_z, z4_y = s1 * c4 + x3_x * s4, x3_z * s4, x3_y * s4 - c1 * c4
     v8 = q[4] + offset5
-    c5 = math.cos(v8)
-    s5 = math.sin(v8)
-    x5_x = x4_x * c5 - v6 * s5
-    x5_y = x4_y * c5 - v7 * s5
-    x5_z = x4_z * c5 + z3_z * s5
-    z5_x = v6 * c5 + x4_x * s5
-    z5_y = v7 * c5 + x4_y * s5
-    z5_z = x4_z * s5 - z3_z * c5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 + z4_x * s6
-    T[0, 1] = z4_x * c6 - x5_x * s6
-    T[0, 2] = z5_x
+    c5, s5 = math.cos(v8), math.sin(v8)
+    x5_x, x5_y, x5_z = x4_x * c5 - v6 * s5, x4_y * c5 - v7 * s5, x4_z * c5 + z3_z * s5
+    z5_x, z5_y, z5_z = v6 * c5 + x4_x * s5, v7 * c5 + x4_y * s5, x4_z * s5 - z3_z * c5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + z4_x * s6, z4_x * c6 - x5_x * s6, z5_x
     T[0, 3] = x2_x * a2 + x3_x * a3 - v6 * d4 + z5_x * d6
-    T[1, 0] = x5_y * c6 + z4_y * s6
-    T[1, 1] = z4_y * c6 - x5_y * s6
-    T[1, 2] = z5_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + z4_y * s6, z4_y * c6 - x5_y * s6, z5_y
     T[1, 3] = x2_y * a2 + x3_y * a3 - v7 * d4 + z5_y * d6
-    T[2, 0] = x5_z * c6 + z4_z * s6
-    T[2, 1] = z4_z * c6 - x5_z * s6
-    T[2, 2] = z5_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 + z4_z * s6, z4_z * c6 - x5_z * s6, z5_z
     T[2, 3] = d1 + s2 * a2 + x3_z * a3 + z3_z * d4 + z5_z * d6
     T[3, 3] = 1.0
     return T
@@ -213,85 +185,40 @@ def jacobian(q):
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v3 = c1 * s2
-    v4 = s1 * s2
-    p2_x = x2_x * a2
-    p2_y = x2_y * a2
-    p2_z = d1 + s2 * a2
-    v5 = q[2] + offset3
-    c3 = math.cos(v5)
-    s3 = math.sin(v5)
-    x3_x = x2_x * c3 - v3 * s3
-    x3_y = x2_y * c3 - v4 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v6 = v3 * c3 + x2_x * s3
-    v7 = v4 * c3 + x2_y * s3
-    z3_z = c2 * c3 - s2 * s3
-    p3_x = p2_x + x3_x * a3
-    p3_y = p2_y + x3_y * a3
-    p3_z = p2_z + x3_z * a3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    z4_x = s1 * c4 + x3_x * s4
-    z4_z = x3_z * s4
-    p4_x = p3_x - v6 * d4
-    p4_y = p3_y - v7 * d4
-    p4_z = p3_z + z3_z * d4
-    z4_y = x3_y * s4 - c1 * c4
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, x2_y, v3 = c1 * c2, s1 * c2, c1 * s2
+    v4, p2_x, p2_y = s1 * s2, x2_x * a2, x2_y * a2
+    p2_z, v5 = d1 + s2 * a2, q[2] + offset3
+    c3, s3 = math.cos(v5), math.sin(v5)
+    x3_x, x3_y, x3_z = x2_x * c3 - v3 * s3, x2_y * c3 - v4 * s3, s2 * c3 + c2 * s3
+    v6, v7, z3_z = v3 * c3 + x2_x * s3, v4 * c3 + x2_y * s3, c2 * c3 - s2 * s3
+    p3_x, p3_y, p3_z = p2_x + x3_x * a3, p2_y + x3_y * a3, p2_z + x3_z * a3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    z4_x, z4_z, p4_x = s1 * c4 + x3_x * s4, x3_z * s4, p3_x - v6 * d4
+    p4_y, p4_z, z4_y = p3_y - v7 * d4, p3_z + z3_z * d4, x3_y * s4 - c1 * c4
     v8 = q[4] + offset5
-    c5 = math.cos(v8)
-    s5 = math.sin(v8)
-    z5_x = v6 * c5 + (x3_x * c4 - s1 * s4) * s5
-    z5_y = v7 * c5 + (x3_y * c4 + c1 * s4) * s5
-    z5_z = x3_z * c4 * s5 - z3_z * c5
-    p6_x = p4_x + z5_x * d6
-    p6_y = p4_y + z5_y * d6
+    c5, s5 = math.cos(v8), math.sin(v8)
+    z5_x, z5_y = v6 * c5 + (x3_x * c4 - s1 * s4) * s5, v7 * c5 + (x3_y * c4 + c1 * s4) * s5
+    z5_z, p6_x, p6_y = x3_z * c4 * s5 - z3_z * c5, p4_x + z5_x * d6, p4_y + z5_y * d6
     p6_z = p4_z + z5_z * d6
-    v9 = p6_z - d1
-    v10 = p6_z - p2_z
-    v11 = p6_x - p3_x
-    v12 = p6_y - p3_y
-    v13 = p6_z - p3_z
-    v14 = p6_x - p4_x
-    v15 = p6_y - p4_y
-    v16 = p6_z - p4_z
-    J[0, 0] = -p6_y
-    J[0, 1] = -(c1 * v9)
-    J[0, 2] = -(c1 * v10)
-    J[0, 3] = -(v7 * v13 + z3_z * v12)
-    J[0, 4] = z4_y * v16 - z4_z * v15
+    v9, v10, v11 = p6_z - d1, p6_z - p2_z, p6_x - p3_x
+    v12, v13, v14 = p6_y - p3_y, p6_z - p3_z, p6_x - p4_x
+    v15, v16 = p6_y - p4_y, p6_z - p4_z
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, -(c1 * v9), -(c1 * v10)
+    J[0, 3], J[0, 4] = -(v7 * v13 + z3_z * v12), z4_y * v16 - z4_z * v15
     J[0, 5] = z5_y * v16 - z5_z * v15
-    J[1, 0] = p6_x
-    J[1, 1] = -(s1 * v9)
-    J[1, 2] = -(s1 * v10)
-    J[1, 3] = z3_z * v11 + v6 * v13
-    J[1, 4] = z4_z * v14 - z4_x * v16
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, -(s1 * v9), -(s1 * v10)
+    J[1, 3], J[1, 4] = z3_z * v11 + v6 * v13, z4_z * v14 - z4_x * v16
     J[1, 5] = z5_z * v14 - z5_x * v16
-    J[2, 1] = s1 * p6_y + c1 * p6_x
-    J[2, 2] = s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)
-    J[2, 3] = v7 * v11 - v6 * v12
-    J[2, 4] = z4_x * v15 - z4_y * v14
+    J[2, 1], J[2, 2] = s1 * p6_y + c1 * p6_x, s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)
+    J[2, 3], J[2, 4] = v7 * v11 - v6 * v12, z4_x * v15 - z4_y * v14
     J[2, 5] = z5_x * v15 - z5_y * v14
-    J[3, 1] = s1
-    J[3, 2] = s1
-    J[3, 3] = -v6
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = -c1
-    J[4, 2] = -c1
-    J[4, 3] = -v7
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 3] = z3_z
-    J[5, 4] = z4_z
+    J[3, 1], J[3, 2], J[3, 3] = s1, s1, -v6
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = -c1, -c1, -v7
+    J[4, 4], J[4, 5] = z4_y, z5_y
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, z3_z, z4_z
     J[5, 5] = z5_z
     return J
 
@@ -335,8 +262,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v3 = k1 * K3
-        v4 = k2 * K3
+        v3, v4 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[3, 3]
         v6 = T13 * c1 + T23 * s1
@@ -344,9 +270,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v8 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v9 = T12 * s1 - T22 * c1
-        v10 = T12 * c1 + T22 * s1
-        v12 = T11 * s1 - T21 * c1
+        v9, v10, v12 = T12 * s1 - T22 * c1, T12 * c1 + T22 * s1, T11 * s1 - T21 * c1
         v13 = T11 * c1 + T21 * s1
 
         # joint values
@@ -358,8 +282,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e3
-            s3 = (k2 * root3 - v3) * k4
-            c3 = k4 * (v4 + k1 * root3)
+            s3, c3 = (k2 * root3 - v3) * k4, k4 * (v4 + k1 * root3)
 
             # theta2
             X1_2 = a2 + (a3 * c3 - d4 * s3)
@@ -373,8 +296,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             s2 = math.sin(v5) if free2 else S2 * factor2
 
             # theta4
-            c23 = c3 * c2 - s3 * s2
-            s23 = c3 * s2 + s3 * c2
+            c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
             v7 = c23 * v6 + T33 * s23
             w4 = math.sqrt(v7 * v7 + v8)
             free4 = w4 <= free_limit
@@ -384,8 +306,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = s23 * v6 - T33 * c23
 
             # theta6
-            v11 = c23 * v10 + T32 * s23
-            v14 = c23 * v13 + T31 * s23
+            v11, v14 = c23 * v10 + T32 * s23, c23 * v13 + T31 * s23
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -403,19 +324,14 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s5 = w4 * e4
 
                 # theta6
-                c6 = c4 * v9 + s4 * v11
-                s6 = c4 * v12 + s4 * v14
+                c6, s6 = c4 * v9 + s4 * v11, c4 * v12 + s4 * v14
                 q6 = _atan2(s6, c6)
 
                 # joint values
                 q5 = _wrap(_atan2(s5, c5) - offset5)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -427,79 +343,52 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        X1 = d6 * T13 - T14
-        wy = T24 - d6 * T23
+        X1, wy = d6 * T13 - T14, T24 - d6 * T23
         v1 = X1 * X1 + wy * wy
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
 
         # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         Z1_3 = T34 - d6 * T33 - d1
         N3 = v1 + Z1_3 * Z1_3
         D3 = (longest3 - N3) * (N3 - shortest3)
         w3 = math.sqrt(D3)
-        v3 = w3 - w3
-        v4 = m4 - m5 * N3
-        v5 = m3 * w3
-        s3_p = v4 + v5
-        s3_m = v4 - v5
-        v6 = m3 * N3 - m6
+        v3, v4, v5 = w3 - w3, m4 - m5 * N3, m3 * w3
+        s3_p, s3_m, v6 = v4 + v5, v4 - v5, m3 * N3 - m6
         v7 = m5 * w3
-        c3_p = v6 + v7
-        c3_m = v6 - v7
+        c3_p, c3_m = v6 + v7, v6 - v7
 
         # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         X1_2 = m8 + m7 * N3
-        v8 = Z1_3 * X1_2
-        v9 = w3 * (m7 * w1)
-        S2_pp = v8 - v9
-        S2_pm = v8 + v9
-        v10 = w3 * (m7 * Z1_3)
-        v11 = w3 * (m7 * -Z1_3)
-        v12 = w1 * X1_2
-        C2_pp = v10 + v12
-        C2_pm = v11 + v12
-        C2_mp = v10 - v12
-        C2_mm = v11 - v12
-        factor2 = 1.0 / N3
+        v8, v9 = Z1_3 * X1_2, w3 * (m7 * w1)
+        S2_pp, S2_pm, v10 = v8 - v9, v8 + v9, w3 * (m7 * Z1_3)
+        v11, v12 = w3 * (m7 * -Z1_3), w1 * X1_2
+        C2_pp, C2_pm, C2_mp = v10 + v12, v11 + v12, v10 - v12
+        C2_mm, factor2 = v11 - v12, 1.0 / N3
 
         # theta4, type 2: U4[3, 3]
-        c23_pp = c3_p * C2_pp - s3_p * S2_pp
-        c23_pm = c3_m * C2_pm - s3_m * S2_pm
-        c23_mp = c3_p * C2_mp - s3_p * S2_pm
-        c23_mm = c3_m * C2_mm - s3_m * S2_pp
-        s23_pp = c3_p * S2_pp + s3_p * C2_pp
-        s23_pm = c3_m * S2_pm + s3_m * C2_pm
-        s23_mp = c3_p * S2_pm + s3_p * C2_mp
-        s23_mm = c3_m * S2_pp + s3_m * C2_mm
+        c23_pp, c23_pm = c3_p * C2_pp - s3_p * S2_pp, c3_m * C2_pm - s3_m * S2_pm
+        c23_mp, c23_mm = c3_p * C2_mp - s3_p * S2_pm, c3_m * C2_mm - s3_m * S2_pp
+        s23_pp, s23_pm = c3_p * S2_pp + s3_p * C2_pp, c3_m * S2_pm + s3_m * C2_pm
+        s23_mp, s23_mm = c3_p * S2_pm + s3_p * C2_mp, c3_m * S2_pp + s3_m * C2_mm
         v13 = w1 * (v2 * (T23 * wy - T13 * X1))
-        c4_pp = T33 * s23_pp + c23_pp * v13
-        c4_pm = T33 * s23_pm + c23_pm * v13
-        c4_mp = T33 * s23_mp - c23_mp * v13
-        c4_mm = T33 * s23_mm - c23_mm * v13
+        c4_pp, c4_pm = T33 * s23_pp + c23_pp * v13, T33 * s23_pm + c23_pm * v13
+        c4_mp, c4_mm = T33 * s23_mp - c23_mp * v13, T33 * s23_mm - c23_mm * v13
         v14 = w1 * (v2 * (T13 * wy + X1 * T23))
-        v15 = v14 * v14
-        v16 = factor2 * c4_pp
-        v17 = factor2 * c4_pm
-        v18 = factor2 * c4_mp
-        v19 = factor2 * c4_mm
-        v20 = v15 + factor2 * (c4_pp * v16)
-        v21 = v15 + factor2 * (c4_pm * v17)
-        v22 = v15 + factor2 * (c4_mp * v18)
-        v23 = v15 + factor2 * (c4_mm * v19)
-        v24 = math.copysign(half_turn, -v14)
+        v15, v16, v17 = v14 * v14, factor2 * c4_pp, factor2 * c4_pm
+        v18, v19, v20 = factor2 * c4_mp, factor2 * c4_mm, v15 + factor2 * (c4_pp * v16)
+        v21, v22 = v15 + factor2 * (c4_pm * v17), v15 + factor2 * (c4_mp * v18)
+        v23, v24 = v15 + factor2 * (c4_mm * v19), math.copysign(half_turn, -v14)
         v25 = math.copysign(half_turn, v14)
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v26 = w1 * (v2 * (X1 * T22 + wy * T12))
-        v27 = w1 * (v2 * (wy * T22 - X1 * T12))
-        v28 = w1 * (v2 * (X1 * T21 + wy * T11))
-        v29 = w1 * (v2 * (wy * T21 - X1 * T11))
+        v26, v27 = w1 * (v2 * (X1 * T22 + wy * T12)), w1 * (v2 * (wy * T22 - X1 * T12))
+        v28, v29 = w1 * (v2 * (X1 * T21 + wy * T11)), w1 * (v2 * (wy * T21 - X1 * T11))
         v30 = c4_pp * v28 - v14 * (s23_pp * T31 + c23_pp * v29)
         v31 = c4_pm * v28 - v14 * (s23_pm * T31 + c23_pm * v29)
         v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28
@@ -510,10 +399,11 @@ def _formulas(kept, turns, rows, w):
             1.0 if abs(D3) <= m2 or v1 <= m1 or v23 <= m9 or v22 <= m9 or v20 <= m9 or v21 <= m9
             else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = wy, v3, v24, v25
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v30, v31, v32, v33
-        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = -v14, -v14, v14
-        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = v14, v30, v31, v32
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = wy, v3, v24
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v25, v30, v31
+        kept[23 * w + k], kept[24 * w + k], turns[0 * w + k] = v32, v33, -v14
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -v14, v14, v14
+        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = v30, v31, v32
         turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = v33, wy, S2_pp
         turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = S2_pm, S2_pm, S2_pp
         turns[13 * w + k], turns[14 * w + k], turns[15 * w + k] = w3, math.sqrt(v20), math.sqrt(v21)
@@ -539,19 +429,18 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        wy, v3, v24, v25 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v30, v31, v32, v33 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
-        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
-        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
-        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
-        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
-        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        wy, v3, v24 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v25, v30, v31 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v32, v33, angle1 = kept[23 * w + k], kept[24 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
+        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
+        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
+        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
+        angle17, angle18 = turns[16 * w + k], turns[17 * w + k]
 
         # theta4, type 2: U4[3, 3]
-        q4_ppm = angle1 - v24
-        q4_pmm = angle2 - v24
-        q4_mpm = angle3 - v25
+        q4_ppm, q4_pmm, q4_mpm = angle1 - v24, angle2 - v24, angle3 - v25
         q4_mmm = angle4 - v25
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
@@ -561,30 +450,21 @@ def _formulas(kept, turns, rows, w):
         q6_mmm = angle8 - math.copysign(half_turn, v33)
 
         # joint values
-        v34 = angle9 - offset1
-        v35 = angle9 - math.copysign(half_turn, wy) - offset1
+        v34, v35 = angle9 - offset1, angle9 - math.copysign(half_turn, wy) - offset1
         q1__p = v34 + (turn if v34 <= -half_turn else 0.0)
         q1__m = v35 + (turn if v35 <= -half_turn else 0.0)
-        v36 = angle10 - offset2
-        v37 = angle11 - offset2
-        v38 = angle12 - offset2
+        v36, v37, v38 = angle10 - offset2, angle11 - offset2, angle12 - offset2
         v39 = angle13 - offset2
         q2_ppp = v36 + (turn if v36 <= -half_turn else 0.0)
         q2_pmp = v37 + (turn if v37 <= -half_turn else 0.0)
         q2_mpp = v38 + (turn if v38 <= -half_turn else 0.0)
         q2_mmp = v39 + (turn if v39 <= -half_turn else 0.0)
-        v40 = angle14 - turn1 - offset3
-        v41 = offset3 + (turn1 + angle14)
+        v40, v41 = angle14 - turn1 - offset3, offset3 + (turn1 + angle14)
         q3_ppp = v40 + (-turn if half_turn < v40 else 0.0)
         q3_pmp = (-turn if half_turn < -v41 else 0.0) - v41
-        v42 = angle15 - offset5
-        v43 = offset5 + angle15
-        v44 = angle16 - offset5
-        v45 = offset5 + angle16
-        v46 = angle17 - offset5
-        v47 = offset5 + angle17
-        v48 = angle18 - offset5
-        v49 = offset5 + angle18
+        v42, v43, v44 = angle15 - offset5, offset5 + angle15, angle16 - offset5
+        v45, v46, v47 = offset5 + angle16, angle17 - offset5, offset5 + angle17
+        v48, v49 = angle18 - offset5, offset5 + angle18
         q5_ppp = v42 + (turn if v42 <= -half_turn else 0.0)
         q5_ppm = (turn if -v43 <= -half_turn else 0.0) - v43
         q5_pmp = v44 + (turn if v44 <= -half_turn else 0.0)
@@ -593,32 +473,17 @@ def _formulas(kept, turns, rows, w):
         q5_mpm = (turn if -v47 <= -half_turn else 0.0) - v47
         q5_mmp = v48 + (turn if v48 <= -half_turn else 0.0)
         q5_mmm = (turn if -v49 <= -half_turn else 0.0) - v49
-        v50 = abs(q1__p) - high1
-        v51 = abs(q1__m) - high1
-        v52 = max(low3 - q3_ppp, q3_ppp - high3)
-        v53 = max(low3 - q3_pmp, q3_pmp - high3)
-        q1_ppp = v3 + q1__p
-        q1_mpp = v3 + q1__m
-        v54 = max(abs(q2_ppp) - high2, max(v50, v52))
-        v55 = max(abs(q2_pmp) - high2, max(v50, v53))
-        v56 = max(abs(q2_mpp) - high2, max(v51, v52))
-        v57 = max(abs(q2_mmp) - high2, max(v51, v53))
-        excess_ppp = max(v54, abs(q5_ppp) - high5)
-        excess_ppm = max(v54, abs(q5_ppm) - high5)
-        excess_pmp = max(v55, abs(q5_pmp) - high5)
-        excess_pmm = max(v55, abs(q5_pmm) - high5)
-        excess_mpp = max(v56, abs(q5_mpp) - high5)
-        excess_mpm = max(v56, abs(q5_mpm) - high5)
-        excess_mmp = max(v57, abs(q5_mmp) - high5)
-        excess_mmm = max(v57, abs(q5_mmm) - high5)
-        outside_ppp = 0.0 < excess_ppp
-        outside_ppm = 0.0 < excess_ppm
-        outside_pmp = 0.0 < excess_pmp
-        outside_pmm = 0.0 < excess_pmm
-        outside_mpp = 0.0 < excess_mpp
-        outside_mpm = 0.0 < excess_mpm
-        outside_mmp = 0.0 < excess_mmp
-        outside_mmm = 0.0 < excess_mmm
+        v50, v51, v52 = abs(q1__p) - high1, abs(q1__m) - high1, max(low3 - q3_ppp, q3_ppp - high3)
+        v53, q1_ppp, q1_mpp = max(low3 - q3_pmp, q3_pmp - high3), v3 + q1__p, v3 + q1__m
+        v54, v55 = max(abs(q2_ppp) - high2, max(v50, v52)), max(abs(q2_pmp) - high2, max(v50, v53))
+        v56, v57 = max(abs(q2_mpp) - high2, max(v51, v52)), max(abs(q2_mmp) - high2, max(v51, v53))
+        excess_ppp, excess_ppm = max(v54, abs(q5_ppp) - high5), max(v54, abs(q5_ppm) - high5)
+        excess_pmp, excess_pmm = max(v55, abs(q5_pmp) - high5), max(v55, abs(q5_pmm) - high5)
+        excess_mpp, excess_mpm = max(v56, abs(q5_mpp) - high5), max(v56, abs(q5_mpm) - high5)
+        excess_mmp, excess_mmm = max(v57, abs(q5_mmp) - high5), max(v57, abs(q5_mmm) - high5)
+        outside_ppp, outside_ppm, outside_pmp = 0.0 < excess_ppp, 0.0 < excess_ppm, 0.0 < excess_pmp
+        outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
+        outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
@@ -667,13 +532,8 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 2, 19, 20, 21],
-    [17, 18, 2, 22, 23, 24],
-    [17, 25, 10, 26, 27, 28],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 2, 19, 20, 21], [17, 18, 2, 22, 23, 24], [17, 25, 10, 26, 27, 28],
     [17, 25, 10, 29, 30, 31],
 ])
 

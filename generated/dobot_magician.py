@@ -132,32 +132,17 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
-    v3 = s1 * s2
-    v4 = q[2] - q[1] + offset3
-    c3 = math.cos(v4)
-    s3 = math.sin(v4)
-    x3_x = x2_x * c3 - v2 * s3
-    x3_y = x2_y * c3 - v3 * s3
-    v5 = s2 * c3 + c2 * s3
-    T[0, 0] = x3_x
-    T[0, 1] = -(v2 * c3 + x2_x * s3)
-    T[0, 2] = -s1
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
+    v3, v4 = s1 * s2, q[2] - q[1] + offset3
+    c3, s3 = math.cos(v4), math.sin(v4)
+    x3_x, x3_y, v5 = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    T[0, 0], T[0, 1], T[0, 2] = x3_x, -(v2 * c3 + x2_x * s3), -s1
     T[0, 3] = x2_x * a2 + x3_x * a3
-    T[1, 0] = x3_y
-    T[1, 1] = -(v3 * c3 + x2_y * s3)
-    T[1, 2] = c1
+    T[1, 0], T[1, 1], T[1, 2] = x3_y, -(v3 * c3 + x2_y * s3), c1
     T[1, 3] = x2_y * a2 + x3_y * a3
-    T[2, 0] = -v5
-    T[2, 1] = s2 * s3 - c2 * c3
-    T[2, 3] = d1 - s2 * a2 - v5 * a3
+    T[2, 0], T[2, 1], T[2, 3] = -v5, s2 * s3 - c2 * c3, d1 - s2 * a2 - v5 * a3
     T[3, 3] = 1.0
     return T
 
@@ -168,35 +153,19 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    p2_x = x2_x * a2
-    p2_y = x2_y * a2
-    p2_z = d1 - s2 * a2
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y = c1 * c2, s1 * c2
+    p2_x, p2_y, p2_z = x2_x * a2, x2_y * a2, d1 - s2 * a2
     v2 = q[2] - q[1] + offset3
-    c3 = math.cos(v2)
-    s3 = math.sin(v2)
-    p3_x = p2_x + (x2_x * c3 - c1 * s2 * s3) * a3
-    p3_y = p2_y + (x2_y * c3 - s1 * s2 * s3) * a3
+    c3, s3 = math.cos(v2), math.sin(v2)
+    p3_x, p3_y = p2_x + (x2_x * c3 - c1 * s2 * s3) * a3, p2_y + (x2_y * c3 - s1 * s2 * s3) * a3
     p3_z = p2_z - (s2 * c3 + c2 * s3) * a3
-    v3 = p3_z - d1
-    v4 = p3_z - p2_z
-    J13 = c1 * v4
-    J23 = s1 * v4
-    v5 = s1 * (p3_y - p2_y) + c1 * (p3_x - p2_x)
-    J[0, 0] = -p3_y
-    J[0, 1] = c1 * v3 - J13
-    J[0, 2] = J13
-    J[1, 0] = p3_x
-    J[1, 1] = s1 * v3 - J23
-    J[1, 2] = J23
-    J[2, 1] = v5 - (s1 * p3_y + c1 * p3_x)
-    J[2, 2] = -v5
+    v3, v4 = p3_z - d1, p3_z - p2_z
+    J13, J23, v5 = c1 * v4, s1 * v4, s1 * (p3_y - p2_y) + c1 * (p3_x - p2_x)
+    J[0, 0], J[0, 1], J[0, 2] = -p3_y, c1 * v3 - J13, J13
+    J[1, 0], J[1, 1], J[1, 2] = p3_x, s1 * v3 - J23, J23
+    J[2, 1], J[2, 2] = v5 - (s1 * p3_y + c1 * p3_x), -v5
     J[3, 2] = -s1
     J[4, 2] = c1
     J[5, 0] = 1.0
@@ -243,8 +212,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2
         Y1_2 = a2 + a3 * c3
-        v3 = Z1_3 * Y1_2
-        v4 = root1 * Y1_2
+        v3, v4 = Z1_3 * Y1_2, root1 * Y1_2
 
         for i2 in range(2):  # +, -
             e3 = 1.0 - 2.0 * i2
@@ -267,9 +235,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _wrap(_atan2(s2, c2) - offset2)
             q3 = _wrap(q2 + (_atan2(s3, c3) - offset3))
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
@@ -296,20 +262,11 @@ def _formulas(kept, turns, rows, w):
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         v3 = m5 - m4 * N3
-        v4 = Z1_3 * v3
-        v5 = w3 * (m4 * w1)
-        S2_pp = v4 + v5
-        S2_pm = v4 - v5
-        v6 = w3 * (m4 * Z1_3)
-        v7 = w3 * (m4 * -Z1_3)
-        v8 = w1 * -v3
-        v9 = w1 * v3
-        v10 = v6 + v8
-        v11 = v7 + v8
-        v12 = v6 + v9
-        v13 = v7 + v9
-        v14 = S2_pp * S2_pp
-        v15 = S2_pm * S2_pm
+        v4, v5 = Z1_3 * v3, w3 * (m4 * w1)
+        S2_pp, S2_pm, v6 = v4 + v5, v4 - v5, w3 * (m4 * Z1_3)
+        v7, v8, v9 = w3 * (m4 * -Z1_3), w1 * -v3, w1 * v3
+        v10, v11, v12 = v6 + v8, v7 + v8, v6 + v9
+        v13, v14, v15 = v7 + v9, S2_pp * S2_pp, S2_pm * S2_pm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
@@ -338,24 +295,16 @@ def _formulas(kept, turns, rows, w):
         q1__m = angle1 - math.copysign(half_turn, -T24)
 
         # joint values
-        v16 = angle2 - offset2
-        v17 = angle3 - offset2
-        v18 = angle4 - offset2
+        v16, v17, v18 = angle2 - offset2, angle3 - offset2, angle4 - offset2
         v19 = angle5 - offset2
         q2_pp = v16 + (-turn if half_turn < v16 else 0.0)
         q2_pm = v17 + (-turn if half_turn < v17 else 0.0)
         q2_mp = v18 + (-turn if half_turn < v18 else 0.0)
         q2_mm = v19 + (-turn if half_turn < v19 else 0.0)
-        v20 = angle6 - offset3
-        v21 = offset3 + angle6
-        q3_pp = _wrap(q2_pp + v20)
-        q3_pm = _wrap(q2_pm - v21)
-        q3_mp = _wrap(q2_mp + v20)
-        q3_mm = _wrap(q2_mm - v21)
-        v22 = abs(angle1) - high1
-        v23 = abs(q1__m) - high1
-        q1_pp = angle1 + v2
-        q1_mp = q1__m + v2
+        v20, v21 = angle6 - offset3, offset3 + angle6
+        q3_pp, q3_pm, q3_mp = _wrap(q2_pp + v20), _wrap(q2_pm - v21), _wrap(q2_mp + v20)
+        q3_mm, v22, v23 = _wrap(q2_mm - v21), abs(angle1) - high1, abs(q1__m) - high1
+        q1_pp, q1_mp = angle1 + v2, q1__m + v2
         excess_pp = (
             max(max(low3 - q3_pp, q3_pp - high3), max(v22, max(low2 - q2_pp, q2_pp - high2)))
         )
@@ -368,9 +317,7 @@ def _formulas(kept, turns, rows, w):
         excess_mm = (
             max(max(low3 - q3_mm, q3_mm - high3), max(v23, max(low2 - q2_mm, q2_mm - high2)))
         )
-        outside_pp = 0.0 < excess_pp
-        outside_pm = 0.0 < excess_pm
-        outside_mp = 0.0 < excess_mp
+        outside_pp, outside_pm, outside_mp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
         outside_mm = 0.0 < excess_mm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
@@ -391,10 +338,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [0, 3, 4],
-    [5, 6, 7],
-    [5, 8, 9],
+    [0, 1, 2], [0, 3, 4], [5, 6, 7], [5, 8, 9],
 ])
 
 

@@ -141,55 +141,27 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
-    v3 = s1 * s2
-    v4 = q[2] + offset3
-    c3 = math.cos(v4)
-    s3 = math.sin(v4)
-    x3_x = x2_x * c3 - v2 * s3
-    x3_y = x2_y * c3 - v3 * s3
-    x3_z = s2 * c3 + c2 * s3
-    z3_x = v2 * c3 + x2_x * s3
-    z3_y = v3 * c3 + x2_y * s3
-    z3_z = s2 * s3 - c2 * c3
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
+    v3, v4 = s1 * s2, q[2] + offset3
+    c3, s3 = math.cos(v4), math.sin(v4)
+    x3_x, x3_y, x3_z = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    z3_x, z3_y, z3_z = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, s2 * s3 - c2 * c3
     v5 = q[3] + offset4
-    c4 = math.cos(v5)
-    s4 = math.sin(v5)
-    x4_x = x3_x * c4 + s1 * s4
-    x4_y = x3_y * c4 - c1 * s4
-    x4_z = x3_z * c4
-    z4_y = c1 * c4 + x3_y * s4
-    z4_z = x3_z * s4
-    z4_x = x3_x * s4 - s1 * c4
+    c4, s4 = math.cos(v5), math.sin(v5)
+    x4_x, x4_y, x4_z = x3_x * c4 + s1 * s4, x3_y * c4 - c1 * s4, x3_z * c4
+    z4_y, z4_z, z4_x = c1 * c4 + x3_y * s4, x3_z * s4, x3_x * s4 - s1 * c4
     v6 = q[4] + offset5
-    c5 = math.cos(v6)
-    s5 = math.sin(v6)
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = x4_y * c5 + z3_y * s5
-    x5_z = x4_z * c5 + z3_z * s5
-    z5_x = x4_x * s5 - z3_x * c5
-    z5_y = x4_y * s5 - z3_y * c5
-    z5_z = x4_z * s5 - z3_z * c5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 + z4_x * s6
-    T[0, 1] = z4_x * c6 - x5_x * s6
-    T[0, 2] = z5_x
+    c5, s5 = math.cos(v6), math.sin(v6)
+    x5_x, x5_y, x5_z = x4_x * c5 + z3_x * s5, x4_y * c5 + z3_y * s5, x4_z * c5 + z3_z * s5
+    z5_x, z5_y, z5_z = x4_x * s5 - z3_x * c5, x4_y * s5 - z3_y * c5, x4_z * s5 - z3_z * c5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + z4_x * s6, z4_x * c6 - x5_x * s6, z5_x
     T[0, 3] = x2_x * a2 + s1 * d2 + z3_x * d4 + z5_x * d6
-    T[1, 0] = x5_y * c6 + z4_y * s6
-    T[1, 1] = z4_y * c6 - x5_y * s6
-    T[1, 2] = z5_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + z4_y * s6, z4_y * c6 - x5_y * s6, z5_y
     T[1, 3] = x2_y * a2 - c1 * d2 + z3_y * d4 + z5_y * d6
-    T[2, 0] = x5_z * c6 + z4_z * s6
-    T[2, 1] = z4_z * c6 - x5_z * s6
-    T[2, 2] = z5_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 + z4_z * s6, z4_z * c6 - x5_z * s6, z5_z
     T[2, 3] = d1 + s2 * a2 + z3_z * d4 + z5_z * d6
     T[3, 3] = 1.0
     return T
@@ -201,82 +173,39 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
-    v3 = s1 * s2
-    p2_z = d1 + s2 * a2
-    p2_x = x2_x * a2 + s1 * d2
-    p2_y = x2_y * a2 - c1 * d2
-    v4 = q[2] + offset3
-    c3 = math.cos(v4)
-    s3 = math.sin(v4)
-    x3_x = x2_x * c3 - v2 * s3
-    x3_y = x2_y * c3 - v3 * s3
-    x3_z = s2 * c3 + c2 * s3
-    z3_x = v2 * c3 + x2_x * s3
-    z3_y = v3 * c3 + x2_y * s3
-    z3_z = s2 * s3 - c2 * c3
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
+    v3, p2_z, p2_x = s1 * s2, d1 + s2 * a2, x2_x * a2 + s1 * d2
+    p2_y, v4 = x2_y * a2 - c1 * d2, q[2] + offset3
+    c3, s3 = math.cos(v4), math.sin(v4)
+    x3_x, x3_y, x3_z = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    z3_x, z3_y, z3_z = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, s2 * s3 - c2 * c3
     v5 = q[3] + offset4
-    c4 = math.cos(v5)
-    s4 = math.sin(v5)
-    z4_y = c1 * c4 + x3_y * s4
-    z4_z = x3_z * s4
-    p4_x = p2_x + z3_x * d4
-    p4_y = p2_y + z3_y * d4
-    p4_z = p2_z + z3_z * d4
-    z4_x = x3_x * s4 - s1 * c4
+    c4, s4 = math.cos(v5), math.sin(v5)
+    z4_y, z4_z, p4_x = c1 * c4 + x3_y * s4, x3_z * s4, p2_x + z3_x * d4
+    p4_y, p4_z, z4_x = p2_y + z3_y * d4, p2_z + z3_z * d4, x3_x * s4 - s1 * c4
     v6 = q[4] + offset5
-    c5 = math.cos(v6)
-    s5 = math.sin(v6)
-    z5_x = (x3_x * c4 + s1 * s4) * s5 - z3_x * c5
-    z5_y = (x3_y * c4 - c1 * s4) * s5 - z3_y * c5
-    z5_z = x3_z * c4 * s5 - z3_z * c5
-    p6_x = p4_x + z5_x * d6
-    p6_y = p4_y + z5_y * d6
+    c5, s5 = math.cos(v6), math.sin(v6)
+    z5_x, z5_y = (x3_x * c4 + s1 * s4) * s5 - z3_x * c5, (x3_y * c4 - c1 * s4) * s5 - z3_y * c5
+    z5_z, p6_x, p6_y = x3_z * c4 * s5 - z3_z * c5, p4_x + z5_x * d6, p4_y + z5_y * d6
     p6_z = p4_z + z5_z * d6
-    v7 = p6_z - d1
-    v8 = p6_x - p2_x
-    v9 = p6_y - p2_y
-    v10 = p6_z - p2_z
-    v11 = p6_x - p4_x
-    v12 = p6_y - p4_y
+    v7, v8, v9 = p6_z - d1, p6_x - p2_x, p6_y - p2_y
+    v10, v11, v12 = p6_z - p2_z, p6_x - p4_x, p6_y - p4_y
     v13 = p6_z - p4_z
-    J[0, 0] = -p6_y
-    J[0, 1] = -(c1 * v7)
-    J[0, 2] = -(c1 * v10)
-    J[0, 3] = z3_y * v10 - z3_z * v9
-    J[0, 4] = z4_y * v13 - z4_z * v12
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, -(c1 * v7), -(c1 * v10)
+    J[0, 3], J[0, 4] = z3_y * v10 - z3_z * v9, z4_y * v13 - z4_z * v12
     J[0, 5] = z5_y * v13 - z5_z * v12
-    J[1, 0] = p6_x
-    J[1, 1] = -(s1 * v7)
-    J[1, 2] = -(s1 * v10)
-    J[1, 3] = z3_z * v8 - z3_x * v10
-    J[1, 4] = z4_z * v11 - z4_x * v13
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, -(s1 * v7), -(s1 * v10)
+    J[1, 3], J[1, 4] = z3_z * v8 - z3_x * v10, z4_z * v11 - z4_x * v13
     J[1, 5] = z5_z * v11 - z5_x * v13
-    J[2, 1] = s1 * p6_y + c1 * p6_x
-    J[2, 2] = s1 * v9 + c1 * v8
-    J[2, 3] = z3_x * v9 - z3_y * v8
-    J[2, 4] = z4_x * v12 - z4_y * v11
-    J[2, 5] = z5_x * v12 - z5_y * v11
-    J[3, 1] = s1
-    J[3, 2] = s1
-    J[3, 3] = z3_x
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = -c1
-    J[4, 2] = -c1
-    J[4, 3] = z3_y
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 3] = z3_z
-    J[5, 4] = z4_z
+    J[2, 1], J[2, 2], J[2, 3] = s1 * p6_y + c1 * p6_x, s1 * v9 + c1 * v8, z3_x * v9 - z3_y * v8
+    J[2, 4], J[2, 5] = z4_x * v12 - z4_y * v11, z5_x * v12 - z5_y * v11
+    J[3, 1], J[3, 2], J[3, 3] = s1, s1, z3_x
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = -c1, -c1, z3_y
+    J[4, 4], J[4, 5] = z4_y, z5_y
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, z3_z, z4_z
     J[5, 5] = z5_z
     return J
 
@@ -297,8 +226,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d2 * math.sqrt(N1)))
-    v1 = X1 * d2
-    v2 = wy * d2
+    v1, v2 = X1 * d2, wy * d2
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     wz = T34 - d6 * T33
@@ -334,8 +262,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2
         X1_2 = a2 + d4 * s3
-        v6 = Z1_3 * X1_2
-        v7 = root1 * X1_2
+        v6, v7 = Z1_3 * X1_2, root1 * X1_2
 
         # theta4
         v10 = T13 * c1 + T23 * s1
@@ -343,9 +270,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v11 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v13 = T22 * c1 - T12 * s1
-        v14 = T12 * c1 + T22 * s1
-        v16 = T21 * c1 - T11 * s1
+        v13, v14, v16 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T21 * c1 - T11 * s1
         v17 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
@@ -374,8 +299,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             divisor4 = 1.0 if free4 else w4
 
             # theta6
-            v15 = T32 * s23 - v9 * v14
-            v18 = T31 * s23 - v9 * v17
+            v15, v18 = T32 * s23 - v9 * v14, T31 * s23 - v9 * v17
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -392,20 +316,15 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s5 = w4 * e4
 
                 # theta6
-                c6 = c4 * v13 + s4 * v15
-                s6 = c4 * v16 + s4 * v18
+                c6, s6 = c4 * v13 + s4 * v15, c4 * v16 + s4 * v18
                 q6 = _atan2(s6, c6)
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
                 q5 = _wrap(_atan2(s5, -(T33 * v9 + s23 * v10)) - offset5)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -417,135 +336,89 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        X1 = d6 * T13 - T14
-        wy = T24 - d6 * T23
+        X1, wy = d6 * T13 - T14, T24 - d6 * T23
         N1 = X1 * X1 + wy * wy
         D1 = N1 - k1
         w1 = math.sqrt(D1)
-        v1 = w1 - w1
-        inverse1 = 1.0 / N1
+        v1, inverse1 = w1 - w1, 1.0 / N1
         v2 = inverse1 * (d2 * wy)
-        v3 = v2 + w1 * (X1 * inverse1)
-        v4 = v2 + w1 * (inverse1 * -X1)
-        v5 = inverse1 * (d2 * X1)
-        s1_p = w1 * (wy * inverse1) - v5
-        s1_m = w1 * (inverse1 * -wy) - v5
+        v3, v4, v5 = v2 + w1 * (X1 * inverse1), v2 + w1 * (inverse1 * -X1), inverse1 * (d2 * X1)
+        s1_p, s1_m = w1 * (wy * inverse1) - v5, w1 * (inverse1 * -wy) - v5
 
         # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         Z1_3 = T34 - d6 * T33 - d1
         N3 = D1 + Z1_3 * Z1_3
         D3 = (longest3 - N3) * (N3 - shortest3)
         w3 = math.sqrt(D3)
-        v6 = w3 - w3
-        v7 = k5 * (N3 - k6)
-        s3 = k7 * v7
-        v8 = k5 * w3
+        v6, v7 = w3 - w3, k5 * (N3 - k6)
+        s3, v8 = k7 * v7, k5 * w3
         v9 = k7 * v8
 
         # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        X1_2 = a2 + d4 * s3
-        Y1_2 = d4 * v9
-        v10 = Z1_3 * X1_2
-        v11 = w1 * Y1_2
-        v12 = v10 - v11
-        v13 = v10 + v11
-        v14 = m4 + m3 * N3
-        v15 = Z1_3 * v14
-        v16 = w3 * (m3 * w1)
-        S2_pp = v15 - v16
-        S2_pm = v15 + v16
-        v17 = w1 * X1_2
+        X1_2, Y1_2 = a2 + d4 * s3, d4 * v9
+        v10, v11 = Z1_3 * X1_2, w1 * Y1_2
+        v12, v13, v14 = v10 - v11, v10 + v11, m4 + m3 * N3
+        v15, v16 = Z1_3 * v14, w3 * (m3 * w1)
+        S2_pp, S2_pm, v17 = v15 - v16, v15 + v16, w1 * X1_2
         v18 = Z1_3 * Y1_2
-        v19 = v17 + v18
-        v20 = v17 - v18
-        v21 = w3 * (m3 * Z1_3)
-        v22 = w3 * (m3 * -Z1_3)
-        v23 = w1 * v14
-        C2_pp = v21 + v23
-        C2_pm = v22 + v23
-        C2_mp = v21 - v23
-        C2_mm = v22 - v23
-        v24 = S2_pp * S2_pp
-        v25 = v24 + C2_pp * C2_pp
-        v26 = S2_pm * S2_pm
-        v27 = v26 + C2_pm * C2_pm
-        v28 = v26 + C2_mp * C2_mp
-        v29 = v24 + C2_mm * C2_mm
-        w2_pp = math.sqrt(v25)
-        w2_pm = math.sqrt(v27)
-        w2_mp = math.sqrt(v28)
-        w2_mm = math.sqrt(v29)
-        v30 = 1.0 / v25
-        v31 = 1.0 / v27
-        v32 = 1.0 / v28
-        v33 = 1.0 / v29
+        v19, v20, v21 = v17 + v18, v17 - v18, w3 * (m3 * Z1_3)
+        v22, v23 = w3 * (m3 * -Z1_3), w1 * v14
+        C2_pp, C2_pm, C2_mp = v21 + v23, v22 + v23, v21 - v23
+        C2_mm, v24 = v22 - v23, S2_pp * S2_pp
+        v25, v26 = v24 + C2_pp * C2_pp, S2_pm * S2_pm
+        v27, v28, v29 = v26 + C2_pm * C2_pm, v26 + C2_mp * C2_mp, v24 + C2_mm * C2_mm
+        w2_pp, w2_pm, w2_mp = math.sqrt(v25), math.sqrt(v27), math.sqrt(v28)
+        w2_mm, v30, v31 = math.sqrt(v29), 1.0 / v25, 1.0 / v27
+        v32, v33 = 1.0 / v28, 1.0 / v29
 
         # theta4, type 2: U4[3, 3]
         v34 = v9 * v19 + s3 * v12
-        v35 = w2_pp * (v30 * v34)
-        v36 = s3 * v13
-        v37 = w2_pm * (v31 * (v36 - v9 * v20))
-        v38 = w2_mp * (v32 * (v36 + v9 * -v20))
-        v39 = w2_mm * (v33 * v34)
-        v40 = s3 * v19 - v9 * v12
-        s23_pp = w2_pp * (v30 * v40)
-        v41 = v9 * v13
-        s23_pm = w2_pm * (v31 * (s3 * v20 + v41))
-        s23_mp = w2_mp * (v32 * (s3 * -v20 - v41))
-        s23_mm = w2_mm * (v33 * -v40)
-        v42 = T23 * s1_p - T13 * v3
-        v43 = T23 * s1_m - T13 * v4
-        X4_pp = v35 * v42 - T33 * s23_pp
-        X4_pm = v37 * v42 - T33 * s23_pm
-        X4_mp = v38 * v43 - T33 * s23_mp
-        X4_mm = v39 * v43 - T33 * s23_mm
-        Y4_p = T13 * s1_p + T23 * v3
-        Y4_m = T13 * s1_m + T23 * v4
-        v44 = Y4_p * Y4_p
-        v45 = Y4_m * Y4_m
-        v46 = v44 + X4_pp * X4_pp
-        v47 = v44 + X4_pm * X4_pm
-        v48 = v45 + X4_mp * X4_mp
+        v35, v36 = w2_pp * (v30 * v34), s3 * v13
+        v37, v38 = w2_pm * (v31 * (v36 - v9 * v20)), w2_mp * (v32 * (v36 + v9 * -v20))
+        v39, v40 = w2_mm * (v33 * v34), s3 * v19 - v9 * v12
+        s23_pp, v41 = w2_pp * (v30 * v40), v9 * v13
+        s23_pm, s23_mp = w2_pm * (v31 * (s3 * v20 + v41)), w2_mp * (v32 * (s3 * -v20 - v41))
+        s23_mm, v42, v43 = w2_mm * (v33 * -v40), T23 * s1_p - T13 * v3, T23 * s1_m - T13 * v4
+        X4_pp, X4_pm = v35 * v42 - T33 * s23_pp, v37 * v42 - T33 * s23_pm
+        X4_mp, X4_mm = v38 * v43 - T33 * s23_mp, v39 * v43 - T33 * s23_mm
+        Y4_p, Y4_m = T13 * s1_p + T23 * v3, T13 * s1_m + T23 * v4
+        v44, v45 = Y4_p * Y4_p, Y4_m * Y4_m
+        v46, v47, v48 = v44 + X4_pp * X4_pp, v44 + X4_pm * X4_pm, v45 + X4_mp * X4_mp
         v49 = v45 + X4_mm * X4_mm
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v50 = v3 * T22 + s1_p * T12
-        v51 = v4 * T22 + s1_m * T12
-        v52 = s1_p * T22 - v3 * T12
-        v53 = s1_m * T22 - v4 * T12
-        v54 = v3 * T21 + s1_p * T11
-        v55 = v4 * T21 + s1_m * T11
-        v56 = s1_p * T21 - v3 * T11
-        v57 = s1_m * T21 - v4 * T11
+        v50, v51, v52 = v3 * T22 + s1_p * T12, v4 * T22 + s1_m * T12, s1_p * T22 - v3 * T12
+        v53, v54, v55 = s1_m * T22 - v4 * T12, v3 * T21 + s1_p * T11, v4 * T21 + s1_m * T11
+        v56, v57 = s1_p * T21 - v3 * T11, s1_m * T21 - v4 * T11
         s6_pp = Y4_p * (s23_pp * T31 - v35 * v56) - v54 * -X4_pp
         s6_pm = Y4_p * (s23_pm * T31 - v37 * v56) - v54 * -X4_pm
         s6_mp = Y4_m * (s23_mp * T31 - v38 * v57) - v55 * -X4_mp
         s6_mm = Y4_m * (s23_mm * T31 - v39 * v57) - v55 * -X4_mm
 
         # joint values
-        v64 = math.copysign(half_turn, Y4_p)
-        v65 = math.copysign(half_turn, Y4_m)
+        v64, v65 = math.copysign(half_turn, Y4_p), math.copysign(half_turn, Y4_m)
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
             1.0 if v49 <= m6 or v29 <= m5 or v48 <= m6 or v28 <= m5 or v47 <= m6 or v27 <= m5 or v46
             <= m6 or abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v25 <= m5 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = v1, v6, v7, s6_pp
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = s6_pm, s6_mp, s6_mm
-        kept[24 * w + k], kept[25 * w + k], turns[0 * w + k] = v64, v65, s6_pp
-        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = s6_pm, s6_mp, s6_mm
-        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = S2_pp, S2_pm, S2_pm
-        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = S2_pp, v7, Y4_p
-        turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = Y4_p, Y4_m, Y4_m
-        turns[13 * w + k], turns[14 * w + k] = math.sqrt(v46), math.sqrt(v47)
-        turns[15 * w + k], turns[16 * w + k] = math.sqrt(v48), math.sqrt(v49)
-        turns[17 * w + k], turns[18 * w + k] = s1_p, s1_m
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, v6, v7
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = s6_pp, s6_pm, s6_mp
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = s6_mm, v64, v65
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = s6_pp, s6_pm, s6_mp
+        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = s6_mm, S2_pp, S2_pm
+        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = S2_pm, S2_pp, v7
+        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = Y4_p, Y4_p, Y4_m
+        turns[12 * w + k], turns[13 * w + k] = Y4_m, math.sqrt(v46)
+        turns[14 * w + k], turns[15 * w + k] = math.sqrt(v47), math.sqrt(v48)
+        turns[16 * w + k], turns[17 * w + k], turns[18 * w + k] = math.sqrt(v49), s1_p, s1_m
         turns[24 * w + k] = Y4_p * (s23_pp * T32 - v35 * v52) - v50 * -X4_pp
         turns[25 * w + k] = Y4_p * (s23_pm * T32 - v37 * v52) - v50 * -X4_pm
         turns[26 * w + k] = Y4_m * (s23_mp * T32 - v38 * v53) - v51 * -X4_mp
@@ -567,15 +440,16 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        v1, v6, v7, s6_pp = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        s6_pm, s6_mp, s6_mm = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
-        v64, v65, angle1 = kept[24 * w + k], kept[25 * w + k], turns[0 * w + k]
-        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
-        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
-        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
-        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
-        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
-        angle17, angle18, angle19 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
+        v1, v6, v7 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        s6_pp, s6_pm, s6_mp = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        s6_mm, v64, v65 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        angle19 = turns[18 * w + k]
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
         q6_ppm = angle1 - math.copysign(half_turn, s6_pp)
@@ -584,24 +458,16 @@ def _formulas(kept, turns, rows, w):
         q6_mmm = angle4 - math.copysign(half_turn, s6_mm)
 
         # joint values
-        v58 = angle5 - offset2
-        v59 = angle6 - offset2
-        v60 = angle7 - offset2
+        v58, v59, v60 = angle5 - offset2, angle6 - offset2, angle7 - offset2
         v61 = angle8 - offset2
         q2_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
         q2_pmp = v59 + (turn if v59 <= -half_turn else 0.0)
         q2_mpp = v60 + (turn if v60 <= -half_turn else 0.0)
         q2_mmp = v61 + (turn if v61 <= -half_turn else 0.0)
-        v62 = angle9 - offset3
-        v63 = math.copysign(half_turn, v7) - angle9 - offset3
-        v66 = angle10 - offset4
-        v67 = angle10 - v64 - offset4
-        v68 = angle11 - offset4
-        v69 = angle11 - v64 - offset4
-        v70 = angle12 - offset4
-        v71 = angle12 - v65 - offset4
-        v72 = angle13 - offset4
-        v73 = angle13 - v65 - offset4
+        v62, v63 = angle9 - offset3, math.copysign(half_turn, v7) - angle9 - offset3
+        v66, v67, v68 = angle10 - offset4, angle10 - v64 - offset4, angle11 - offset4
+        v69, v70, v71 = angle11 - v64 - offset4, angle12 - offset4, angle12 - v65 - offset4
+        v72, v73 = angle13 - offset4, angle13 - v65 - offset4
         q4_ppp = v66 + (turn if v66 <= -half_turn else 0.0)
         q4_ppm = v67 + (turn if v67 <= -half_turn else 0.0)
         q4_pmp = v68 + (turn if v68 <= -half_turn else 0.0)
@@ -610,14 +476,9 @@ def _formulas(kept, turns, rows, w):
         q4_mpm = v71 + (turn if v71 <= -half_turn else 0.0)
         q4_mmp = v72 + (turn if v72 <= -half_turn else 0.0)
         q4_mmm = v73 + (turn if v73 <= -half_turn else 0.0)
-        v74 = angle14 - offset5
-        v75 = offset5 + angle14
-        v76 = angle15 - offset5
-        v77 = offset5 + angle15
-        v78 = angle16 - offset5
-        v79 = offset5 + angle16
-        v80 = angle17 - offset5
-        v81 = offset5 + angle17
+        v74, v75, v76 = angle14 - offset5, offset5 + angle14, angle15 - offset5
+        v77, v78, v79 = offset5 + angle15, angle16 - offset5, offset5 + angle16
+        v80, v81 = angle17 - offset5, offset5 + angle17
         q5_ppp = v74 + (turn if v74 <= -half_turn else 0.0)
         q5_ppm = (turn if -v75 <= -half_turn else 0.0) - v75
         q5_pmp = v76 + (turn if v76 <= -half_turn else 0.0)
@@ -626,8 +487,7 @@ def _formulas(kept, turns, rows, w):
         q5_mpm = (turn if -v79 <= -half_turn else 0.0) - v79
         q5_mmp = v80 + (turn if v80 <= -half_turn else 0.0)
         q5_mmm = (turn if -v81 <= -half_turn else 0.0) - v81
-        q1_ppp = v6 + angle18
-        q1_mpp = v6 + angle19
+        q1_ppp, q1_mpp = v6 + angle18, v6 + angle19
         q3_ppp = v1 + (v62 + (turn if v62 <= -half_turn else 0.0))
         q3_pmp = v1 + (v63 + (turn if v63 <= -half_turn else 0.0))
 
@@ -642,25 +502,16 @@ def _formulas(kept, turns, rows, w):
         rows[24 * w + k], rows[25 * w + k], rows[26 * w + k] = q6_mpm, q2_mmp, q4_mmp
         rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = q5_mmp, angle4, q4_mmm
         rows[30 * w + k], rows[31 * w + k] = q5_mmm, q6_mmm
-        rows[32 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[33 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[36 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[37 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[32 * w + k] = rows[33 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[34 * w + k] = rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = rows[37 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[38 * w + k] = rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 2, 19, 20, 21],
-    [17, 18, 2, 22, 23, 24],
-    [17, 25, 10, 26, 27, 28],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 2, 19, 20, 21], [17, 18, 2, 22, 23, 24], [17, 25, 10, 26, 27, 28],
     [17, 25, 10, 29, 30, 31],
 ])
 

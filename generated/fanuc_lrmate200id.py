@@ -158,53 +158,26 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    y2_x = c1 * s2
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, y2_x = c1 * c2, s1 * c2, c1 * s2
     y2_y = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = c2 * s3 - s2 * c3
-    z3_x = y2_x * c3 - x2_x * s3
-    z3_y = y2_y * c3 - x2_y * s3
-    z3_z = c2 * c3 + s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - s1 * s4
-    x4_y = x3_y * c4 + c1 * s4
-    x4_z = x3_z * c4
-    z4_x = s1 * c4 + x3_x * s4
-    z4_z = x3_z * s4
-    z4_y = x3_y * s4 - c1 * c4
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, c2 * s3 - s2 * c3
+    z3_x, z3_y, z3_z = y2_x * c3 - x2_x * s3, y2_y * c3 - x2_y * s3, c2 * c3 + s2 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 - s1 * s4, x3_y * c4 + c1 * s4, x3_z * c4
+    z4_x, z4_z, z4_y = s1 * c4 + x3_x * s4, x3_z * s4, x3_y * s4 - c1 * c4
     v2 = q[4] + offset5
-    c5 = math.cos(v2)
-    s5 = math.sin(v2)
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = x4_y * c5 + z3_y * s5
-    x5_z = x4_z * c5 + z3_z * s5
-    T11_ = z3_x * c5 - x4_x * s5
-    T21_ = z3_y * c5 - x4_y * s5
-    T31_ = z3_z * c5 - x4_z * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = T11_
-    T[0, 1] = x5_x * s6 - z4_x * c6
-    T[0, 2] = -(x5_x * c6 + z4_x * s6)
+    c5, s5 = math.cos(v2), math.sin(v2)
+    x5_x, x5_y, x5_z = x4_x * c5 + z3_x * s5, x4_y * c5 + z3_y * s5, x4_z * c5 + z3_z * s5
+    T11_, T21_, T31_ = z3_x * c5 - x4_x * s5, z3_y * c5 - x4_y * s5, z3_z * c5 - x4_z * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = T11_, x5_x * s6 - z4_x * c6, -(x5_x * c6 + z4_x * s6)
     T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 - z3_x * d4 - -T11_ * d6
-    T[1, 0] = T21_
-    T[1, 1] = x5_y * s6 - z4_y * c6
-    T[1, 2] = -(x5_y * c6 + z4_y * s6)
+    T[1, 0], T[1, 1], T[1, 2] = T21_, x5_y * s6 - z4_y * c6, -(x5_y * c6 + z4_y * s6)
     T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 - z3_y * d4 - -T21_ * d6
-    T[2, 0] = T31_
-    T[2, 1] = x5_z * s6 - z4_z * c6
-    T[2, 2] = -(x5_z * c6 + z4_z * s6)
+    T[2, 0], T[2, 1], T[2, 2] = T31_, x5_z * s6 - z4_z * c6, -(x5_z * c6 + z4_z * s6)
     T[2, 3] = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -T31_ * d6
     T[3, 3] = 1.0
     return T
@@ -216,86 +189,41 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    y2_x = c1 * s2
-    y2_y = s1 * s2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y, v1 = c1 * a1, s1 * a1, q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, y2_x = c1 * c2, s1 * c2, c1 * s2
+    y2_y, p2_x, p2_y = s1 * s2, p1_x + x2_x * a2, p1_y + x2_y * a2
     p2_z = d1 - s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = c2 * s3 - s2 * c3
-    z3_x = y2_x * c3 - x2_x * s3
-    z3_y = y2_y * c3 - x2_y * s3
-    z3_z = c2 * c3 + s2 * s3
-    p3_x = p2_x + x3_x * a3
-    p3_y = p2_y + x3_y * a3
-    p3_z = p2_z + x3_z * a3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    z4_x = s1 * c4 + x3_x * s4
-    z4_z = x3_z * s4
-    p4_x = p3_x - z3_x * d4
-    p4_y = p3_y - z3_y * d4
-    p4_z = p3_z - z3_z * d4
-    z4_y = x3_y * s4 - c1 * c4
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, c2 * s3 - s2 * c3
+    z3_x, z3_y, z3_z = y2_x * c3 - x2_x * s3, y2_y * c3 - x2_y * s3, c2 * c3 + s2 * s3
+    p3_x, p3_y, p3_z = p2_x + x3_x * a3, p2_y + x3_y * a3, p2_z + x3_z * a3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    z4_x, z4_z, p4_x = s1 * c4 + x3_x * s4, x3_z * s4, p3_x - z3_x * d4
+    p4_y, p4_z, z4_y = p3_y - z3_y * d4, p3_z - z3_z * d4, x3_y * s4 - c1 * c4
     v2 = q[4] + offset5
-    c5 = math.cos(v2)
-    s5 = math.sin(v2)
-    z5_x = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5
-    z5_y = (x3_y * c4 + c1 * s4) * s5 - z3_y * c5
-    z5_z = x3_z * c4 * s5 - z3_z * c5
-    J21 = p4_x - z5_x * d6
-    v3 = p4_y - z5_y * d6
+    c5, s5 = math.cos(v2), math.sin(v2)
+    z5_x, z5_y = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5, (x3_y * c4 + c1 * s4) * s5 - z3_y * c5
+    z5_z, J21, v3 = x3_z * c4 * s5 - z3_z * c5, p4_x - z5_x * d6, p4_y - z5_y * d6
     v4 = p4_z - z5_z * d6
-    v5 = v4 - d1
-    v6 = v4 - p2_z
-    v7 = J21 - p3_x
-    v8 = v3 - p3_y
-    v9 = v4 - p3_z
-    v10 = J21 - p4_x
-    v11 = v3 - p4_y
-    v12 = v4 - p4_z
-    J[0, 0] = -v3
-    J[0, 1] = c1 * v5
-    J[0, 2] = -(c1 * v6)
-    J[0, 3] = z3_y * v9 - z3_z * v8
-    J[0, 4] = z4_y * v12 - z4_z * v11
+    v5, v6, v7 = v4 - d1, v4 - p2_z, J21 - p3_x
+    v8, v9, v10 = v3 - p3_y, v4 - p3_z, J21 - p4_x
+    v11, v12 = v3 - p4_y, v4 - p4_z
+    J[0, 0], J[0, 1], J[0, 2] = -v3, c1 * v5, -(c1 * v6)
+    J[0, 3], J[0, 4] = z3_y * v9 - z3_z * v8, z4_y * v12 - z4_z * v11
     J[0, 5] = z5_y * v12 - z5_z * v11
-    J[1, 0] = J21
-    J[1, 1] = s1 * v5
-    J[1, 2] = -(s1 * v6)
-    J[1, 3] = z3_z * v7 - z3_x * v9
-    J[1, 4] = z4_z * v10 - z4_x * v12
+    J[1, 0], J[1, 1], J[1, 2] = J21, s1 * v5, -(s1 * v6)
+    J[1, 3], J[1, 4] = z3_z * v7 - z3_x * v9, z4_z * v10 - z4_x * v12
     J[1, 5] = z5_z * v10 - z5_x * v12
-    J[2, 1] = -(s1 * (v3 - p1_y) + c1 * (J21 - p1_x))
-    J[2, 2] = s1 * (v3 - p2_y) + c1 * (J21 - p2_x)
-    J[2, 3] = z3_x * v8 - z3_y * v7
-    J[2, 4] = z4_x * v11 - z4_y * v10
+    J[2, 1], J[2, 2] = -(s1 * (v3 - p1_y) + c1 * (J21 - p1_x)), s1 * (v3 - p2_y) + c1 * (J21 - p2_x)
+    J[2, 3], J[2, 4] = z3_x * v8 - z3_y * v7, z4_x * v11 - z4_y * v10
     J[2, 5] = z5_x * v11 - z5_y * v10
-    J[3, 1] = -s1
-    J[3, 2] = s1
-    J[3, 3] = z3_x
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = c1
-    J[4, 2] = -c1
-    J[4, 3] = z3_y
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 3] = z3_z
-    J[5, 4] = z4_z
+    J[3, 1], J[3, 2], J[3, 3] = -s1, s1, z3_x
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = c1, -c1, z3_y
+    J[4, 4], J[4, 5] = z4_y, z5_y
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, z3_z, z4_z
     J[5, 5] = z5_z
     return J
 
@@ -339,8 +267,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v3 = k1 * K3
-        v4 = k2 * K3
+        v3, v4 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[3, 3]
         v7 = T11 * c1 + T21 * s1
@@ -348,9 +275,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v8 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v9 = T22 * c1 - T12 * s1
-        v10 = T12 * c1 + T22 * s1
-        v12 = T23 * c1 - T13 * s1
+        v9, v10, v12 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T23 * c1 - T13 * s1
         v13 = T13 * c1 + T23 * s1
 
         for i2 in range(2):  # +, -
@@ -359,8 +284,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e3
-            s3 = (v3 + k2 * root3) * k4
-            c3 = k4 * (v4 - k1 * root3)
+            s3, c3 = (v3 + k2 * root3) * k4, k4 * (v4 - k1 * root3)
             q3 = _atan2(s3, c3)
 
             # theta2
@@ -386,8 +310,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T31 * c2m3 + s2m3 * v7
 
             # theta6
-            v11 = T32 * s2m3 - c2m3 * v10
-            v14 = T33 * s2m3 - c2m3 * v13
+            v11, v14 = T32 * s2m3 - c2m3 * v10, T33 * s2m3 - c2m3 * v13
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -404,19 +327,14 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s5 = w4 * e4
 
                 # theta6
-                c6 = c4 * v9 + s4 * v11
-                s6 = c4 * v12 + s4 * v14
+                c6, s6 = c4 * v9 + s4 * v11, c4 * v12 + s4 * v14
                 q6 = _atan2(s6, c6)
 
                 # joint values
                 q5 = _wrap(_atan2(s5, c5) - offset5)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -428,83 +346,50 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[3, 4]
-        t14 = T14 - d6 * T11
-        Y1 = d6 * T21 - T24
+        t14, Y1 = T14 - d6 * T11, d6 * T21 - T24
         v1 = t14 * t14 + Y1 * Y1
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
 
         # theta3, type 6: U1[2, 4] and U1[1, 4]
-        Z1_3 = T34 - d6 * T31 - d1
-        v3 = a1 + w1
-        v4 = a1 - w1
+        Z1_3, v3, v4 = T34 - d6 * T31 - d1, a1 + w1, a1 - w1
         v5 = Z1_3 * Z1_3
-        N3_p = v5 + v3 * v3
-        N3_m = v5 + v4 * v4
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
+        N3_p, N3_m = v5 + v3 * v3, v5 + v4 * v4
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
-        Y1_2_p = m4 * N3_p - m5
-        Y1_2_m = m4 * N3_m - m5
-        v8 = Z1_3 * Y1_2_p
-        v9 = Z1_3 * Y1_2_m
-        v10 = m4 * Z1_3
-        v11 = m4 * -Z1_3
-        v12 = v3 * -Y1_2_p
-        v13 = v4 * -Y1_2_m
-        factor2_p = 1.0 / N3_p
-        factor2_m = 1.0 / N3_m
+        Y1_2_p, Y1_2_m = m4 * N3_p - m5, m4 * N3_m - m5
+        v8, v9, v10 = Z1_3 * Y1_2_p, Z1_3 * Y1_2_m, m4 * Z1_3
+        v11, v12, v13 = m4 * -Z1_3, v3 * -Y1_2_p, v4 * -Y1_2_m
+        factor2_p, factor2_m = 1.0 / N3_p, 1.0 / N3_m
 
         # theta4, type 2: U4[3, 3]
         v14 = m6 * Z1_3
-        v15 = m7 * v3 - v14
-        v16 = m7 * v4 - v14
-        v17 = m7 + m8 * factor2_p
-        v18 = m7 + m8 * factor2_m
-        v19 = m6 + m9 * factor2_p
-        v20 = m6 + m9 * factor2_m
-        v21 = Z1_3 * v17 + v3 * v19
-        v22 = Z1_3 * v18 + v4 * v20
-        c2m3_pp = w3_p * (factor2_p * v15) - v21
-        c2m3_pm = w3_p * (factor2_p * -v15) - v21
-        c2m3_mp = w3_m * (factor2_m * v16) - v22
-        c2m3_mm = w3_m * (factor2_m * -v16) - v22
-        v23 = m7 * Z1_3
-        v24 = v3 * v17 - Z1_3 * v19
-        v25 = v4 * v18 - Z1_3 * v20
+        v15, v16, v17 = m7 * v3 - v14, m7 * v4 - v14, m7 + m8 * factor2_p
+        v18, v19, v20 = m7 + m8 * factor2_m, m6 + m9 * factor2_p, m6 + m9 * factor2_m
+        v21, v22 = Z1_3 * v17 + v3 * v19, Z1_3 * v18 + v4 * v20
+        c2m3_pp, c2m3_pm = w3_p * (factor2_p * v15) - v21, w3_p * (factor2_p * -v15) - v21
+        c2m3_mp, c2m3_mm = w3_m * (factor2_m * v16) - v22, w3_m * (factor2_m * -v16) - v22
+        v23, v24, v25 = m7 * Z1_3, v3 * v17 - Z1_3 * v19, v4 * v18 - Z1_3 * v20
         v26 = w3_p * (factor2_p * (v23 + m6 * v3))
-        s2m3_pp = v24 + v26
-        s2m3_pm = v24 - v26
-        v27 = w3_m * (factor2_m * (v23 + m6 * v4))
-        s2m3_mp = v25 + v27
-        s2m3_mm = v25 - v27
-        v28 = w1 * (v2 * (T21 * Y1 - T11 * t14))
-        X4_pp = c2m3_pp * v28 - T31 * s2m3_pp
-        X4_pm = c2m3_pm * v28 - T31 * s2m3_pm
-        v29 = c2m3_mp * v28 + T31 * s2m3_mp
-        v30 = c2m3_mm * v28 + T31 * s2m3_mm
+        s2m3_pp, s2m3_pm, v27 = v24 + v26, v24 - v26, w3_m * (factor2_m * (v23 + m6 * v4))
+        s2m3_mp, s2m3_mm, v28 = v25 + v27, v25 - v27, w1 * (v2 * (T21 * Y1 - T11 * t14))
+        X4_pp, X4_pm = c2m3_pp * v28 - T31 * s2m3_pp, c2m3_pm * v28 - T31 * s2m3_pm
+        v29, v30 = c2m3_mp * v28 + T31 * s2m3_mp, c2m3_mm * v28 + T31 * s2m3_mm
         Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21))
         v31 = Y4 * Y4
-        v32 = v31 + X4_pp * X4_pp
-        v33 = v31 + X4_pm * X4_pm
-        v34 = v31 + v29 * v29
-        v35 = v31 + v30 * v30
-        v36 = math.copysign(half_turn, Y4)
-        v37 = math.copysign(half_turn, -Y4)
+        v32, v33, v34 = v31 + X4_pp * X4_pp, v31 + X4_pm * X4_pm, v31 + v29 * v29
+        v35, v36, v37 = v31 + v30 * v30, math.copysign(half_turn, Y4), math.copysign(half_turn, -Y4)
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
-        v39 = w1 * (v2 * (Y1 * T22 - t14 * T12))
-        v40 = w1 * (v2 * (t14 * T23 + Y1 * T13))
-        v41 = w1 * (v2 * (Y1 * T23 - t14 * T13))
+        v38, v39 = w1 * (v2 * (t14 * T22 + Y1 * T12)), w1 * (v2 * (Y1 * T22 - t14 * T12))
+        v40, v41 = w1 * (v2 * (t14 * T23 + Y1 * T13)), w1 * (v2 * (Y1 * T23 - t14 * T13))
         v42 = Y4 * (s2m3_pp * T33 - c2m3_pp * v41) - -X4_pp * v40
         v43 = Y4 * (s2m3_pm * T33 - c2m3_pm * v41) - -X4_pm * v40
         v44 = v29 * v40 - Y4 * (s2m3_mp * T33 + c2m3_mp * v41)
@@ -518,18 +403,19 @@ def _formulas(kept, turns, rows, w):
             1.0 if v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <=
             m1 or abs(D3_p) <= m3 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Y1, w3_p, w3_m, v36
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v37, v42, v43, v44
-        kept[25 * w + k], turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = v45, Y1, w3_p, w3_m
-        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = Y4, Y4, -Y4, -Y4
-        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = v42, v43, v44, v45
-        turns[11 * w + k], turns[12 * w + k] = -(v8 + v46), v46 - v8
-        turns[13 * w + k], turns[14 * w + k] = -(v9 + w3_m * (m4 * v4)), -(v9 + w3_m * (m4 * -v4))
-        turns[15 * w + k], turns[16 * w + k] = math.sqrt(v32), math.sqrt(v33)
-        turns[17 * w + k], turns[18 * w + k] = math.sqrt(v34), math.sqrt(v35)
-        turns[24 * w + k], turns[25 * w + k], turns[26 * w + k] = -t14, N3_p - k3, N3_m - k3
-        turns[27 * w + k], turns[28 * w + k], turns[29 * w + k] = -X4_pp, -X4_pm, v29
-        turns[30 * w + k] = v30
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y1, w3_p, w3_m
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v36, v37, v42
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = v43, v44, v45
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = Y1, w3_p, w3_m
+        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = Y4, Y4, -Y4
+        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = -Y4, v42, v43
+        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = v44, v45, -(v8 + v46)
+        turns[12 * w + k], turns[13 * w + k] = v46 - v8, -(v9 + w3_m * (m4 * v4))
+        turns[14 * w + k], turns[15 * w + k] = -(v9 + w3_m * (m4 * -v4)), math.sqrt(v32)
+        turns[16 * w + k], turns[17 * w + k] = math.sqrt(v33), math.sqrt(v34)
+        turns[18 * w + k], turns[24 * w + k], turns[25 * w + k] = math.sqrt(v35), -t14, N3_p - k3
+        turns[26 * w + k], turns[27 * w + k], turns[28 * w + k] = N3_m - k3, -X4_pp, -X4_pm
+        turns[29 * w + k], turns[30 * w + k] = v29, v30
         turns[31 * w + k] = Y4 * (s2m3_pp * T32 - c2m3_pp * v39) - -X4_pp * v38
         turns[32 * w + k] = Y4 * (s2m3_pm * T32 - c2m3_pm * v39) - -X4_pm * v38
         turns[33 * w + k] = v29 * v38 - Y4 * (s2m3_mp * T32 + c2m3_mp * v39)
@@ -549,29 +435,26 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        Y1, w3_p, w3_m, v36 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v37, v42, v43, v44 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        v45, angle1, angle2 = kept[25 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
-        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
-        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
-        angle18, angle19 = turns[17 * w + k], turns[18 * w + k]
+        Y1, w3_p, w3_m = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v36, v37, v42 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v43, v44, v45 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        angle19 = turns[18 * w + k]
 
         # theta1, type 2: U1[3, 4]
         q1__m = angle1 - math.copysign(half_turn, Y1)
 
         # theta3, type 6: U1[2, 4] and U1[1, 4]
-        q3__pp = angle2 - turn1
-        v6 = turn1 + angle2
-        q3__mp = angle3 - turn1
+        q3__pp, v6, q3__mp = angle2 - turn1, turn1 + angle2, angle3 - turn1
         v7 = turn1 + angle3
 
         # theta4, type 2: U4[3, 3]
-        q4_ppm = angle4 - v36
-        q4_pmm = angle5 - v36
-        q4_mpm = angle6 - v37
+        q4_ppm, q4_pmm, q4_mpm = angle4 - v36, angle5 - v36, angle6 - v37
         q4_mmm = angle7 - v37
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
@@ -581,22 +464,15 @@ def _formulas(kept, turns, rows, w):
         q6_mmm = angle11 - math.copysign(half_turn, v45)
 
         # joint values
-        v47 = angle12 - offset2
-        v48 = angle13 - offset2
-        v49 = angle14 - offset2
+        v47, v48, v49 = angle12 - offset2, angle13 - offset2, angle14 - offset2
         v50 = angle15 - offset2
         q2_ppp = v47 + (-turn if half_turn < v47 else 0.0)
         q2_pmp = v48 + (-turn if half_turn < v48 else 0.0)
         q2_mpp = v49 + (-turn if half_turn < v49 else 0.0)
         q2_mmp = v50 + (-turn if half_turn < v50 else 0.0)
-        v51 = angle16 - offset5
-        v52 = offset5 + angle16
-        v53 = angle17 - offset5
-        v54 = offset5 + angle17
-        v55 = angle18 - offset5
-        v56 = offset5 + angle18
-        v57 = angle19 - offset5
-        v58 = offset5 + angle19
+        v51, v52, v53 = angle16 - offset5, offset5 + angle16, angle17 - offset5
+        v54, v55, v56 = offset5 + angle17, angle18 - offset5, offset5 + angle18
+        v57, v58 = angle19 - offset5, offset5 + angle19
         q5_ppp = v51 + (turn if v51 <= -half_turn else 0.0)
         q5_ppm = (turn if -v52 <= -half_turn else 0.0) - v52
         q5_pmp = v53 + (turn if v53 <= -half_turn else 0.0)
@@ -609,20 +485,14 @@ def _formulas(kept, turns, rows, w):
         v60 = (-turn if half_turn < -v6 else 0.0) - v6
         v61 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
         v62 = (-turn if half_turn < -v7 else 0.0) - v7
-        v63 = abs(angle1) - high1
-        v64 = abs(q1__m) - high1
+        v63, v64 = abs(angle1) - high1, abs(q1__m) - high1
         v65 = v59 + (turn if v59 < low3 else 0.0)
         v66 = v60 + (turn if v60 < low3 else 0.0)
         v67 = v61 + (turn if v61 < low3 else 0.0)
         v68 = v62 + (turn if v62 < low3 else 0.0)
-        v69 = max(low3 - v65, v65 - high3)
-        v70 = max(low3 - v66, v66 - high3)
-        v71 = max(low3 - v67, v67 - high3)
-        v72 = max(low3 - v68, v68 - high3)
-        v73 = low3 - v59
-        v74 = low3 - v60
-        v75 = low3 - v61
-        v76 = low3 - v62
+        v69, v70 = max(low3 - v65, v65 - high3), max(low3 - v66, v66 - high3)
+        v71, v72, v73 = max(low3 - v67, v67 - high3), max(low3 - v68, v68 - high3), low3 - v59
+        v74, v75, v76 = low3 - v60, low3 - v61, low3 - v62
         v77 = v73 if v73 < v69 else v69
         v78 = v74 if v74 < v70 else v70
         v79 = v75 if v75 < v71 else v71
@@ -631,28 +501,18 @@ def _formulas(kept, turns, rows, w):
         q3_pmp = v60 if 0.0 < v78 else v66
         q3_mpp = v61 if 0.0 < v79 else v67
         q3_mmp = v62 if 0.0 < v80 else v68
-        q1_ppp = angle1 + (w3_p - w3_p)
-        q1_mpp = q1__m + (w3_m - w3_m)
+        q1_ppp, q1_mpp = angle1 + (w3_p - w3_p), q1__m + (w3_m - w3_m)
         v81 = max(v77, max(v63, max(low2 - q2_ppp, q2_ppp - high2)))
         v82 = max(v78, max(v63, max(low2 - q2_pmp, q2_pmp - high2)))
         v83 = max(v79, max(v64, max(low2 - q2_mpp, q2_mpp - high2)))
         v84 = max(v80, max(v64, max(low2 - q2_mmp, q2_mmp - high2)))
-        excess_ppp = max(v81, abs(q5_ppp) - high5)
-        excess_ppm = max(v81, abs(q5_ppm) - high5)
-        excess_pmp = max(v82, abs(q5_pmp) - high5)
-        excess_pmm = max(v82, abs(q5_pmm) - high5)
-        excess_mpp = max(v83, abs(q5_mpp) - high5)
-        excess_mpm = max(v83, abs(q5_mpm) - high5)
-        excess_mmp = max(v84, abs(q5_mmp) - high5)
-        excess_mmm = max(v84, abs(q5_mmm) - high5)
-        outside_ppp = 0.0 < excess_ppp
-        outside_ppm = 0.0 < excess_ppm
-        outside_pmp = 0.0 < excess_pmp
-        outside_pmm = 0.0 < excess_pmm
-        outside_mpp = 0.0 < excess_mpp
-        outside_mpm = 0.0 < excess_mpm
-        outside_mmp = 0.0 < excess_mmp
-        outside_mmm = 0.0 < excess_mmm
+        excess_ppp, excess_ppm = max(v81, abs(q5_ppp) - high5), max(v81, abs(q5_ppm) - high5)
+        excess_pmp, excess_pmm = max(v82, abs(q5_pmp) - high5), max(v82, abs(q5_pmm) - high5)
+        excess_mpp, excess_mpm = max(v83, abs(q5_mpp) - high5), max(v83, abs(q5_mpm) - high5)
+        excess_mmp, excess_mmm = max(v84, abs(q5_mmp) - high5), max(v84, abs(q5_mmm) - high5)
+        outside_ppp, outside_ppm, outside_pmp = 0.0 < excess_ppp, 0.0 < excess_ppm, 0.0 < excess_pmp
+        outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
+        outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
@@ -702,13 +562,8 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 19, 20, 21, 22],
-    [17, 18, 19, 23, 24, 25],
-    [17, 26, 27, 28, 29, 30],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22], [17, 18, 19, 23, 24, 25], [17, 26, 27, 28, 29, 30],
     [17, 26, 27, 31, 32, 33],
 ])
 

@@ -163,54 +163,26 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    y2_x = c1 * s2
-    y2_y = s1 * s2
-    v2 = q[1] + q[2]
-    c3 = math.cos(v2)
-    s3 = math.sin(v2)
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = c2 * s3 - s2 * c3
-    z3_x = y2_x * c3 - x2_x * s3
-    z3_y = y2_y * c3 - x2_y * s3
-    z3_z = c2 * c3 + s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - s1 * s4
-    x4_y = x3_y * c4 + c1 * s4
-    x4_z = x3_z * c4
-    z4_x = s1 * c4 + x3_x * s4
-    z4_z = x3_z * s4
-    z4_y = x3_y * s4 - c1 * c4
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, y2_x = c1 * c2, s1 * c2, c1 * s2
+    y2_y, v2 = s1 * s2, q[1] + q[2]
+    c3, s3 = math.cos(v2), math.sin(v2)
+    x3_x, x3_y, x3_z = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, c2 * s3 - s2 * c3
+    z3_x, z3_y, z3_z = y2_x * c3 - x2_x * s3, y2_y * c3 - x2_y * s3, c2 * c3 + s2 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 - s1 * s4, x3_y * c4 + c1 * s4, x3_z * c4
+    z4_x, z4_z, z4_y = s1 * c4 + x3_x * s4, x3_z * s4, x3_y * s4 - c1 * c4
     v3 = q[4] + offset5
-    c5 = math.cos(v3)
-    s5 = math.sin(v3)
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = x4_y * c5 + z3_y * s5
-    x5_z = x4_z * c5 + z3_z * s5
-    T11_ = z3_x * c5 - x4_x * s5
-    T21_ = z3_y * c5 - x4_y * s5
-    T31_ = z3_z * c5 - x4_z * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = T11_
-    T[0, 1] = x5_x * s6 - z4_x * c6
-    T[0, 2] = -(x5_x * c6 + z4_x * s6)
+    c5, s5 = math.cos(v3), math.sin(v3)
+    x5_x, x5_y, x5_z = x4_x * c5 + z3_x * s5, x4_y * c5 + z3_y * s5, x4_z * c5 + z3_z * s5
+    T11_, T21_, T31_ = z3_x * c5 - x4_x * s5, z3_y * c5 - x4_y * s5, z3_z * c5 - x4_z * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = T11_, x5_x * s6 - z4_x * c6, -(x5_x * c6 + z4_x * s6)
     T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 - z3_x * d4 - -T11_ * d6
-    T[1, 0] = T21_
-    T[1, 1] = x5_y * s6 - z4_y * c6
-    T[1, 2] = -(x5_y * c6 + z4_y * s6)
+    T[1, 0], T[1, 1], T[1, 2] = T21_, x5_y * s6 - z4_y * c6, -(x5_y * c6 + z4_y * s6)
     T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 - z3_y * d4 - -T21_ * d6
-    T[2, 0] = T31_
-    T[2, 1] = x5_z * s6 - z4_z * c6
-    T[2, 2] = -(x5_z * c6 + z4_z * s6)
+    T[2, 0], T[2, 1], T[2, 2] = T31_, x5_z * s6 - z4_z * c6, -(x5_z * c6 + z4_z * s6)
     T[2, 3] = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -T31_ * d6
     T[3, 3] = 1.0
     return T
@@ -222,88 +194,42 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    y2_x = c1 * s2
-    y2_y = s1 * s2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
-    p2_z = d1 - s2 * a2
-    v2 = q[1] + q[2]
-    c3 = math.cos(v2)
-    s3 = math.sin(v2)
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = c2 * s3 - s2 * c3
-    z3_x = y2_x * c3 - x2_x * s3
-    z3_y = y2_y * c3 - x2_y * s3
-    z3_z = c2 * c3 + s2 * s3
-    p3_x = p2_x + x3_x * a3
-    p3_y = p2_y + x3_y * a3
-    p3_z = p2_z + x3_z * a3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    z4_x = s1 * c4 + x3_x * s4
-    z4_z = x3_z * s4
-    p4_x = p3_x - z3_x * d4
-    p4_y = p3_y - z3_y * d4
-    p4_z = p3_z - z3_z * d4
-    z4_y = x3_y * s4 - c1 * c4
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y, v1 = c1 * a1, s1 * a1, q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, y2_x = c1 * c2, s1 * c2, c1 * s2
+    y2_y, p2_x, p2_y = s1 * s2, p1_x + x2_x * a2, p1_y + x2_y * a2
+    p2_z, v2 = d1 - s2 * a2, q[1] + q[2]
+    c3, s3 = math.cos(v2), math.sin(v2)
+    x3_x, x3_y, x3_z = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, c2 * s3 - s2 * c3
+    z3_x, z3_y, z3_z = y2_x * c3 - x2_x * s3, y2_y * c3 - x2_y * s3, c2 * c3 + s2 * s3
+    p3_x, p3_y, p3_z = p2_x + x3_x * a3, p2_y + x3_y * a3, p2_z + x3_z * a3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    z4_x, z4_z, p4_x = s1 * c4 + x3_x * s4, x3_z * s4, p3_x - z3_x * d4
+    p4_y, p4_z, z4_y = p3_y - z3_y * d4, p3_z - z3_z * d4, x3_y * s4 - c1 * c4
     v3 = q[4] + offset5
-    c5 = math.cos(v3)
-    s5 = math.sin(v3)
-    z5_x = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5
-    z5_y = (x3_y * c4 + c1 * s4) * s5 - z3_y * c5
-    z5_z = x3_z * c4 * s5 - z3_z * c5
-    J21 = p4_x - z5_x * d6
-    v4 = p4_y - z5_y * d6
+    c5, s5 = math.cos(v3), math.sin(v3)
+    z5_x, z5_y = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5, (x3_y * c4 + c1 * s4) * s5 - z3_y * c5
+    z5_z, J21, v4 = x3_z * c4 * s5 - z3_z * c5, p4_x - z5_x * d6, p4_y - z5_y * d6
     v5 = p4_z - z5_z * d6
-    v6 = v5 - d1
-    v7 = v5 - p2_z
-    v8 = c1 * v7
-    v9 = s1 * v7
-    J33 = s1 * (v4 - p2_y) + c1 * (J21 - p2_x)
-    v10 = J21 - p3_x
-    v11 = v4 - p3_y
-    v12 = v5 - p3_z
-    v13 = J21 - p4_x
-    v14 = v4 - p4_y
-    v15 = v5 - p4_z
-    J[0, 0] = -v4
-    J[0, 1] = c1 * v6 - v8
-    J[0, 2] = -v8
-    J[0, 3] = z3_y * v12 - z3_z * v11
-    J[0, 4] = z4_y * v15 - z4_z * v14
+    v6, v7 = v5 - d1, v5 - p2_z
+    v8, v9, J33 = c1 * v7, s1 * v7, s1 * (v4 - p2_y) + c1 * (J21 - p2_x)
+    v10, v11, v12 = J21 - p3_x, v4 - p3_y, v5 - p3_z
+    v13, v14, v15 = J21 - p4_x, v4 - p4_y, v5 - p4_z
+    J[0, 0], J[0, 1], J[0, 2] = -v4, c1 * v6 - v8, -v8
+    J[0, 3], J[0, 4] = z3_y * v12 - z3_z * v11, z4_y * v15 - z4_z * v14
     J[0, 5] = z5_y * v15 - z5_z * v14
-    J[1, 0] = J21
-    J[1, 1] = s1 * v6 - v9
-    J[1, 2] = -v9
-    J[1, 3] = z3_z * v10 - z3_x * v12
-    J[1, 4] = z4_z * v13 - z4_x * v15
+    J[1, 0], J[1, 1], J[1, 2] = J21, s1 * v6 - v9, -v9
+    J[1, 3], J[1, 4] = z3_z * v10 - z3_x * v12, z4_z * v13 - z4_x * v15
     J[1, 5] = z5_z * v13 - z5_x * v15
-    J[2, 1] = J33 - (s1 * (v4 - p1_y) + c1 * (J21 - p1_x))
-    J[2, 2] = J33
-    J[2, 3] = z3_x * v11 - z3_y * v10
-    J[2, 4] = z4_x * v14 - z4_y * v13
+    J[2, 1], J[2, 2] = J33 - (s1 * (v4 - p1_y) + c1 * (J21 - p1_x)), J33
+    J[2, 3], J[2, 4] = z3_x * v11 - z3_y * v10, z4_x * v14 - z4_y * v13
     J[2, 5] = z5_x * v14 - z5_y * v13
-    J[3, 2] = s1
-    J[3, 3] = z3_x
-    J[3, 4] = z4_x
+    J[3, 2], J[3, 3], J[3, 4] = s1, z3_x, z4_x
     J[3, 5] = z5_x
-    J[4, 2] = -c1
-    J[4, 3] = z3_y
-    J[4, 4] = z4_y
+    J[4, 2], J[4, 3], J[4, 4] = -c1, z3_y, z4_y
     J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 3] = z3_z
-    J[5, 4] = z4_z
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, z3_z, z4_z
     J[5, 5] = z5_z
     return J
 
@@ -347,8 +273,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v3 = k1 * K3
-        v4 = k2 * K3
+        v3, v4 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[3, 3]
         v7 = T11 * c1 + T21 * s1
@@ -356,9 +281,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v8 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v9 = T22 * c1 - T12 * s1
-        v10 = T12 * c1 + T22 * s1
-        v12 = T23 * c1 - T13 * s1
+        v9, v10, v12 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T23 * c1 - T13 * s1
         v13 = T13 * c1 + T23 * s1
 
         for i2 in range(2):  # +, -
@@ -367,8 +290,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e3
-            s3 = (v3 + k2 * root3) * k4
-            c3 = k4 * (v4 - k1 * root3)
+            s3, c3 = (v3 + k2 * root3) * k4, k4 * (v4 - k1 * root3)
 
             # theta2
             X1_2 = a3 * s3 - d4 * c3
@@ -393,8 +315,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T31 * c2m3 + s2m3 * v7
 
             # theta6
-            v11 = T32 * s2m3 - c2m3 * v10
-            v14 = T33 * s2m3 - c2m3 * v13
+            v11, v14 = T32 * s2m3 - c2m3 * v10, T33 * s2m3 - c2m3 * v13
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -412,19 +333,14 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s5 = w4 * e4
 
                 # theta6
-                c6 = c4 * v9 + s4 * v11
-                s6 = c4 * v12 + s4 * v14
+                c6, s6 = c4 * v9 + s4 * v11, c4 * v12 + s4 * v14
                 q6 = _atan2(s6, c6)
 
                 # joint values
                 q5 = _wrap(_atan2(s5, c5) - offset5)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 

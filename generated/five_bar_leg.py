@@ -112,18 +112,11 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 2 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    T[0, 0] = x2_x
-    T[0, 1] = -x2_y
-    T[0, 3] = c1 * crank + x2_x * rod
-    T[1, 0] = x2_y
-    T[1, 1] = x2_x
-    T[1, 3] = s1 * crank + x2_y * rod
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    T[0, 0], T[0, 1], T[0, 3] = x2_x, -x2_y, c1 * crank + x2_x * rod
+    T[1, 0], T[1, 1], T[1, 3] = x2_y, x2_x, s1 * crank + x2_y * rod
     T[2, 2] = 1.0
     T[3, 3] = 1.0
     return T
@@ -135,20 +128,13 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 2 joint values")
     J = _zeros(6, 2)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * crank
-    p1_y = s1 * crank
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    p2_x = p1_x + (c1 * c2 - s1 * s2) * rod
-    p2_y = p1_y + (s1 * c2 + c1 * s2) * rod
-    J[0, 0] = -p2_y
-    J[0, 1] = p1_y - p2_y
-    J[1, 0] = p2_x
-    J[1, 1] = p2_x - p1_x
-    J[5, 0] = 1.0
-    J[5, 1] = 1.0
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * crank, s1 * crank
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    p2_x, p2_y = p1_x + (c1 * c2 - s1 * s2) * rod, p1_y + (s1 * c2 + c1 * s2) * rod
+    J[0, 0], J[0, 1] = -p2_y, p1_y - p2_y
+    J[1, 0], J[1, 1] = p2_x, p2_x - p1_x
+    J[5, 0], J[5, 1] = 1.0, 1.0
     return J
 
 
@@ -169,8 +155,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     X1_1 = crank + rod * c2
-    v1 = T24 * X1_1
-    v2 = T14 * X1_1
+    v1, v2 = T24 * X1_1, T14 * X1_1
 
     for i1 in range(2):  # right, left
         e2 = 1.0 - 2.0 * i1
@@ -191,8 +176,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         s1 = math.sin(seed[0]) if free1 else S1 * factor1
         q1 = _atan2(s1, c1)
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
+        q[row, 0], q[row, 1] = q1, q2
         status[row] = FREE_JOINT if free1 else OK
 
 
@@ -213,9 +197,7 @@ def _formulas(kept, turns, rows, w):
 
         # theta1, type 3: U0[2, 4] and U0[1, 4]
         v1 = m2 * N2 - m3
-        v2 = T24 * v1
-        v3 = T14 * v1
-        v4 = w2 * (m2 * T14)
+        v2, v3, v4 = T24 * v1, T14 * v1, w2 * (m2 * T14)
         v5 = w2 * (m2 * T24)
 
         # a joint is free, or branches meet
@@ -241,8 +223,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1],
-    [2, 3],
+    [0, 1], [2, 3],
 ])
 
 

@@ -163,59 +163,28 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 7 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    z3_x = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, z3_x = c1 * c2, s1 * c2, c1 * s2
     z3_y = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - s1 * s3
-    x3_y = x2_y * c3 + c1 * s3
-    v1 = s2 * c3
-    z4_x = s1 * c3 + x2_x * s3
-    y3_y = c1 * c3 - x2_y * s3
-    y3_z = s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + z3_x * s4
-    x4_y = x3_y * c4 + z3_y * s4
-    x4_z = c2 * s4 - v1 * c4
-    y4_x = z3_x * c4 - x3_x * s4
-    y4_y = z3_y * c4 - x3_y * s4
-    y4_z = c2 * c4 + v1 * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 - z4_x * s5
-    x5_y = x4_y * c5 + y3_y * s5
-    x5_z = x4_z * c5 + y3_z * s5
-    z6_x = z4_x * c5 + x4_x * s5
-    z6_y = x4_y * s5 - y3_y * c5
-    z6_z = x4_z * s5 - y3_z * c5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    x6_x = x5_x * c6 + y4_x * s6
-    x6_y = x5_y * c6 + y4_y * s6
-    x6_z = x5_z * c6 + y4_z * s6
-    z7_x = x5_x * s6 - y4_x * c6
-    z7_y = x5_y * s6 - y4_y * c6
-    z7_z = x5_z * s6 - y4_z * c6
-    c7 = math.cos(q[6])
-    s7 = math.sin(q[6])
-    T[0, 0] = x6_x * c7 + z6_x * s7
-    T[0, 1] = z6_x * c7 - x6_x * s7
-    T[0, 2] = z7_x
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v1 = x2_x * c3 - s1 * s3, x2_y * c3 + c1 * s3, s2 * c3
+    z4_x, y3_y, y3_z = s1 * c3 + x2_x * s3, c1 * c3 - x2_y * s3, s2 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 + z3_x * s4, x3_y * c4 + z3_y * s4, c2 * s4 - v1 * c4
+    y4_x, y4_y, y4_z = z3_x * c4 - x3_x * s4, z3_y * c4 - x3_y * s4, c2 * c4 + v1 * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 - z4_x * s5, x4_y * c5 + y3_y * s5, x4_z * c5 + y3_z * s5
+    z6_x, z6_y, z6_z = z4_x * c5 + x4_x * s5, x4_y * s5 - y3_y * c5, x4_z * s5 - y3_z * c5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    x6_x, x6_y, x6_z = x5_x * c6 + y4_x * s6, x5_y * c6 + y4_y * s6, x5_z * c6 + y4_z * s6
+    z7_x, z7_y, z7_z = x5_x * s6 - y4_x * c6, x5_y * s6 - y4_y * c6, x5_z * s6 - y4_z * c6
+    c7, s7 = math.cos(q[6]), math.sin(q[6])
+    T[0, 0], T[0, 1], T[0, 2] = x6_x * c7 + z6_x * s7, z6_x * c7 - x6_x * s7, z7_x
     T[0, 3] = z3_x * d3 + x3_x * a3 - x4_x * a4 + y4_x * d5 + x6_x * a6 + z7_x * d7
-    T[1, 0] = x6_y * c7 + z6_y * s7
-    T[1, 1] = z6_y * c7 - x6_y * s7
-    T[1, 2] = z7_y
+    T[1, 0], T[1, 1], T[1, 2] = x6_y * c7 + z6_y * s7, z6_y * c7 - x6_y * s7, z7_y
     T[1, 3] = z3_y * d3 + x3_y * a3 - x4_y * a4 + y4_y * d5 + x6_y * a6 + z7_y * d7
-    T[2, 0] = x6_z * c7 + z6_z * s7
-    T[2, 1] = z6_z * c7 - x6_z * s7
-    T[2, 2] = z7_z
+    T[2, 0], T[2, 1], T[2, 2] = x6_z * c7 + z6_z * s7, z6_z * c7 - x6_z * s7, z7_z
     T[2, 3] = d1 + c2 * d3 - v1 * a3 - x4_z * a4 + y4_z * d5 + x6_z * a6 + z7_z * d7
     T[3, 3] = 1.0
     return T
@@ -227,109 +196,48 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 7 joint values")
     J = _zeros(6, 7)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    z3_x = c1 * s2
-    z3_y = s1 * s2
-    p3_x = z3_x * d3
-    p3_y = z3_y * d3
-    p3_z = d1 + c2 * d3
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - s1 * s3
-    x3_y = x2_y * c3 + c1 * s3
-    v1 = s2 * c3
-    z4_x = s1 * c3 + x2_x * s3
-    y3_y = c1 * c3 - x2_y * s3
-    y3_z = s2 * s3
-    p4_x = p3_x + x3_x * a3
-    p4_y = p3_y + x3_y * a3
-    p4_z = p3_z - v1 * a3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + z3_x * s4
-    x4_y = x3_y * c4 + z3_y * s4
-    x4_z = c2 * s4 - v1 * c4
-    y4_x = z3_x * c4 - x3_x * s4
-    y4_y = z3_y * c4 - x3_y * s4
-    y4_z = c2 * c4 + v1 * s4
-    p5_x = p4_x - x4_x * a4 + y4_x * d5
-    p5_y = p4_y - x4_y * a4 + y4_y * d5
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, z3_x = c1 * c2, s1 * c2, c1 * s2
+    z3_y, p3_x = s1 * s2, z3_x * d3
+    p3_y, p3_z = z3_y * d3, d1 + c2 * d3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v1 = x2_x * c3 - s1 * s3, x2_y * c3 + c1 * s3, s2 * c3
+    z4_x, y3_y, y3_z = s1 * c3 + x2_x * s3, c1 * c3 - x2_y * s3, s2 * s3
+    p4_x, p4_y, p4_z = p3_x + x3_x * a3, p3_y + x3_y * a3, p3_z - v1 * a3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 + z3_x * s4, x3_y * c4 + z3_y * s4, c2 * s4 - v1 * c4
+    y4_x, y4_y, y4_z = z3_x * c4 - x3_x * s4, z3_y * c4 - x3_y * s4, c2 * c4 + v1 * s4
+    p5_x, p5_y = p4_x - x4_x * a4 + y4_x * d5, p4_y - x4_y * a4 + y4_y * d5
     p5_z = p4_z - x4_z * a4 + y4_z * d5
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 - z4_x * s5
-    x5_y = x4_y * c5 + y3_y * s5
-    x5_z = x4_z * c5 + y3_z * s5
-    z6_x = z4_x * c5 + x4_x * s5
-    z6_y = x4_y * s5 - y3_y * c5
-    z6_z = x4_z * s5 - y3_z * c5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    p7_x = p5_x + (x5_x * c6 + y4_x * s6) * a6
-    p7_y = p5_y + (x5_y * c6 + y4_y * s6) * a6
-    p7_z = p5_z + (x5_z * c6 + y4_z * s6) * a6
-    z7_x = x5_x * s6 - y4_x * c6
-    z7_y = x5_y * s6 - y4_y * c6
-    z7_z = x5_z * s6 - y4_z * c6
-    J21 = p7_x + z7_x * d7
-    v2 = p7_y + z7_y * d7
-    v3 = p7_z + z7_z * d7
-    v4 = v3 - d1
-    v5 = J21 - p3_x
-    v6 = v2 - p3_y
-    v7 = v3 - p3_z
-    v8 = J21 - p4_x
-    v9 = v2 - p4_y
-    v10 = v3 - p4_z
-    v11 = J21 - p5_x
-    v12 = v2 - p5_y
-    v13 = v3 - p5_z
-    v14 = J21 - p7_x
-    v15 = v2 - p7_y
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 - z4_x * s5, x4_y * c5 + y3_y * s5, x4_z * c5 + y3_z * s5
+    z6_x, z6_y, z6_z = z4_x * c5 + x4_x * s5, x4_y * s5 - y3_y * c5, x4_z * s5 - y3_z * c5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    p7_x, p7_y = p5_x + (x5_x * c6 + y4_x * s6) * a6, p5_y + (x5_y * c6 + y4_y * s6) * a6
+    p7_z, z7_x = p5_z + (x5_z * c6 + y4_z * s6) * a6, x5_x * s6 - y4_x * c6
+    z7_y, z7_z, J21 = x5_y * s6 - y4_y * c6, x5_z * s6 - y4_z * c6, p7_x + z7_x * d7
+    v2, v3 = p7_y + z7_y * d7, p7_z + z7_z * d7
+    v4, v5, v6 = v3 - d1, J21 - p3_x, v2 - p3_y
+    v7, v8, v9 = v3 - p3_z, J21 - p4_x, v2 - p4_y
+    v10, v11, v12 = v3 - p4_z, J21 - p5_x, v2 - p5_y
+    v13, v14, v15 = v3 - p5_z, J21 - p7_x, v2 - p7_y
     v16 = v3 - p7_z
-    J[0, 0] = -v2
-    J[0, 1] = c1 * v4
-    J[0, 2] = z3_y * v7 - c2 * v6
-    J[0, 3] = -y3_y * v10 + y3_z * v9
-    J[0, 4] = y4_y * v13 - y4_z * v12
-    J[0, 5] = z6_y * v13 - z6_z * v12
-    J[0, 6] = z7_y * v16 - z7_z * v15
-    J[1, 0] = J21
-    J[1, 1] = s1 * v4
-    J[1, 2] = c2 * v5 - z3_x * v7
-    J[1, 3] = -(y3_z * v8 + z4_x * v10)
-    J[1, 4] = y4_z * v11 - y4_x * v13
-    J[1, 5] = z6_z * v11 - z6_x * v13
-    J[1, 6] = z7_z * v14 - z7_x * v16
-    J[2, 1] = -(s1 * v2 + c1 * J21)
-    J[2, 2] = z3_x * v6 - z3_y * v5
-    J[2, 3] = z4_x * v9 - -y3_y * v8
-    J[2, 4] = y4_x * v12 - y4_y * v11
-    J[2, 5] = z6_x * v12 - z6_y * v11
+    J[0, 0], J[0, 1], J[0, 2] = -v2, c1 * v4, z3_y * v7 - c2 * v6
+    J[0, 3], J[0, 4] = -y3_y * v10 + y3_z * v9, y4_y * v13 - y4_z * v12
+    J[0, 5], J[0, 6] = z6_y * v13 - z6_z * v12, z7_y * v16 - z7_z * v15
+    J[1, 0], J[1, 1], J[1, 2] = J21, s1 * v4, c2 * v5 - z3_x * v7
+    J[1, 3], J[1, 4] = -(y3_z * v8 + z4_x * v10), y4_z * v11 - y4_x * v13
+    J[1, 5], J[1, 6] = z6_z * v11 - z6_x * v13, z7_z * v14 - z7_x * v16
+    J[2, 1], J[2, 2], J[2, 3] = -(s1 * v2 + c1 * J21), z3_x * v6 - z3_y * v5, z4_x * v9 - -y3_y * v8
+    J[2, 4], J[2, 5] = y4_x * v12 - y4_y * v11, z6_x * v12 - z6_y * v11
     J[2, 6] = z7_x * v15 - z7_y * v14
-    J[3, 1] = -s1
-    J[3, 2] = z3_x
-    J[3, 3] = z4_x
-    J[3, 4] = y4_x
-    J[3, 5] = z6_x
-    J[3, 6] = z7_x
-    J[4, 1] = c1
-    J[4, 2] = z3_y
-    J[4, 3] = -y3_y
-    J[4, 4] = y4_y
-    J[4, 5] = z6_y
-    J[4, 6] = z7_y
-    J[5, 0] = 1.0
-    J[5, 2] = c2
-    J[5, 3] = -y3_z
-    J[5, 4] = y4_z
-    J[5, 5] = z6_z
-    J[5, 6] = z7_z
+    J[3, 1], J[3, 2], J[3, 3] = -s1, z3_x, z4_x
+    J[3, 4], J[3, 5], J[3, 6] = y4_x, z6_x, z7_x
+    J[4, 1], J[4, 2], J[4, 3] = c1, z3_y, -y3_y
+    J[4, 4], J[4, 5], J[4, 6] = y4_y, z6_y, z7_y
+    J[5, 0], J[5, 2], J[5, 3] = 1.0, c2, -y3_z
+    J[5, 4], J[5, 5], J[5, 6] = y4_z, z6_z, z7_z
     return J
 
 
@@ -338,16 +246,13 @@ def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
-    c7 = math.cos(q_free[0])
-    s7 = math.sin(q_free[0])
+    c7, s7 = math.cos(q_free[0]), math.sin(q_free[0])
 
     # theta4, type 2: the squared length of column 4 of A7 U0^-1 A1
-    v1 = d7 * T13 - T14
-    v2 = d7 * T23 - T24
+    v1, v2 = d7 * T13 - T14, d7 * T23 - T24
     t34 = T34 - d7 * T33
     v3 = d1 - t34
-    w2x = T11 * v1 + T21 * v2 + T31 * v3
-    w2y = T12 * v1 + T22 * v2 + T32 * v3
+    w2x, w2y = T11 * v1 + T21 * v2 + T31 * v3, T12 * v1 + T22 * v2 + T32 * v3
     w2z = T13 * v1 + T23 * v2 + T33 * v3
     Z4 = (
         c7 * (2.0 * (w2x * a6)) - s7 * (2.0 * (w2y * a6)) + (w2x * w2x + (w2y * w2y + (w2z * w2z -
@@ -360,13 +265,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w4 = math.sqrt(D4 if apart4 else 0.0)
     v5 = (w4 if apart4 else least_root2) * k5
-    v6 = k1 * Z4
-    v7 = k2 * Z4
+    v6, v7 = k1 * Z4, k2 * Z4
 
     # theta5, type 2: A7 U0^-1 A1 [3, 4]
     Z5 = c7 * w2y + s7 * w2x
-    v9 = Z5 * Z5
-    v10 = abs(Z5)
+    v9, v10 = Z5 * Z5, abs(Z5)
     v11 = 2.0 * v10
     v12 = merge_slack1 * (v11 + merge_slack1)
 
@@ -374,13 +277,10 @@ def _solve(pose, q_free, seed, moved, q, status):
     Z2_6 = a6 + (c7 * w2x - s7 * w2y)
 
     # theta3, type 2: U0 (A3 A4 A5 A6 A7)^-1 [3, 3]
-    v17 = c7 * T31 - s7 * T32
-    v22 = c7 * T32 + s7 * T31
+    v17, v22 = c7 * T31 - s7 * T32, c7 * T32 + s7 * T31
 
     # theta1, type 3: U0 (A3 A4 A5 A6 A7)^-1 [1, 3] and U0 (A3 A4 A5 A6 A7)^-1 [2, 3]
-    v28 = c7 * T11 - s7 * T12
-    v31 = c7 * T12 + s7 * T11
-    v39 = c7 * T21 - s7 * T22
+    v28, v31, v39 = c7 * T11 - s7 * T12, c7 * T12 + s7 * T11, c7 * T21 - s7 * T22
     v42 = c7 * T22 + s7 * T21
 
     for i1 in range(2):  # elbow4+, elbow4-
@@ -389,8 +289,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if e4 < 0.0 and not apart4:
             continue  # both signs give the same
         root4 = w4 * e4
-        c4 = k6 * (v7 + k1 * root4)
-        s4 = k6 * (k2 * root4 - v6)
+        c4, s4 = k6 * (v7 + k1 * root4), k6 * (k2 * root4 - v6)
         q4 = _atan2(s4, c4)
 
         # theta5
@@ -407,36 +306,22 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta6
         Y1_6 = d5 + (d3 * c4 - a3 * s4)
-        v14 = Y1_6 * Z2_6
-        v16 = w2z * Y1_6
+        v14, v16 = Y1_6 * Z2_6, w2z * Y1_6
 
         # theta3
-        v18 = c4 * v17
-        v19 = T33 * s4
-        v20 = T33 * c4
-        v21 = s4 * v17
-        v23 = s5 * (c4 * v22)
-        v25 = s5 * v17
+        v18, v19, v20 = c4 * v17, T33 * s4, T33 * c4
+        v21, v23, v25 = s4 * v17, s5 * (c4 * v22), s5 * v17
         v26 = T33 * s5
 
         # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
         v27 = s5 * (s4 * v22)
 
         # theta1
-        v29 = s5 * v28
-        v30 = T13 * s5
-        v33 = c4 * v28
-        v34 = T13 * s4
-        v35 = T13 * c4
-        v36 = s4 * v28
-        v37 = s5 * (c4 * v31)
-        v40 = s5 * v39
-        v41 = T23 * s5
-        v44 = c4 * v39
-        v45 = T23 * s4
-        v46 = T23 * c4
-        v47 = s4 * v39
-        v48 = s5 * (c4 * v42)
+        v29, v30, v33 = s5 * v28, T13 * s5, c4 * v28
+        v34, v35, v36 = T13 * s4, T13 * c4, s4 * v28
+        v37, v40, v41 = s5 * (c4 * v31), s5 * v39, T23 * s5
+        v44, v45, v46 = c4 * v39, T23 * s4, T23 * c4
+        v47, v48 = s4 * v39, s5 * (c4 * v42)
 
         for i2 in range(2):  # noflip, flip
             e5 = 1.0 - 2.0 * i2
@@ -487,16 +372,11 @@ def _solve(pose, q_free, seed, moved, q, status):
                 q2 = _atan2(-(w3 * e3), c2)
 
                 # theta1
-                s1 = c3 * v32 - s3 * v38
-                c1 = s3 * v49 - c3 * v43
+                s1, c1 = c3 * v32 - s3 * v38, s3 * v49 - c3 * v43
                 q1 = _atan2(s1, c1)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 q[row, 6] = q_free[0]
                 status[row] = FREE_JOINT if free3 or free5 or free6 else OK
 
@@ -509,17 +389,15 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
         given1 = kept[16 * w + k]
 
         # theta4, type 2: the squared length of column 4 of A7 U0^-1 A1
-        v1 = d7 * T13 - T14
-        v2 = d7 * T23 - T24
-        v3 = d1 - (T34 - d7 * T33)
-        w2x = v1 * T11 + v2 * T21 + v3 * T31
-        w2y = v1 * T12 + v2 * T22 + v3 * T32
+        v1, v2, v3 = d7 * T13 - T14, d7 * T23 - T24, d1 - (T34 - d7 * T33)
+        w2x, w2y = v1 * T11 + v2 * T21 + v3 * T31, v1 * T12 + v2 * T22 + v3 * T32
         w2z = T13 * v1 + T23 * v2 + T33 * v3
         kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = w2x, w2y, w2z
         turns[0 * w + k], turns[1 * w + k] = given1, given1
@@ -528,10 +406,11 @@ def _formulas(kept, turns, rows, w):
     for k in range(1 * w, 2 * w):
         turns[k] = math.cos(turns[k])
     for k in range(w):
-        T11, T12, T13, T21 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[4 * w + k]
-        T22, T23, T31, T32 = kept[5 * w + k], kept[6 * w + k], kept[8 * w + k], kept[9 * w + k]
-        T33, given1, w2x = kept[10 * w + k], kept[16 * w + k], kept[18 * w + k]
-        w2y, w2z, s7, c7 = kept[19 * w + k], kept[20 * w + k], turns[0 * w + k], turns[1 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T21, T22, T23 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k]
+        T31, T32, T33 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k]
+        given1, w2x, w2y = kept[16 * w + k], kept[18 * w + k], kept[19 * w + k]
+        w2z, s7, c7 = kept[20 * w + k], turns[0 * w + k], turns[1 * w + k]
 
         # theta4, type 2: the squared length of column 4 of A7 U0^-1 A1
         Z4 = (
@@ -540,139 +419,71 @@ def _formulas(kept, turns, rows, w):
         )
         D4 = k3 - Z4 * Z4
         w4 = math.sqrt(D4)
-        v4 = k5 * w4
-        v5 = m3 * Z4
-        v6 = m2 * w4
-        c4_p = v5 + v6
-        c4_m = v5 - v6
-        v7 = m2 * Z4
+        v4, v5, v6 = k5 * w4, m3 * Z4, m2 * w4
+        c4_p, c4_m, v7 = v5 + v6, v5 - v6, m2 * Z4
         v8 = m3 * w4
-        s4_p = v8 - v7
-        v9 = v7 + v8
+        s4_p, v9 = v8 - v7, v7 + v8
 
         # theta5, type 2: A7 U0^-1 A1 [3, 4]
-        v11 = a3 * c4_p + d3 * s4_p - a4
-        v12 = a3 * c4_m - d3 * v9 - a4
-        v13 = m5 + m6 * Z4
+        v11, v12, v13 = a3 * c4_p + d3 * s4_p - a4, a3 * c4_m - d3 * v9 - a4, m5 + m6 * Z4
         v14 = m4 * w4
-        v15 = v13 - v14
-        v16 = v13 + v14
-        N5_p = v15 * v15
-        N5_m = v16 * v16
-        Z5 = c7 * w2y + s7 * w2x
+        v15, v16 = v13 - v14, v13 + v14
+        N5_p, N5_m, Z5 = v15 * v15, v16 * v16, c7 * w2y + s7 * w2x
         v17 = Z5 * Z5
-        D5_p = N5_p - v17
-        D5_m = N5_m - v17
-        w5_p = math.sqrt(D5_p)
-        w5_m = math.sqrt(D5_m)
-        v18 = w5_p - w5_p
-        v19 = w5_m - w5_m
-        v20 = m7 * (merge_slack1 + 2.0 * abs(Z5))
-        inverse5_p = 1.0 / N5_p
-        inverse5_m = 1.0 / N5_m
-        v21 = v15 * w5_p
-        v22 = v16 * w5_m
-        v23 = inverse5_p * v21
-        v24 = inverse5_m * v22
-        v25 = v15 * Z5
-        v26 = v16 * Z5
-        s5_p = inverse5_p * v25
-        s5_m = inverse5_m * v26
+        D5_p, D5_m = N5_p - v17, N5_m - v17
+        w5_p, w5_m = math.sqrt(D5_p), math.sqrt(D5_m)
+        v18, v19, v20 = w5_p - w5_p, w5_m - w5_m, m7 * (merge_slack1 + 2.0 * abs(Z5))
+        inverse5_p, inverse5_m, v21 = 1.0 / N5_p, 1.0 / N5_m, v15 * w5_p
+        v22, v23 = v16 * w5_m, inverse5_p * v21
+        v24, v25, v26 = inverse5_m * v22, v15 * Z5, v16 * Z5
+        s5_p, s5_m = inverse5_p * v25, inverse5_m * v26
 
         # theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4]
-        v27 = m9 + m4 * Z4
-        v28 = m6 * w4
-        Y1_6_p = v27 + v28
-        Y1_6_m = v27 - v28
-        Z2_6 = a6 + (c7 * w2x - s7 * w2y)
-        v29 = Y1_6_p * Z2_6
-        v30 = Y1_6_m * Z2_6
-        v31 = w5_p * (inverse5_p * (v11 * (w2z * v15)))
-        v32 = v29 - v31
-        v33 = v29 + v31
-        v34 = w5_m * (inverse5_m * (v12 * (w2z * v16)))
-        v35 = v30 - v34
-        v36 = v30 + v34
-        v37 = w2z * Y1_6_p
-        v38 = w2z * Y1_6_m
-        v39 = w5_p * (inverse5_p * (v11 * (v15 * Z2_6)))
-        C6_pp = v37 + v39
-        C6_pm = v37 - v39
-        v40 = w5_m * (inverse5_m * (v12 * (v16 * Z2_6)))
-        C6_mp = v38 + v40
-        C6_mm = v38 - v40
-        v41 = v32 * v32 + C6_pp * C6_pp
-        v42 = v33 * v33 + C6_pm * C6_pm
-        v43 = v35 * v35 + C6_mp * C6_mp
-        v44 = v36 * v36 + C6_mm * C6_mm
-        factor6_pp = math.sqrt(v41) * (1.0 / v41)
-        factor6_pm = math.sqrt(v42) * (1.0 / v42)
-        factor6_mp = math.sqrt(v43) * (1.0 / v43)
+        v27, v28 = m9 + m4 * Z4, m6 * w4
+        Y1_6_p, Y1_6_m, Z2_6 = v27 + v28, v27 - v28, a6 + (c7 * w2x - s7 * w2y)
+        v29, v30, v31 = Y1_6_p * Z2_6, Y1_6_m * Z2_6, w5_p * (inverse5_p * (v11 * (w2z * v15)))
+        v32, v33, v34 = v29 - v31, v29 + v31, w5_m * (inverse5_m * (v12 * (w2z * v16)))
+        v35, v36, v37 = v30 - v34, v30 + v34, w2z * Y1_6_p
+        v38, v39 = w2z * Y1_6_m, w5_p * (inverse5_p * (v11 * (v15 * Z2_6)))
+        C6_pp, C6_pm, v40 = v37 + v39, v37 - v39, w5_m * (inverse5_m * (v12 * (v16 * Z2_6)))
+        C6_mp, C6_mm, v41 = v38 + v40, v38 - v40, v32 * v32 + C6_pp * C6_pp
+        v42, v43 = v33 * v33 + C6_pm * C6_pm, v35 * v35 + C6_mp * C6_mp
+        v44, factor6_pp = v36 * v36 + C6_mm * C6_mm, math.sqrt(v41) * (1.0 / v41)
+        factor6_pm, factor6_mp = math.sqrt(v42) * (1.0 / v42), math.sqrt(v43) * (1.0 / v43)
         factor6_mm = math.sqrt(v44) * (1.0 / v44)
 
         # theta3, type 2: U0 (A3 A4 A5 A6 A7)^-1 [3, 3]
         v45 = c7 * T31 - s7 * T32
-        v46 = c4_p * v45
-        v47 = c4_m * v45
-        v48 = T33 * s4_p
-        v49 = T33 * v9
-        v50 = T33 * c4_p
-        v51 = T33 * c4_m
-        v52 = s4_p * v45
-        v53 = v9 * v45
-        v54 = c7 * T32 + s7 * T31
-        v55 = s5_p * (c4_p * v54)
-        v56 = s5_m * (c4_m * v54)
-        v57 = v23 * v46
-        v58 = v24 * v47
-        v59 = v23 * v50
-        v60 = v24 * v51
+        v46, v47, v48 = c4_p * v45, c4_m * v45, T33 * s4_p
+        v49, v50, v51 = T33 * v9, T33 * c4_p, T33 * c4_m
+        v52, v53, v54 = s4_p * v45, v9 * v45, c7 * T32 + s7 * T31
+        v55, v56, v57 = s5_p * (c4_p * v54), s5_m * (c4_m * v54), v23 * v46
+        v58, v59, v60 = v24 * v47, v23 * v50, v24 * v51
         c3_pp = v55 + factor6_pp * (C6_pp * (v48 - v57) - -v32 * (v52 + v59))
         c3_pm = v55 + factor6_pm * (C6_pm * (v48 + v57) + v33 * (v52 - v59))
         c3_mp = v56 - factor6_mp * (C6_mp * (v49 + v58) + -v35 * (v60 - v53))
-        c3_mm = v56 + factor6_mm * (C6_mm * (v58 - v49) - v36 * (v53 + v60))
-        v61 = s5_p * v45
-        v62 = s5_m * v45
-        v63 = T33 * s5_p
-        v64 = T33 * s5_m
-        v65 = v23 * v54
-        v66 = v24 * v54
+        c3_mm, v61 = v56 + factor6_mm * (C6_mm * (v58 - v49) - v36 * (v53 + v60)), s5_p * v45
+        v62, v63, v64 = s5_m * v45, T33 * s5_p, T33 * s5_m
+        v65, v66 = v23 * v54, v24 * v54
         v67 = v65 + factor6_pp * (C6_pp * v61 + -v32 * v63)
         v68 = factor6_pm * (C6_pm * v61 - v33 * v63) - v65
         v69 = v66 + factor6_mp * (C6_mp * v62 + -v35 * v64)
-        v70 = factor6_mm * (C6_mm * v62 - v36 * v64) - v66
-        v71 = c3_pp * c3_pp + v67 * v67
-        v72 = c3_pm * c3_pm + v68 * v68
-        v73 = c3_mp * c3_mp + v69 * v69
+        v70, v71 = factor6_mm * (C6_mm * v62 - v36 * v64) - v66, c3_pp * c3_pp + v67 * v67
+        v72, v73 = c3_pm * c3_pm + v68 * v68, c3_mp * c3_mp + v69 * v69
         v74 = c3_mm * c3_mm + v70 * v70
 
         # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
-        v75 = s5_p * (s4_p * v54)
-        v76 = s5_m * (v9 * v54)
-        v77 = v23 * v52
-        v78 = v24 * v53
-        v79 = v23 * v48
-        v80 = v24 * v49
+        v75, v76, v77 = s5_p * (s4_p * v54), s5_m * (v9 * v54), v23 * v52
+        v78, v79, v80 = v24 * v53, v23 * v48, v24 * v49
 
         # theta1, type 3: U0 (A3 A4 A5 A6 A7)^-1 [1, 3] and U0 (A3 A4 A5 A6 A7)^-1 [2, 3]
         v81 = c7 * T11 - s7 * T12
-        v82 = s5_p * v81
-        v83 = s5_m * v81
-        v84 = T13 * s5_p
-        v85 = T13 * s5_m
-        v86 = c7 * T12 + s7 * T11
-        v87 = v23 * v86
-        v88 = v24 * v86
-        v89 = T13 * s4_p
-        v90 = T13 * v9
-        v91 = s4_p * v81
-        v92 = v9 * v81
-        v93 = s5_p * (c4_p * v86)
-        v94 = s5_m * (c4_m * v86)
-        v95 = v23 * (c4_p * v81)
-        v96 = v24 * (c4_m * v81)
-        v97 = v23 * (T13 * c4_p)
-        v98 = v24 * (T13 * c4_m)
+        v82, v83, v84 = s5_p * v81, s5_m * v81, T13 * s5_p
+        v85, v86 = T13 * s5_m, c7 * T12 + s7 * T11
+        v87, v88, v89 = v23 * v86, v24 * v86, T13 * s4_p
+        v90, v91, v92 = T13 * v9, s4_p * v81, v9 * v81
+        v93, v94, v95 = s5_p * (c4_p * v86), s5_m * (c4_m * v86), v23 * (c4_p * v81)
+        v96, v97, v98 = v24 * (c4_m * v81), v23 * (T13 * c4_p), v24 * (T13 * c4_m)
         s1_pp = (
             v67 * (v93 + factor6_pp * (C6_pp * (v89 - v95) - -v32 * (v91 + v97))) - c3_pp * (v87 +
             factor6_pp * (C6_pp * v82 + -v32 * v84))
@@ -690,28 +501,16 @@ def _formulas(kept, turns, rows, w):
             (factor6_mm * (C6_mm * v83 - v36 * v85) - v88)
         )
         v99 = c7 * T21 - s7 * T22
-        v100 = s5_p * v99
-        v101 = s5_m * v99
-        v102 = T23 * s5_p
-        v103 = T23 * s5_m
-        v104 = c7 * T22 + s7 * T21
-        v105 = v23 * v104
-        v106 = v24 * v104
-        v107 = T23 * s4_p
-        v108 = T23 * v9
-        v109 = s4_p * v99
-        v110 = v9 * v99
-        v111 = s5_p * (c4_p * v104)
-        v112 = s5_m * (c4_m * v104)
-        v113 = v23 * (c4_p * v99)
-        v114 = v24 * (c4_m * v99)
-        v115 = v23 * (T23 * c4_p)
-        v116 = v24 * (T23 * c4_m)
+        v100, v101, v102 = s5_p * v99, s5_m * v99, T23 * s5_p
+        v103, v104 = T23 * s5_m, c7 * T22 + s7 * T21
+        v105, v106, v107 = v23 * v104, v24 * v104, T23 * s4_p
+        v108, v109, v110 = T23 * v9, s4_p * v99, v9 * v99
+        v111, v112, v113 = s5_p * (c4_p * v104), s5_m * (c4_m * v104), v23 * (c4_p * v99)
+        v114, v115, v116 = v24 * (c4_m * v99), v23 * (T23 * c4_p), v24 * (T23 * c4_m)
 
         # joint values
         v137 = given1 + (w4 - w4)
-        q7_ppp = v18 + v137
-        q7_mpp = v19 + v137
+        q7_ppp, q7_mpp = v18 + v137, v19 + v137
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[17 * w + k] = (
@@ -720,11 +519,12 @@ def _formulas(kept, turns, rows, w):
             abs(v4 * D5_p) <= v20 or abs(D4) <= m1 * (merge_slack2 + 2.0 * abs(Z4)) or 0.0 <
             abs(given1) - high7 or N5_p <= doubt_limit_squared2 else kept[17 * w + k]
         )
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v18, v19, v25, v26
-        kept[25 * w + k], kept[26 * w + k], kept[27 * w + k], kept[28 * w + k] = v67, v68, v69, v70
-        kept[29 * w + k], kept[30 * w + k], kept[31 * w + k] = s1_pp, s1_pm, s1_mp
-        kept[32 * w + k], kept[33 * w + k], kept[34 * w + k] = s1_mm, q7_ppp, q7_mpp
-        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = w4, v25, v26, -v32
+        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = v18, v19, v25
+        kept[24 * w + k], kept[25 * w + k], kept[26 * w + k] = v26, v67, v68
+        kept[27 * w + k], kept[28 * w + k], kept[29 * w + k] = v69, v70, s1_pp
+        kept[30 * w + k], kept[31 * w + k], kept[32 * w + k] = s1_pm, s1_mp, s1_mm
+        kept[33 * w + k], kept[34 * w + k], turns[2 * w + k] = q7_ppp, q7_mpp, w4
+        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = v25, v26, -v32
         turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = -v33, -v35, -v36
         turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = -v67, -v68, -v69
         turns[12 * w + k], turns[13 * w + k] = -v70, -math.sqrt(v71)
@@ -764,21 +564,20 @@ def _formulas(kept, turns, rows, w):
     for k in range(2 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        v18, v19, v25, v26 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        v67, v68, v69, v70 = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k], kept[28 * w + k]
-        s1_pp, s1_pm, s1_mp = kept[29 * w + k], kept[30 * w + k], kept[31 * w + k]
-        s1_mm, q7_ppp, q7_mpp = kept[32 * w + k], kept[33 * w + k], kept[34 * w + k]
-        angle1, angle2, angle3 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle4, angle5, angle6 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle7, angle8, angle9 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
-        angle10, angle11, angle12 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
-        angle13, angle14, angle15 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
-        angle16, angle17, angle18 = turns[17 * w + k], turns[18 * w + k], turns[19 * w + k]
-        angle19 = turns[20 * w + k]
+        v18, v19, v25 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
+        v26, v67, v68 = kept[24 * w + k], kept[25 * w + k], kept[26 * w + k]
+        v69, v70, s1_pp = kept[27 * w + k], kept[28 * w + k], kept[29 * w + k]
+        s1_pm, s1_mp, s1_mm = kept[30 * w + k], kept[31 * w + k], kept[32 * w + k]
+        q7_ppp, q7_mpp, angle1 = kept[33 * w + k], kept[34 * w + k], turns[2 * w + k]
+        angle2, angle3, angle4 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle5, angle6, angle7 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle8, angle9, angle10 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle11, angle12, angle13 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle14, angle15, angle16 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        angle17, angle18, angle19 = turns[18 * w + k], turns[19 * w + k], turns[20 * w + k]
 
         # theta4, type 2: the squared length of column 4 of A7 U0^-1 A1
-        q4__p = angle1 - turn1
-        v10 = turn1 + angle1
+        q4__p, v10 = angle1 - turn1, turn1 + angle1
 
         # theta5, type 2: A7 U0^-1 A1 [3, 4]
         q5_pmp = math.copysign(half_turn, v25) - angle2
@@ -799,19 +598,14 @@ def _formulas(kept, turns, rows, w):
         # joint values
         v117 = q4__p + (turn if q4__p <= -half_turn else 0.0)
         v118 = (turn if -v10 <= -half_turn else 0.0) - v10
-        v119 = max(low4 - v117, v117 - high4)
-        v120 = max(low4 - v118, v118 - high4)
+        v119, v120 = max(low4 - v117, v117 - high4), max(low4 - v118, v118 - high4)
         v121 = angle4 + (turn if angle4 < low6 else 0.0)
         v122 = angle5 + (turn if angle5 < low6 else 0.0)
         v123 = angle6 + (turn if angle6 < low6 else 0.0)
         v124 = angle7 + (turn if angle7 < low6 else 0.0)
-        v125 = max(low6 - v121, v121 - high6)
-        v126 = max(low6 - v122, v122 - high6)
-        v127 = max(low6 - v123, v123 - high6)
-        v128 = max(low6 - v124, v124 - high6)
-        v129 = low6 - angle4
-        v130 = low6 - angle5
-        v131 = low6 - angle6
+        v125, v126 = max(low6 - v121, v121 - high6), max(low6 - v122, v122 - high6)
+        v127, v128 = max(low6 - v123, v123 - high6), max(low6 - v124, v124 - high6)
+        v129, v130, v131 = low6 - angle4, low6 - angle5, low6 - angle6
         v132 = low6 - angle7
         v133 = v129 if v129 < v125 else v125
         v134 = v130 if v130 < v126 else v126
@@ -821,8 +615,7 @@ def _formulas(kept, turns, rows, w):
         q6_pmp = angle5 if 0.0 < v134 else v122
         q6_mpp = angle6 if 0.0 < v135 else v123
         q6_mmp = angle7 if 0.0 < v136 else v124
-        q4_ppp = v18 + v117
-        q4_mpp = v19 + v118
+        q4_ppp, q4_mpp = v18 + v117, v19 + v118
         v138 = max(v133, max(abs(angle2) - high5, max(v119, abs(angle12) - high2)))
         v139 = max(v134, max(abs(q5_pmp) - high5, max(v119, abs(angle13) - high2)))
         v140 = max(v135, max(abs(angle3) - high5, max(v120, abs(angle14) - high2)))
@@ -835,14 +628,9 @@ def _formulas(kept, turns, rows, w):
         excess_mpm = max(abs(q3_mpm) - high3, max(v140, abs(q1_mpm) - high1))
         excess_mmp = max(abs(angle11) - high3, max(v141, abs(angle19) - high1))
         excess_mmm = max(abs(q3_mmm) - high3, max(v141, abs(q1_mmm) - high1))
-        outside_ppp = 0.0 < excess_ppp
-        outside_ppm = 0.0 < excess_ppm
-        outside_pmp = 0.0 < excess_pmp
-        outside_pmm = 0.0 < excess_pmm
-        outside_mpp = 0.0 < excess_mpp
-        outside_mpm = 0.0 < excess_mpm
-        outside_mmp = 0.0 < excess_mmp
-        outside_mmm = 0.0 < excess_mmm
+        outside_ppp, outside_ppm, outside_pmp = 0.0 < excess_ppp, 0.0 < excess_ppm, 0.0 < excess_pmp
+        outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
+        outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[17 * w + k] = (
@@ -892,14 +680,9 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5, 6],
-    [7, 8, 9, 3, 4, 5, 6],
-    [10, 11, 12, 3, 13, 14, 6],
-    [15, 16, 17, 3, 13, 14, 6],
-    [18, 19, 20, 21, 22, 23, 24],
-    [25, 26, 27, 21, 22, 23, 24],
-    [28, 29, 30, 21, 31, 32, 24],
-    [33, 34, 35, 21, 31, 32, 24],
+    [0, 1, 2, 3, 4, 5, 6], [7, 8, 9, 3, 4, 5, 6], [10, 11, 12, 3, 13, 14, 6],
+    [15, 16, 17, 3, 13, 14, 6], [18, 19, 20, 21, 22, 23, 24], [25, 26, 27, 21, 22, 23, 24],
+    [28, 29, 30, 21, 31, 32, 24], [33, 34, 35, 21, 31, 32, 24],
 ])
 
 

@@ -110,27 +110,16 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    v1 = s4 * c5
-    x5_z = c4 * c5
-    v2 = s4 * s5
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    v1, x5_z, v2 = s4 * c5, c4 * c5, s4 * s5
     z5_z = c4 * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = -(s5 * c6)
-    T[0, 1] = s5 * s6
-    T[0, 2] = c5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = -(s5 * c6), s5 * s6, c5
     T[0, 3] = q[2] + d4 + c5 * d6
-    T[1, 0] = -(v1 * c6 + c4 * s6)
-    T[1, 1] = v1 * s6 - c4 * c6
-    T[1, 2] = -v2
+    T[1, 0], T[1, 1], T[1, 2] = -(v1 * c6 + c4 * s6), v1 * s6 - c4 * c6, -v2
     T[1, 3] = q[1] - v2 * d6
-    T[2, 0] = x5_z * c6 - s4 * s6
-    T[2, 1] = -(s4 * c6 + x5_z * s6)
-    T[2, 2] = z5_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 - s4 * s6, -(s4 * c6 + x5_z * s6), z5_z
     T[2, 3] = q[0] + z5_z * d6
     T[3, 3] = 1.0
     return T
@@ -142,33 +131,18 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    p4_x = q[2] + d4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    v1 = s4 * s5
-    z5_z = c4 * s5
-    J34 = q[1] - v1 * d6 - q[1]
-    v2 = q[0] + z5_z * d6 - q[0]
-    v3 = p4_x + c5 * d6 - p4_x
-    J[0, 2] = 1.0
-    J[0, 4] = s4 * J34 - c4 * v2
-    J[0, 5] = -(v1 * v2 + z5_z * J34)
-    J[1, 1] = 1.0
-    J[1, 3] = -v2
-    J[1, 4] = -(s4 * v3)
+    c4, s4, p4_x = math.cos(q[3]), math.sin(q[3]), q[2] + d4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    v1, z5_z = s4 * s5, c4 * s5
+    J34, v2, v3 = q[1] - v1 * d6 - q[1], q[0] + z5_z * d6 - q[0], p4_x + c5 * d6 - p4_x
+    J[0, 2], J[0, 4], J[0, 5] = 1.0, s4 * J34 - c4 * v2, -(v1 * v2 + z5_z * J34)
+    J[1, 1], J[1, 3], J[1, 4] = 1.0, -v2, -(s4 * v3)
     J[1, 5] = z5_z * v3 - c5 * v2
-    J[2, 0] = 1.0
-    J[2, 3] = J34
-    J[2, 4] = c4 * v3
+    J[2, 0], J[2, 3], J[2, 4] = 1.0, J34, c4 * v3
     J[2, 5] = c5 * J34 + v1 * v3
-    J[3, 3] = 1.0
-    J[3, 5] = c5
-    J[4, 4] = -c4
-    J[4, 5] = -v1
-    J[5, 4] = -s4
-    J[5, 5] = z5_z
+    J[3, 3], J[3, 5] = 1.0, c5
+    J[4, 4], J[4, 5] = -c4, -v1
+    J[5, 4], J[5, 5] = -s4, z5_z
     return J
 
 
@@ -208,12 +182,8 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta6, type 3: U4[3, 2] and U4[3, 1]
         q6 = _atan2(-(T21 * c4 + T31 * s4), -(T22 * c4 + T32 * s4))
         row = i1
-        q[row, 0] = wz
-        q[row, 1] = wy
-        q[row, 2] = r3
-        q[row, 3] = q4
-        q[row, 4] = q5
-        q[row, 5] = q6
+        q[row, 0], q[row, 1], q[row, 2] = wz, wy, r3
+        q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
         status[row] = FREE_JOINT if free4 else OK
 
 
@@ -225,9 +195,10 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T13, T14, T21, T22 = kept[2 * w + k], kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
-        T23, T24, T31, T32 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k], kept[9 * w + k]
-        T33, T34 = kept[10 * w + k], kept[11 * w + k]
+        T13, T14, T21 = kept[2 * w + k], kept[3 * w + k], kept[4 * w + k]
+        T22, T23, T24 = kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T32, T33 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k]
+        T34 = kept[11 * w + k]
 
         # r2, type 1: U0 A6^-1 [2, 4]
         q2_p = T24 - d6 * T23
@@ -272,14 +243,12 @@ def _formulas(kept, turns, rows, w):
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_p, q2_p, q3_p
         rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle1, angle2, angle3
         rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q4_m, -angle2, q6_m
-        rows[9 * w + k] = UNREACHABLE if q1_p != q1_p else OK
-        rows[10 * w + k] = UNREACHABLE if q1_p != q1_p else OK
+        rows[9 * w + k] = rows[10 * w + k] = UNREACHABLE if q1_p != q1_p else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8],
 ])
 
 

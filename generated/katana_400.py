@@ -141,44 +141,23 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
     v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v3 = v1 * c3 + x2_x * s3
-    v4 = v2 * c3 + x2_y * s3
-    y3_z = c2 * c3 - s2 * s3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v3, v4, y3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, c2 * c3 - s2 * s3
     v5 = q[3] + offset4
-    c4 = math.cos(v5)
-    s4 = math.sin(v5)
-    x4_x = x3_x * c4 - v3 * s4
-    x4_y = x3_y * c4 - v4 * s4
-    x4_z = x3_z * c4 + y3_z * s4
-    v6 = v3 * c4 + x3_x * s4
-    v7 = v4 * c4 + x3_y * s4
-    z4_z = y3_z * c4 - x3_z * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    T[0, 0] = x4_x * c5 - s1 * s5
-    T[0, 1] = -(s1 * c5 + x4_x * s5)
-    T[0, 2] = -v6
+    c4, s4 = math.cos(v5), math.sin(v5)
+    x4_x, x4_y, x4_z = x3_x * c4 - v3 * s4, x3_y * c4 - v4 * s4, x3_z * c4 + y3_z * s4
+    v6, v7, z4_z = v3 * c4 + x3_x * s4, v4 * c4 + x3_y * s4, y3_z * c4 - x3_z * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    T[0, 0], T[0, 1], T[0, 2] = x4_x * c5 - s1 * s5, -(s1 * c5 + x4_x * s5), -v6
     T[0, 3] = x2_x * a2 + x3_x * a3 - v6 * d5
-    T[1, 0] = x4_y * c5 + c1 * s5
-    T[1, 1] = c1 * c5 - x4_y * s5
-    T[1, 2] = -v7
+    T[1, 0], T[1, 1], T[1, 2] = x4_y * c5 + c1 * s5, c1 * c5 - x4_y * s5, -v7
     T[1, 3] = x2_y * a2 + x3_y * a3 - v7 * d5
-    T[2, 0] = x4_z * c5
-    T[2, 1] = -(x4_z * s5)
-    T[2, 2] = z4_z
+    T[2, 0], T[2, 1], T[2, 2] = x4_z * c5, -(x4_z * s5), z4_z
     T[2, 3] = d1 + s2 * a2 + x3_z * a3 + z4_z * d5
     T[3, 3] = 1.0
     return T
@@ -190,63 +169,32 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
     J = _zeros(6, 5)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    p2_x = x2_x * a2
-    p2_y = x2_y * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
+    v2, p2_x, p2_y = s1 * s2, x2_x * a2, x2_y * a2
     p2_z = d1 + s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    x3_z = s2 * c3 + c2 * s3
-    p3_x = p2_x + x3_x * a3
-    p3_y = p2_y + x3_y * a3
-    p3_z = p2_z + x3_z * a3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    p3_x, p3_y, p3_z = p2_x + x3_x * a3, p2_y + x3_y * a3, p2_z + x3_z * a3
     v3 = q[3] + offset4
-    c4 = math.cos(v3)
-    s4 = math.sin(v3)
-    v4 = (v1 * c3 + x2_x * s3) * c4 + x3_x * s4
-    v5 = (v2 * c3 + x2_y * s3) * c4 + x3_y * s4
-    z4_z = (c2 * c3 - s2 * s3) * c4 - x3_z * s4
-    p5_x = p3_x - v4 * d5
-    p5_y = p3_y - v5 * d5
+    c4, s4 = math.cos(v3), math.sin(v3)
+    v4, v5 = (v1 * c3 + x2_x * s3) * c4 + x3_x * s4, (v2 * c3 + x2_y * s3) * c4 + x3_y * s4
+    z4_z, p5_x, p5_y = (c2 * c3 - s2 * s3) * c4 - x3_z * s4, p3_x - v4 * d5, p3_y - v5 * d5
     p5_z = p3_z + z4_z * d5
-    v6 = p5_z - d1
-    v7 = p5_z - p2_z
-    v8 = p5_x - p3_x
-    v9 = p5_y - p3_y
-    v10 = p5_z - p3_z
-    J[0, 0] = -p5_y
-    J[0, 1] = -(c1 * v6)
-    J[0, 2] = -(c1 * v7)
-    J[0, 3] = -(c1 * v10)
-    J[0, 4] = -(v5 * v10 + z4_z * v9)
-    J[1, 0] = p5_x
-    J[1, 1] = -(s1 * v6)
-    J[1, 2] = -(s1 * v7)
-    J[1, 3] = -(s1 * v10)
-    J[1, 4] = z4_z * v8 + v4 * v10
-    J[2, 1] = s1 * p5_y + c1 * p5_x
-    J[2, 2] = s1 * (p5_y - p2_y) + c1 * (p5_x - p2_x)
-    J[2, 3] = s1 * v9 + c1 * v8
-    J[2, 4] = v5 * v8 - v4 * v9
-    J[3, 1] = s1
-    J[3, 2] = s1
-    J[3, 3] = s1
+    v6, v7, v8 = p5_z - d1, p5_z - p2_z, p5_x - p3_x
+    v9, v10 = p5_y - p3_y, p5_z - p3_z
+    J[0, 0], J[0, 1], J[0, 2] = -p5_y, -(c1 * v6), -(c1 * v7)
+    J[0, 3], J[0, 4] = -(c1 * v10), -(v5 * v10 + z4_z * v9)
+    J[1, 0], J[1, 1], J[1, 2] = p5_x, -(s1 * v6), -(s1 * v7)
+    J[1, 3], J[1, 4] = -(s1 * v10), z4_z * v8 + v4 * v10
+    J[2, 1], J[2, 2] = s1 * p5_y + c1 * p5_x, s1 * (p5_y - p2_y) + c1 * (p5_x - p2_x)
+    J[2, 3], J[2, 4] = s1 * v9 + c1 * v8, v5 * v8 - v4 * v9
+    J[3, 1], J[3, 2], J[3, 3] = s1, s1, s1
     J[3, 4] = -v4
-    J[4, 1] = -c1
-    J[4, 2] = -c1
-    J[4, 3] = -c1
+    J[4, 1], J[4, 2], J[4, 3] = -c1, -c1, -c1
     J[4, 4] = -v5
-    J[5, 0] = 1.0
-    J[5, 4] = z4_z
+    J[5, 0], J[5, 4] = 1.0, z4_z
     return J
 
 
@@ -285,8 +233,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         w234 = math.sqrt(Z2_234 * Z2_234 + v1)
         short234 = w234 <= free_limit
         factor234 = 1.0 / (1.0 if short234 else w234)
-        c234 = T33 * factor234
-        v2 = Z2_234 * factor234
+        c234, v2 = T33 * factor234, Z2_234 * factor234
         theta234 = _atan2(-v2, c234)
 
         # theta5, type 3: U1[3, 2] and U1[3, 1]
@@ -295,8 +242,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         w5 = math.sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5)
         short5 = w5 <= free_limit
         v3 = 1.0 / (1.0 if short5 else w5)
-        v4 = Z1_5 * v3
-        v5 = Z2_5 * v3
+        v4, v5 = Z1_5 * v3, Z2_5 * v3
         q5 = _atan2(-v5, -v4)
 
         # theta3
@@ -318,8 +264,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
         X1_2 = a2 + a3 * c3
-        v9 = Z1_3 * X1_2
-        v10 = Z2_3 * X1_2
+        v9, v10 = Z1_3 * X1_2, Z2_3 * X1_2
 
         # is the pose one that the arm can take?
         v12 = d1 + v6
@@ -351,8 +296,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
-            c23 = c3 * c2 - s3 * s2
-            s23 = c3 * s2 + s3 * c2
+            c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
             v11 = a3 * c23 + (v8 + a2 * c2)
             if (
                 not (abs(T34 - (a3 * s23 + (a2 * s2 + v12))) <= pose_slack1 and abs(T14 - c1 * v11)
@@ -363,11 +307,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             # joint values
             q4 = _wrap(theta234 - (q3 + q2) - offset4)
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
-            q[row, 3] = q4
-            q[row, 4] = q5
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+            q[row, 3], q[row, 4] = q4, q5
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
@@ -379,21 +320,19 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T33, T34 = kept[8 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T33, T34 = kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[3, 4], so theta1 = atan2(T24, T14) or half a turn from it. Where both
         # are small, U1[3, 3] says more: its vector, along the same line, is added
         sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-        Xhat1 = T14 + T13 * sigma1
-        Yhat1 = T24 + T23 * sigma1
+        Xhat1, Yhat1 = T14 + T13 * sigma1, T24 + T23 * sigma1
         v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
         factor1 = w1 * v2
-        c1 = Xhat1 * factor1
-        s1 = Yhat1 * factor1
+        c1, s1 = Xhat1 * factor1, Yhat1 * factor1
 
         # theta234, type 3: U1[2, 3] and U1[1, 3]
         Z2_234 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1))
@@ -405,74 +344,43 @@ def _formulas(kept, turns, rows, w):
         Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21))
         v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5
         v5 = math.sqrt(v4) * (1.0 / v4)
-        v6 = Z1_5 * v5
-        v7 = Z2_5 * v5
+        v6, v7 = Z1_5 * v5, Z2_5 * v5
 
         # theta3, type 8: U1[2, 4] and U1[1, 4]
         v8 = factor234 * (d5 * T33)
-        Z1_3 = T34 - d1 - v8
-        v9 = factor234 * (d5 * Z2_234)
+        Z1_3, v9 = T34 - d1 - v8, factor234 * (d5 * Z2_234)
         Z2_3 = T14 * c1 + T24 * s1 - v9
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-        K3 = N3 - k1
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        K3, D3 = N3 - k1, (longest3 - N3) * (N3 - shortest3)
         w3 = math.sqrt(D3)
-        v10 = w3 - w3
-        s3 = k2 * w3
-        c3 = k2 * K3
+        v10, s3, c3 = w3 - w3, k2 * w3, k2 * K3
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
-        X1_2 = a2 + a3 * c3
-        Y1_2 = a3 * s3
-        v11 = Z1_3 * X1_2
-        v12 = Z2_3 * Y1_2
-        v13 = v11 - v12
-        v14 = v11 + v12
-        v15 = m6 + m5 * N3
+        X1_2, Y1_2 = a2 + a3 * c3, a3 * s3
+        v11, v12 = Z1_3 * X1_2, Z2_3 * Y1_2
+        v13, v14, v15 = v11 - v12, v11 + v12, m6 + m5 * N3
         v16 = Z1_3 * v15
-        S2_pp = v16 - w3 * (m5 * Z2_3)
-        S2_pm = v16 - w3 * (m5 * -Z2_3)
-        v17 = Z2_3 * X1_2
+        S2_pp, S2_pm, v17 = v16 - w3 * (m5 * Z2_3), v16 - w3 * (m5 * -Z2_3), Z2_3 * X1_2
         v18 = Z1_3 * Y1_2
-        v19 = v17 + v18
-        v20 = v17 - v18
-        v21 = w3 * (m5 * Z1_3)
-        v22 = w3 * (m5 * -Z1_3)
-        v23 = Z2_3 * v15
-        C2_pp = v21 + v23
-        C2_pm = v22 + v23
-        C2_mp = v21 - v23
-        C2_mm = v22 - v23
-        v24 = S2_pp * S2_pp
-        v25 = v24 + C2_pp * C2_pp
-        v26 = S2_pm * S2_pm
-        v27 = v26 + C2_pm * C2_pm
-        v28 = v26 + C2_mp * C2_mp
-        v29 = v24 + C2_mm * C2_mm
-        w2_pp = math.sqrt(v25)
-        w2_pm = math.sqrt(v27)
-        w2_mp = math.sqrt(v28)
-        w2_mm = math.sqrt(v29)
-        v30 = 1.0 / v25
-        v31 = 1.0 / v27
-        v32 = 1.0 / v28
-        v33 = 1.0 / v29
+        v19, v20, v21 = v17 + v18, v17 - v18, w3 * (m5 * Z1_3)
+        v22, v23 = w3 * (m5 * -Z1_3), Z2_3 * v15
+        C2_pp, C2_pm, C2_mp = v21 + v23, v22 + v23, v21 - v23
+        C2_mm, v24 = v22 - v23, S2_pp * S2_pp
+        v25, v26 = v24 + C2_pp * C2_pp, S2_pm * S2_pm
+        v27, v28, v29 = v26 + C2_pm * C2_pm, v26 + C2_mp * C2_mp, v24 + C2_mm * C2_mm
+        w2_pp, w2_pm, w2_mp = math.sqrt(v25), math.sqrt(v27), math.sqrt(v28)
+        w2_mm, v30, v31 = math.sqrt(v29), 1.0 / v25, 1.0 / v27
+        v32, v33 = 1.0 / v28, 1.0 / v29
 
         # is the pose one that the arm can take?
         v34 = m8 + m9 * c3
         v35 = v19 * v34 - m9 * (s3 * v13)
-        v36 = v9 + w2_pp * (v30 * v35)
-        v37 = m9 * (s3 * v14)
-        v38 = v9 + w2_pm * (v31 * (v20 * v34 + v37))
-        v39 = w2_mp * (v32 * (-v20 * v34 - v37)) - v9
-        v40 = w2_mm * (v33 * -v35) - v9
-        v41 = d1 + v8
-        v42 = T33 - T33 * factor234
-        v43 = T31 - factor234 * (Z2_234 * v6)
-        v44 = T23 - factor234 * (s1 * Z2_234)
+        v36, v37 = v9 + w2_pp * (v30 * v35), m9 * (s3 * v14)
+        v38, v39 = v9 + w2_pm * (v31 * (v20 * v34 + v37)), w2_mp * (v32 * (-v20 * v34 - v37)) - v9
+        v40, v41, v42 = w2_mm * (v33 * -v35) - v9, d1 + v8, T33 - T33 * factor234
+        v43, v44 = T31 - factor234 * (Z2_234 * v6), T23 - factor234 * (s1 * Z2_234)
         v45 = T21 + (c1 * v7 + factor234 * (v6 * (s1 * T33)))
-        v46 = T11 - (s1 * v7 - factor234 * (v6 * (c1 * T33)))
-        v47 = T13 - factor234 * (c1 * Z2_234)
+        v46, v47 = T11 - (s1 * v7 - factor234 * (v6 * (c1 * T33))), T13 - factor234 * (c1 * Z2_234)
         v48 = s3 * v19 + c3 * v13
         v49 = T34 - (a3 * (w2_pp * (v30 * v48)) + (v41 + a2 * (S2_pp * (w2_pp * v30))))
         v50 = c3 * v14
@@ -481,17 +389,10 @@ def _formulas(kept, turns, rows, w):
             T34 - (a3 * (w2_mp * (v32 * (v50 + s3 * -v20))) + (v41 + a2 * (S2_pm * (w2_mp * v32))))
         )
         v53 = T34 - (a3 * (w2_mm * (v33 * v48)) + (v41 + a2 * (S2_pp * (w2_mm * v33))))
-        v54 = T14 - c1 * v36
-        v55 = T14 - c1 * v38
-        v56 = T14 + c1 * v39
-        v57 = T14 + c1 * v40
-        v58 = T24 - s1 * v36
-        v59 = T24 - s1 * v38
-        v60 = T24 + s1 * v39
-        v61 = T24 + s1 * v40
-        v62 = v49 * v49 + v54 * v54 + v58 * v58
-        v63 = v51 * v51 + v55 * v55 + v59 * v59
-        v64 = v52 * v52 + v56 * v56 + v60 * v60
+        v54, v55, v56 = T14 - c1 * v36, T14 - c1 * v38, T14 + c1 * v39
+        v57, v58, v59 = T14 + c1 * v40, T24 - s1 * v36, T24 - s1 * v38
+        v60, v61, v62 = T24 + s1 * v39, T24 + s1 * v40, v49 * v49 + v54 * v54 + v58 * v58
+        v63, v64 = v51 * v51 + v55 * v55 + v59 * v59, v52 * v52 + v56 * v56 + v60 * v60
         v65 = v53 * v53 + v57 * v57 + v61 * v61
 
         # joint values
@@ -509,56 +410,42 @@ def _formulas(kept, turns, rows, w):
             * v45 + v46 * v46 + v47 * v47 or v25 <= m7 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Yhat1, Z2_5, v10
-        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = v75, v76, v77, v78
-        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = Yhat1, -Z2_234, -Z2_5
-        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = w3, S2_pp, S2_pm
-        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = S2_pm, S2_pp, Xhat1
-        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = T33, -Z1_5, K3
-        turns[12 * w + k], turns[13 * w + k], turns[14 * w + k] = C2_pp, C2_pm, C2_mp
-        turns[15 * w + k] = C2_mm
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v75, v76, v77
+        kept[23 * w + k], turns[0 * w + k], turns[1 * w + k] = v78, Yhat1, -Z2_234
+        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = -Z2_5, w3, S2_pp
+        turns[5 * w + k], turns[6 * w + k], turns[7 * w + k] = S2_pm, S2_pm, S2_pp
+        turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = Xhat1, T33, -Z1_5
+        turns[11 * w + k], turns[12 * w + k], turns[13 * w + k] = K3, C2_pp, C2_pm
+        turns[14 * w + k], turns[15 * w + k] = C2_mp, C2_mm
     if w == 1 and kept[16] != 0.0:
         return
     for k in range(0 * w, 8 * w):
         turns[k] = _atan2(turns[k], turns[k + 8 * w])
     for k in range(w):
         Yhat1, Z2_5, v10 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
-        v75, v76, v77, v78 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
-        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
-        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
-        angle7, angle8 = turns[6 * w + k], turns[7 * w + k]
+        v75, v76, v77 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v78, angle1, angle2 = kept[23 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
+        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
 
         # joint values
-        v66 = angle2 - (angle4 + angle5) - offset4
-        v67 = angle2 - (angle6 - angle4) - offset4
-        v68 = offset4 + (angle2 + (angle4 + angle7))
-        v69 = offset4 + (angle2 + (angle8 - angle4))
+        v66, v67 = angle2 - (angle4 + angle5) - offset4, angle2 - (angle6 - angle4) - offset4
+        v68, v69 = offset4 + (angle2 + (angle4 + angle7)), offset4 + (angle2 + (angle8 - angle4))
         v70 = v66 + (turn if v66 <= -half_turn else (-turn if half_turn < v66 else 0.0))
         v71 = v67 + (turn if v67 <= -half_turn else (-turn if half_turn < v67 else 0.0))
         v72 = (turn if -v68 <= -half_turn else (-turn if half_turn < -v68 else 0.0)) - v68
         v73 = (turn if -v69 <= -half_turn else (-turn if half_turn < -v69 else 0.0)) - v69
-        v79 = angle1 + v10
-        v80 = v10 + (angle1 - math.copysign(half_turn, Yhat1))
-        q1_pp = v75 + v79
-        q1_pm = v76 + v79
-        q1_mp = v77 + v80
-        q1_mm = v78 + v80
-        q2_pp = angle5 + v75
-        q2_pm = angle6 + v76
-        q2_mp = angle7 + v77
-        q2_mm = angle8 + v78
-        q3_pp = angle4 + v75
-        q3_pm = v76 - angle4
-        q3_mp = angle4 + v77
-        q3_mm = v78 - angle4
+        v79, v80 = angle1 + v10, v10 + (angle1 - math.copysign(half_turn, Yhat1))
+        q1_pp, q1_pm, q1_mp = v75 + v79, v76 + v79, v77 + v80
+        q1_mm, q2_pp, q2_pm = v78 + v80, angle5 + v75, angle6 + v76
+        q2_mp, q2_mm, q3_pp = angle7 + v77, angle8 + v78, angle4 + v75
+        q3_pm, q3_mp, q3_mm = v76 - angle4, angle4 + v77, v78 - angle4
         q4_pp = v75 + (v70 + (-turn if half_turn < v70 else 0.0))
         q4_pm = v76 + (v71 + (-turn if half_turn < v71 else 0.0))
         q4_mp = v77 + (v72 + (-turn if half_turn < v72 else 0.0))
         q4_mm = v78 + (v73 + (-turn if half_turn < v73 else 0.0))
-        v81 = angle3 + v10
-        v82 = v10 + (angle3 - math.copysign(half_turn, -Z2_5))
-        q5_pp = v75 + v81
-        q5_pm = v76 + v81
-        q5_mp = v77 + v82
+        v81, v82 = angle3 + v10, v10 + (angle3 - math.copysign(half_turn, -Z2_5))
+        q5_pp, q5_pm, q5_mp = v75 + v81, v76 + v81, v77 + v82
         q5_mm = v78 + v82
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_pp, q2_pp, q3_pp
@@ -576,10 +463,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4],
-    [5, 6, 7, 8, 9],
-    [10, 11, 12, 13, 14],
-    [15, 16, 17, 18, 19],
+    [0, 1, 2, 3, 4], [5, 6, 7, 8, 9], [10, 11, 12, 13, 14], [15, 16, 17, 18, 19],
 ])
 
 

@@ -149,56 +149,28 @@ def fk(q):
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    v3 = s1 * c2
-    y2_x = c1 * s2
-    v4 = s1 * s2
-    v5 = q[2] + offset3
-    c3 = math.cos(v5)
-    s3 = math.sin(v5)
-    x3_x = x2_x * c3 + y2_x * s3
-    v6 = v3 * c3 + v4 * s3
-    x3_z = c2 * s3 - s2 * c3
-    v7 = c2 * c3 + s2 * s3
-    z3_x = x2_x * s3 - y2_x * c3
-    z3_y = v4 * c3 - v3 * s3
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, v3, y2_x = c1 * c2, s1 * c2, c1 * s2
+    v4, v5 = s1 * s2, q[2] + offset3
+    c3, s3 = math.cos(v5), math.sin(v5)
+    x3_x, v6, x3_z = x2_x * c3 + y2_x * s3, v3 * c3 + v4 * s3, c2 * s3 - s2 * c3
+    v7, z3_x, z3_y = c2 * c3 + s2 * s3, x2_x * s3 - y2_x * c3, v4 * c3 - v3 * s3
     v8 = q[3] + offset4
-    c4 = math.cos(v8)
-    s4 = math.sin(v8)
-    x4_x = x3_x * c4 - s1 * s4
-    v9 = v6 * c4 + c1 * s4
-    x4_z = x3_z * c4
-    z4_x = s1 * c4 + x3_x * s4
-    z4_z = x3_z * s4
-    z4_y = c1 * c4 - v6 * s4
+    c4, s4 = math.cos(v8), math.sin(v8)
+    x4_x, v9, x4_z = x3_x * c4 - s1 * s4, v6 * c4 + c1 * s4, x3_z * c4
+    z4_x, z4_z, z4_y = s1 * c4 + x3_x * s4, x3_z * s4, c1 * c4 - v6 * s4
     v10 = q[4] + offset5
-    c5 = math.cos(v10)
-    s5 = math.sin(v10)
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = z3_y * s5 - v9 * c5
-    x5_z = x4_z * c5 - v7 * s5
-    v11 = z3_y * c5 + v9 * s5
-    z5_z = v7 * c5 + x4_z * s5
-    z5_x = x4_x * s5 - z3_x * c5
+    c5, s5 = math.cos(v10), math.sin(v10)
+    x5_x, x5_y, x5_z = x4_x * c5 + z3_x * s5, z3_y * s5 - v9 * c5, x4_z * c5 - v7 * s5
+    v11, z5_z, z5_x = z3_y * c5 + v9 * s5, v7 * c5 + x4_z * s5, x4_x * s5 - z3_x * c5
     v12 = q[5] + offset6
-    c6 = math.cos(v12)
-    s6 = math.sin(v12)
-    T[0, 0] = x5_x * c6 + z4_x * s6
-    T[0, 1] = z4_x * c6 - x5_x * s6
-    T[0, 2] = z5_x
+    c6, s6 = math.cos(v12), math.sin(v12)
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + z4_x * s6, z4_x * c6 - x5_x * s6, z5_x
     T[0, 3] = x2_x * a2 + z3_x * d4 + z5_x * d6
-    T[1, 0] = x5_y * c6 + z4_y * s6
-    T[1, 1] = z4_y * c6 - x5_y * s6
-    T[1, 2] = -v11
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + z4_y * s6, z4_y * c6 - x5_y * s6, -v11
     T[1, 3] = z3_y * d4 - v3 * a2 - v11 * d6
-    T[2, 0] = x5_z * c6 + z4_z * s6
-    T[2, 1] = z4_z * c6 - x5_z * s6
-    T[2, 2] = z5_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 + z4_z * s6, z4_z * c6 - x5_z * s6, z5_z
     T[2, 3] = d1 - s2 * a2 - v7 * d4 + z5_z * d6
     T[3, 3] = 1.0
     return T
@@ -211,82 +183,39 @@ def jacobian(q):
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    v3 = s1 * c2
-    y2_x = c1 * s2
-    v4 = s1 * s2
-    p2_x = x2_x * a2
-    v5 = v3 * a2
-    p2_z = d1 - s2 * a2
-    v6 = q[2] + offset3
-    c3 = math.cos(v6)
-    s3 = math.sin(v6)
-    x3_x = x2_x * c3 + y2_x * s3
-    v7 = v3 * c3 + v4 * s3
-    x3_z = c2 * s3 - s2 * c3
-    v8 = c2 * c3 + s2 * s3
-    z3_x = x2_x * s3 - y2_x * c3
-    z3_y = v4 * c3 - v3 * s3
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, v3, y2_x = c1 * c2, s1 * c2, c1 * s2
+    v4, p2_x, v5 = s1 * s2, x2_x * a2, v3 * a2
+    p2_z, v6 = d1 - s2 * a2, q[2] + offset3
+    c3, s3 = math.cos(v6), math.sin(v6)
+    x3_x, v7, x3_z = x2_x * c3 + y2_x * s3, v3 * c3 + v4 * s3, c2 * s3 - s2 * c3
+    v8, z3_x, z3_y = c2 * c3 + s2 * s3, x2_x * s3 - y2_x * c3, v4 * c3 - v3 * s3
     v9 = q[3] + offset4
-    c4 = math.cos(v9)
-    s4 = math.sin(v9)
-    z4_x = s1 * c4 + x3_x * s4
-    z4_z = x3_z * s4
-    p4_x = p2_x + z3_x * d4
-    p4_y = z3_y * d4 - v5
-    p4_z = p2_z - v8 * d4
-    z4_y = c1 * c4 - v7 * s4
+    c4, s4 = math.cos(v9), math.sin(v9)
+    z4_x, z4_z, p4_x = s1 * c4 + x3_x * s4, x3_z * s4, p2_x + z3_x * d4
+    p4_y, p4_z, z4_y = z3_y * d4 - v5, p2_z - v8 * d4, c1 * c4 - v7 * s4
     v10 = q[4] + offset5
-    c5 = math.cos(v10)
-    s5 = math.sin(v10)
-    v11 = z3_y * c5 + (v7 * c4 + c1 * s4) * s5
-    z5_z = v8 * c5 + x3_z * c4 * s5
+    c5, s5 = math.cos(v10), math.sin(v10)
+    v11, z5_z = z3_y * c5 + (v7 * c4 + c1 * s4) * s5, v8 * c5 + x3_z * c4 * s5
     z5_x = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5
-    p6_x = p4_x + z5_x * d6
-    p6_y = p4_y - v11 * d6
-    p6_z = p4_z + z5_z * d6
-    v12 = p6_z - d1
-    v13 = p6_x - p2_x
-    v14 = v5 + p6_y
-    v15 = p6_z - p2_z
-    v16 = p6_x - p4_x
-    v17 = p6_y - p4_y
+    p6_x, p6_y, p6_z = p4_x + z5_x * d6, p4_y - v11 * d6, p4_z + z5_z * d6
+    v12, v13, v14 = p6_z - d1, p6_x - p2_x, v5 + p6_y
+    v15, v16, v17 = p6_z - p2_z, p6_x - p4_x, p6_y - p4_y
     v18 = p6_z - p4_z
-    J[0, 0] = p6_y
-    J[0, 1] = c1 * v12
-    J[0, 2] = -(c1 * v15)
-    J[0, 3] = z3_y * v15 + v8 * v14
-    J[0, 4] = z4_y * v18 - z4_z * v17
+    J[0, 0], J[0, 1], J[0, 2] = p6_y, c1 * v12, -(c1 * v15)
+    J[0, 3], J[0, 4] = z3_y * v15 + v8 * v14, z4_y * v18 - z4_z * v17
     J[0, 5] = -(v11 * v18 + z5_z * v17)
-    J[1, 0] = -p6_x
-    J[1, 1] = -(s1 * v12)
-    J[1, 2] = s1 * v15
-    J[1, 3] = -(v8 * v13 + z3_x * v15)
-    J[1, 4] = z4_z * v16 - z4_x * v18
+    J[1, 0], J[1, 1], J[1, 2] = -p6_x, -(s1 * v12), s1 * v15
+    J[1, 3], J[1, 4] = -(v8 * v13 + z3_x * v15), z4_z * v16 - z4_x * v18
     J[1, 5] = z5_z * v16 - z5_x * v18
-    J[2, 1] = s1 * p6_y - c1 * p6_x
-    J[2, 2] = c1 * v13 - s1 * v14
-    J[2, 3] = z3_x * v14 - z3_y * v13
-    J[2, 4] = z4_x * v17 - z4_y * v16
-    J[2, 5] = z5_x * v17 + v11 * v16
-    J[3, 1] = s1
-    J[3, 2] = -s1
-    J[3, 3] = z3_x
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = c1
-    J[4, 2] = -c1
-    J[4, 3] = z3_y
-    J[4, 4] = z4_y
-    J[4, 5] = -v11
-    J[5, 0] = -1.0
-    J[5, 3] = -v8
-    J[5, 4] = z4_z
+    J[2, 1], J[2, 2], J[2, 3] = s1 * p6_y - c1 * p6_x, c1 * v13 - s1 * v14, z3_x * v14 - z3_y * v13
+    J[2, 4], J[2, 5] = z4_x * v17 - z4_y * v16, z5_x * v17 + v11 * v16
+    J[3, 1], J[3, 2], J[3, 3] = s1, -s1, z3_x
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = c1, -c1, z3_y
+    J[4, 4], J[4, 5] = z4_y, -v11
+    J[5, 0], J[5, 3], J[5, 4] = -1.0, -v8, z4_z
     J[5, 5] = z5_z
     return J
 
@@ -337,18 +266,14 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2
         X1_2 = a2 + d4 * s3
-        v4 = Z1_3 * X1_2
-        v5 = root1 * X1_2
+        v4, v5 = Z1_3 * X1_2, root1 * X1_2
 
         # theta4
-        v8 = T13 * c1 - T23 * s1
-        v10 = T23 * c1 + T13 * s1
+        v8, v10 = T13 * c1 - T23 * s1, T23 * c1 + T13 * s1
         v11 = v10 * v10
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v13 = T22 * c1 + T12 * s1
-        v14 = T12 * c1 - T22 * s1
-        v16 = T21 * c1 + T11 * s1
+        v13, v14, v16 = T22 * c1 + T12 * s1, T12 * c1 - T22 * s1, T21 * c1 + T11 * s1
         v17 = T11 * c1 - T21 * s1
 
         # joint values
@@ -383,8 +308,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T33 * c2m3 - v7 * v8
 
             # theta6
-            v15 = c2m3 * v14 + T32 * v7
-            v18 = c2m3 * v17 + T31 * v7
+            v15, v18 = c2m3 * v14 + T32 * v7, c2m3 * v17 + T31 * v7
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -401,20 +325,15 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s5 = w4 * e4
 
                 # theta6
-                c6 = c4 * v13 + s4 * v15
-                s6 = c4 * v16 + s4 * v18
+                c6, s6 = c4 * v13 + s4 * v15, c4 * v16 + s4 * v18
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
                 q5 = _wrap(_atan2(s5, c5) - offset5)
                 q6 = _wrap(_atan2(s6, c6) - offset6)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -426,108 +345,66 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        X1 = d6 * T13 - T14
-        wy = d6 * T23 - T24
+        X1, wy = d6 * T13 - T14, d6 * T23 - T24
         v1 = X1 * X1 + wy * wy
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
         factor1 = w1 * v2
-        v3 = X1 * factor1
-        s1 = wy * factor1
+        v3, s1 = X1 * factor1, wy * factor1
 
         # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         Z1_3 = d1 + (d6 * T33 - T34)
         N3 = v1 + Z1_3 * Z1_3
         D3 = (longest3 - N3) * (N3 - shortest3)
         w3 = math.sqrt(D3)
-        v4 = w3 - w3
-        v5 = k1 * (N3 - k2)
-        s3 = k3 * v5
-        v6 = k1 * w3
+        v4, v5 = w3 - w3, k1 * (N3 - k2)
+        s3, v6 = k3 * v5, k1 * w3
         v7 = k3 * v6
 
         # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        X1_2 = a2 + d4 * s3
-        X2_2 = d4 * v7
-        v8 = Z1_3 * X1_2
-        v9 = w1 * X2_2
-        v10 = v8 + v9
-        v11 = v8 - v9
-        v12 = m3 * N3 - m4
-        v13 = Z1_3 * v12
-        v14 = w3 * (m3 * w1)
-        S2_pp = v13 + v14
-        S2_pm = v13 - v14
-        v15 = w1 * X1_2
+        X1_2, X2_2 = a2 + d4 * s3, d4 * v7
+        v8, v9 = Z1_3 * X1_2, w1 * X2_2
+        v10, v11, v12 = v8 + v9, v8 - v9, m3 * N3 - m4
+        v13, v14 = Z1_3 * v12, w3 * (m3 * w1)
+        S2_pp, S2_pm, v15 = v13 + v14, v13 - v14, w1 * X1_2
         v16 = Z1_3 * X2_2
-        v17 = v15 - v16
-        v18 = v15 + v16
-        v19 = w3 * (m3 * Z1_3)
-        v20 = w1 * v12
-        v21 = w1 * -v12
-        C2_pp = v20 - v19
-        C2_pm = v19 + v20
-        C2_mp = v21 - v19
-        C2_mm = v19 + v21
-        v22 = S2_pp * S2_pp
-        v23 = v22 + C2_pp * C2_pp
-        v24 = S2_pm * S2_pm
-        v25 = v24 + C2_pm * C2_pm
-        v26 = v24 + C2_mp * C2_mp
-        v27 = v22 + C2_mm * C2_mm
-        w2_pp = math.sqrt(v23)
-        w2_pm = math.sqrt(v25)
-        w2_mp = math.sqrt(v26)
-        w2_mm = math.sqrt(v27)
-        v28 = 1.0 / v23
-        v29 = 1.0 / v25
-        v30 = 1.0 / v26
-        v31 = 1.0 / v27
+        v17, v18, v19 = v15 - v16, v15 + v16, w3 * (m3 * Z1_3)
+        v20, v21 = w1 * v12, w1 * -v12
+        C2_pp, C2_pm, C2_mp = v20 - v19, v19 + v20, v21 - v19
+        C2_mm, v22 = v19 + v21, S2_pp * S2_pp
+        v23, v24 = v22 + C2_pp * C2_pp, S2_pm * S2_pm
+        v25, v26, v27 = v24 + C2_pm * C2_pm, v24 + C2_mp * C2_mp, v22 + C2_mm * C2_mm
+        w2_pp, w2_pm, w2_mp = math.sqrt(v23), math.sqrt(v25), math.sqrt(v26)
+        w2_mm, v28, v29 = math.sqrt(v27), 1.0 / v23, 1.0 / v25
+        v30, v31 = 1.0 / v26, 1.0 / v27
 
         # theta4, type 2: U4[3, 3]
         v32 = s3 * v10
-        c2m3_pp = w2_pp * (v28 * (v32 - v7 * v17))
-        v33 = s3 * v11 + v7 * v18
-        c2m3_pm = w2_pm * (v29 * v33)
-        c2m3_mp = w2_mp * (v30 * v33)
-        c2m3_mm = w2_mm * (v31 * (v32 + v7 * -v17))
-        v34 = v7 * v10
-        v35 = w2_pp * (v28 * (v34 + s3 * v17))
-        v36 = s3 * v18 - v7 * v11
-        v37 = w2_pm * (v29 * v36)
-        v38 = w2_mp * (v30 * -v36)
-        v39 = w2_mm * (v31 * (s3 * -v17 - v34))
+        c2m3_pp, v33 = w2_pp * (v28 * (v32 - v7 * v17)), s3 * v11 + v7 * v18
+        c2m3_pm, c2m3_mp = w2_pm * (v29 * v33), w2_mp * (v30 * v33)
+        c2m3_mm, v34 = w2_mm * (v31 * (v32 + v7 * -v17)), v7 * v10
+        v35, v36 = w2_pp * (v28 * (v34 + s3 * v17)), s3 * v18 - v7 * v11
+        v37, v38, v39 = w2_pm * (v29 * v36), w2_mp * (v30 * -v36), w2_mm * (v31 * (s3 * -v17 - v34))
         v40 = w1 * (v2 * (T13 * X1 + T23 * wy))
-        v41 = T33 * v35 - c2m3_pp * v40
-        v42 = T33 * v37 - c2m3_pm * v40
-        v43 = T33 * v38 + c2m3_mp * v40
-        v44 = T33 * v39 + c2m3_mm * v40
-        v45 = T13 * s1 - T23 * v3
+        v41, v42 = T33 * v35 - c2m3_pp * v40, T33 * v37 - c2m3_pm * v40
+        v43, v44, v45 = T33 * v38 + c2m3_mp * v40, T33 * v39 + c2m3_mm * v40, T13 * s1 - T23 * v3
         v46 = w1 * (v2 * (T13 * wy - X1 * T23))
         v47 = v46 * v46
-        v48 = v47 + v41 * v41
-        v49 = v47 + v42 * v42
-        v50 = v47 + v43 * v43
-        v51 = v47 + v44 * v44
-        v52 = 1.0 / v48
-        v53 = 1.0 / v49
-        v54 = 1.0 / v50
-        v55 = 1.0 / v51
+        v48, v49, v50 = v47 + v41 * v41, v47 + v42 * v42, v47 + v43 * v43
+        v51, v52, v53 = v47 + v44 * v44, 1.0 / v48, 1.0 / v49
+        v54, v55 = 1.0 / v50, 1.0 / v51
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v56 = s1 * T12 - v3 * T22
-        v57 = w1 * (v2 * (X1 * T12 + wy * T22))
-        v58 = s1 * T11 - v3 * T21
+        v56, v57, v58 = s1 * T12 - v3 * T22, w1 * (v2 * (X1 * T12 + wy * T22)), s1 * T11 - v3 * T21
         v59 = w1 * (v2 * (X1 * T11 + wy * T21))
 
         # joint values
-        v68 = math.copysign(half_turn, -v46)
-        v69 = math.copysign(half_turn, v46)
+        v68, v69 = math.copysign(half_turn, -v46), math.copysign(half_turn, v46)
         v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
         v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
 
@@ -536,15 +413,16 @@ def _formulas(kept, turns, rows, w):
             1.0 if v51 <= m6 or v27 <= m5 or v50 <= m6 or v26 <= m5 or v49 <= m6 or v25 <= m5 or v48
             <= m6 or v1 <= m1 or abs(D3) <= m2 or v23 <= m5 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = wy, v4, v5, c2m3_mp
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = c2m3_mm, v38, v39
-        kept[24 * w + k], kept[25 * w + k], kept[26 * w + k], kept[27 * w + k] = v43, v44, v45, v54
-        kept[28 * w + k], kept[29 * w + k], kept[30 * w + k], kept[31 * w + k] = v55, v58, v59, v68
-        kept[32 * w + k], kept[33 * w + k], kept[34 * w + k], turns[0 * w + k] = v69, v86, v87, wy
-        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = S2_pp, S2_pm, S2_pm
-        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = S2_pp, v5, -v46
-        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = -v46, v46, v46
-        turns[10 * w + k], turns[11 * w + k] = math.sqrt(v48), math.sqrt(v49)
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = wy, v4, v5
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = c2m3_mp, c2m3_mm, v38
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = v39, v43, v44
+        kept[26 * w + k], kept[27 * w + k], kept[28 * w + k] = v45, v54, v55
+        kept[29 * w + k], kept[30 * w + k], kept[31 * w + k] = v58, v59, v68
+        kept[32 * w + k], kept[33 * w + k], kept[34 * w + k] = v69, v86, v87
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = wy, S2_pp, S2_pm
+        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = S2_pm, S2_pp, v5
+        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = -v46, -v46, v46
+        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = v46, math.sqrt(v48), math.sqrt(v49)
         turns[12 * w + k], turns[13 * w + k] = math.sqrt(v50), math.sqrt(v51)
         turns[14 * w + k], turns[15 * w + k] = v86, v87
         turns[16 * w + k] = -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59)))
@@ -568,41 +446,34 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        T31, wy, v4, v5 = kept[8 * w + k], kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
-        c2m3_mp, c2m3_mm, v38 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
-        v39, v43, v44, v45 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k], kept[26 * w + k]
-        v54, v55, v58, v59 = kept[27 * w + k], kept[28 * w + k], kept[29 * w + k], kept[30 * w + k]
-        v68, v69, v86, v87 = kept[31 * w + k], kept[32 * w + k], kept[33 * w + k], kept[34 * w + k]
-        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
-        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
-        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
-        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
-        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
-        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        T31, wy, v4 = kept[8 * w + k], kept[17 * w + k], kept[18 * w + k]
+        v5, c2m3_mp, c2m3_mm = kept[19 * w + k], kept[20 * w + k], kept[21 * w + k]
+        v38, v39, v43 = kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
+        v44, v45, v54 = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k]
+        v55, v58, v59 = kept[28 * w + k], kept[29 * w + k], kept[30 * w + k]
+        v68, v69, v86 = kept[31 * w + k], kept[32 * w + k], kept[33 * w + k]
+        v87, angle1, angle2 = kept[34 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
+        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
+        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
+        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
+        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
+        angle18 = turns[17 * w + k]
 
         # joint values
-        v60 = angle1 - offset1
-        v61 = angle1 - math.copysign(half_turn, wy) - offset1
-        v62 = angle2 - offset2
-        v63 = angle3 - offset2
-        v64 = angle4 - offset2
+        v60, v61 = angle1 - offset1, angle1 - math.copysign(half_turn, wy) - offset1
+        v62, v63, v64 = angle2 - offset2, angle3 - offset2, angle4 - offset2
         v65 = angle5 - offset2
         q2_ppp = v62 + (-turn if half_turn < v62 else 0.0)
         q2_pmp = v63 + (-turn if half_turn < v63 else 0.0)
         q2_mpp = v64 + (-turn if half_turn < v64 else 0.0)
         q2_mmp = v65 + (-turn if half_turn < v65 else 0.0)
-        v66 = angle6 - offset3
-        v67 = math.copysign(half_turn, v5) - angle6 - offset3
+        v66, v67 = angle6 - offset3, math.copysign(half_turn, v5) - angle6 - offset3
         q3_ppp = v66 + (turn if v66 <= -half_turn else 0.0)
         q3_pmp = v67 + (turn if v67 <= -half_turn else 0.0)
-        v70 = angle7 - offset4
-        v71 = angle7 - v68 - offset4
-        v72 = angle8 - offset4
-        v73 = angle8 - v68 - offset4
-        v74 = angle9 - offset4
-        v75 = angle9 - v69 - offset4
-        v76 = angle10 - offset4
-        v77 = angle10 - v69 - offset4
+        v70, v71, v72 = angle7 - offset4, angle7 - v68 - offset4, angle8 - offset4
+        v73, v74, v75 = angle8 - v68 - offset4, angle9 - offset4, angle9 - v69 - offset4
+        v76, v77 = angle10 - offset4, angle10 - v69 - offset4
         q4_ppp = v70 + (turn if v70 <= -half_turn else 0.0)
         q4_ppm = v71 + (turn if v71 <= -half_turn else 0.0)
         q4_pmp = v72 + (turn if v72 <= -half_turn else 0.0)
@@ -611,14 +482,9 @@ def _formulas(kept, turns, rows, w):
         q4_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
         q4_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
         q4_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
-        v78 = angle11 - offset5
-        v79 = offset5 + angle11
-        v80 = angle12 - offset5
-        v81 = offset5 + angle12
-        v82 = angle13 - offset5
-        v83 = offset5 + angle13
-        v84 = angle14 - offset5
-        v85 = offset5 + angle14
+        v78, v79, v80 = angle11 - offset5, offset5 + angle11, angle12 - offset5
+        v81, v82, v83 = offset5 + angle12, angle13 - offset5, offset5 + angle13
+        v84, v85 = angle14 - offset5, offset5 + angle14
         q5_ppp = v78 + (turn if v78 <= -half_turn else 0.0)
         q5_ppm = (turn if -v79 <= -half_turn else 0.0) - v79
         q5_pmp = v80 + (turn if v80 <= -half_turn else 0.0)
@@ -627,10 +493,8 @@ def _formulas(kept, turns, rows, w):
         q5_mpm = (turn if -v83 <= -half_turn else 0.0) - v83
         q5_mmp = v84 + (turn if v84 <= -half_turn else 0.0)
         q5_mmm = (turn if -v85 <= -half_turn else 0.0) - v85
-        v88 = angle15 - offset6
-        v89 = angle15 - math.copysign(half_turn, v86) - offset6
-        v90 = angle16 - offset6
-        v91 = angle16 - math.copysign(half_turn, v87) - offset6
+        v88, v89 = angle15 - offset6, angle15 - math.copysign(half_turn, v86) - offset6
+        v90, v91 = angle16 - offset6, angle16 - math.copysign(half_turn, v87) - offset6
         v92 = angle17 - offset6
         v93 = (
             angle17 - math.copysign(half_turn, -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp *
@@ -649,30 +513,18 @@ def _formulas(kept, turns, rows, w):
         q6_mpm = v93 + (turn if v93 <= -half_turn else 0.0)
         q6_mmp = v94 + (turn if v94 <= -half_turn else 0.0)
         q6_mmm = v95 + (turn if v95 <= -half_turn else 0.0)
-        v96 = abs(q3_ppp) - high3
-        v97 = abs(q3_pmp) - high3
+        v96, v97 = abs(q3_ppp) - high3, abs(q3_pmp) - high3
         q1_ppp = v4 + (v60 + (-turn if half_turn < v60 else 0.0))
         q1_mpp = v4 + (v61 + (-turn if half_turn < v61 else 0.0))
-        v98 = max(v96, abs(q2_ppp) - high2)
-        v99 = max(v97, abs(q2_pmp) - high2)
-        v100 = max(v96, abs(q2_mpp) - high2)
-        v101 = max(v97, abs(q2_mmp) - high2)
-        excess_ppp = max(v98, abs(q5_ppp) - high5)
-        excess_ppm = max(v98, abs(q5_ppm) - high5)
-        excess_pmp = max(v99, abs(q5_pmp) - high5)
-        excess_pmm = max(v99, abs(q5_pmm) - high5)
-        excess_mpp = max(v100, abs(q5_mpp) - high5)
-        excess_mpm = max(v100, abs(q5_mpm) - high5)
-        excess_mmp = max(v101, abs(q5_mmp) - high5)
-        excess_mmm = max(v101, abs(q5_mmm) - high5)
-        outside_ppp = 0.0 < excess_ppp
-        outside_ppm = 0.0 < excess_ppm
-        outside_pmp = 0.0 < excess_pmp
-        outside_pmm = 0.0 < excess_pmm
-        outside_mpp = 0.0 < excess_mpp
-        outside_mpm = 0.0 < excess_mpm
-        outside_mmp = 0.0 < excess_mmp
-        outside_mmm = 0.0 < excess_mmm
+        v98, v99 = max(v96, abs(q2_ppp) - high2), max(v97, abs(q2_pmp) - high2)
+        v100, v101 = max(v96, abs(q2_mpp) - high2), max(v97, abs(q2_mmp) - high2)
+        excess_ppp, excess_ppm = max(v98, abs(q5_ppp) - high5), max(v98, abs(q5_ppm) - high5)
+        excess_pmp, excess_pmm = max(v99, abs(q5_pmp) - high5), max(v99, abs(q5_pmm) - high5)
+        excess_mpp, excess_mpm = max(v100, abs(q5_mpp) - high5), max(v100, abs(q5_mpm) - high5)
+        excess_mmp, excess_mmm = max(v101, abs(q5_mmp) - high5), max(v101, abs(q5_mmm) - high5)
+        outside_ppp, outside_ppm, outside_pmp = 0.0 < excess_ppp, 0.0 < excess_ppm, 0.0 < excess_pmp
+        outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
+        outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
@@ -721,13 +573,8 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 2, 19, 20, 21],
-    [17, 18, 2, 22, 23, 24],
-    [17, 25, 10, 26, 27, 28],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 2, 19, 20, 21], [17, 18, 2, 22, 23, 24], [17, 25, 10, 26, 27, 28],
     [17, 25, 10, 29, 30, 31],
 ])
 

@@ -157,54 +157,26 @@ def fk(q):
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    v3 = s1 * c2
-    y2_x = c1 * s2
-    v4 = s1 * s2
-    v5 = q[2] + offset3
-    c3 = math.cos(v5)
-    s3 = math.sin(v5)
-    x3_x = x2_x * c3 + y2_x * s3
-    v6 = v3 * c3 + v4 * s3
-    x3_z = c2 * s3 - s2 * c3
-    v7 = c2 * c3 + s2 * s3
-    z3_x = x2_x * s3 - y2_x * c3
-    z3_y = v4 * c3 - v3 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - s1 * s4
-    v8 = v6 * c4 + c1 * s4
-    x4_z = x3_z * c4
-    z4_x = s1 * c4 + x3_x * s4
-    z4_z = x3_z * s4
-    z4_y = c1 * c4 - v6 * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = z3_y * s5 - v8 * c5
-    x5_z = x4_z * c5 - v7 * s5
-    z6_x = z3_x * c5 - x4_x * s5
-    z6_y = z3_y * c5 + v8 * s5
-    z5_z = v7 * c5 + x4_z * s5
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, v3, y2_x = c1 * c2, s1 * c2, c1 * s2
+    v4, v5 = s1 * s2, q[2] + offset3
+    c3, s3 = math.cos(v5), math.sin(v5)
+    x3_x, v6, x3_z = x2_x * c3 + y2_x * s3, v3 * c3 + v4 * s3, c2 * s3 - s2 * c3
+    v7, z3_x, z3_y = c2 * c3 + s2 * s3, x2_x * s3 - y2_x * c3, v4 * c3 - v3 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, v8, x4_z = x3_x * c4 - s1 * s4, v6 * c4 + c1 * s4, x3_z * c4
+    z4_x, z4_z, z4_y = s1 * c4 + x3_x * s4, x3_z * s4, c1 * c4 - v6 * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 + z3_x * s5, z3_y * s5 - v8 * c5, x4_z * c5 - v7 * s5
+    z6_x, z6_y, z5_z = z3_x * c5 - x4_x * s5, z3_y * c5 + v8 * s5, v7 * c5 + x4_z * s5
     v9 = q[5] + offset6
-    c6 = math.cos(v9)
-    s6 = math.sin(v9)
-    T[0, 0] = x5_x * c6 + z4_x * s6
-    T[0, 1] = x5_x * s6 - z4_x * c6
-    T[0, 2] = z6_x
+    c6, s6 = math.cos(v9), math.sin(v9)
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + z4_x * s6, x5_x * s6 - z4_x * c6, z6_x
     T[0, 3] = x2_x * a2 - s1 * d2 + s1 * d3 - z3_x * d4 - -z6_x * d6
-    T[1, 0] = x5_y * c6 + z4_y * s6
-    T[1, 1] = x5_y * s6 - z4_y * c6
-    T[1, 2] = z6_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + z4_y * s6, x5_y * s6 - z4_y * c6, z6_y
     T[1, 3] = c1 * d3 - (v3 * a2 + c1 * d2) - z3_y * d4 + z6_y * d6
-    T[2, 0] = x5_z * c6 + z4_z * s6
-    T[2, 1] = x5_z * s6 - z4_z * c6
-    T[2, 2] = -z5_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 + z4_z * s6, x5_z * s6 - z4_z * c6, -z5_z
     T[2, 3] = d1 - s2 * a2 + v7 * d4 - z5_z * d6
     T[3, 3] = 1.0
     return T
@@ -217,82 +189,39 @@ def jacobian(q):
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    v3 = s1 * c2
-    y2_x = c1 * s2
-    v4 = s1 * s2
-    p2_z = d1 - s2 * a2
-    p2_x = x2_x * a2 - s1 * d2
-    v5 = v3 * a2 + c1 * d2
-    v6 = q[2] + offset3
-    c3 = math.cos(v6)
-    s3 = math.sin(v6)
-    x3_x = x2_x * c3 + y2_x * s3
-    v7 = v3 * c3 + v4 * s3
-    x3_z = c2 * s3 - s2 * c3
-    v8 = c2 * c3 + s2 * s3
-    p3_x = p2_x + s1 * d3
-    p3_y = c1 * d3 - v5
-    z3_x = x2_x * s3 - y2_x * c3
-    z3_y = v4 * c3 - v3 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    z4_x = s1 * c4 + x3_x * s4
-    z4_z = x3_z * s4
-    p4_x = p3_x - z3_x * d4
-    p4_y = p3_y - z3_y * d4
-    p4_z = p2_z + v8 * d4
-    z4_y = c1 * c4 - v7 * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    z6_y = z3_y * c5 + (v7 * c4 + c1 * s4) * s5
-    z5_z = v8 * c5 + x3_z * c4 * s5
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, v3, y2_x = c1 * c2, s1 * c2, c1 * s2
+    v4, p2_z, p2_x = s1 * s2, d1 - s2 * a2, x2_x * a2 - s1 * d2
+    v5, v6 = v3 * a2 + c1 * d2, q[2] + offset3
+    c3, s3 = math.cos(v6), math.sin(v6)
+    x3_x, v7, x3_z = x2_x * c3 + y2_x * s3, v3 * c3 + v4 * s3, c2 * s3 - s2 * c3
+    v8, p3_x, p3_y = c2 * c3 + s2 * s3, p2_x + s1 * d3, c1 * d3 - v5
+    z3_x, z3_y = x2_x * s3 - y2_x * c3, v4 * c3 - v3 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    z4_x, z4_z, p4_x = s1 * c4 + x3_x * s4, x3_z * s4, p3_x - z3_x * d4
+    p4_y, p4_z, z4_y = p3_y - z3_y * d4, p2_z + v8 * d4, c1 * c4 - v7 * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    z6_y, z5_z = z3_y * c5 + (v7 * c4 + c1 * s4) * s5, v8 * c5 + x3_z * c4 * s5
     z5_x = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5
-    p6_x = p4_x - z5_x * d6
-    p6_y = p4_y + z6_y * d6
-    p6_z = p4_z - z5_z * d6
-    v9 = p6_z - d1
-    v10 = p6_z - p2_z
-    v11 = p6_x - p3_x
-    v12 = p6_y - p3_y
-    v13 = p6_x - p4_x
-    v14 = p6_y - p4_y
+    p6_x, p6_y, p6_z = p4_x - z5_x * d6, p4_y + z6_y * d6, p4_z - z5_z * d6
+    v9, v10, v11 = p6_z - d1, p6_z - p2_z, p6_x - p3_x
+    v12, v13, v14 = p6_y - p3_y, p6_x - p4_x, p6_y - p4_y
     v15 = p6_z - p4_z
-    J[0, 0] = p6_y
-    J[0, 1] = c1 * v9
-    J[0, 2] = -(c1 * v10)
-    J[0, 3] = z3_y * v10 + v8 * v12
-    J[0, 4] = z4_y * v15 - z4_z * v14
+    J[0, 0], J[0, 1], J[0, 2] = p6_y, c1 * v9, -(c1 * v10)
+    J[0, 3], J[0, 4] = z3_y * v10 + v8 * v12, z4_y * v15 - z4_z * v14
     J[0, 5] = -(z6_y * v15 + z5_z * v14)
-    J[1, 0] = -p6_x
-    J[1, 1] = -(s1 * v9)
-    J[1, 2] = s1 * v10
-    J[1, 3] = -(v8 * v11 + z3_x * v10)
-    J[1, 4] = z4_z * v13 - z4_x * v15
+    J[1, 0], J[1, 1], J[1, 2] = -p6_x, -(s1 * v9), s1 * v10
+    J[1, 3], J[1, 4] = -(v8 * v11 + z3_x * v10), z4_z * v13 - z4_x * v15
     J[1, 5] = z5_z * v13 - z5_x * v15
-    J[2, 1] = s1 * p6_y - c1 * p6_x
-    J[2, 2] = c1 * (p6_x - p2_x) - s1 * (v5 + p6_y)
-    J[2, 3] = z3_x * v12 - z3_y * v11
-    J[2, 4] = z4_x * v14 - z4_y * v13
+    J[2, 1], J[2, 2] = s1 * p6_y - c1 * p6_x, c1 * (p6_x - p2_x) - s1 * (v5 + p6_y)
+    J[2, 3], J[2, 4] = z3_x * v12 - z3_y * v11, z4_x * v14 - z4_y * v13
     J[2, 5] = z5_x * v14 + z6_y * v13
-    J[3, 1] = s1
-    J[3, 2] = -s1
-    J[3, 3] = z3_x
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = c1
-    J[4, 2] = -c1
-    J[4, 3] = z3_y
-    J[4, 4] = z4_y
-    J[4, 5] = -z6_y
-    J[5, 0] = -1.0
-    J[5, 3] = -v8
-    J[5, 4] = z4_z
+    J[3, 1], J[3, 2], J[3, 3] = s1, -s1, z3_x
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = c1, -c1, z3_y
+    J[4, 4], J[4, 5] = z4_y, -z6_y
+    J[5, 0], J[5, 3], J[5, 4] = -1.0, -v8, z4_z
     J[5, 5] = z5_z
     return J
 
@@ -313,9 +242,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else -(k1 * math.sqrt(N1))))
-    v1 = X1 * k1
-    v2 = wy * k1
-    v3 = seed[0] + offset1
+    v1, v2, v3 = X1 * k1, wy * k1, seed[0] + offset1
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     wz = d6 * T33 - T34
@@ -347,18 +274,14 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2
         X1_2 = a2 + d4 * v6
-        v7 = Z1_3 * X1_2
-        v8 = root1 * X1_2
+        v7, v8 = Z1_3 * X1_2, root1 * X1_2
 
         # theta4, type 2: U4[3, 3]
-        v10 = T13 * c1 - T23 * s1
-        v11 = T23 * c1 + T13 * s1
+        v10, v11 = T13 * c1 - T23 * s1, T23 * c1 + T13 * s1
         v12 = v11 * v11
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v13 = T22 * c1 + T12 * s1
-        v14 = T12 * c1 - T22 * s1
-        v16 = T21 * c1 + T11 * s1
+        v13, v14, v16 = T22 * c1 + T12 * s1, T12 * c1 - T22 * s1, T21 * c1 + T11 * s1
         v17 = T11 * c1 - T21 * s1
 
         # joint values
@@ -390,8 +313,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             divisor4 = 1.0 if free4 else w4
 
             # theta6
-            v15 = c2m3 * v14 - T32 * s2m3
-            v18 = c2m3 * v17 - T31 * s2m3
+            v15, v18 = c2m3 * v14 - T32 * s2m3, c2m3 * v17 - T31 * s2m3
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -416,12 +338,8 @@ def _solve(pose, q_free, seed, moved, q, status):
                 # joint values
                 q6 = _wrap(_atan2(s6, -(c4 * v13 + s4 * v15)) - offset6)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -433,107 +351,66 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        X1 = d6 * T13 - T14
-        wy = d6 * T23 - T24
+        X1, wy = d6 * T13 - T14, d6 * T23 - T24
         N1 = X1 * X1 + wy * wy
         D1 = N1 - k2
         w1 = math.sqrt(D1)
-        v1 = w1 - w1
-        inverse1 = 1.0 / N1
+        v1, inverse1 = w1 - w1, 1.0 / N1
         v2 = inverse1 * (k1 * wy)
-        c1_p = v2 - w1 * (X1 * inverse1)
-        c1_m = v2 - w1 * (inverse1 * -X1)
-        v3 = inverse1 * (k1 * X1)
-        s1_p = v3 + w1 * (wy * inverse1)
-        s1_m = v3 + w1 * (inverse1 * -wy)
+        c1_p, c1_m, v3 = v2 - w1 * (X1 * inverse1), v2 - w1 * (inverse1 * -X1), inverse1 * (k1 * X1)
+        s1_p, s1_m = v3 + w1 * (wy * inverse1), v3 + w1 * (inverse1 * -wy)
 
         # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         Z1_3 = d1 + (d6 * T33 - T34)
         N3 = D1 + Z1_3 * Z1_3
         D3 = (longest3 - N3) * (N3 - shortest3)
         w3 = math.sqrt(D3)
-        v4 = w3 - w3
-        v5 = k6 * (N3 - k7)
-        v6 = k8 * v5
-        v7 = k6 * w3
+        v4, v5 = w3 - w3, k6 * (N3 - k7)
+        v6, v7 = k8 * v5, k6 * w3
         c3 = k8 * v7
 
         # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        X1_2 = a2 + d4 * v6
-        X2_2 = d4 * c3
-        v8 = Z1_3 * X1_2
-        v9 = w1 * X2_2
-        v10 = v8 + v9
-        v11 = v8 - v9
-        v12 = m4 + m3 * N3
-        v13 = Z1_3 * v12
-        v14 = w3 * (m3 * w1)
-        S2_pp = v13 + v14
-        S2_pm = v13 - v14
-        v15 = w1 * X1_2
+        X1_2, X2_2 = a2 + d4 * v6, d4 * c3
+        v8, v9 = Z1_3 * X1_2, w1 * X2_2
+        v10, v11, v12 = v8 + v9, v8 - v9, m4 + m3 * N3
+        v13, v14 = Z1_3 * v12, w3 * (m3 * w1)
+        S2_pp, S2_pm, v15 = v13 + v14, v13 - v14, w1 * X1_2
         v16 = Z1_3 * X2_2
-        v17 = v15 - v16
-        v18 = v15 + v16
-        v19 = w3 * (m3 * Z1_3)
+        v17, v18, v19 = v15 - v16, v15 + v16, w3 * (m3 * Z1_3)
         v20 = w1 * v12
-        C2_pp = v20 - v19
-        C2_pm = v19 + v20
-        v21 = S2_pp * S2_pp
-        v22 = v21 + C2_pp * C2_pp
-        v23 = S2_pm * S2_pm + C2_pm * C2_pm
-        v24 = v21 + -C2_pp * -C2_pp
-        w2_pp = math.sqrt(v22)
-        w2_pm = math.sqrt(v23)
-        w2_mm = math.sqrt(v24)
-        v25 = 1.0 / v22
-        v26 = 1.0 / v23
-        v27 = 1.0 / v24
+        C2_pp, C2_pm, v21 = v20 - v19, v19 + v20, S2_pp * S2_pp
+        v22, v23, v24 = v21 + C2_pp * C2_pp, S2_pm * S2_pm + C2_pm * C2_pm, v21 + -C2_pp * -C2_pp
+        w2_pp, w2_pm, w2_mm = math.sqrt(v22), math.sqrt(v23), math.sqrt(v24)
+        v25, v26, v27 = 1.0 / v22, 1.0 / v23, 1.0 / v24
 
         # theta4, type 2: U4[3, 3]
         v28 = v6 * v10
-        c2m3_pp = w2_pp * (v25 * (c3 * v17 - v28))
-        v29 = w2_pm * (v26 * (c3 * v18 + v6 * v11))
-        v30 = w2_mm * (v27 * (v28 + c3 * -v17))
-        v31 = c3 * v10
-        s2m3_pp = w2_pp * (v25 * (v31 + v6 * v17))
-        v32 = v6 * v18 - c3 * v11
-        s2m3_pm = w2_pm * (v26 * v32)
-        s2m3_mp = w2_pm * (v26 * -v32)
-        s2m3_mm = w2_mm * (v27 * (v6 * -v17 - v31))
-        v33 = T13 * c1_p - T23 * s1_p
-        v34 = T13 * c1_m - T23 * s1_m
-        X4_pp = T33 * s2m3_pp - c2m3_pp * v33
-        X4_pm = T33 * s2m3_pm + v29 * v33
-        X4_mp = T33 * s2m3_mp + v29 * v34
-        X4_mm = T33 * s2m3_mm + v30 * v34
-        v35 = T23 * c1_p + T13 * s1_p
-        v36 = T23 * c1_m + T13 * s1_m
-        v37 = v35 * v35
-        v38 = v36 * v36
-        v39 = v37 + X4_pp * X4_pp
-        v40 = v37 + X4_pm * X4_pm
-        v41 = v38 + X4_mp * X4_mp
-        v42 = v38 + X4_mm * X4_mm
-        v43 = math.copysign(half_turn, -v35)
+        c2m3_pp, v29 = w2_pp * (v25 * (c3 * v17 - v28)), w2_pm * (v26 * (c3 * v18 + v6 * v11))
+        v30, v31 = w2_mm * (v27 * (v28 + c3 * -v17)), c3 * v10
+        s2m3_pp, v32 = w2_pp * (v25 * (v31 + v6 * v17)), v6 * v18 - c3 * v11
+        s2m3_pm, s2m3_mp = w2_pm * (v26 * v32), w2_pm * (v26 * -v32)
+        s2m3_mm, v33 = w2_mm * (v27 * (v6 * -v17 - v31)), T13 * c1_p - T23 * s1_p
+        v34, X4_pp = T13 * c1_m - T23 * s1_m, T33 * s2m3_pp - c2m3_pp * v33
+        X4_pm, X4_mp = T33 * s2m3_pm + v29 * v33, T33 * s2m3_mp + v29 * v34
+        X4_mm, v35 = T33 * s2m3_mm + v30 * v34, T23 * c1_p + T13 * s1_p
+        v36, v37 = T23 * c1_m + T13 * s1_m, v35 * v35
+        v38, v39, v40 = v36 * v36, v37 + X4_pp * X4_pp, v37 + X4_pm * X4_pm
+        v41, v42, v43 = v38 + X4_mp * X4_mp, v38 + X4_mm * X4_mm, math.copysign(half_turn, -v35)
         v44 = math.copysign(half_turn, -v36)
 
         # theta5, type 3: U4[2, 3] and U4[1, 3]
         v45 = T33 * v29
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v46 = c1_p * T22 + s1_p * T12
-        v47 = c1_m * T22 + s1_m * T12
-        v48 = c1_p * T12 - s1_p * T22
-        v49 = c1_m * T12 - s1_m * T22
-        v50 = c1_p * T21 + s1_p * T11
-        v51 = c1_m * T21 + s1_m * T11
-        v52 = c1_p * T11 - s1_p * T21
-        v53 = c1_m * T11 - s1_m * T21
+        v46, v47, v48 = c1_p * T22 + s1_p * T12, c1_m * T22 + s1_m * T12, c1_p * T12 - s1_p * T22
+        v49, v50, v51 = c1_m * T12 - s1_m * T22, c1_p * T21 + s1_p * T11, c1_m * T21 + s1_m * T11
+        v52, v53 = c1_p * T11 - s1_p * T21, c1_m * T11 - s1_m * T21
         s6_pp = -X4_pp * v50 - v35 * (c2m3_pp * v52 - s2m3_pp * T31)
         s6_pm = v35 * (v29 * v52 + s2m3_pm * T31) - X4_pm * v50
         s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51
@@ -544,22 +421,22 @@ def _formulas(kept, turns, rows, w):
             1.0 if v42 <= m6 or v24 <= m5 or v41 <= m6 or v40 <= m6 or v23 <= m5 or v39 <= m6 or
             abs(D1) <= m1 or abs(D3 * (k5 * w1)) <= m2 or v22 <= m5 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = v1, v4, v5, v43
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = v44, s6_pp, s6_pm
-        kept[24 * w + k], kept[25 * w + k], turns[0 * w + k] = s6_mp, s6_mm, -v35
-        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -v35, -v36, -v36
-        turns[4 * w + k], turns[5 * w + k] = -math.sqrt(v39), -math.sqrt(v40)
-        turns[6 * w + k], turns[7 * w + k] = -math.sqrt(v41), -math.sqrt(v42)
-        turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = s1_p, s1_m, S2_pp
-        turns[11 * w + k], turns[12 * w + k], turns[13 * w + k] = S2_pm, S2_pm, S2_pp
-        turns[14 * w + k], turns[15 * w + k], turns[16 * w + k] = -v5, s6_pp, s6_pm
-        turns[17 * w + k], turns[18 * w + k], turns[24 * w + k] = s6_mp, s6_mm, -X4_pp
-        turns[25 * w + k], turns[26 * w + k], turns[27 * w + k] = -X4_pm, -X4_mp, -X4_mm
-        turns[28 * w + k], turns[29 * w + k] = -(T33 * c2m3_pp + s2m3_pp * v33), v45 - s2m3_pm * v33
-        turns[30 * w + k], turns[31 * w + k] = v45 - s2m3_mp * v34, T33 * v30 - s2m3_mm * v34
-        turns[32 * w + k], turns[33 * w + k], turns[34 * w + k] = c1_p, c1_m, C2_pp
-        turns[35 * w + k], turns[36 * w + k], turns[37 * w + k] = C2_pm, -C2_pm, -C2_pp
-        turns[38 * w + k] = v7
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, v4, v5
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v43, v44, s6_pp
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = s6_pm, s6_mp, s6_mm
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = -v35, -v35, -v36
+        turns[3 * w + k], turns[4 * w + k] = -v36, -math.sqrt(v39)
+        turns[5 * w + k], turns[6 * w + k] = -math.sqrt(v40), -math.sqrt(v41)
+        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = -math.sqrt(v42), s1_p, s1_m
+        turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = S2_pp, S2_pm, S2_pm
+        turns[13 * w + k], turns[14 * w + k], turns[15 * w + k] = S2_pp, -v5, s6_pp
+        turns[16 * w + k], turns[17 * w + k], turns[18 * w + k] = s6_pm, s6_mp, s6_mm
+        turns[24 * w + k], turns[25 * w + k], turns[26 * w + k] = -X4_pp, -X4_pm, -X4_mp
+        turns[27 * w + k], turns[28 * w + k] = -X4_mm, -(T33 * c2m3_pp + s2m3_pp * v33)
+        turns[29 * w + k], turns[30 * w + k] = v45 - s2m3_pm * v33, v45 - s2m3_mp * v34
+        turns[31 * w + k], turns[32 * w + k] = T33 * v30 - s2m3_mm * v34, c1_p
+        turns[33 * w + k], turns[34 * w + k], turns[35 * w + k] = c1_m, C2_pp, C2_pm
+        turns[36 * w + k], turns[37 * w + k], turns[38 * w + k] = -C2_pm, -C2_pp, v7
         turns[39 * w + k] = v35 * (c2m3_pp * v48 - s2m3_pp * T32) - -X4_pp * v46
         turns[40 * w + k] = X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm * T32)
         turns[41 * w + k] = X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp * T32)
@@ -573,45 +450,35 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        v1, v4, v5, v43 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v44, s6_pp, s6_pm = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
-        s6_mp, s6_mm, angle1 = kept[24 * w + k], kept[25 * w + k], turns[0 * w + k]
-        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
-        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
-        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
-        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
-        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
-        angle17, angle18, angle19 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
+        v1, v4, v5 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v43, v44, s6_pp = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        s6_pm, s6_mp, s6_mm = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        angle19 = turns[18 * w + k]
 
         # theta4, type 2: U4[3, 3]
-        q4_ppm = angle1 - v43
-        q4_pmm = angle2 - v43
-        q4_mpm = angle3 - v44
+        q4_ppm, q4_pmm, q4_mpm = angle1 - v43, angle2 - v43, angle3 - v44
         q4_mmm = angle4 - v44
 
         # joint values
-        v54 = angle9 - offset1
-        v55 = angle10 - offset1
-        v56 = angle11 - offset2
-        v57 = angle12 - offset2
-        v58 = angle13 - offset2
-        v59 = angle14 - offset2
+        v54, v55, v56 = angle9 - offset1, angle10 - offset1, angle11 - offset2
+        v57, v58, v59 = angle12 - offset2, angle13 - offset2, angle14 - offset2
         q2__pp = v56 + (turn if v56 <= -half_turn else 0.0)
         q2__pm = v57 + (turn if v57 <= -half_turn else 0.0)
         q2__mp = v58 + (turn if v58 <= -half_turn else 0.0)
         q2__mm = v59 + (turn if v59 <= -half_turn else 0.0)
-        v60 = angle15 - offset3
-        v61 = math.copysign(half_turn, -v5) - angle15 - offset3
+        v60, v61 = angle15 - offset3, math.copysign(half_turn, -v5) - angle15 - offset3
         q3__p = v60 + (turn if v60 <= -half_turn else 0.0)
         q3__m = v61 + (turn if v61 <= -half_turn else 0.0)
-        v62 = angle16 - offset6
-        v63 = angle16 - math.copysign(half_turn, s6_pp) - offset6
-        v64 = angle17 - offset6
-        v65 = angle17 - math.copysign(half_turn, s6_pm) - offset6
-        v66 = angle18 - offset6
-        v67 = angle18 - math.copysign(half_turn, s6_mp) - offset6
-        v68 = angle19 - offset6
-        v69 = angle19 - math.copysign(half_turn, s6_mm) - offset6
+        v62, v63 = angle16 - offset6, angle16 - math.copysign(half_turn, s6_pp) - offset6
+        v64, v65 = angle17 - offset6, angle17 - math.copysign(half_turn, s6_pm) - offset6
+        v66, v67 = angle18 - offset6, angle18 - math.copysign(half_turn, s6_mp) - offset6
+        v68, v69 = angle19 - offset6, angle19 - math.copysign(half_turn, s6_mm) - offset6
         q6_ppp = v62 + (-turn if half_turn < v62 else 0.0)
         q6_ppm = v63 + (-turn if half_turn < v63 else 0.0)
         q6_pmp = v64 + (-turn if half_turn < v64 else 0.0)
@@ -624,14 +491,9 @@ def _formulas(kept, turns, rows, w):
         v71 = q2__pm + (turn if q2__pm < low2 else 0.0)
         v72 = q2__mp + (turn if q2__mp < low2 else 0.0)
         v73 = q2__mm + (turn if q2__mm < low2 else 0.0)
-        v74 = max(low2 - v70, v70 - high2)
-        v75 = max(low2 - v71, v71 - high2)
-        v76 = max(low2 - v72, v72 - high2)
-        v77 = max(low2 - v73, v73 - high2)
-        v78 = low2 - q2__pp
-        v79 = low2 - q2__pm
-        v80 = low2 - q2__mp
-        v81 = low2 - q2__mm
+        v74, v75 = max(low2 - v70, v70 - high2), max(low2 - v71, v71 - high2)
+        v76, v77, v78 = max(low2 - v72, v72 - high2), max(low2 - v73, v73 - high2), low2 - q2__pp
+        v79, v80, v81 = low2 - q2__pm, low2 - q2__mp, low2 - q2__mm
         v82 = v78 if v78 < v74 else v74
         v83 = v79 if v79 < v75 else v75
         v84 = v80 if v80 < v76 else v76
@@ -642,9 +504,7 @@ def _formulas(kept, turns, rows, w):
         q2_mmp = q2__mm if 0.0 < v85 else v73
         v86 = q3__p + (turn if q3__p < low3 else 0.0)
         v87 = q3__m + (turn if q3__m < low3 else 0.0)
-        v88 = max(low3 - v86, v86 - high3)
-        v89 = max(low3 - v87, v87 - high3)
-        v90 = low3 - q3__p
+        v88, v89, v90 = max(low3 - v86, v86 - high3), max(low3 - v87, v87 - high3), low3 - q3__p
         v91 = low3 - q3__m
         v92 = v90 if v90 < v88 else v88
         v93 = v91 if v91 < v89 else v89
@@ -656,22 +516,13 @@ def _formulas(kept, turns, rows, w):
         v99 = (turn if -angle7 < low5 else 0.0) - angle7
         v100 = angle8 + (turn if angle8 < low5 else 0.0)
         v101 = (turn if -angle8 < low5 else 0.0) - angle8
-        v102 = max(low5 - v94, v94 - high5)
-        v103 = max(low5 - v95, v95 - high5)
-        v104 = max(low5 - v96, v96 - high5)
-        v105 = max(low5 - v97, v97 - high5)
-        v106 = max(low5 - v98, v98 - high5)
-        v107 = max(low5 - v99, v99 - high5)
-        v108 = max(low5 - v100, v100 - high5)
-        v109 = max(low5 - v101, v101 - high5)
-        v110 = low5 - angle5
-        v111 = low5 + angle5
-        v112 = low5 - angle6
-        v113 = low5 + angle6
-        v114 = low5 - angle7
-        v115 = low5 + angle7
-        v116 = low5 - angle8
-        v117 = low5 + angle8
+        v102, v103 = max(low5 - v94, v94 - high5), max(low5 - v95, v95 - high5)
+        v104, v105 = max(low5 - v96, v96 - high5), max(low5 - v97, v97 - high5)
+        v106, v107 = max(low5 - v98, v98 - high5), max(low5 - v99, v99 - high5)
+        v108, v109 = max(low5 - v100, v100 - high5), max(low5 - v101, v101 - high5)
+        v110, v111, v112 = low5 - angle5, low5 + angle5, low5 - angle6
+        v113, v114, v115 = low5 + angle6, low5 - angle7, low5 + angle7
+        v116, v117 = low5 - angle8, low5 + angle8
         v118 = v110 if v110 < v102 else v102
         v119 = v111 if v111 < v103 else v103
         v120 = v112 if v112 < v104 else v104
@@ -692,26 +543,13 @@ def _formulas(kept, turns, rows, w):
         q1_mpp = v4 + (v55 + (turn if v55 <= -half_turn else 0.0))
         q3_ppp = v1 + (q3__p if 0.0 < v92 else v86)
         q3_pmp = v1 + (q3__m if 0.0 < v93 else v87)
-        v126 = max(v82, v92)
-        v127 = max(v83, v93)
-        v128 = max(v84, v92)
-        v129 = max(v85, v93)
-        excess_ppp = max(v118, v126)
-        excess_ppm = max(v119, v126)
-        excess_pmp = max(v120, v127)
-        excess_pmm = max(v121, v127)
-        excess_mpp = max(v122, v128)
-        excess_mpm = max(v123, v128)
-        excess_mmp = max(v124, v129)
-        excess_mmm = max(v125, v129)
-        outside_ppp = 0.0 < excess_ppp
-        outside_ppm = 0.0 < excess_ppm
-        outside_pmp = 0.0 < excess_pmp
-        outside_pmm = 0.0 < excess_pmm
-        outside_mpp = 0.0 < excess_mpp
-        outside_mpm = 0.0 < excess_mpm
-        outside_mmp = 0.0 < excess_mmp
-        outside_mmm = 0.0 < excess_mmm
+        v126, v127, v128 = max(v82, v92), max(v83, v93), max(v84, v92)
+        v129, excess_ppp, excess_ppm = max(v85, v93), max(v118, v126), max(v119, v126)
+        excess_pmp, excess_pmm, excess_mpp = max(v120, v127), max(v121, v127), max(v122, v128)
+        excess_mpm, excess_mmp, excess_mmm = max(v123, v128), max(v124, v129), max(v125, v129)
+        outside_ppp, outside_ppm, outside_pmp = 0.0 < excess_ppp, 0.0 < excess_ppm, 0.0 < excess_pmp
+        outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
+        outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
@@ -760,13 +598,8 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 2, 19, 20, 21],
-    [17, 18, 2, 22, 23, 24],
-    [17, 25, 10, 26, 27, 28],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 2, 19, 20, 21], [17, 18, 2, 22, 23, 24], [17, 25, 10, 26, 27, 28],
     [17, 25, 10, 29, 30, 31],
 ])
 

@@ -156,62 +156,30 @@ def fk(q):
         raise ValueError("q must hold 7 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    z2_x = c1 * s2
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, x2_y, z2_x = c1 * c2, s1 * c2, c1 * s2
     z2_y = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + s1 * s3
-    x3_y = x2_y * c3 - c1 * s3
-    x3_z = s2 * c3
-    z3_y = c1 * c3 + x2_y * s3
-    z3_z = s2 * s3
-    z3_x = x2_x * s3 - s1 * c3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + s1 * s3, x2_y * c3 - c1 * s3, s2 * c3
+    z3_y, z3_z, z3_x = c1 * c3 + x2_y * s3, s2 * s3, x2_x * s3 - s1 * c3
     v3 = q[3] + offset4
-    c4 = math.cos(v3)
-    s4 = math.sin(v3)
-    x4_x = x3_x * c4 + z2_x * s4
-    x4_y = x3_y * c4 + z2_y * s4
-    x4_z = x3_z * c4 - c2 * s4
-    z4_z = c2 * c4 + x3_z * s4
-    z4_x = x3_x * s4 - z2_x * c4
-    z4_y = x3_y * s4 - z2_y * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = x4_y * c5 + z3_y * s5
-    x5_z = x4_z * c5 + z3_z * s5
-    z5_x = x4_x * s5 - z3_x * c5
-    z5_y = x4_y * s5 - z3_y * c5
-    z5_z = x4_z * s5 - z3_z * c5
+    c4, s4 = math.cos(v3), math.sin(v3)
+    x4_x, x4_y, x4_z = x3_x * c4 + z2_x * s4, x3_y * c4 + z2_y * s4, x3_z * c4 - c2 * s4
+    z4_z, z4_x, z4_y = c2 * c4 + x3_z * s4, x3_x * s4 - z2_x * c4, x3_y * s4 - z2_y * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 + z3_x * s5, x4_y * c5 + z3_y * s5, x4_z * c5 + z3_z * s5
+    z5_x, z5_y, z5_z = x4_x * s5 - z3_x * c5, x4_y * s5 - z3_y * c5, x4_z * s5 - z3_z * c5
     v4 = q[5] + offset6
-    c6 = math.cos(v4)
-    s6 = math.sin(v4)
-    x6_x = x5_x * c6 + z4_x * s6
-    x6_y = x5_y * c6 + z4_y * s6
-    x6_z = x5_z * c6 + z4_z * s6
-    z6_x = x5_x * s6 - z4_x * c6
-    z6_y = x5_y * s6 - z4_y * c6
-    z6_z = x5_z * s6 - z4_z * c6
-    c7 = math.cos(q[6])
-    s7 = math.sin(q[6])
-    T[0, 0] = x6_x * c7 + z5_x * s7
-    T[0, 1] = z5_x * c7 - x6_x * s7
-    T[0, 2] = z6_x
+    c6, s6 = math.cos(v4), math.sin(v4)
+    x6_x, x6_y, x6_z = x5_x * c6 + z4_x * s6, x5_y * c6 + z4_y * s6, x5_z * c6 + z4_z * s6
+    z6_x, z6_y, z6_z = x5_x * s6 - z4_x * c6, x5_y * s6 - z4_y * c6, x5_z * s6 - z4_z * c6
+    c7, s7 = math.cos(q[6]), math.sin(q[6])
+    T[0, 0], T[0, 1], T[0, 2] = x6_x * c7 + z5_x * s7, z5_x * c7 - x6_x * s7, z6_x
     T[0, 3] = z2_x * d3 + z4_x * d5 + z6_x * d7
-    T[1, 0] = x6_y * c7 + z5_y * s7
-    T[1, 1] = z5_y * c7 - x6_y * s7
-    T[1, 2] = z6_y
+    T[1, 0], T[1, 1], T[1, 2] = x6_y * c7 + z5_y * s7, z5_y * c7 - x6_y * s7, z6_y
     T[1, 3] = z2_y * d3 + z4_y * d5 + z6_y * d7
-    T[2, 0] = x6_z * c7 + z5_z * s7
-    T[2, 1] = z5_z * c7 - x6_z * s7
-    T[2, 2] = z6_z
+    T[2, 0], T[2, 1], T[2, 2] = x6_z * c7 + z5_z * s7, z5_z * c7 - x6_z * s7, z6_z
     T[2, 3] = d1 - c2 * d3 + z4_z * d5 + z6_z * d7
     T[3, 3] = 1.0
     return T
@@ -224,97 +192,43 @@ def jacobian(q):
         raise ValueError("q must hold 7 joint values")
     J = _zeros(6, 7)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    z2_x = c1 * s2
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, x2_y, z2_x = c1 * c2, s1 * c2, c1 * s2
     z2_y = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + s1 * s3
-    x3_y = x2_y * c3 - c1 * s3
-    x3_z = s2 * c3
-    z3_y = c1 * c3 + x2_y * s3
-    z3_z = s2 * s3
-    p3_x = z2_x * d3
-    p3_y = z2_y * d3
-    p3_z = d1 - c2 * d3
-    z3_x = x2_x * s3 - s1 * c3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + s1 * s3, x2_y * c3 - c1 * s3, s2 * c3
+    z3_y, z3_z, p3_x = c1 * c3 + x2_y * s3, s2 * s3, z2_x * d3
+    p3_y, p3_z, z3_x = z2_y * d3, d1 - c2 * d3, x2_x * s3 - s1 * c3
     v3 = q[3] + offset4
-    c4 = math.cos(v3)
-    s4 = math.sin(v3)
-    x4_x = x3_x * c4 + z2_x * s4
-    x4_y = x3_y * c4 + z2_y * s4
-    x4_z = x3_z * c4 - c2 * s4
-    z4_z = c2 * c4 + x3_z * s4
-    z4_x = x3_x * s4 - z2_x * c4
-    z4_y = x3_y * s4 - z2_y * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    p5_x = p3_x + z4_x * d5
-    p5_y = p3_y + z4_y * d5
-    p5_z = p3_z + z4_z * d5
-    z5_x = x4_x * s5 - z3_x * c5
-    z5_y = x4_y * s5 - z3_y * c5
-    z5_z = x4_z * s5 - z3_z * c5
-    v4 = q[5] + offset6
-    c6 = math.cos(v4)
-    s6 = math.sin(v4)
-    z6_x = (x4_x * c5 + z3_x * s5) * s6 - z4_x * c6
-    z6_y = (x4_y * c5 + z3_y * s5) * s6 - z4_y * c6
-    z6_z = (x4_z * c5 + z3_z * s5) * s6 - z4_z * c6
-    p7_x = p5_x + z6_x * d7
-    p7_y = p5_y + z6_y * d7
+    c4, s4 = math.cos(v3), math.sin(v3)
+    x4_x, x4_y, x4_z = x3_x * c4 + z2_x * s4, x3_y * c4 + z2_y * s4, x3_z * c4 - c2 * s4
+    z4_z, z4_x, z4_y = c2 * c4 + x3_z * s4, x3_x * s4 - z2_x * c4, x3_y * s4 - z2_y * c4
+    c5, s5, p5_x = math.cos(q[4]), math.sin(q[4]), p3_x + z4_x * d5
+    p5_y, p5_z, z5_x = p3_y + z4_y * d5, p3_z + z4_z * d5, x4_x * s5 - z3_x * c5
+    z5_y, z5_z, v4 = x4_y * s5 - z3_y * c5, x4_z * s5 - z3_z * c5, q[5] + offset6
+    c6, s6 = math.cos(v4), math.sin(v4)
+    z6_x, z6_y = (x4_x * c5 + z3_x * s5) * s6 - z4_x * c6, (x4_y * c5 + z3_y * s5) * s6 - z4_y * c6
+    z6_z, p7_x, p7_y = (x4_z * c5 + z3_z * s5) * s6 - z4_z * c6, p5_x + z6_x * d7, p5_y + z6_y * d7
     p7_z = p5_z + z6_z * d7
-    v5 = p7_z - d1
-    v6 = p7_x - p3_x
-    v7 = p7_y - p3_y
-    v8 = p7_z - p3_z
-    v9 = p7_x - p5_x
-    v10 = p7_y - p5_y
+    v5, v6, v7 = p7_z - d1, p7_x - p3_x, p7_y - p3_y
+    v8, v9, v10 = p7_z - p3_z, p7_x - p5_x, p7_y - p5_y
     v11 = p7_z - p5_z
-    J[0, 0] = -p7_y
-    J[0, 1] = -(c1 * v5)
-    J[0, 2] = z2_y * v5 + c2 * p7_y
-    J[0, 3] = z3_y * v8 - z3_z * v7
-    J[0, 4] = z4_y * v8 - z4_z * v7
-    J[0, 5] = z5_y * v11 - z5_z * v10
-    J[0, 6] = z6_y * v11 - z6_z * v10
-    J[1, 0] = p7_x
-    J[1, 1] = -(s1 * v5)
-    J[1, 2] = -(c2 * p7_x + z2_x * v5)
-    J[1, 3] = z3_z * v6 - z3_x * v8
-    J[1, 4] = z4_z * v6 - z4_x * v8
-    J[1, 5] = z5_z * v9 - z5_x * v11
+    J[0, 0], J[0, 1], J[0, 2] = -p7_y, -(c1 * v5), z2_y * v5 + c2 * p7_y
+    J[0, 3], J[0, 4] = z3_y * v8 - z3_z * v7, z4_y * v8 - z4_z * v7
+    J[0, 5], J[0, 6] = z5_y * v11 - z5_z * v10, z6_y * v11 - z6_z * v10
+    J[1, 0], J[1, 1], J[1, 2] = p7_x, -(s1 * v5), -(c2 * p7_x + z2_x * v5)
+    J[1, 3], J[1, 4], J[1, 5] = z3_z * v6 - z3_x * v8, z4_z * v6 - z4_x * v8, z5_z * v9 - z5_x * v11
     J[1, 6] = z6_z * v9 - z6_x * v11
-    J[2, 1] = s1 * p7_y + c1 * p7_x
-    J[2, 2] = z2_x * p7_y - z2_y * p7_x
-    J[2, 3] = z3_x * v7 - z3_y * v6
-    J[2, 4] = z4_x * v7 - z4_y * v6
-    J[2, 5] = z5_x * v10 - z5_y * v9
+    J[2, 1], J[2, 2] = s1 * p7_y + c1 * p7_x, z2_x * p7_y - z2_y * p7_x
+    J[2, 3], J[2, 4], J[2, 5] = z3_x * v7 - z3_y * v6, z4_x * v7 - z4_y * v6, z5_x * v10 - z5_y * v9
     J[2, 6] = z6_x * v10 - z6_y * v9
-    J[3, 1] = s1
-    J[3, 2] = z2_x
-    J[3, 3] = z3_x
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[3, 6] = z6_x
-    J[4, 1] = -c1
-    J[4, 2] = z2_y
-    J[4, 3] = z3_y
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[4, 6] = z6_y
-    J[5, 0] = 1.0
-    J[5, 2] = -c2
-    J[5, 3] = z3_z
-    J[5, 4] = z4_z
-    J[5, 5] = z5_z
-    J[5, 6] = z6_z
+    J[3, 1], J[3, 2], J[3, 3] = s1, z2_x, z3_x
+    J[3, 4], J[3, 5], J[3, 6] = z4_x, z5_x, z6_x
+    J[4, 1], J[4, 2], J[4, 3] = -c1, z2_y, z3_y
+    J[4, 4], J[4, 5], J[4, 6] = z4_y, z5_y, z6_y
+    J[5, 0], J[5, 2], J[5, 3] = 1.0, -c2, z3_z
+    J[5, 4], J[5, 5], J[5, 6] = z4_z, z5_z, z6_z
     return J
 
 
@@ -323,8 +237,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
-    c3 = math.cos(q_free[0])
-    s3 = math.sin(q_free[0])
+    c3, s3 = math.cos(q_free[0]), math.sin(q_free[0])
 
     # theta4, type 2: the squared length of column 4 of U1 A7^-1
     wx = T14 - T13 * d7
@@ -345,37 +258,25 @@ def _solve(pose, q_free, seed, moved, q, status):
     # theta1, type 2: U1 A7^-1 [3, 4]
     N1 = v1 + -wx * -wx
     free1 = N1 <= free_limit_squared2
-    v7 = math.sqrt(N1)
-    v10 = seed[0] + offset1
+    v7, v10 = math.sqrt(N1), seed[0] + offset1
 
     # theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4]
     X2_2 = d3 + d5 * v3
-    v13 = Z1_2 * X2_2
-    v15 = seed[1] + offset2
+    v13, v15 = Z1_2 * X2_2, seed[1] + offset2
 
     # theta5, type 2: U5[3, 3]
     v16 = c3 * T13
-    v17 = v3 * v16
-    v18 = c3 * T23
-    v19 = v3 * v18
-    v23 = c3 * T33
-    v24 = v3 * v23
-    v27 = s3 * T33
+    v17, v18 = v3 * v16, c3 * T23
+    v19, v23 = v3 * v18, c3 * T33
+    v24, v27 = v3 * v23, s3 * T33
 
     # theta6, type 3: U5[2, 3] and U5[1, 3]
-    v30 = T33 * v3
-    v31 = T13 * v3
-    v32 = T23 * v3
+    v30, v31, v32 = T33 * v3, T13 * v3, T23 * v3
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
-    v34 = s3 * T32
-    v37 = v3 * (c3 * T12)
-    v38 = v3 * (c3 * T22)
-    v42 = v3 * (c3 * T32)
-    v44 = s3 * T31
-    v47 = v3 * (c3 * T11)
-    v48 = v3 * (c3 * T21)
-    v52 = v3 * (c3 * T31)
+    v34, v37, v38 = s3 * T32, v3 * (c3 * T12), v3 * (c3 * T22)
+    v42, v44, v47 = v3 * (c3 * T32), s3 * T31, v3 * (c3 * T11)
+    v48, v52 = v3 * (c3 * T21), v3 * (c3 * T31)
 
     for i1 in range(2):  # elbow+, elbow-
         e4 = 1.0 - 2.0 * i1
@@ -394,30 +295,21 @@ def _solve(pose, q_free, seed, moved, q, status):
             continue  # out of reach
         w1 = math.sqrt(D1 if apart1 else 0.0)
         inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v5 * v7))
-        v8 = -wx * Z1
-        v9 = wy * Z1
+        v8, v9 = -wx * Z1, wy * Z1
 
         # theta2
         v11 = d5 * (c3 * v4)
         v12 = Z1_2 * v11
 
         # theta5
-        v20 = T33 * v4
-        v21 = T13 * v4
-        v22 = T23 * v4
+        v20, v21, v22 = T33 * v4, T13 * v4, T23 * v4
 
         # theta6
-        v28 = v4 * v16
-        v29 = v4 * v18
-        v33 = v4 * v23
+        v28, v29, v33 = v4 * v16, v4 * v18, v4 * v23
 
         # theta7
-        v39 = T32 * v4
-        v40 = T12 * v4
-        v41 = T22 * v4
-        v49 = T31 * v4
-        v50 = T11 * v4
-        v51 = T21 * v4
+        v39, v40, v41 = T32 * v4, T12 * v4, T22 * v4
+        v49, v50, v51 = T31 * v4, T11 * v4, T21 * v4
 
         # joint values
         q4 = _wrap(_atan2(-v4, -v3) - offset4)
@@ -482,19 +374,14 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s6 = w5 * e5
 
                 # theta7
-                c7 = c5 * v36 + s5 * v43
-                s7 = c5 * v46 + s5 * v53
+                c7, s7 = c5 * v36 + s5 * v43, c5 * v46 + s5 * v53
                 q7 = _atan2(s7, c7)
 
                 # joint values
                 q6 = _wrap(_atan2(s6, c6) - offset6)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q_free[0]
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q_free[0]
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 q[row, 6] = q7
                 status[row] = FREE_JOINT if free1 or free2 or free5 else OK
 
@@ -507,22 +394,19 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
         given1 = kept[16 * w + k]
 
         # theta4, type 2: the squared length of column 4 of U1 A7^-1
-        wx = T14 - d7 * T13
-        wy = T24 - d7 * T23
-        v1 = wy * wy
-        Z1_2 = T34 - d7 * T33 - d1
+        wx, wy = T14 - d7 * T13, T24 - d7 * T23
+        v1, Z1_2 = wy * wy, T34 - d7 * T33 - d1
         V4 = v1 + wx * wx + Z1_2 * Z1_2
         D4 = (longest4 - V4) * (V4 - shortest4)
-        w4 = math.sqrt(D4)
-        v2 = k1 * (V4 - k2)
-        v3 = k4 * v2
-        v4 = k1 * w4
+        w4, v2 = math.sqrt(D4), k1 * (V4 - k2)
+        v3, v4 = k4 * v2, k1 * w4
         v5 = k4 * v4
 
         # theta1, type 2: U1 A7^-1 [3, 4]
@@ -534,30 +418,23 @@ def _formulas(kept, turns, rows, w):
         v20 = Z1_2 * X2_2
 
         # theta5, type 2: U5[3, 3]
-        v32 = T33 * v5
-        v33 = T13 * v5
-        v34 = T23 * v5
+        v32, v33, v34 = T33 * v5, T13 * v5, T23 * v5
 
         # theta6, type 3: U5[2, 3] and U5[1, 3]
-        v54 = T33 * v3
-        v55 = T13 * v3
-        v56 = T23 * v3
+        v54, v55, v56 = T33 * v3, T13 * v3, T23 * v3
 
         # theta7, type 3: U5[3, 2] and U5[3, 1]
-        v65 = v5 * T32
-        v66 = v5 * T12
-        v67 = v5 * T22
-        v76 = v5 * T31
-        v77 = v5 * T11
-        v78 = v5 * T21
-        kept[18 * w + k], kept[19 * w + k], kept[20 * w + k], kept[21 * w + k] = wx, wy, Z1_2, D4
-        kept[22 * w + k], kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = w4, v3, v5, N1
-        kept[26 * w + k], kept[27 * w + k], kept[28 * w + k] = inverse1, X2_2, v20
-        kept[29 * w + k], kept[30 * w + k], kept[31 * w + k], kept[32 * w + k] = v32, v33, v34, v54
-        kept[33 * w + k], kept[34 * w + k], kept[35 * w + k], kept[36 * w + k] = v55, v56, v65, v66
-        kept[37 * w + k], kept[38 * w + k], kept[39 * w + k], kept[40 * w + k] = v67, v76, v77, v78
-        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = given1, given1, -v4
-        turns[3 * w + k] = -v2
+        v65, v66, v67 = v5 * T32, v5 * T12, v5 * T22
+        v76, v77, v78 = v5 * T31, v5 * T11, v5 * T21
+        kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = wx, wy, Z1_2
+        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = D4, w4, v3
+        kept[24 * w + k], kept[25 * w + k], kept[26 * w + k] = v5, N1, inverse1
+        kept[27 * w + k], kept[28 * w + k], kept[29 * w + k] = X2_2, v20, v32
+        kept[30 * w + k], kept[31 * w + k], kept[32 * w + k] = v33, v34, v54
+        kept[33 * w + k], kept[34 * w + k], kept[35 * w + k] = v55, v56, v65
+        kept[36 * w + k], kept[37 * w + k], kept[38 * w + k] = v66, v67, v76
+        kept[39 * w + k], kept[40 * w + k], turns[0 * w + k] = v77, v78, given1
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = given1, -v4, -v2
     for k in range(0 * w, 1 * w):
         turns[k] = math.sin(turns[k])
     for k in range(1 * w, 2 * w):
@@ -565,70 +442,49 @@ def _formulas(kept, turns, rows, w):
     for k in range(2 * w, 3 * w):
         turns[k] = _atan2(turns[k], turns[k + 1 * w])
     for k in range(w):
-        T11, T12, T13, T21 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[4 * w + k]
-        T22, T23, T31, T32 = kept[5 * w + k], kept[6 * w + k], kept[8 * w + k], kept[9 * w + k]
-        T33, given1, wx, wy = kept[10 * w + k], kept[16 * w + k], kept[18 * w + k], kept[19 * w + k]
-        Z1_2, D4, w4, v3 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
-        v5, N1, inverse1 = kept[24 * w + k], kept[25 * w + k], kept[26 * w + k]
-        X2_2, v20, v32, v33 = kept[27 * w + k], kept[28 * w + k], kept[29 * w + k], kept[30 * w + k]
-        v34, v54, v55, v56 = kept[31 * w + k], kept[32 * w + k], kept[33 * w + k], kept[34 * w + k]
-        v65, v66, v67, v76 = kept[35 * w + k], kept[36 * w + k], kept[37 * w + k], kept[38 * w + k]
-        v77, v78, s3, c3 = kept[39 * w + k], kept[40 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle17 = turns[2 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T21, T22, T23 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k]
+        T31, T32, T33 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k]
+        given1, wx, wy = kept[16 * w + k], kept[18 * w + k], kept[19 * w + k]
+        Z1_2, D4, w4 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v3, v5, N1 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        inverse1, X2_2, v20 = kept[26 * w + k], kept[27 * w + k], kept[28 * w + k]
+        v32, v33, v34 = kept[29 * w + k], kept[30 * w + k], kept[31 * w + k]
+        v54, v55, v56 = kept[32 * w + k], kept[33 * w + k], kept[34 * w + k]
+        v65, v66, v67 = kept[35 * w + k], kept[36 * w + k], kept[37 * w + k]
+        v76, v77, v78 = kept[38 * w + k], kept[39 * w + k], kept[40 * w + k]
+        s3, c3, angle17 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
 
         # theta1, type 2: U1 A7^-1 [3, 4]
         Z1 = d5 * (s3 * v5)
         D1 = N1 - Z1 * Z1
         w1 = math.sqrt(D1)
-        v6 = w1 - w1
-        v7 = -wx * Z1
-        v8 = wy * Z1
-        v9 = w1 * (-wx * inverse1)
-        v10 = w1 * (wx * inverse1)
-        v11 = inverse1 * v8
-        c1_pp = v11 - v9
-        c1_pm = v11 - v10
-        v12 = v9 + v11
-        v13 = v10 + v11
-        v14 = w1 * (wy * inverse1)
-        v15 = w1 * (inverse1 * -wy)
+        v6, v7, v8 = w1 - w1, -wx * Z1, wy * Z1
+        v9, v10, v11 = w1 * (-wx * inverse1), w1 * (wx * inverse1), inverse1 * v8
+        c1_pp, c1_pm, v12 = v11 - v9, v11 - v10, v9 + v11
+        v13, v14, v15 = v10 + v11, w1 * (wy * inverse1), w1 * (inverse1 * -wy)
         v16 = inverse1 * v7
-        s1_pp = v14 + v16
-        s1_pm = v15 + v16
-        s1_mp = v14 - v16
+        s1_pp, s1_pm, s1_mp = v14 + v16, v15 + v16, v14 - v16
         s1_mm = v15 - v16
 
         # theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4]
         v17 = d5 * (c3 * v5)
-        v18 = Z1_2 * v17
-        v19 = w1 * X2_2
-        S2_pp = v19 - v18
-        S2_mp = v18 + v19
-        v21 = w1 * v17
-        v22 = v20 + v21
-        v23 = v20 - v21
+        v18, v19 = Z1_2 * v17, w1 * X2_2
+        S2_pp, S2_mp, v21 = v19 - v18, v18 + v19, w1 * v17
+        v22, v23 = v20 + v21, v20 - v21
         v24 = v22 * v22
-        v25 = S2_pp * S2_pp + v24
-        v26 = S2_mp * S2_mp + v23 * v23
-        v27 = v24 + -S2_pp * -S2_pp
-        factor2_pp = math.sqrt(v25) * (1.0 / v25)
-        factor2_pm = math.sqrt(v26) * (1.0 / v26)
+        v25, v26, v27 = S2_pp * S2_pp + v24, S2_mp * S2_mp + v23 * v23, v24 + -S2_pp * -S2_pp
+        factor2_pp, factor2_pm = math.sqrt(v25) * (1.0 / v25), math.sqrt(v26) * (1.0 / v26)
         factor2_mm = math.sqrt(v27) * (1.0 / v27)
 
         # theta5, type 2: U5[3, 3]
         v28 = c3 * T13
-        v29 = v3 * v28
-        v30 = c3 * T23
-        v31 = v3 * v30
-        v35 = c3 * T33
-        v36 = v3 * v35
-        v37 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
+        v29, v30 = v3 * v28, c3 * T23
+        v31, v35 = v3 * v30, c3 * T33
+        v36, v37 = v3 * v35, w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
         v38 = T13 * v7 - T23 * v8
-        v39 = inverse1 * (s3 * v38)
-        v40 = inverse1 * (s3 * -v38)
-        v41 = v37 + v39
-        v42 = v39 - v37
-        v43 = v37 + v40
+        v39, v40 = inverse1 * (s3 * v38), inverse1 * (s3 * -v38)
+        v41, v42, v43 = v37 + v39, v39 - v37, v37 + v40
         v44 = v40 - v37
         X5_pp = (
             v3 * v41 + factor2_pp * (v22 * (v32 - (c1_pp * v29 + s1_pp * v31)) + S2_pp * (v36 +
@@ -664,34 +520,19 @@ def _formulas(kept, turns, rows, w):
             factor2_mm * (-S2_pp * v45 - v22 * (s3 * (T23 * s1_mm - T13 * v13))) - c3 * (T13 * s1_mm
             + T23 * v13)
         )
-        v48 = X5_pp * X5_pp + Y5_pp * Y5_pp
-        v49 = X5_pm * X5_pm + v47 * v47
-        v50 = X5_mp * X5_mp + Y5_mp * Y5_mp
-        v51 = X5_mm * X5_mm + Y5_mm * Y5_mm
+        v48, v49 = X5_pp * X5_pp + Y5_pp * Y5_pp, X5_pm * X5_pm + v47 * v47
+        v50, v51 = X5_mp * X5_mp + Y5_mp * Y5_mp, X5_mm * X5_mm + Y5_mm * Y5_mm
 
         # theta6, type 3: U5[2, 3] and U5[1, 3]
-        v52 = v5 * v28
-        v53 = v5 * v30
-        v57 = v5 * v35
+        v52, v53, v57 = v5 * v28, v5 * v30, v5 * v35
 
         # theta7, type 3: U5[3, 2] and U5[3, 1]
-        v58 = s3 * T32
-        v59 = s1_pp * T12 - c1_pp * T22
-        v60 = s1_pm * T12 - c1_pm * T22
-        v61 = s1_mp * T12 + v12 * T22
-        v62 = s1_mm * T12 + v13 * T22
-        v63 = v3 * (c3 * T12)
-        v64 = v3 * (c3 * T22)
-        v68 = v3 * (c3 * T32)
-        v69 = s3 * T31
-        v70 = s1_pp * T11 - c1_pp * T21
-        v71 = s1_pm * T11 - c1_pm * T21
-        v72 = s1_mp * T11 + v12 * T21
-        v73 = s1_mm * T11 + v13 * T21
-        v74 = v3 * (c3 * T11)
-        v75 = v3 * (c3 * T21)
-        v79 = v3 * (c3 * T31)
-        v80 = S2_mp * v69
+        v58, v59, v60 = s3 * T32, s1_pp * T12 - c1_pp * T22, s1_pm * T12 - c1_pm * T22
+        v61, v62, v63 = s1_mp * T12 + v12 * T22, s1_mm * T12 + v13 * T22, v3 * (c3 * T12)
+        v64, v68, v69 = v3 * (c3 * T22), v3 * (c3 * T32), s3 * T31
+        v70, v71 = s1_pp * T11 - c1_pp * T21, s1_pm * T11 - c1_pm * T21
+        v72, v73, v74 = s1_mp * T11 + v12 * T21, s1_mm * T11 + v13 * T21, v3 * (c3 * T11)
+        v75, v79, v80 = v3 * (c3 * T21), v3 * (c3 * T31), S2_mp * v69
         v81 = (
             v47 * (v3 * (s3 * v71) + factor2_pm * (v23 * (v76 - (c1_pm * v74 + s1_pm * v75)) - S2_mp
             * (v79 + (c1_pm * v77 + s1_pm * v78)))) - X5_pm * (c3 * v71 + factor2_pm * (v80 + v23 *
@@ -700,15 +541,11 @@ def _formulas(kept, turns, rows, w):
         v82 = S2_mp * v58
 
         # joint values
-        v91 = angle17 - offset4
-        v92 = offset4 + angle17
+        v91, v92 = angle17 - offset4, offset4 + angle17
         q4__p = v91 + (turn if v91 <= -half_turn else 0.0)
         q4__m = (turn if -v92 <= -half_turn else 0.0) - v92
-        v101 = abs(q4__p) - high4
-        v102 = abs(q4__m) - high4
-        q3_ppp = v6 + (given1 + (w4 - w4))
-        q4_ppp = v6 + q4__p
-        q4_mpp = v6 + q4__m
+        v101, v102, q3_ppp = abs(q4__p) - high4, abs(q4__m) - high4, v6 + (given1 + (w4 - w4))
+        q4_ppp, q4_mpp = v6 + q4__p, v6 + q4__m
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[17 * w + k] = (
@@ -723,11 +560,12 @@ def _formulas(kept, turns, rows, w):
         kept[53 * w + k], kept[54 * w + k], kept[55 * w + k] = factor2_mm, X5_pp, X5_mp
         kept[56 * w + k], kept[57 * w + k], kept[58 * w + k] = X5_mm, Y5_pp, v47
         kept[59 * w + k], kept[60 * w + k], kept[61 * w + k] = Y5_mp, Y5_mm, v69
-        kept[62 * w + k], kept[63 * w + k], kept[64 * w + k], kept[65 * w + k] = v70, v72, v73, v74
-        kept[66 * w + k], kept[67 * w + k], kept[68 * w + k], kept[69 * w + k] = v75, v79, v80, v81
-        kept[70 * w + k], kept[71 * w + k], kept[72 * w + k] = v101, v102, q3_ppp
-        kept[73 * w + k], kept[74 * w + k], turns[4 * w + k] = q4_ppp, q4_mpp, Y5_pp
-        turns[5 * w + k], turns[6 * w + k], turns[7 * w + k] = -v47, Y5_mp, Y5_mm
+        kept[62 * w + k], kept[63 * w + k], kept[64 * w + k] = v70, v72, v73
+        kept[65 * w + k], kept[66 * w + k], kept[67 * w + k] = v74, v75, v79
+        kept[68 * w + k], kept[69 * w + k], kept[70 * w + k] = v80, v81, v101
+        kept[71 * w + k], kept[72 * w + k], kept[73 * w + k] = v102, q3_ppp, q4_ppp
+        kept[74 * w + k], turns[4 * w + k], turns[5 * w + k] = q4_mpp, Y5_pp, -v47
+        turns[6 * w + k], turns[7 * w + k] = Y5_mp, Y5_mm
         turns[8 * w + k] = (
             -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 - v22 * (s3 * (c1_pp * T11 + s1_pp *
             T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp * (v22 * (v76 - (c1_pp * v74 + s1_pp *
@@ -798,26 +636,27 @@ def _formulas(kept, turns, rows, w):
     for k in range(4 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        T11, T21, v3, v76 = kept[0 * w + k], kept[4 * w + k], kept[23 * w + k], kept[38 * w + k]
-        v77, v78, s3, c3 = kept[39 * w + k], kept[40 * w + k], turns[0 * w + k], turns[1 * w + k]
-        c1_pp, v12, v13 = kept[41 * w + k], kept[42 * w + k], kept[43 * w + k]
-        s1_pp, s1_mp, s1_mm = kept[44 * w + k], kept[45 * w + k], kept[46 * w + k]
-        S2_pp, S2_mp, v22 = kept[47 * w + k], kept[48 * w + k], kept[49 * w + k]
-        v23, factor2_pp, factor2_pm = kept[50 * w + k], kept[51 * w + k], kept[52 * w + k]
-        factor2_mm, X5_pp, X5_mp = kept[53 * w + k], kept[54 * w + k], kept[55 * w + k]
-        X5_mm, Y5_pp, v47 = kept[56 * w + k], kept[57 * w + k], kept[58 * w + k]
-        Y5_mp, Y5_mm, v69 = kept[59 * w + k], kept[60 * w + k], kept[61 * w + k]
-        v70, v72, v73, v74 = kept[62 * w + k], kept[63 * w + k], kept[64 * w + k], kept[65 * w + k]
-        v75, v79, v80, v81 = kept[66 * w + k], kept[67 * w + k], kept[68 * w + k], kept[69 * w + k]
-        v101, v102, q3_ppp = kept[70 * w + k], kept[71 * w + k], kept[72 * w + k]
-        q4_ppp, q4_mpp, angle1 = kept[73 * w + k], kept[74 * w + k], turns[4 * w + k]
-        angle2, angle3, angle4 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle5, angle6, angle7 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
-        angle8, angle9, angle10 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
-        angle11, angle12, angle13 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
-        angle14, angle15, angle16 = turns[17 * w + k], turns[18 * w + k], turns[19 * w + k]
-        angle18, angle19, angle20 = turns[20 * w + k], turns[21 * w + k], turns[22 * w + k]
-        angle21 = turns[23 * w + k]
+        T11, T21, v3 = kept[0 * w + k], kept[4 * w + k], kept[23 * w + k]
+        v76, v77, v78 = kept[38 * w + k], kept[39 * w + k], kept[40 * w + k]
+        s3, c3, c1_pp = turns[0 * w + k], turns[1 * w + k], kept[41 * w + k]
+        v12, v13, s1_pp = kept[42 * w + k], kept[43 * w + k], kept[44 * w + k]
+        s1_mp, s1_mm, S2_pp = kept[45 * w + k], kept[46 * w + k], kept[47 * w + k]
+        S2_mp, v22, v23 = kept[48 * w + k], kept[49 * w + k], kept[50 * w + k]
+        factor2_pp, factor2_pm, factor2_mm = kept[51 * w + k], kept[52 * w + k], kept[53 * w + k]
+        X5_pp, X5_mp, X5_mm = kept[54 * w + k], kept[55 * w + k], kept[56 * w + k]
+        Y5_pp, v47, Y5_mp = kept[57 * w + k], kept[58 * w + k], kept[59 * w + k]
+        Y5_mm, v69, v70 = kept[60 * w + k], kept[61 * w + k], kept[62 * w + k]
+        v72, v73, v74 = kept[63 * w + k], kept[64 * w + k], kept[65 * w + k]
+        v75, v79, v80 = kept[66 * w + k], kept[67 * w + k], kept[68 * w + k]
+        v81, v101, v102 = kept[69 * w + k], kept[70 * w + k], kept[71 * w + k]
+        q3_ppp, q4_ppp, q4_mpp = kept[72 * w + k], kept[73 * w + k], kept[74 * w + k]
+        angle1, angle2, angle3 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle4, angle5, angle6 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
+        angle7, angle8, angle9 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
+        angle10, angle11, angle12 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
+        angle13, angle14, angle15 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
+        angle16, angle18, angle19 = turns[19 * w + k], turns[20 * w + k], turns[21 * w + k]
+        angle20, angle21 = turns[22 * w + k], turns[23 * w + k]
 
         # theta5, type 2: U5[3, 3]
         q5_ppm = angle1 - math.copysign(half_turn, Y5_pp)
@@ -844,30 +683,21 @@ def _formulas(kept, turns, rows, w):
         )
 
         # joint values
-        v83 = angle9 - offset1
-        v84 = angle10 - offset1
-        v85 = angle11 - offset1
+        v83, v84, v85 = angle9 - offset1, angle10 - offset1, angle11 - offset1
         v86 = angle12 - offset1
         q1_ppp = v83 + (turn if v83 <= -half_turn else 0.0)
         q1_pmp = v84 + (turn if v84 <= -half_turn else 0.0)
         q1_mpp = v85 + (turn if v85 <= -half_turn else 0.0)
         q1_mmp = v86 + (turn if v86 <= -half_turn else 0.0)
-        v87 = angle13 - offset2
-        v88 = angle14 - offset2
-        v89 = angle15 - offset2
+        v87, v88, v89 = angle13 - offset2, angle14 - offset2, angle15 - offset2
         v90 = angle16 - offset2
         q2_ppp = v87 + (turn if v87 <= -half_turn else 0.0)
         q2_pmp = v88 + (turn if v88 <= -half_turn else 0.0)
         q2_mpp = v89 + (turn if v89 <= -half_turn else 0.0)
         q2_mmp = v90 + (turn if v90 <= -half_turn else 0.0)
-        v93 = angle18 - offset6
-        v94 = offset6 + angle18
-        v95 = angle19 - offset6
-        v96 = offset6 + angle19
-        v97 = angle20 - offset6
-        v98 = offset6 + angle20
-        v99 = angle21 - offset6
-        v100 = offset6 + angle21
+        v93, v94, v95 = angle18 - offset6, offset6 + angle18, angle19 - offset6
+        v96, v97, v98 = offset6 + angle19, angle20 - offset6, offset6 + angle20
+        v99, v100 = angle21 - offset6, offset6 + angle21
         q6_ppp = v93 + (turn if v93 <= -half_turn else 0.0)
         q6_ppm = (turn if -v94 <= -half_turn else 0.0) - v94
         q6_pmp = v95 + (turn if v95 <= -half_turn else 0.0)
@@ -904,14 +734,9 @@ def _formulas(kept, turns, rows, w):
         excess_mmm = (
             max(abs(q7_mmm) - high7, max(abs(q6_mmm) - high6, max(v106, abs(q5_mmm) - high5)))
         )
-        outside_ppp = 0.0 < excess_ppp
-        outside_ppm = 0.0 < excess_ppm
-        outside_pmp = 0.0 < excess_pmp
-        outside_pmm = 0.0 < excess_pmm
-        outside_mpp = 0.0 < excess_mpp
-        outside_mpm = 0.0 < excess_mpm
-        outside_mmp = 0.0 < excess_mmp
-        outside_mmm = 0.0 < excess_mmm
+        outside_ppp, outside_ppm, outside_pmp = 0.0 < excess_ppp, 0.0 < excess_ppm, 0.0 < excess_pmp
+        outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
+        outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[17 * w + k] = (
@@ -961,14 +786,9 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5, 6],
-    [0, 1, 2, 3, 7, 8, 9],
-    [10, 11, 2, 3, 12, 13, 14],
-    [10, 11, 2, 3, 15, 16, 17],
-    [18, 19, 2, 20, 21, 22, 23],
-    [18, 19, 2, 20, 24, 25, 26],
-    [27, 28, 2, 20, 29, 30, 31],
-    [27, 28, 2, 20, 32, 33, 34],
+    [0, 1, 2, 3, 4, 5, 6], [0, 1, 2, 3, 7, 8, 9], [10, 11, 2, 3, 12, 13, 14],
+    [10, 11, 2, 3, 15, 16, 17], [18, 19, 2, 20, 21, 22, 23], [18, 19, 2, 20, 24, 25, 26],
+    [27, 28, 2, 20, 29, 30, 31], [27, 28, 2, 20, 32, 33, 34],
 ])
 
 

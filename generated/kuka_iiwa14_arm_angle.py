@@ -147,62 +147,30 @@ def fk(q):
         raise ValueError("q must hold 7 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    z2_x = c1 * s2
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, x2_y, z2_x = c1 * c2, s1 * c2, c1 * s2
     z2_y = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + s1 * s3
-    x3_y = x2_y * c3 - c1 * s3
-    x3_z = s2 * c3
-    z3_y = c1 * c3 + x2_y * s3
-    z3_z = s2 * s3
-    z3_x = x2_x * s3 - s1 * c3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + s1 * s3, x2_y * c3 - c1 * s3, s2 * c3
+    z3_y, z3_z, z3_x = c1 * c3 + x2_y * s3, s2 * s3, x2_x * s3 - s1 * c3
     v3 = q[3] + offset4
-    c4 = math.cos(v3)
-    s4 = math.sin(v3)
-    x4_x = x3_x * c4 + z2_x * s4
-    x4_y = x3_y * c4 + z2_y * s4
-    x4_z = x3_z * c4 - c2 * s4
-    z4_z = c2 * c4 + x3_z * s4
-    z4_x = x3_x * s4 - z2_x * c4
-    z4_y = x3_y * s4 - z2_y * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = x4_y * c5 + z3_y * s5
-    x5_z = x4_z * c5 + z3_z * s5
-    z5_x = x4_x * s5 - z3_x * c5
-    z5_y = x4_y * s5 - z3_y * c5
-    z5_z = x4_z * s5 - z3_z * c5
+    c4, s4 = math.cos(v3), math.sin(v3)
+    x4_x, x4_y, x4_z = x3_x * c4 + z2_x * s4, x3_y * c4 + z2_y * s4, x3_z * c4 - c2 * s4
+    z4_z, z4_x, z4_y = c2 * c4 + x3_z * s4, x3_x * s4 - z2_x * c4, x3_y * s4 - z2_y * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 + z3_x * s5, x4_y * c5 + z3_y * s5, x4_z * c5 + z3_z * s5
+    z5_x, z5_y, z5_z = x4_x * s5 - z3_x * c5, x4_y * s5 - z3_y * c5, x4_z * s5 - z3_z * c5
     v4 = q[5] + offset6
-    c6 = math.cos(v4)
-    s6 = math.sin(v4)
-    x6_x = x5_x * c6 + z4_x * s6
-    x6_y = x5_y * c6 + z4_y * s6
-    x6_z = x5_z * c6 + z4_z * s6
-    z6_x = x5_x * s6 - z4_x * c6
-    z6_y = x5_y * s6 - z4_y * c6
-    z6_z = x5_z * s6 - z4_z * c6
-    c7 = math.cos(q[6])
-    s7 = math.sin(q[6])
-    T[0, 0] = x6_x * c7 + z5_x * s7
-    T[0, 1] = z5_x * c7 - x6_x * s7
-    T[0, 2] = z6_x
+    c6, s6 = math.cos(v4), math.sin(v4)
+    x6_x, x6_y, x6_z = x5_x * c6 + z4_x * s6, x5_y * c6 + z4_y * s6, x5_z * c6 + z4_z * s6
+    z6_x, z6_y, z6_z = x5_x * s6 - z4_x * c6, x5_y * s6 - z4_y * c6, x5_z * s6 - z4_z * c6
+    c7, s7 = math.cos(q[6]), math.sin(q[6])
+    T[0, 0], T[0, 1], T[0, 2] = x6_x * c7 + z5_x * s7, z5_x * c7 - x6_x * s7, z6_x
     T[0, 3] = z2_x * d3 + z4_x * d5 + z6_x * d7
-    T[1, 0] = x6_y * c7 + z5_y * s7
-    T[1, 1] = z5_y * c7 - x6_y * s7
-    T[1, 2] = z6_y
+    T[1, 0], T[1, 1], T[1, 2] = x6_y * c7 + z5_y * s7, z5_y * c7 - x6_y * s7, z6_y
     T[1, 3] = z2_y * d3 + z4_y * d5 + z6_y * d7
-    T[2, 0] = x6_z * c7 + z5_z * s7
-    T[2, 1] = z5_z * c7 - x6_z * s7
-    T[2, 2] = z6_z
+    T[2, 0], T[2, 1], T[2, 2] = x6_z * c7 + z5_z * s7, z5_z * c7 - x6_z * s7, z6_z
     T[2, 3] = d1 - c2 * d3 + z4_z * d5 + z6_z * d7
     T[3, 3] = 1.0
     return T
@@ -215,97 +183,43 @@ def jacobian(q):
         raise ValueError("q must hold 7 joint values")
     J = _zeros(6, 7)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    z2_x = c1 * s2
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, x2_y, z2_x = c1 * c2, s1 * c2, c1 * s2
     z2_y = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + s1 * s3
-    x3_y = x2_y * c3 - c1 * s3
-    x3_z = s2 * c3
-    z3_y = c1 * c3 + x2_y * s3
-    z3_z = s2 * s3
-    p3_x = z2_x * d3
-    p3_y = z2_y * d3
-    p3_z = d1 - c2 * d3
-    z3_x = x2_x * s3 - s1 * c3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + s1 * s3, x2_y * c3 - c1 * s3, s2 * c3
+    z3_y, z3_z, p3_x = c1 * c3 + x2_y * s3, s2 * s3, z2_x * d3
+    p3_y, p3_z, z3_x = z2_y * d3, d1 - c2 * d3, x2_x * s3 - s1 * c3
     v3 = q[3] + offset4
-    c4 = math.cos(v3)
-    s4 = math.sin(v3)
-    x4_x = x3_x * c4 + z2_x * s4
-    x4_y = x3_y * c4 + z2_y * s4
-    x4_z = x3_z * c4 - c2 * s4
-    z4_z = c2 * c4 + x3_z * s4
-    z4_x = x3_x * s4 - z2_x * c4
-    z4_y = x3_y * s4 - z2_y * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    p5_x = p3_x + z4_x * d5
-    p5_y = p3_y + z4_y * d5
-    p5_z = p3_z + z4_z * d5
-    z5_x = x4_x * s5 - z3_x * c5
-    z5_y = x4_y * s5 - z3_y * c5
-    z5_z = x4_z * s5 - z3_z * c5
-    v4 = q[5] + offset6
-    c6 = math.cos(v4)
-    s6 = math.sin(v4)
-    z6_x = (x4_x * c5 + z3_x * s5) * s6 - z4_x * c6
-    z6_y = (x4_y * c5 + z3_y * s5) * s6 - z4_y * c6
-    z6_z = (x4_z * c5 + z3_z * s5) * s6 - z4_z * c6
-    p7_x = p5_x + z6_x * d7
-    p7_y = p5_y + z6_y * d7
+    c4, s4 = math.cos(v3), math.sin(v3)
+    x4_x, x4_y, x4_z = x3_x * c4 + z2_x * s4, x3_y * c4 + z2_y * s4, x3_z * c4 - c2 * s4
+    z4_z, z4_x, z4_y = c2 * c4 + x3_z * s4, x3_x * s4 - z2_x * c4, x3_y * s4 - z2_y * c4
+    c5, s5, p5_x = math.cos(q[4]), math.sin(q[4]), p3_x + z4_x * d5
+    p5_y, p5_z, z5_x = p3_y + z4_y * d5, p3_z + z4_z * d5, x4_x * s5 - z3_x * c5
+    z5_y, z5_z, v4 = x4_y * s5 - z3_y * c5, x4_z * s5 - z3_z * c5, q[5] + offset6
+    c6, s6 = math.cos(v4), math.sin(v4)
+    z6_x, z6_y = (x4_x * c5 + z3_x * s5) * s6 - z4_x * c6, (x4_y * c5 + z3_y * s5) * s6 - z4_y * c6
+    z6_z, p7_x, p7_y = (x4_z * c5 + z3_z * s5) * s6 - z4_z * c6, p5_x + z6_x * d7, p5_y + z6_y * d7
     p7_z = p5_z + z6_z * d7
-    v5 = p7_z - d1
-    v6 = p7_x - p3_x
-    v7 = p7_y - p3_y
-    v8 = p7_z - p3_z
-    v9 = p7_x - p5_x
-    v10 = p7_y - p5_y
+    v5, v6, v7 = p7_z - d1, p7_x - p3_x, p7_y - p3_y
+    v8, v9, v10 = p7_z - p3_z, p7_x - p5_x, p7_y - p5_y
     v11 = p7_z - p5_z
-    J[0, 0] = -p7_y
-    J[0, 1] = -(c1 * v5)
-    J[0, 2] = z2_y * v5 + c2 * p7_y
-    J[0, 3] = z3_y * v8 - z3_z * v7
-    J[0, 4] = z4_y * v8 - z4_z * v7
-    J[0, 5] = z5_y * v11 - z5_z * v10
-    J[0, 6] = z6_y * v11 - z6_z * v10
-    J[1, 0] = p7_x
-    J[1, 1] = -(s1 * v5)
-    J[1, 2] = -(c2 * p7_x + z2_x * v5)
-    J[1, 3] = z3_z * v6 - z3_x * v8
-    J[1, 4] = z4_z * v6 - z4_x * v8
-    J[1, 5] = z5_z * v9 - z5_x * v11
+    J[0, 0], J[0, 1], J[0, 2] = -p7_y, -(c1 * v5), z2_y * v5 + c2 * p7_y
+    J[0, 3], J[0, 4] = z3_y * v8 - z3_z * v7, z4_y * v8 - z4_z * v7
+    J[0, 5], J[0, 6] = z5_y * v11 - z5_z * v10, z6_y * v11 - z6_z * v10
+    J[1, 0], J[1, 1], J[1, 2] = p7_x, -(s1 * v5), -(c2 * p7_x + z2_x * v5)
+    J[1, 3], J[1, 4], J[1, 5] = z3_z * v6 - z3_x * v8, z4_z * v6 - z4_x * v8, z5_z * v9 - z5_x * v11
     J[1, 6] = z6_z * v9 - z6_x * v11
-    J[2, 1] = s1 * p7_y + c1 * p7_x
-    J[2, 2] = z2_x * p7_y - z2_y * p7_x
-    J[2, 3] = z3_x * v7 - z3_y * v6
-    J[2, 4] = z4_x * v7 - z4_y * v6
-    J[2, 5] = z5_x * v10 - z5_y * v9
+    J[2, 1], J[2, 2] = s1 * p7_y + c1 * p7_x, z2_x * p7_y - z2_y * p7_x
+    J[2, 3], J[2, 4], J[2, 5] = z3_x * v7 - z3_y * v6, z4_x * v7 - z4_y * v6, z5_x * v10 - z5_y * v9
     J[2, 6] = z6_x * v10 - z6_y * v9
-    J[3, 1] = s1
-    J[3, 2] = z2_x
-    J[3, 3] = z3_x
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[3, 6] = z6_x
-    J[4, 1] = -c1
-    J[4, 2] = z2_y
-    J[4, 3] = z3_y
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[4, 6] = z6_y
-    J[5, 0] = 1.0
-    J[5, 2] = -c2
-    J[5, 3] = z3_z
-    J[5, 4] = z4_z
-    J[5, 5] = z5_z
-    J[5, 6] = z6_z
+    J[3, 1], J[3, 2], J[3, 3] = s1, z2_x, z3_x
+    J[3, 4], J[3, 5], J[3, 6] = z4_x, z5_x, z6_x
+    J[4, 1], J[4, 2], J[4, 3] = -c1, z2_y, z3_y
+    J[4, 4], J[4, 5], J[4, 6] = z4_y, z5_y, z6_y
+    J[5, 0], J[5, 2], J[5, 3] = 1.0, -c2, z3_z
+    J[5, 4], J[5, 5], J[5, 6] = z4_z, z5_z, z6_z
     return J
 
 
@@ -319,48 +233,31 @@ def arm_angle(q):
     if len(q) != DOF:
         raise ValueError("q must hold 7 joint values")
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    z2_x = c1 * s2
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, x2_y, z2_x = c1 * c2, s1 * c2, c1 * s2
     z2_y = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    z3_y = c1 * c3 + x2_y * s3
-    z3_z = s2 * s3
-    p3_x = z2_x * d3
-    p3_y = z2_y * d3
-    p3_z = d1 - c2 * d3
-    z3_x = x2_x * s3 - s1 * c3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    z3_y, z3_z, p3_x = c1 * c3 + x2_y * s3, s2 * s3, z2_x * d3
+    p3_y, p3_z, z3_x = z2_y * d3, d1 - c2 * d3, x2_x * s3 - s1 * c3
     v3 = q[3] + offset4
-    c4 = math.cos(v3)
-    s4 = math.sin(v3)
+    c4, s4 = math.cos(v3), math.sin(v3)
     p5_x = p3_x + ((x2_x * c3 + s1 * s3) * s4 - z2_x * c4) * d5
-    p5_y = p3_y + ((x2_y * c3 - c1 * s3) * s4 - z2_y * c4) * d5
-    v4 = p3_z - d1
+    p5_y, v4 = p3_y + ((x2_y * c3 - c1 * s3) * s4 - z2_y * c4) * d5, p3_z - d1
     v5 = p3_x * z3_x + z3_y * p3_y + z3_z * v4
-    v6 = p3_x - z3_x * v5
-    v7 = p3_y - z3_y * v5
-    v8 = v4 - z3_z * v5
+    v6, v7, v8 = p3_x - z3_x * v5, p3_y - z3_y * v5, v4 - z3_z * v5
     v9 = p3_z + (c2 * c4 + s2 * c3 * s4) * d5 - d1
     v10 = (
         -1.0 if z3_x * (p5_y * v8 - v7 * v9) + z3_y * (v6 * v9 - p5_x * v8) + z3_z * (p5_x * v7 -
         p5_y * v6) < -straight_limit else 1.0
     )
-    v11 = z3_x * v10
-    v12 = z3_y * v10
-    v13 = z3_z * v10
+    v11, v12, v13 = z3_x * v10, z3_y * v10, z3_z * v10
     v14 = p5_x * p5_x + p5_y * p5_y
     v15 = math.sqrt(v14 + v9 * v9)
     v16 = math.sqrt(v14) <= v15 * free_limit
     v17 = 0.0 if v16 else p5_y
     v18 = 1.0 if v16 else -p5_x
-    v19 = v9 * v12 - p5_y * v13
-    v20 = p5_x * v13 - v9 * v11
+    v19, v20 = v9 * v12 - p5_y * v13, p5_x * v13 - v9 * v11
     psi = (
         _atan2(v15 * (v17 * v19 + v18 * v20), v9 * v18 * v19 - v9 * v17 * v20 + (p5_y * v17 - p5_x *
         v18) * (p5_y * v11 - p5_x * v12))
@@ -398,8 +295,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     v5 = 1.0 / (1.0 if upright else lean)
     v6 = 0.0 if upright else gy * v5
     v7 = 1.0 if upright else -(gx * v5)
-    v8 = gz * v7
-    v9 = gz * v6
+    v8, v9 = gz * v7, gz * v6
     cos_psi = math.cos(q_free[0])
     sin_psi = math.sin(q_free[0])
     uz = (gy * v6 - gx * v7) * cos_psi
@@ -424,11 +320,9 @@ def _solve(pose, q_free, seed, moved, q, status):
         v10 = d5 * v3
         arm_ = math.sqrt(v10 * v10 + v12)
         v13 = 1.0 / arm_
-        v14 = v10 * v13
-        v15 = v11 * v13
+        v14, v15 = v10 * v13, v11 * v13
         side = -1.0 if -(d5 * (d3 * v3)) < -straight_limit else 1.0
-        v16 = v15 * side
-        v17 = v14 * side
+        v16, v17 = v15 * side, v14 * side
         v18 = gx * v14 + ux * v16
         b13 = nx * side
         v19 = gy * v14 + uy * v16
@@ -448,8 +342,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v24 = T33 * c2
 
         # theta7, type 3: U5[3, 2] and U5[3, 1]
-        v30 = T32 * c2
-        v36 = T31 * c2
+        v30, v36 = T32 * c2, T31 * c2
 
         # joint values
         q4 = _wrap(_atan2(-v3, -v2) - offset4)
@@ -465,15 +358,12 @@ def _solve(pose, q_free, seed, moved, q, status):
             s2 = w1 * e1
 
             # theta3, type 3: B1[3, 1] and B1[3, 3]
-            s3 = v19 * c1 - v18 * s1
-            c3 = b23 * c1 - b13 * s1
+            s3, c3 = v19 * c1 - v18 * s1, b23 * c1 - b13 * s1
             q3 = _atan2(s3, c3)
 
             # theta5
             v21 = T13 * c1 + T23 * s1
-            v22 = c2 * v21 + T33 * s2
-            v23 = T13 * s1 - T23 * c1
-            v25 = s2 * v21 - v24
+            v22, v23, v25 = c2 * v21 + T33 * s2, T13 * s1 - T23 * c1, s2 * v21 - v24
             X5 = c3 * (v2 * v22) + s3 * (v2 * v23) + v3 * v25
             Y5 = c3 * -v23 + s3 * v22
             w5 = math.sqrt(X5 * X5 + Y5 * Y5)
@@ -484,13 +374,11 @@ def _solve(pose, q_free, seed, moved, q, status):
             c6 = c3 * (v3 * v22) + s3 * (v3 * v23) - v2 * v25
 
             # theta7
-            v26 = T12 * s1 - T22 * c1
-            v27 = T12 * c1 + T22 * s1
+            v26, v27 = T12 * s1 - T22 * c1, T12 * c1 + T22 * s1
             v28 = c2 * v27 + T32 * s2
             v29 = c3 * -v26 + s3 * v28
             v31 = c3 * (v2 * v28) + s3 * (v2 * v26) + v3 * (s2 * v27 - v30)
-            v32 = T11 * s1 - T21 * c1
-            v33 = T11 * c1 + T21 * s1
+            v32, v33 = T11 * s1 - T21 * c1, T11 * c1 + T21 * s1
             v34 = c2 * v33 + T31 * s2
             v35 = c3 * -v32 + s3 * v34
             v37 = c3 * (v2 * v34) + s3 * (v2 * v32) + v3 * (s2 * v33 - v36)
@@ -516,12 +404,8 @@ def _solve(pose, q_free, seed, moved, q, status):
                 # joint values
                 q6 = _wrap(_atan2(s6, c6) - offset6)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 q[row, 6] = q7
                 status[row] = FREE_JOINT if free1 or free5 else OK
 
@@ -534,50 +418,35 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T13, T14, T23, T24 = kept[2 * w + k], kept[3 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
-        given1 = kept[16 * w + k]
+        T13, T14, T23 = kept[2 * w + k], kept[3 * w + k], kept[6 * w + k]
+        T24, T31, T32 = kept[7 * w + k], kept[8 * w + k], kept[9 * w + k]
+        T33, T34, given1 = kept[10 * w + k], kept[11 * w + k], kept[16 * w + k]
 
         # theta4, type 2: the squared length of column 4 of U1 A7^-1
-        wx = T14 - d7 * T13
-        wy = T24 - d7 * T23
-        v1 = T34 - d7 * T33 - d1
+        wx, wy, v1 = T14 - d7 * T13, T24 - d7 * T23, T34 - d7 * T33 - d1
         V4 = wx * wx + wy * wy + v1 * v1
-        D4 = (longest4 - V4) * (V4 - shortest4)
-        v2 = k1 * (V4 - k2)
-        v3 = k3 * v2
-        v4 = k1 * math.sqrt(D4)
+        D4, v2 = (longest4 - V4) * (V4 - shortest4), k1 * (V4 - k2)
+        v3, v4 = k3 * v2, k1 * math.sqrt(D4)
         v5 = k3 * v4
 
         # shoulder, its rotation, from the arm angle and theta4
         v6 = math.sqrt(V4) * (1.0 / V4)
-        gx = wx * v6
-        gy = wy * v6
-        gz = v1 * v6
+        gx, gy, gz = wx * v6, wy * v6, v1 * v6
         v7 = gy * gy + gx * gx
         upright = v7 <= m2
         v8 = 1.0 / (1.0 if upright else math.sqrt(v7))
         v9 = 0.0 if upright else gy * v8
         v10 = 1.0 if upright else -(gx * v8)
-        v11 = gz * v10
-        v12 = gz * v9
-        v13 = d5 * v5
+        v11, v12, v13 = gz * v10, gz * v9, d5 * v5
         v14 = d3 + d5 * v3
         v15 = v14 * v14 + v13 * v13
-        arm_ = math.sqrt(v15)
-        v16 = 1.0 / v15
+        arm_, v16 = math.sqrt(v15), 1.0 / v15
         v17 = arm_ * v16
-        v18 = v13 * v17
-        v19 = v14 * v17
-        v20 = d5 * (d3 * v5)
+        v18, v19, v20 = v13 * v17, v14 * v17, d5 * (d3 * v5)
         side_p = -1.0 if -v20 < -straight_limit else 1.0
         side_m = -1.0 if v20 < -straight_limit else 1.0
-        v21 = v19 * side_p
-        v22 = v19 * side_m
-        v23 = v18 * side_p
-        v24 = v18 * side_m
-        v25 = gx * v18
-        v26 = gy * v18
+        v21, v22, v23 = v19 * side_p, v19 * side_m, v18 * side_p
+        v24, v25, v26 = v18 * side_m, gx * v18, gy * v18
         v27 = gy * v19
 
         # theta1, type 2: B1[3, 2]
@@ -587,23 +456,22 @@ def _formulas(kept, turns, rows, w):
         v34 = gz * v19
 
         # theta5, type 2: U5[3, 3]
-        v50 = arm_ * (v16 * (gz * (T33 * v14)))
-        v51 = T33 * v13
+        v50, v51 = arm_ * (v16 * (gz * (T33 * v14))), T33 * v13
 
         # theta7, type 3: U5[3, 2] and U5[3, 1]
-        v65 = arm_ * (v16 * (gz * (v14 * T32)))
-        v72 = arm_ * (v16 * (gz * (v14 * T31)))
-        v73 = v13 * T31
-        v76 = v13 * T32
-        kept[18 * w + k], kept[19 * w + k], kept[20 * w + k], kept[21 * w + k] = D4, v3, v5, gx
-        kept[22 * w + k], kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = gy, v9, v10, v11
-        kept[26 * w + k], kept[27 * w + k], kept[28 * w + k] = v12, arm_, v16
-        kept[29 * w + k], kept[30 * w + k], kept[31 * w + k] = side_p, side_m, v21
-        kept[32 * w + k], kept[33 * w + k], kept[34 * w + k], kept[35 * w + k] = v22, v23, v24, v25
-        kept[36 * w + k], kept[37 * w + k], kept[38 * w + k], kept[39 * w + k] = v26, v27, v28, v34
-        kept[40 * w + k], kept[41 * w + k], kept[42 * w + k], kept[43 * w + k] = v50, v51, v65, v72
-        kept[44 * w + k], kept[45 * w + k], turns[0 * w + k] = v73, v76, given1
-        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = given1, -v4, -v2
+        v65, v72 = arm_ * (v16 * (gz * (v14 * T32))), arm_ * (v16 * (gz * (v14 * T31)))
+        v73, v76 = v13 * T31, v13 * T32
+        kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = D4, v3, v5
+        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = gx, gy, v9
+        kept[24 * w + k], kept[25 * w + k], kept[26 * w + k] = v10, v11, v12
+        kept[27 * w + k], kept[28 * w + k], kept[29 * w + k] = arm_, v16, side_p
+        kept[30 * w + k], kept[31 * w + k], kept[32 * w + k] = side_m, v21, v22
+        kept[33 * w + k], kept[34 * w + k], kept[35 * w + k] = v23, v24, v25
+        kept[36 * w + k], kept[37 * w + k], kept[38 * w + k] = v26, v27, v28
+        kept[39 * w + k], kept[40 * w + k], kept[41 * w + k] = v34, v50, v51
+        kept[42 * w + k], kept[43 * w + k], kept[44 * w + k] = v65, v72, v73
+        kept[45 * w + k], turns[0 * w + k], turns[1 * w + k] = v76, given1, given1
+        turns[2 * w + k], turns[3 * w + k] = -v4, -v2
     for k in range(0 * w, 1 * w):
         turns[k] = math.sin(turns[k])
     for k in range(1 * w, 2 * w):
@@ -611,87 +479,66 @@ def _formulas(kept, turns, rows, w):
     for k in range(2 * w, 3 * w):
         turns[k] = _atan2(turns[k], turns[k + 1 * w])
     for k in range(w):
-        T11, T12, T13, T21 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[4 * w + k]
-        T22, T23, T31, T32 = kept[5 * w + k], kept[6 * w + k], kept[8 * w + k], kept[9 * w + k]
-        T33, D4, v3, v5 = kept[10 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        gx, gy, v9, v10 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        v11, v12, arm_, v16 = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k], kept[28 * w + k]
-        side_p, side_m, v21 = kept[29 * w + k], kept[30 * w + k], kept[31 * w + k]
-        v22, v23, v24, v25 = kept[32 * w + k], kept[33 * w + k], kept[34 * w + k], kept[35 * w + k]
-        v26, v27, v28, v34 = kept[36 * w + k], kept[37 * w + k], kept[38 * w + k], kept[39 * w + k]
-        v50, v51, v65, v72 = kept[40 * w + k], kept[41 * w + k], kept[42 * w + k], kept[43 * w + k]
-        v73, v76, sin_psi = kept[44 * w + k], kept[45 * w + k], turns[0 * w + k]
-        cos_psi, angle11 = turns[1 * w + k], turns[2 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T21, T22, T23 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k]
+        T31, T32, T33 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k]
+        D4, v3, v5 = kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
+        gx, gy, v9 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
+        v10, v11, v12 = kept[24 * w + k], kept[25 * w + k], kept[26 * w + k]
+        arm_, v16, side_p = kept[27 * w + k], kept[28 * w + k], kept[29 * w + k]
+        side_m, v21, v22 = kept[30 * w + k], kept[31 * w + k], kept[32 * w + k]
+        v23, v24, v25 = kept[33 * w + k], kept[34 * w + k], kept[35 * w + k]
+        v26, v27, v28 = kept[36 * w + k], kept[37 * w + k], kept[38 * w + k]
+        v34, v50, v51 = kept[39 * w + k], kept[40 * w + k], kept[41 * w + k]
+        v65, v72, v73 = kept[42 * w + k], kept[43 * w + k], kept[44 * w + k]
+        v76, sin_psi, cos_psi = kept[45 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle11 = turns[2 * w + k]
 
         # shoulder, its rotation, from the arm angle and theta4
-        uz = cos_psi * (gy * v9 - gx * v10)
-        ux = v11 * cos_psi + v9 * sin_psi
-        uy = v10 * sin_psi - v12 * cos_psi
-        nx = v9 * cos_psi - v11 * sin_psi
-        ny = v10 * cos_psi + v12 * sin_psi
-        b22_p = v27 - uy * v23
-        b22_m = v27 + uy * v24
+        uz, ux = cos_psi * (gy * v9 - gx * v10), v11 * cos_psi + v9 * sin_psi
+        uy, nx = v10 * sin_psi - v12 * cos_psi, v9 * cos_psi - v11 * sin_psi
+        ny, b22_p, b22_m = v10 * cos_psi + v12 * sin_psi, v27 - uy * v23, v27 + uy * v24
 
         # theta1, type 2: B1[3, 2]
-        X1_p = ux * v23 - v28
-        v29 = v28 + ux * v24
-        v30 = X1_p * X1_p + b22_p * b22_p
-        v31 = v29 * v29 + b22_m * b22_m
-        w1_p = math.sqrt(v30)
-        w1_m = math.sqrt(v31)
-        v32 = 1.0 / v30
+        X1_p, v29 = ux * v23 - v28, v28 + ux * v24
+        v30, v31 = X1_p * X1_p + b22_p * b22_p, v29 * v29 + b22_m * b22_m
+        w1_p, w1_m, v32 = math.sqrt(v30), math.sqrt(v31), 1.0 / v30
         v33 = 1.0 / v31
 
         # theta2, type 3: B1[2, 2] and B1[1, 2]
-        c2_p = uz * v23 - v34
-        v35 = v34 + uz * v24
+        c2_p, v35 = uz * v23 - v34, v34 + uz * v24
 
         # theta3, type 3: B1[3, 1] and B1[3, 3]
         v36 = v32 * (b22_p * (v25 + ux * v21) + X1_p * (v26 + uy * v21))
-        v37 = v33 * (b22_m * (ux * v22 - v25) - v29 * (uy * v22 - v26))
-        v38 = w1_p * v36
-        v39 = w1_m * v37
-        v40 = v32 * (b22_p * (nx * side_p) + X1_p * (ny * side_p))
-        v41 = v33 * (b22_m * (nx * side_m) - v29 * (ny * side_m))
-        v42 = w1_p * v40
+        v37, v38 = v33 * (b22_m * (ux * v22 - v25) - v29 * (uy * v22 - v26)), w1_p * v36
+        v39, v40 = w1_m * v37, v32 * (b22_p * (nx * side_p) + X1_p * (ny * side_p))
+        v41, v42 = v33 * (b22_m * (nx * side_m) - v29 * (ny * side_m)), w1_p * v40
         v43 = w1_m * v41
 
         # theta5, type 2: U5[3, 3]
         v44 = w1_p * (v32 * (T23 * b22_p - T13 * X1_p))
-        v45 = w1_m * (v33 * (T23 * b22_m + T13 * v29))
-        v46 = c2_p * v44 + T33 * w1_p
-        v47 = T33 * w1_m - v35 * v45
-        v48 = w1_p * (v32 * (T13 * b22_p + T23 * X1_p))
+        v45, v46 = w1_m * (v33 * (T23 * b22_m + T13 * v29)), c2_p * v44 + T33 * w1_p
+        v47, v48 = T33 * w1_m - v35 * v45, w1_p * (v32 * (T13 * b22_p + T23 * X1_p))
         v49 = w1_m * (v33 * (T13 * b22_m - T23 * v29))
         v52 = w1_p * v44 - (uz * (arm_ * (v16 * (side_p * v51))) - v50)
         v53 = w1_m * v45 + (v50 + uz * (arm_ * (v16 * (side_m * v51))))
         X5_p = v5 * v52 - (v42 * (v3 * v46) + v38 * (v3 * v48))
-        v54 = v5 * v53 + (v43 * (v3 * v47) + v39 * (v3 * v49))
-        Y5_p = v42 * v48 - v38 * v46
-        Y5_m = v43 * v49 - v39 * v47
-        v55 = X5_p * X5_p + Y5_p * Y5_p
-        v56 = v54 * v54 + Y5_m * Y5_m
-        w5_p = math.sqrt(v55)
-        w5_m = math.sqrt(v56)
-        factor5_p = w5_p * (1.0 / v55)
-        factor5_m = w5_m * (1.0 / v56)
-        v57 = X5_p * factor5_p
-        v58 = v54 * factor5_m
-        s5_p = Y5_p * factor5_p
-        s5_m = Y5_m * factor5_m
+        v54, Y5_p = v5 * v53 + (v43 * (v3 * v47) + v39 * (v3 * v49)), v42 * v48 - v38 * v46
+        Y5_m, v55 = v43 * v49 - v39 * v47, X5_p * X5_p + Y5_p * Y5_p
+        v56, w5_p = v54 * v54 + Y5_m * Y5_m, math.sqrt(v55)
+        w5_m, factor5_p = math.sqrt(v56), w5_p * (1.0 / v55)
+        factor5_m, v57 = w5_m * (1.0 / v56), X5_p * factor5_p
+        v58, s5_p, s5_m = v54 * factor5_m, Y5_p * factor5_p, Y5_m * factor5_m
 
         # theta7, type 3: U5[3, 2] and U5[3, 1]
         v59 = w1_p * (v32 * (b22_p * T12 + X1_p * T22))
         v60 = w1_m * (v33 * (b22_m * T12 - v29 * T22))
         v61 = w1_p * (v32 * (b22_p * T22 - X1_p * T12))
-        v62 = w1_m * (v33 * (b22_m * T22 + v29 * T12))
-        v63 = c2_p * v61 + w1_p * T32
-        v64 = w1_m * T32 - v35 * v62
-        v66 = w1_p * (v32 * (b22_p * T11 + X1_p * T21))
+        v62, v63 = w1_m * (v33 * (b22_m * T22 + v29 * T12)), c2_p * v61 + w1_p * T32
+        v64, v66 = w1_m * T32 - v35 * v62, w1_p * (v32 * (b22_p * T11 + X1_p * T21))
         v67 = w1_m * (v33 * (b22_m * T11 - v29 * T21))
         v68 = w1_p * (v32 * (b22_p * T21 - X1_p * T11))
-        v69 = w1_m * (v33 * (b22_m * T21 + v29 * T11))
-        v70 = c2_p * v68 + w1_p * T31
+        v69, v70 = w1_m * (v33 * (b22_m * T21 + v29 * T11)), c2_p * v68 + w1_p * T31
         v71 = w1_m * T31 - v35 * v69
         v74 = (
             v57 * (v42 * v66 - v38 * v70) - s5_p * (v5 * (w1_p * v68 - (uz * (arm_ * (v16 * (side_p
@@ -703,12 +550,10 @@ def _formulas(kept, turns, rows, w):
         )
 
         # joint values
-        v85 = angle11 - offset4
-        v86 = offset4 + angle11
+        v85, v86 = angle11 - offset4, offset4 + angle11
         q4_ppp = v85 + (turn if v85 <= -half_turn else 0.0)
         q4_mpp = (turn if -v86 <= -half_turn else 0.0) - v86
-        v91 = abs(q4_ppp) - high4
-        v92 = abs(q4_mpp) - high4
+        v91, v92 = abs(q4_ppp) - high4, abs(q4_mpp) - high4
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[17 * w + k] = (
@@ -768,42 +613,28 @@ def _formulas(kept, turns, rows, w):
         q7_mpm = angle6 - math.copysign(half_turn, v75)
 
         # joint values
-        v77 = angle7 - offset1
-        v78 = angle7 - math.copysign(half_turn, b22_p) - offset1
-        v79 = angle8 - offset1
-        v80 = angle8 - math.copysign(half_turn, b22_m) - offset1
+        v77, v78 = angle7 - offset1, angle7 - math.copysign(half_turn, b22_p) - offset1
+        v79, v80 = angle8 - offset1, angle8 - math.copysign(half_turn, b22_m) - offset1
         q1_ppp = v77 + (turn if v77 <= -half_turn else 0.0)
         q1_pmp = v78 + (turn if v78 <= -half_turn else 0.0)
         q1_mpp = v79 + (turn if v79 <= -half_turn else 0.0)
         q1_mmp = v80 + (turn if v80 <= -half_turn else 0.0)
-        v81 = angle9 - offset2
-        v82 = offset2 + angle9
-        v83 = angle10 - offset2
+        v81, v82, v83 = angle9 - offset2, offset2 + angle9, angle10 - offset2
         v84 = offset2 + angle10
         q2_ppp = v81 + (turn if v81 <= -half_turn else 0.0)
         q2_pmp = (turn if -v82 <= -half_turn else 0.0) - v82
         q2_mpp = v83 + (turn if v83 <= -half_turn else 0.0)
         q2_mmp = (turn if -v84 <= -half_turn else 0.0) - v84
-        v87 = angle12 - offset6
-        v88 = offset6 + angle12
-        v89 = angle13 - offset6
+        v87, v88, v89 = angle12 - offset6, offset6 + angle12, angle13 - offset6
         v90 = offset6 + angle13
         q6_ppp = v87 + (turn if v87 <= -half_turn else 0.0)
         q6_ppm = (turn if -v88 <= -half_turn else 0.0) - v88
         q6_mpp = v89 + (turn if v89 <= -half_turn else 0.0)
         q6_mpm = (turn if -v90 <= -half_turn else 0.0) - v90
-        v93 = abs(angle3) - high5
-        v94 = abs(q5_ppm) - high5
-        v95 = abs(angle4) - high5
-        v96 = abs(q5_mpm) - high5
-        v97 = abs(q6_ppp) - high6
-        v98 = abs(q6_ppm) - high6
-        v99 = abs(q6_mpp) - high6
-        v100 = abs(q6_mpm) - high6
-        v101 = abs(angle5) - high7
-        v102 = abs(q7_ppm) - high7
-        v103 = abs(angle6) - high7
-        v104 = abs(q7_mpm) - high7
+        v93, v94, v95 = abs(angle3) - high5, abs(q5_ppm) - high5, abs(angle4) - high5
+        v96, v97, v98 = abs(q5_mpm) - high5, abs(q6_ppp) - high6, abs(q6_ppm) - high6
+        v99, v100, v101 = abs(q6_mpp) - high6, abs(q6_mpm) - high6, abs(angle5) - high7
+        v102, v103, v104 = abs(q7_ppm) - high7, abs(angle6) - high7, abs(q7_mpm) - high7
         v105 = max(abs(angle1) - high3, max(abs(q2_ppp) - high2, max(v91, abs(q1_ppp) - high1)))
         v106 = max(abs(q3_pmp) - high3, max(abs(q2_pmp) - high2, max(v91, abs(q1_pmp) - high1)))
         v107 = max(abs(angle2) - high3, max(abs(q2_mpp) - high2, max(v92, abs(q1_mpp) - high1)))
@@ -854,14 +685,9 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5, 6],
-    [0, 1, 2, 3, 7, 8, 9],
-    [10, 11, 12, 3, 4, 5, 6],
-    [10, 11, 12, 3, 7, 8, 9],
-    [13, 14, 15, 16, 17, 18, 19],
-    [13, 14, 15, 16, 20, 21, 22],
-    [23, 24, 25, 16, 17, 18, 19],
-    [23, 24, 25, 16, 20, 21, 22],
+    [0, 1, 2, 3, 4, 5, 6], [0, 1, 2, 3, 7, 8, 9], [10, 11, 12, 3, 4, 5, 6],
+    [10, 11, 12, 3, 7, 8, 9], [13, 14, 15, 16, 17, 18, 19], [13, 14, 15, 16, 20, 21, 22],
+    [23, 24, 25, 16, 17, 18, 19], [23, 24, 25, 16, 20, 21, 22],
 ])
 
 

@@ -138,52 +138,25 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
     v3 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v2 * s3
-    x3_y = x2_y * c3 - v3 * s3
-    v4 = s2 * c3 + c2 * s3
-    v5 = v2 * c3 + x2_x * s3
-    v6 = v3 * c3 + x2_y * s3
-    y3_z = s2 * s3 - c2 * c3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + s1 * s4
-    x4_y = x3_y * c4 - c1 * s4
-    v7 = v4 * c4
-    y4_x = s1 * c4 - x3_x * s4
-    z5_y = c1 * c4 + x3_y * s4
-    y4_z = v4 * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 - v5 * s5
-    x5_y = x4_y * c5 - v6 * s5
-    x5_z = y3_z * s5 - v7 * c5
-    v8 = v5 * c5 + x4_x * s5
-    v9 = v6 * c5 + x4_y * s5
-    y5_z = y3_z * c5 + v7 * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 + y4_x * s6
-    T[0, 1] = y4_x * c6 - x5_x * s6
-    T[0, 2] = -v8
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v4 = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    v5, v6, y3_z = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, v7 = x3_x * c4 + s1 * s4, x3_y * c4 - c1 * s4, v4 * c4
+    y4_x, z5_y, y4_z = s1 * c4 - x3_x * s4, c1 * c4 + x3_y * s4, v4 * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 - v5 * s5, x4_y * c5 - v6 * s5, y3_z * s5 - v7 * c5
+    v8, v9, y5_z = v5 * c5 + x4_x * s5, v6 * c5 + x4_y * s5, y3_z * c5 + v7 * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + y4_x * s6, y4_x * c6 - x5_x * s6, -v8
     T[0, 3] = c1 * a1 + x2_x * a2 - x3_x * a3 - v5 * d4 - v8 * d7
-    T[1, 0] = x5_y * c6 - z5_y * s6
-    T[1, 1] = -(z5_y * c6 + x5_y * s6)
-    T[1, 2] = -v9
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 - z5_y * s6, -(z5_y * c6 + x5_y * s6), -v9
     T[1, 3] = s1 * a1 + x2_y * a2 - x3_y * a3 - v6 * d4 - v9 * d7
-    T[2, 0] = x5_z * c6 + y4_z * s6
-    T[2, 1] = y4_z * c6 - x5_z * s6
-    T[2, 2] = y5_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 + y4_z * s6, y4_z * c6 - x5_z * s6, y5_z
     T[2, 3] = d1 - s2 * a2 + v4 * a3 + y3_z * d4 + y5_z * d7
     T[3, 3] = 1.0
     return T
@@ -195,79 +168,39 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p2_x = c1 * a1
-    p2_y = s1 * a1
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
-    v3 = s1 * s2
-    p3_x = p2_x + x2_x * a2
-    p3_y = p2_y + x2_y * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p2_x, p2_y, v1 = c1 * a1, s1 * a1, q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
+    v3, p3_x, p3_y = s1 * s2, p2_x + x2_x * a2, p2_y + x2_y * a2
     p3_z = d1 - s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v2 * s3
-    x3_y = x2_y * c3 - v3 * s3
-    v4 = s2 * c3 + c2 * s3
-    v5 = v2 * c3 + x2_x * s3
-    v6 = v3 * c3 + x2_y * s3
-    y3_z = s2 * s3 - c2 * c3
-    p4_x = p3_x - x3_x * a3 - v5 * d4
-    p4_y = p3_y - x3_y * a3 - v6 * d4
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v4 = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    v5, v6, y3_z = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    p4_x, p4_y = p3_x - x3_x * a3 - v5 * d4, p3_y - x3_y * a3 - v6 * d4
     p4_z = p3_z + v4 * a3 + y3_z * d4
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    z5_y = c1 * c4 + x3_y * s4
-    y4_z = v4 * s4
-    z5_x = x3_x * s4 - s1 * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    v7 = v5 * c5 + (x3_x * c4 + s1 * s4) * s5
-    v8 = v6 * c5 + (x3_y * c4 - c1 * s4) * s5
-    y5_z = y3_z * c5 + v4 * c4 * s5
-    J21 = p4_x - v7 * d7
-    v9 = p4_y - v8 * d7
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    z5_y, y4_z, z5_x = c1 * c4 + x3_y * s4, v4 * s4, x3_x * s4 - s1 * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    v7, v8 = v5 * c5 + (x3_x * c4 + s1 * s4) * s5, v6 * c5 + (x3_y * c4 - c1 * s4) * s5
+    y5_z, J21, v9 = y3_z * c5 + v4 * c4 * s5, p4_x - v7 * d7, p4_y - v8 * d7
     v10 = p4_z + y5_z * d7
-    v11 = v10 - d1
-    v12 = v10 - p3_z
-    v13 = J21 - p4_x
-    v14 = v9 - p4_y
-    v15 = v10 - p4_z
-    J[0, 0] = -v9
-    J[0, 1] = c1 * v11
-    J[0, 2] = c1 * v12
-    J[0, 3] = -(v6 * v15 + y3_z * v14)
-    J[0, 4] = z5_y * v15 + y4_z * v14
+    v11, v12, v13 = v10 - d1, v10 - p3_z, J21 - p4_x
+    v14, v15 = v9 - p4_y, v10 - p4_z
+    J[0, 0], J[0, 1], J[0, 2] = -v9, c1 * v11, c1 * v12
+    J[0, 3], J[0, 4] = -(v6 * v15 + y3_z * v14), z5_y * v15 + y4_z * v14
     J[0, 5] = -(v8 * v15 + y5_z * v14)
-    J[1, 0] = J21
-    J[1, 1] = s1 * v11
-    J[1, 2] = s1 * v12
-    J[1, 3] = y3_z * v13 + v5 * v15
-    J[1, 4] = -(y4_z * v13 + z5_x * v15)
+    J[1, 0], J[1, 1], J[1, 2] = J21, s1 * v11, s1 * v12
+    J[1, 3], J[1, 4] = y3_z * v13 + v5 * v15, -(y4_z * v13 + z5_x * v15)
     J[1, 5] = y5_z * v13 + v7 * v15
     J[2, 1] = -(s1 * (v9 - p2_y) + c1 * (J21 - p2_x))
-    J[2, 2] = -(s1 * (v9 - p3_y) + c1 * (J21 - p3_x))
-    J[2, 3] = v6 * v13 - v5 * v14
-    J[2, 4] = z5_x * v14 - z5_y * v13
-    J[2, 5] = v8 * v13 - v7 * v14
-    J[3, 1] = -s1
-    J[3, 2] = -s1
-    J[3, 3] = -v5
-    J[3, 4] = z5_x
-    J[3, 5] = -v7
-    J[4, 1] = c1
-    J[4, 2] = c1
-    J[4, 3] = -v6
-    J[4, 4] = z5_y
-    J[4, 5] = -v8
-    J[5, 0] = 1.0
-    J[5, 3] = y3_z
-    J[5, 4] = -y4_z
+    J[2, 2], J[2, 3] = -(s1 * (v9 - p3_y) + c1 * (J21 - p3_x)), v6 * v13 - v5 * v14
+    J[2, 4], J[2, 5] = z5_x * v14 - z5_y * v13, v8 * v13 - v7 * v14
+    J[3, 1], J[3, 2], J[3, 3] = -s1, -s1, -v5
+    J[3, 4], J[3, 5] = z5_x, -v7
+    J[4, 1], J[4, 2], J[4, 3] = c1, c1, -v6
+    J[4, 4], J[4, 5] = z5_y, -v8
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, y3_z, -y4_z
     J[5, 5] = y5_z
     return J
 
@@ -311,8 +244,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v3 = k1 * K3
-        v5 = k2 * K3
+        v3, v5 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[2, 3]
         v8 = T13 * c1 + T23 * s1
@@ -320,9 +252,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v9 = Y4 * Y4
 
         # theta6, type 3: U4[2, 2] and U4[2, 1]
-        v10 = T22 * c1 - T12 * s1
-        v11 = T12 * c1 + T22 * s1
-        v13 = T21 * c1 - T11 * s1
+        v10, v11, v13 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T21 * c1 - T11 * s1
         v14 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
@@ -347,16 +277,14 @@ def _solve(pose, q_free, seed, moved, q, status):
             s2 = math.sin(v7) if free2 else S2 * factor2
 
             # theta4
-            c23 = c3 * c2 + v4 * s2
-            s23 = c3 * s2 - v4 * c2
+            c23, s23 = c3 * c2 + v4 * s2, c3 * s2 - v4 * c2
             X4 = c23 * v8 - T33 * s23
             w4 = math.sqrt(X4 * X4 + v9)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta6
-            v12 = c23 * v11 - T32 * s23
-            v15 = c23 * v14 - T31 * s23
+            v12, v15 = c23 * v11 - T32 * s23, c23 * v14 - T31 * s23
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -378,12 +306,8 @@ def _solve(pose, q_free, seed, moved, q, status):
                 # theta6
                 q6 = _atan2(-(c4 * v13 + s4 * v15), -(c4 * v10 + s4 * v12))
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -395,96 +319,57 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[2, 4]
-        t14 = T14 - d7 * T13
-        Y1 = d7 * T23 - T24
+        t14, Y1 = T14 - d7 * T13, d7 * T23 - T24
         v1 = t14 * t14 + Y1 * Y1
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
 
         # theta3, type 6: U1[3, 4] and U1[1, 4]
-        Z1_3 = T34 - d7 * T33 - d1
-        v3 = a1 + w1
-        v4 = a1 - w1
+        Z1_3, v3, v4 = T34 - d7 * T33 - d1, a1 + w1, a1 - w1
         v5 = Z1_3 * Z1_3
-        N3_p = v5 + v3 * v3
-        N3_m = v5 + v4 * v4
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
-        v6 = m6 * N3_p - m5
-        v7 = m6 * N3_m - m5
-        v8 = m4 * w3_p
-        v9 = v6 + v8
-        v10 = v6 - v8
-        v11 = m4 * w3_m
-        v12 = v7 + v11
-        v13 = v7 - v11
-        v14 = m7 - m4 * N3_p
-        v15 = m7 - m4 * N3_m
-        v16 = m6 * w3_p
-        c3_pp = v14 + v16
-        c3_pm = v14 - v16
-        v17 = m6 * w3_m
-        c3_mp = v15 + v17
-        c3_mm = v15 - v17
+        N3_p, N3_m = v5 + v3 * v3, v5 + v4 * v4
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p, w3_m, v6 = math.sqrt(D3_p), math.sqrt(D3_m), m6 * N3_p - m5
+        v7, v8 = m6 * N3_m - m5, m4 * w3_p
+        v9, v10, v11 = v6 + v8, v6 - v8, m4 * w3_m
+        v12, v13, v14 = v7 + v11, v7 - v11, m7 - m4 * N3_p
+        v15, v16 = m7 - m4 * N3_m, m6 * w3_p
+        c3_pp, c3_pm, v17 = v14 + v16, v14 - v16, m6 * w3_m
+        c3_mp, c3_mm = v15 + v17, v15 - v17
 
         # theta2, type 3: U1[1, 4] and U1[3, 4]
-        X2_2_p = m9 - m8 * N3_p
-        X2_2_m = m9 - m8 * N3_m
-        v18 = Z1_3 * X2_2_p
-        v19 = Z1_3 * X2_2_m
-        v20 = w3_p * (m8 * v3)
-        S2_pp = v18 + v20
-        S2_pm = v18 - v20
-        S2_mp = v19 + w3_m * (m8 * v4)
-        S2_mm = v19 + w3_m * (m8 * -v4)
-        v21 = v3 * X2_2_p
-        v22 = v4 * X2_2_m
-        v23 = m8 * Z1_3
-        v24 = m8 * -Z1_3
-        C2_pp = v21 - w3_p * v23
-        C2_pm = v21 - w3_p * v24
-        C2_mp = v22 - w3_m * v23
-        C2_mm = v22 - w3_m * v24
-        factor2_p = 1.0 / N3_p
-        factor2_m = 1.0 / N3_m
+        X2_2_p, X2_2_m = m9 - m8 * N3_p, m9 - m8 * N3_m
+        v18, v19, v20 = Z1_3 * X2_2_p, Z1_3 * X2_2_m, w3_p * (m8 * v3)
+        S2_pp, S2_pm, S2_mp = v18 + v20, v18 - v20, v19 + w3_m * (m8 * v4)
+        S2_mm, v21, v22 = v19 + w3_m * (m8 * -v4), v3 * X2_2_p, v4 * X2_2_m
+        v23, v24 = m8 * Z1_3, m8 * -Z1_3
+        C2_pp, C2_pm, C2_mp = v21 - w3_p * v23, v21 - w3_p * v24, v22 - w3_m * v23
+        C2_mm, factor2_p, factor2_m = v22 - w3_m * v24, 1.0 / N3_p, 1.0 / N3_m
 
         # theta4, type 2: U4[2, 3]
-        c23_pp = c3_pp * C2_pp + v9 * S2_pp
-        c23_pm = c3_pm * C2_pm + v10 * S2_pm
-        c23_mp = c3_mp * C2_mp + v12 * S2_mp
-        c23_mm = c3_mm * C2_mm + v13 * S2_mm
-        s23_pp = c3_pp * S2_pp - v9 * C2_pp
-        s23_pm = c3_pm * S2_pm - v10 * C2_pm
-        s23_mp = c3_mp * S2_mp - v12 * C2_mp
-        s23_mm = c3_mm * S2_mm - v13 * C2_mm
+        c23_pp, c23_pm = c3_pp * C2_pp + v9 * S2_pp, c3_pm * C2_pm + v10 * S2_pm
+        c23_mp, c23_mm = c3_mp * C2_mp + v12 * S2_mp, c3_mm * C2_mm + v13 * S2_mm
+        s23_pp, s23_pm = c3_pp * S2_pp - v9 * C2_pp, c3_pm * S2_pm - v10 * C2_pm
+        s23_mp, s23_mm = c3_mp * S2_mp - v12 * C2_mp, c3_mm * S2_mm - v13 * C2_mm
         v25 = w1 * (v2 * (T23 * Y1 - T13 * t14))
-        X4_pp = c23_pp * v25 - T33 * s23_pp
-        X4_pm = c23_pm * v25 - T33 * s23_pm
-        v26 = c23_mp * v25 + T33 * s23_mp
-        v27 = c23_mm * v25 + T33 * s23_mm
+        X4_pp, X4_pm = c23_pp * v25 - T33 * s23_pp, c23_pm * v25 - T33 * s23_pm
+        v26, v27 = c23_mp * v25 + T33 * s23_mp, c23_mm * v25 + T33 * s23_mm
         v28 = w1 * (v2 * (T13 * Y1 + t14 * T23))
         v29 = v28 * v28
         v30 = v29 + factor2_p * (X4_pp * (factor2_p * X4_pp))
-        v31 = v29 + factor2_p * (X4_pm * (factor2_p * X4_pm))
-        v32 = factor2_m * v26
-        v33 = v29 + factor2_m * (v26 * v32)
-        v34 = factor2_m * v27
-        v35 = v29 + factor2_m * (v27 * v34)
-        v36 = math.copysign(half_turn, -v28)
+        v31, v32 = v29 + factor2_p * (X4_pm * (factor2_p * X4_pm)), factor2_m * v26
+        v33, v34 = v29 + factor2_m * (v26 * v32), factor2_m * v27
+        v35, v36 = v29 + factor2_m * (v27 * v34), math.copysign(half_turn, -v28)
         v37 = math.copysign(half_turn, v28)
 
         # theta6, type 3: U4[2, 2] and U4[2, 1]
-        v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
-        v39 = w1 * (v2 * (Y1 * T22 - t14 * T12))
-        v40 = w1 * (v2 * (t14 * T21 + Y1 * T11))
-        v41 = w1 * (v2 * (Y1 * T21 - t14 * T11))
+        v38, v39 = w1 * (v2 * (t14 * T22 + Y1 * T12)), w1 * (v2 * (Y1 * T22 - t14 * T12))
+        v40, v41 = w1 * (v2 * (t14 * T21 + Y1 * T11)), w1 * (v2 * (Y1 * T21 - t14 * T11))
         v42 = -X4_pp * v40 + v28 * (c23_pp * v41 - s23_pp * T31)
         v43 = -X4_pm * v40 + v28 * (c23_pm * v41 - s23_pm * T31)
         v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40
@@ -495,9 +380,10 @@ def _formulas(kept, turns, rows, w):
             1.0 if v35 <= m10 or v33 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1 <=
             m1 or abs(D3_p) <= m3 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Y1, w3_p, w3_m, v36
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v37, v42, v43, v44
-        kept[25 * w + k], turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = v45, Y1, -v9, -v10
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y1, w3_p, w3_m
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v36, v37, v42
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = v43, v44, v45
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = Y1, -v9, -v10
         turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = -v12, -v13, -v28
         turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = -v28, v28, v28
         turns[9 * w + k], turns[10 * w + k] = math.sqrt(v30), math.sqrt(v31)
@@ -527,21 +413,19 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        Y1, w3_p, w3_m, v36 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v37, v42, v43, v44 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        v45, angle1, angle2 = kept[25 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
-        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
-        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
-        angle18, angle19, angle20 = turns[17 * w + k], turns[18 * w + k], turns[19 * w + k]
-        angle21 = turns[20 * w + k]
+        Y1, w3_p, w3_m = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v36, v37, v42 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v43, v44, v45 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        angle19, angle20, angle21 = turns[18 * w + k], turns[19 * w + k], turns[20 * w + k]
 
         # theta4, type 2: U4[2, 3]
-        q4_ppm = angle6 - v36
-        q4_pmm = angle7 - v36
-        q4_mpm = angle8 - v37
+        q4_ppm, q4_pmm, q4_mpm = angle6 - v36, angle7 - v36, angle8 - v37
         q4_mmm = angle9 - v37
 
         # theta6, type 3: U4[2, 2] and U4[2, 1]
@@ -551,9 +435,7 @@ def _formulas(kept, turns, rows, w):
         q6_mmm = angle17 - math.copysign(half_turn, v45)
 
         # joint values
-        v46 = angle18 - offset2
-        v47 = angle19 - offset2
-        v48 = angle20 - offset2
+        v46, v47, v48 = angle18 - offset2, angle19 - offset2, angle20 - offset2
         v49 = angle21 - offset2
         q2_ppp = v46 + (-turn if half_turn < v46 else 0.0)
         q2_pmp = v47 + (-turn if half_turn < v47 else 0.0)
@@ -574,25 +456,16 @@ def _formulas(kept, turns, rows, w):
         rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = angle5, angle9, angle13
         rows[30 * w + k], rows[31 * w + k], rows[32 * w + k] = angle17, q4_mmm, -angle13
         rows[33 * w + k] = q6_mmm
-        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[36 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[40 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[34 * w + k] = rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[38 * w + k] = rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[40 * w + k] = rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 19, 20, 21, 22],
-    [17, 18, 19, 23, 24, 25],
-    [17, 26, 27, 28, 29, 30],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22], [17, 18, 19, 23, 24, 25], [17, 26, 27, 28, 29, 30],
     [17, 26, 27, 31, 32, 33],
 ])
 

@@ -155,38 +155,20 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
     v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    v3 = s2 * c3 + c2 * s3
-    v4 = v1 * c3 + x2_x * s3
-    v5 = v2 * c3 + x2_y * s3
-    y3_z = s2 * s3 - c2 * c3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - v4 * s4
-    x4_y = x3_y * c4 - v5 * s4
-    x4_z = y3_z * s4 - v3 * c4
-    T[0, 0] = x4_x
-    T[0, 1] = -s1
-    T[0, 2] = v4 * c4 + x3_x * s4
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v3 = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v4, v5, y3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 - v4 * s4, x3_y * c4 - v5 * s4, y3_z * s4 - v3 * c4
+    T[0, 0], T[0, 1], T[0, 2] = x4_x, -s1, v4 * c4 + x3_x * s4
     T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4
-    T[1, 0] = x4_y
-    T[1, 1] = c1
-    T[1, 2] = v5 * c4 + x3_y * s4
+    T[1, 0], T[1, 1], T[1, 2] = x4_y, c1, v5 * c4 + x3_y * s4
     T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4
-    T[2, 0] = x4_z
-    T[2, 2] = -(y3_z * c4 + v3 * s4)
-    T[2, 3] = d1 - s2 * a2 - v3 * a3 + x4_z * a4
+    T[2, 0], T[2, 2], T[2, 3] = x4_z, -(y3_z * c4 + v3 * s4), d1 - s2 * a2 - v3 * a3 + x4_z * a4
     T[3, 3] = 1.0
     return T
 
@@ -197,52 +179,29 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * a1, s1 * a1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
+    v2, p2_x, p2_y = s1 * s2, p1_x + x2_x * a2, p1_y + x2_y * a2
     p2_z = d1 - s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    v3 = s2 * c3 + c2 * s3
-    p3_x = p2_x + x3_x * a3
-    p3_y = p2_y + x3_y * a3
-    p3_z = p2_z - v3 * a3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v3 = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    p3_x, p3_y, p3_z = p2_x + x3_x * a3, p2_y + x3_y * a3, p2_z - v3 * a3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
     p4_x = p3_x + (x3_x * c4 - (v1 * c3 + x2_x * s3) * s4) * a4
     p4_y = p3_y + (x3_y * c4 - (v2 * c3 + x2_y * s3) * s4) * a4
     p4_z = p3_z + ((s2 * s3 - c2 * c3) * s4 - v3 * c4) * a4
-    v4 = p4_z - d1
-    v5 = p4_z - p2_z
-    v6 = p4_z - p3_z
-    J[0, 0] = -p4_y
-    J[0, 1] = c1 * v4
-    J[0, 2] = c1 * v5
+    v4, v5, v6 = p4_z - d1, p4_z - p2_z, p4_z - p3_z
+    J[0, 0], J[0, 1], J[0, 2] = -p4_y, c1 * v4, c1 * v5
     J[0, 3] = c1 * v6
-    J[1, 0] = p4_x
-    J[1, 1] = s1 * v4
-    J[1, 2] = s1 * v5
+    J[1, 0], J[1, 1], J[1, 2] = p4_x, s1 * v4, s1 * v5
     J[1, 3] = s1 * v6
     J[2, 1] = -(s1 * (p4_y - p1_y) + c1 * (p4_x - p1_x))
     J[2, 2] = -(s1 * (p4_y - p2_y) + c1 * (p4_x - p2_x))
     J[2, 3] = -(s1 * (p4_y - p3_y) + c1 * (p4_x - p3_x))
-    J[3, 1] = -s1
-    J[3, 2] = -s1
-    J[3, 3] = -s1
-    J[4, 1] = c1
-    J[4, 2] = c1
-    J[4, 3] = c1
+    J[3, 1], J[3, 2], J[3, 3] = -s1, -s1, -s1
+    J[4, 1], J[4, 2], J[4, 3] = c1, c1, c1
     J[5, 0] = 1.0
     return J
 
@@ -256,16 +215,14 @@ def _solve(pose, q_free, seed, moved, q, status):
     w234 = math.sqrt(T31 * T31 + T33 * T33)
     short234 = w234 <= free_limit
     factor234 = 1.0 / (1.0 if short234 else w234)
-    c234 = T33 * factor234
-    v1 = T31 * factor234
+    c234, v1 = T33 * factor234, T31 * factor234
     theta234 = _atan2(-v1, c234)
 
     # theta1, type 3: U0[1, 2] and U0[2, 2]
     w1 = math.sqrt(T12 * T12 + T22 * T22)
     short1 = w1 <= free_limit
     v2 = 1.0 / (1.0 if short1 else w1)
-    c1 = T22 * v2
-    v3 = T12 * v2
+    c1, v3 = T22 * v2, T12 * v2
     q1 = _atan2(-v3, c1)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
@@ -284,8 +241,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
     Y1_2 = a2 + a3 * c3
-    v7 = Z1_3 * Y1_2
-    v9 = Z2_3 * Y1_2
+    v7, v9 = Z1_3 * Y1_2, Z2_3 * Y1_2
 
     # is the pose one that the arm can take?
     v11 = d1 + v4
@@ -316,8 +272,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         q2 = _atan2(s2, c2)
 
         # is the pose one that the arm can take?
-        c23 = c3 * c2 - s3 * s2
-        s23 = c3 * s2 + s3 * c2
+        c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
         v10 = a3 * c23 + (v5 + a2 * c2)
         if (
             not (abs(T34 + (a3 * s23 + (a2 * s2 - v11))) <= doubtful_slack1 and abs(T14 - c1 * v10)
@@ -328,9 +283,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         # joint values
         q4 = _wrap(theta234 - (q3 + q2))
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
+        q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
         q[row, 3] = q4
         status[row] = FREE_JOINT if free2 else OK
 
@@ -343,9 +296,10 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T33, T34 = kept[8 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T33, T34 = kept[10 * w + k], kept[11 * w + k]
 
         # theta234, type 3: U0[3, 3] and U0[3, 1]
         v1 = T31 * T31 + T33 * T33
@@ -354,46 +308,31 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 3: U0[1, 2] and U0[2, 2]
         v2 = T12 * T12 + T22 * T22
         v3 = math.sqrt(v2) * (1.0 / v2)
-        c1 = T22 * v3
-        v4 = T12 * v3
+        c1, v4 = T22 * v3, T12 * v3
 
         # theta3, type 8: U1[2, 4] and U1[1, 4]
         v5 = factor234 * (a4 * T31)
-        Z1_3 = T34 - d1 - v5
-        v6 = a1 + factor234 * (a4 * T33)
+        Z1_3, v6 = T34 - d1 - v5, a1 + factor234 * (a4 * T33)
         Z2_3 = c1 * T14 - v4 * T24 - v6
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         D3 = (longest3 - N3) * (N3 - shortest3)
         w3 = math.sqrt(D3)
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
-        v7 = w3 * (m4 * Z2_3)
-        v8 = w3 * (m4 * -Z2_3)
-        v9 = m4 * (Z1_3 * N3)
-        v10 = v7 + v9
-        v11 = v8 + v9
-        v12 = m4 * (Z2_3 * N3)
-        factor2 = 1.0 / N3
-        v13 = m4 * (N3 * -Z1_3)
+        v7, v8, v9 = w3 * (m4 * Z2_3), w3 * (m4 * -Z2_3), m4 * (Z1_3 * N3)
+        v10, v11, v12 = v7 + v9, v8 + v9, m4 * (Z2_3 * N3)
+        factor2, v13 = 1.0 / N3, m4 * (N3 * -Z1_3)
 
         # is the pose one that the arm can take?
-        v14 = v6 + Z2_3
-        v15 = d1 + v5
-        v16 = T23 - factor234 * (T31 * v4)
-        v17 = T21 + factor234 * (T33 * v4)
-        v18 = T11 - factor234 * (T33 * c1)
-        v19 = T13 + factor234 * (T31 * c1)
-        v20 = v1 - 1.0
+        v14, v15, v16 = v6 + Z2_3, d1 + v5, T23 - factor234 * (T31 * v4)
+        v17, v18 = T21 + factor234 * (T33 * v4), T11 - factor234 * (T33 * c1)
+        v19, v20 = T13 + factor234 * (T31 * c1), v1 - 1.0
         v21 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
         v22 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
-        v23 = T14 - c1 * v14
-        v24 = T24 + v4 * v14
-        v25 = v23 * v23
-        v26 = v24 * v24
-        v27 = v26 + (v25 + v21 * v21)
-        v28 = v26 + (v25 + v22 * v22)
-        exact__p = v27 <= m6
-        exact__m = v28 <= m6
+        v23, v24 = T14 - c1 * v14, T24 + v4 * v14
+        v25, v26 = v23 * v23, v24 * v24
+        v27, v28 = v26 + (v25 + v21 * v21), v26 + (v25 + v22 * v22)
+        exact__p, exact__m = v27 <= m6, v28 <= m6
 
         # joint values
         v31 = math.sqrt(-1.0)
@@ -407,11 +346,11 @@ def _formulas(kept, turns, rows, w):
             (exact__p or exact__m)) or (m6 < v27 and v27 <= m7) or (m6 < v28 and v28 <= m7) else
             kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], turns[0 * w + k] = w3, v32, v33, -T31
-        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = w3, -v10, -v11
-        turns[4 * w + k], turns[8 * w + k], turns[9 * w + k] = -T12, T33, N3 - k1
-        turns[10 * w + k], turns[11 * w + k] = v12 - w3 * (m4 * Z1_3), v12 - w3 * (m4 * -Z1_3)
-        turns[12 * w + k] = T22
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3, v32, v33
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = -T31, w3, -v10
+        turns[3 * w + k], turns[4 * w + k], turns[8 * w + k] = -v11, -T12, T33
+        turns[9 * w + k], turns[10 * w + k] = N3 - k1, v12 - w3 * (m4 * Z1_3)
+        turns[11 * w + k], turns[12 * w + k] = v12 - w3 * (m4 * -Z1_3), T22
     if w == 1 and kept[16] != 0.0:
         return
     end = 8 if w == 1 else 5 * w
@@ -426,28 +365,22 @@ def _formulas(kept, turns, rows, w):
         angle4, angle5 = turns[3 * w + k], turns[4 * w + k]
 
         # joint values
-        v29 = angle1 - (angle2 + angle3)
-        v30 = angle1 - (angle4 - angle2)
-        v34 = angle5 + (w3 - w3)
-        q1_p = v32 + v34
-        q1_m = v33 + v34
-        q2_p = angle3 + v32
-        q2_m = angle4 + v33
-        q3_p = angle2 + v32
-        q3_m = v33 - angle2
+        v29, v30, v34 = angle1 - (angle2 + angle3), angle1 - (angle4 - angle2), angle5 + (w3 - w3)
+        q1_p, q1_m, q2_p = v32 + v34, v33 + v34, angle3 + v32
+        q2_m, q3_p, q3_m = angle4 + v33, angle2 + v32, v33 - angle2
         q4_p = v32 + (v29 + (turn if v29 <= -half_turn else (-turn if half_turn < v29 else 0.0)))
         q4_m = v33 + (v30 + (turn if v30 <= -half_turn else (-turn if half_turn < v30 else 0.0)))
 
-        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k], rows[3 * w + k] = q1_p, q2_p, q3_p, q4_p
-        rows[4 * w + k], rows[5 * w + k], rows[6 * w + k], rows[7 * w + k] = q1_m, q2_m, q3_m, q4_m
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_p, q2_p, q3_p
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q4_p, q1_m, q2_m
+        rows[6 * w + k], rows[7 * w + k] = q3_m, q4_m
         rows[8 * w + k] = UNREACHABLE if q1_p != q1_p else OK
         rows[9 * w + k] = UNREACHABLE if q1_m != q1_m else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3],
-    [4, 5, 6, 7],
+    [0, 1, 2, 3], [4, 5, 6, 7],
 ])
 
 

@@ -130,31 +130,17 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    v3 = q[2] - q[1]
-    c3 = math.cos(v3)
-    s3 = math.sin(v3)
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    v4 = s2 * c3 + c2 * s3
-    T[0, 0] = x3_x
-    T[0, 1] = -(v1 * c3 + x2_x * s3)
-    T[0, 2] = -s1
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
+    v2, v3 = s1 * s2, q[2] - q[1]
+    c3, s3 = math.cos(v3), math.sin(v3)
+    x3_x, x3_y, v4 = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    T[0, 0], T[0, 1], T[0, 2] = x3_x, -(v1 * c3 + x2_x * s3), -s1
     T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3
-    T[1, 0] = x3_y
-    T[1, 1] = -(v2 * c3 + x2_y * s3)
-    T[1, 2] = c1
+    T[1, 0], T[1, 1], T[1, 2] = x3_y, -(v2 * c3 + x2_y * s3), c1
     T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3
-    T[2, 0] = -v4
-    T[2, 1] = s2 * s3 - c2 * c3
-    T[2, 3] = d1 - s2 * a2 - v4 * a3
+    T[2, 0], T[2, 1], T[2, 3] = -v4, s2 * s3 - c2 * c3, d1 - s2 * a2 - v4 * a3
     T[3, 3] = 1.0
     return T
 
@@ -165,36 +151,20 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
-    p2_z = d1 - s2 * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * a1, s1 * a1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2, s1 * c2
+    p2_x, p2_y, p2_z = p1_x + x2_x * a2, p1_y + x2_y * a2, d1 - s2 * a2
     v1 = q[2] - q[1]
-    c3 = math.cos(v1)
-    s3 = math.sin(v1)
-    p3_x = p2_x + (x2_x * c3 - c1 * s2 * s3) * a3
-    p3_y = p2_y + (x2_y * c3 - s1 * s2 * s3) * a3
+    c3, s3 = math.cos(v1), math.sin(v1)
+    p3_x, p3_y = p2_x + (x2_x * c3 - c1 * s2 * s3) * a3, p2_y + (x2_y * c3 - s1 * s2 * s3) * a3
     p3_z = p2_z - (s2 * c3 + c2 * s3) * a3
-    v2 = p3_z - d1
-    v3 = p3_z - p2_z
-    J13 = c1 * v3
-    J23 = s1 * v3
-    v4 = s1 * (p3_y - p2_y) + c1 * (p3_x - p2_x)
-    J[0, 0] = -p3_y
-    J[0, 1] = c1 * v2 - J13
-    J[0, 2] = J13
-    J[1, 0] = p3_x
-    J[1, 1] = s1 * v2 - J23
-    J[1, 2] = J23
-    J[2, 1] = v4 - (s1 * (p3_y - p1_y) + c1 * (p3_x - p1_x))
-    J[2, 2] = -v4
+    v2, v3 = p3_z - d1, p3_z - p2_z
+    J13, J23, v4 = c1 * v3, s1 * v3, s1 * (p3_y - p2_y) + c1 * (p3_x - p2_x)
+    J[0, 0], J[0, 1], J[0, 2] = -p3_y, c1 * v2 - J13, J13
+    J[1, 0], J[1, 1], J[1, 2] = p3_x, s1 * v2 - J23, J23
+    J[2, 1], J[2, 2] = v4 - (s1 * (p3_y - p1_y) + c1 * (p3_x - p1_x)), -v4
     J[3, 2] = -s1
     J[4, 2] = c1
     J[5, 0] = 1.0
@@ -238,8 +208,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         Y1_2 = a2 + a3 * c3
-        v4 = Z1_3 * Y1_2
-        v5 = v1 * Y1_2
+        v4, v5 = Z1_3 * Y1_2, v1 * Y1_2
 
         for i2 in range(2):  # +, -
             e3 = 1.0 - 2.0 * i2
@@ -262,9 +231,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             # joint values
             q3 = _wrap(_atan2(s3, c3) + q2)
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
@@ -283,24 +250,15 @@ def _formulas(kept, turns, rows, w):
         w1 = math.sqrt(v1)
 
         # theta3, type 8: U1[2, 4] and U1[1, 4]
-        Z1_3 = T34 - d1
-        v2 = a1 + w1
-        v3 = a1 - w1
+        Z1_3, v2, v3 = T34 - d1, a1 + w1, a1 - w1
         v4 = Z1_3 * Z1_3
-        N3_p = v4 + v2 * v2
-        N3_m = v4 + v3 * v3
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
+        N3_p, N3_m = v4 + v2 * v2, v4 + v3 * v3
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
-        v5 = m4 * (N3_p * -Z1_3)
-        v6 = m4 * (N3_m * -Z1_3)
-        v7 = m4 * Z1_3
-        v8 = m4 * -Z1_3
-        v9 = m4 * (v2 * N3_p)
-        v10 = m4 * (v3 * N3_m)
+        v5, v6, v7 = m4 * (N3_p * -Z1_3), m4 * (N3_m * -Z1_3), m4 * Z1_3
+        v8, v9, v10 = m4 * -Z1_3, m4 * (v2 * N3_p), m4 * (v3 * N3_m)
         v11 = w3_p * (m4 * v2)
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
@@ -333,17 +291,13 @@ def _formulas(kept, turns, rows, w):
         q1__m = angle1 - math.copysign(half_turn, -T24)
 
         # joint values
-        v12 = angle2 + angle6
-        v13 = angle3 - angle6
-        v14 = angle4 + angle7
+        v12, v13, v14 = angle2 + angle6, angle3 - angle6, angle4 + angle7
         v15 = angle5 - angle7
         q3_pp = v12 + (turn if v12 <= -half_turn else (-turn if half_turn < v12 else 0.0))
         q3_pm = v13 + (turn if v13 <= -half_turn else (-turn if half_turn < v13 else 0.0))
         q3_mp = v14 + (turn if v14 <= -half_turn else (-turn if half_turn < v14 else 0.0))
         q3_mm = v15 + (turn if v15 <= -half_turn else (-turn if half_turn < v15 else 0.0))
-        v16 = abs(angle1) - high1
-        v17 = abs(q1__m) - high1
-        q1_pp = angle1 + (w3_p - w3_p)
+        v16, v17, q1_pp = abs(angle1) - high1, abs(q1__m) - high1, angle1 + (w3_p - w3_p)
         q1_mp = q1__m + (w3_m - w3_m)
         excess_pp = (
             max(max(low3 - q3_pp, q3_pp - high3), max(v16, max(low2 - angle2, angle2 - high2)))
@@ -357,9 +311,7 @@ def _formulas(kept, turns, rows, w):
         excess_mm = (
             max(max(low3 - q3_mm, q3_mm - high3), max(v17, max(low2 - angle5, angle5 - high2)))
         )
-        outside_pp = 0.0 < excess_pp
-        outside_pm = 0.0 < excess_pm
-        outside_mp = 0.0 < excess_mp
+        outside_pp, outside_pm, outside_mp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
         outside_mm = 0.0 < excess_mm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
@@ -380,10 +332,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [0, 3, 4],
-    [5, 6, 7],
-    [5, 8, 9],
+    [0, 1, 2], [0, 3, 4], [5, 6, 7], [5, 8, 9],
 ])
 
 

@@ -147,44 +147,24 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(-q[0])
-    s1 = math.sin(-q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
+    c1, s1 = math.cos(-q[0]), math.sin(-q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
     v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    v3 = x2_x * c3 - v1 * s3
-    v4 = x2_y * c3 - v2 * s3
-    v5 = s2 * c3 + c2 * s3
-    v6 = v1 * c3 + x2_x * s3
-    v7 = v2 * c3 + x2_y * s3
-    v8 = s2 * s3 - c2 * c3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    v3, v4, v5 = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v6, v7, v8 = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, s2 * s3 - c2 * c3
     c3p = math.cos(-(q[1] + q[2]))
     s3p = math.sin(-(q[1] + q[2]))
-    x3_x = v3 * c3p - v6 * s3p
-    x3_y = v4 * c3p - v7 * s3p
-    x3_z = v8 * s3p - v5 * c3p
-    v9 = v6 * c3p + v3 * s3p
-    v10 = v7 * c3p + v4 * s3p
-    z3_z = v8 * c3p + v5 * s3p
+    x3_x, x3_y, x3_z = v3 * c3p - v6 * s3p, v4 * c3p - v7 * s3p, v8 * s3p - v5 * c3p
+    v9, v10, z3_z = v6 * c3p + v3 * s3p, v7 * c3p + v4 * s3p, v8 * c3p + v5 * s3p
     v11 = offset4 - q[3]
-    c4 = math.cos(v11)
-    s4 = math.sin(v11)
-    T[0, 0] = x3_x * c4 + s1 * s4
-    T[0, 1] = s1 * c4 - x3_x * s4
-    T[0, 2] = -v9
+    c4, s4 = math.cos(v11), math.sin(v11)
+    T[0, 0], T[0, 1], T[0, 2] = x3_x * c4 + s1 * s4, s1 * c4 - x3_x * s4, -v9
     T[0, 3] = c1 * a1 + x2_x * a2 + v3 * a3 + x3_x * a4 - v9 * d5
-    T[1, 0] = x3_y * c4 - c1 * s4
-    T[1, 1] = -(c1 * c4 + x3_y * s4)
-    T[1, 2] = -v10
+    T[1, 0], T[1, 1], T[1, 2] = x3_y * c4 - c1 * s4, -(c1 * c4 + x3_y * s4), -v10
     T[1, 3] = s1 * a1 + x2_y * a2 + v4 * a3 + x3_y * a4 - v10 * d5
-    T[2, 0] = x3_z * c4
-    T[2, 1] = -(x3_z * s4)
-    T[2, 2] = z3_z
+    T[2, 0], T[2, 1], T[2, 2] = x3_z * c4, -(x3_z * s4), z3_z
     T[2, 3] = d1 - s2 * a2 - v5 * a3 + x3_z * a4 + z3_z * d5
     T[3, 3] = 1.0
     return T
@@ -196,65 +176,34 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
-    c1 = math.cos(-q[0])
-    s1 = math.sin(-q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
+    c1, s1 = math.cos(-q[0]), math.sin(-q[0])
+    p1_x, p1_y = c1 * a1, s1 * a1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
+    v2, p2_x, p2_y = s1 * s2, p1_x + x2_x * a2, p1_y + x2_y * a2
     p2_z = d1 - s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    v3 = x2_x * c3 - v1 * s3
-    v4 = x2_y * c3 - v2 * s3
-    v5 = s2 * c3 + c2 * s3
-    v6 = v1 * c3 + x2_x * s3
-    v7 = v2 * c3 + x2_y * s3
-    v8 = s2 * s3 - c2 * c3
-    v9 = p2_x + v3 * a3
-    v10 = p2_y + v4 * a3
-    v11 = p2_z - v5 * a3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    v3, v4, v5 = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v6, v7, v8 = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    v9, v10, v11 = p2_x + v3 * a3, p2_y + v4 * a3, p2_z - v5 * a3
     c3p = math.cos(-(q[1] + q[2]))
     s3p = math.sin(-(q[1] + q[2]))
-    J44 = v6 * c3p + v3 * s3p
-    J54 = v7 * c3p + v4 * s3p
-    z3_z = v8 * c3p + v5 * s3p
-    p3_x = v9 + (v3 * c3p - v6 * s3p) * a4
-    p3_y = v10 + (v4 * c3p - v7 * s3p) * a4
-    p3_z = v11 + (v8 * s3p - v5 * c3p) * a4
-    p4_x = p3_x - J44 * d5
-    p4_y = p3_y - J54 * d5
+    J44, J54, z3_z = v6 * c3p + v3 * s3p, v7 * c3p + v4 * s3p, v8 * c3p + v5 * s3p
+    p3_x, p3_y = v9 + (v3 * c3p - v6 * s3p) * a4, v10 + (v4 * c3p - v7 * s3p) * a4
+    p3_z, p4_x, p4_y = v11 + (v8 * s3p - v5 * c3p) * a4, p3_x - J44 * d5, p3_y - J54 * d5
     p4_z = p3_z + z3_z * d5
-    v12 = p4_z - d1
-    v13 = p4_z - p2_z
-    v14 = p4_x - p3_x
-    v15 = p4_y - p3_y
-    v16 = p4_z - p3_z
-    v17 = p4_z - v11
-    v18 = c1 * v17
-    v19 = s1 * v17
-    v20 = s1 * (p4_y - v10) + c1 * (p4_x - v9)
-    J[0, 0] = p4_y
-    J[0, 1] = c1 * v12 - v18
-    J[0, 2] = c1 * v13 - v18
+    v12, v13, v14 = p4_z - d1, p4_z - p2_z, p4_x - p3_x
+    v15, v16, v17 = p4_y - p3_y, p4_z - p3_z, p4_z - v11
+    v18, v19, v20 = c1 * v17, s1 * v17, s1 * (p4_y - v10) + c1 * (p4_x - v9)
+    J[0, 0], J[0, 1], J[0, 2] = p4_y, c1 * v12 - v18, c1 * v13 - v18
     J[0, 3] = J54 * v16 + z3_z * v15
-    J[1, 0] = -p4_x
-    J[1, 1] = s1 * v12 - v19
-    J[1, 2] = s1 * v13 - v19
+    J[1, 0], J[1, 1], J[1, 2] = -p4_x, s1 * v12 - v19, s1 * v13 - v19
     J[1, 3] = -(z3_z * v14 + J44 * v16)
     J[2, 1] = v20 - (s1 * (p4_y - p1_y) + c1 * (p4_x - p1_x))
-    J[2, 2] = v20 - (s1 * (p4_y - p2_y) + c1 * (p4_x - p2_x))
-    J[2, 3] = J44 * v15 - J54 * v14
+    J[2, 2], J[2, 3] = v20 - (s1 * (p4_y - p2_y) + c1 * (p4_x - p2_x)), J44 * v15 - J54 * v14
     J[3, 3] = J44
     J[4, 3] = J54
-    J[5, 0] = -1.0
-    J[5, 3] = -z3_z
+    J[5, 0], J[5, 3] = -1.0, -z3_z
     return J
 
 
@@ -308,8 +257,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         Y1_2 = a2 + a3 * c3
-        v5 = Z1_3 * Y1_2
-        v6 = v2 * Y1_2
+        v5, v6 = Z1_3 * Y1_2, v2 * Y1_2
 
         # joint values
         q4 = _wrap(offset4 - _atan2(s4, c4))
@@ -333,9 +281,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             s2 = math.sin(seed[1]) if free2 else S2 * factor2
             q2 = _atan2(s2, c2)
             row = 2 * i1 + i2
-            q[row, 0] = -_atan2(s1, c1)
-            q[row, 1] = q2
-            q[row, 2] = q3
+            q[row, 0], q[row, 1], q[row, 2] = -_atan2(s1, c1), q2, q3
             q[row, 3] = q4
             status[row] = FREE_JOINT if free1 or free2 or steep else OK
 
@@ -348,8 +294,8 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T14, T21, T24 = kept[0 * w + k], kept[3 * w + k], kept[4 * w + k], kept[7 * w + k]
-        T34 = kept[11 * w + k]
+        T11, T14, T21 = kept[0 * w + k], kept[3 * w + k], kept[4 * w + k]
+        T24, T34 = kept[7 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[3, 4]
         v1 = T14 * T14 + T24 * T24
@@ -359,26 +305,16 @@ def _formulas(kept, turns, rows, w):
         s4 = T14 * T21 - T24 * T11
 
         # theta3, type 8: U1[2, 4] and U1[1, 4]
-        Z1_3 = T34 - k1
-        v2 = k2 + w1
-        v3 = k2 - w1
+        Z1_3, v2, v3 = T34 - k1, k2 + w1, k2 - w1
         v4 = Z1_3 * Z1_3
-        N3_p = v4 + v2 * v2
-        N3_m = v4 + v3 * v3
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
-        v5 = w3_p - w3_p
-        v6 = w3_m - w3_m
+        N3_p, N3_m = v4 + v2 * v2, v4 + v3 * v3
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
+        v5, v6 = w3_p - w3_p, w3_m - w3_m
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
-        v7 = m4 * (N3_p * -Z1_3)
-        v8 = m4 * (N3_m * -Z1_3)
-        v9 = m4 * Z1_3
-        v10 = m4 * -Z1_3
-        v11 = m4 * (v2 * N3_p)
-        v12 = m4 * (v3 * N3_m)
+        v7, v8, v9 = m4 * (N3_p * -Z1_3), m4 * (N3_m * -Z1_3), m4 * Z1_3
+        v10, v11, v12 = m4 * -Z1_3, m4 * (v2 * N3_p), m4 * (v3 * N3_m)
         v13 = w3_p * (m4 * v2)
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
@@ -386,32 +322,28 @@ def _formulas(kept, turns, rows, w):
             1.0 if N3_m <= doubt_limit_squared2 or abs(D3_m) <= m3 or N3_p <= doubt_limit_squared2
             or T11 * T11 + T21 * T21 <= m1 or v1 <= m2 or abs(D3_p) <= m3 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], turns[0 * w + k] = s4, v5, v6, w3_p
-        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = w3_m, v7 + v13, v7 - v13
-        turns[4 * w + k], turns[5 * w + k] = v8 + w3_m * (m4 * v3), v8 + w3_m * (m4 * -v3)
-        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = s4, -T24, N3_p - k3
-        turns[9 * w + k], turns[10 * w + k] = N3_m - k3, -(v11 + w3_p * v9)
-        turns[11 * w + k], turns[12 * w + k] = -(v11 + w3_p * v10), -(v12 + w3_m * v9)
-        turns[13 * w + k], turns[14 * w + k] = -(v12 + w3_m * v10), -(T14 * T11 + T24 * T21)
-        turns[15 * w + k] = -T14
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = s4, v5, v6
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = w3_p, w3_m, v7 + v13
+        turns[3 * w + k], turns[4 * w + k] = v7 - v13, v8 + w3_m * (m4 * v3)
+        turns[5 * w + k], turns[6 * w + k], turns[7 * w + k] = v8 + w3_m * (m4 * -v3), s4, -T24
+        turns[8 * w + k], turns[9 * w + k] = N3_p - k3, N3_m - k3
+        turns[10 * w + k], turns[11 * w + k] = -(v11 + w3_p * v9), -(v11 + w3_p * v10)
+        turns[12 * w + k], turns[13 * w + k] = -(v12 + w3_m * v9), -(v12 + w3_m * v10)
+        turns[14 * w + k], turns[15 * w + k] = -(T14 * T11 + T24 * T21), -T14
     if w == 1 and kept[16] != 0.0:
         return
     for k in range(0 * w, 8 * w):
         turns[k] = _atan2(turns[k], turns[k + 8 * w])
     for k in range(w):
-        T24, s4, v5, v6 = kept[7 * w + k], kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
-        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
-        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
-        angle7, angle8 = turns[6 * w + k], turns[7 * w + k]
+        T24, s4, v5 = kept[7 * w + k], kept[17 * w + k], kept[18 * w + k]
+        v6, angle1, angle2 = kept[19 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
+        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
 
         # joint values
-        v14 = offset4 - angle7
-        v15 = offset4 - (angle7 - math.copysign(half_turn, s4))
-        v16 = angle8 - math.copysign(half_turn, -T24)
-        v17 = abs(angle8) - high1
-        v18 = abs(v16) - high1
-        q1_pp = v5 - angle8
-        q1_mp = v6 - v16
+        v14, v15 = offset4 - angle7, offset4 - (angle7 - math.copysign(half_turn, s4))
+        v16, v17 = angle8 - math.copysign(half_turn, -T24), abs(angle8) - high1
+        v18, q1_pp, q1_mp = abs(v16) - high1, v5 - angle8, v6 - v16
         q4_pp = v5 + (v14 + (-turn if half_turn < v14 else 0.0))
         q4_mp = v6 + (v15 + (-turn if half_turn < v15 else 0.0))
         excess_pp = (
@@ -426,9 +358,7 @@ def _formulas(kept, turns, rows, w):
         excess_mm = (
             max(max(low3 + angle2, -(high3 + angle2)), max(v18, max(low2 - angle6, angle6 - high2)))
         )
-        outside_pp = 0.0 < excess_pp
-        outside_pm = 0.0 < excess_pm
-        outside_mp = 0.0 < excess_mp
+        outside_pp, outside_pm, outside_mp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
         outside_mm = 0.0 < excess_mm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
@@ -449,10 +379,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3],
-    [0, 4, 5, 3],
-    [6, 7, 8, 9],
-    [6, 10, 11, 9],
+    [0, 1, 2, 3], [0, 4, 5, 3], [6, 7, 8, 9], [6, 10, 11, 9],
 ])
 
 

@@ -145,54 +145,26 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
-    v3 = s1 * s2
-    v4 = q[2] + offset3
-    c3 = math.cos(v4)
-    s3 = math.sin(v4)
-    x3_x = x2_x * c3 - v2 * s3
-    x3_y = x2_y * c3 - v3 * s3
-    v5 = s2 * c3 + c2 * s3
-    v6 = v2 * c3 + x2_x * s3
-    v7 = v3 * c3 + x2_y * s3
-    z3_z = s2 * s3 - c2 * c3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + s1 * s4
-    x4_y = x3_y * c4 - c1 * s4
-    v8 = v5 * c4
-    z4_y = c1 * c4 + x3_y * s4
-    v9 = v5 * s4
-    z4_x = x3_x * s4 - s1 * c4
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
+    v3, v4 = s1 * s2, q[2] + offset3
+    c3, s3 = math.cos(v4), math.sin(v4)
+    x3_x, x3_y, v5 = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    v6, v7, z3_z = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, v8 = x3_x * c4 + s1 * s4, x3_y * c4 - c1 * s4, v5 * c4
+    z4_y, v9, z4_x = c1 * c4 + x3_y * s4, v5 * s4, x3_x * s4 - s1 * c4
     v10 = q[4] + offset5
-    c5 = math.cos(v10)
-    s5 = math.sin(v10)
-    x5_x = x4_x * c5 - v6 * s5
-    x5_y = x4_y * c5 - v7 * s5
-    x5_z = z3_z * s5 - v8 * c5
-    z5_x = v6 * c5 + x4_x * s5
-    z5_y = v7 * c5 + x4_y * s5
-    v11 = z3_z * c5 + v8 * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 + z4_x * s6
-    T[0, 1] = z4_x * c6 - x5_x * s6
-    T[0, 2] = z5_x
+    c5, s5 = math.cos(v10), math.sin(v10)
+    x5_x, x5_y, x5_z = x4_x * c5 - v6 * s5, x4_y * c5 - v7 * s5, z3_z * s5 - v8 * c5
+    z5_x, z5_y, v11 = v6 * c5 + x4_x * s5, v7 * c5 + x4_y * s5, z3_z * c5 + v8 * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + z4_x * s6, z4_x * c6 - x5_x * s6, z5_x
     T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 - v6 * d4 + z5_x * d6
-    T[1, 0] = x5_y * c6 + z4_y * s6
-    T[1, 1] = z4_y * c6 - x5_y * s6
-    T[1, 2] = z5_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + z4_y * s6, z4_y * c6 - x5_y * s6, z5_y
     T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 - v7 * d4 + z5_y * d6
-    T[2, 0] = x5_z * c6 - v9 * s6
-    T[2, 1] = -(v9 * c6 + x5_z * s6)
-    T[2, 2] = -v11
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 - v9 * s6, -(v9 * c6 + x5_z * s6), -v11
     T[2, 3] = d1 - s2 * a2 - v5 * a3 + z3_z * d4 - v11 * d6
     T[3, 3] = 1.0
     return T
@@ -204,87 +176,41 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
-    v3 = s1 * s2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
-    p2_z = d1 - s2 * a2
-    v4 = q[2] + offset3
-    c3 = math.cos(v4)
-    s3 = math.sin(v4)
-    x3_x = x2_x * c3 - v2 * s3
-    x3_y = x2_y * c3 - v3 * s3
-    v5 = s2 * c3 + c2 * s3
-    v6 = v2 * c3 + x2_x * s3
-    v7 = v3 * c3 + x2_y * s3
-    z3_z = s2 * s3 - c2 * c3
-    p3_x = p2_x + x3_x * a3
-    p3_y = p2_y + x3_y * a3
-    p3_z = p2_z - v5 * a3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    z4_y = c1 * c4 + x3_y * s4
-    v8 = v5 * s4
-    p4_x = p3_x - v6 * d4
-    p4_y = p3_y - v7 * d4
-    p4_z = p3_z + z3_z * d4
-    z4_x = x3_x * s4 - s1 * c4
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y, v1 = c1 * a1, s1 * a1, q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
+    v3, p2_x, p2_y = s1 * s2, p1_x + x2_x * a2, p1_y + x2_y * a2
+    p2_z, v4 = d1 - s2 * a2, q[2] + offset3
+    c3, s3 = math.cos(v4), math.sin(v4)
+    x3_x, x3_y, v5 = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    v6, v7, z3_z = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    p3_x, p3_y, p3_z = p2_x + x3_x * a3, p2_y + x3_y * a3, p2_z - v5 * a3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    z4_y, v8, p4_x = c1 * c4 + x3_y * s4, v5 * s4, p3_x - v6 * d4
+    p4_y, p4_z, z4_x = p3_y - v7 * d4, p3_z + z3_z * d4, x3_x * s4 - s1 * c4
     v9 = q[4] + offset5
-    c5 = math.cos(v9)
-    s5 = math.sin(v9)
-    z5_x = v6 * c5 + (x3_x * c4 + s1 * s4) * s5
-    z5_y = v7 * c5 + (x3_y * c4 - c1 * s4) * s5
-    v10 = z3_z * c5 + v5 * c4 * s5
-    p6_x = p4_x + z5_x * d6
-    p6_y = p4_y + z5_y * d6
+    c5, s5 = math.cos(v9), math.sin(v9)
+    z5_x, z5_y = v6 * c5 + (x3_x * c4 + s1 * s4) * s5, v7 * c5 + (x3_y * c4 - c1 * s4) * s5
+    v10, p6_x, p6_y = z3_z * c5 + v5 * c4 * s5, p4_x + z5_x * d6, p4_y + z5_y * d6
     p6_z = p4_z - v10 * d6
-    v11 = p6_z - d1
-    v12 = p6_z - p2_z
-    v13 = p6_x - p3_x
-    v14 = p6_y - p3_y
-    v15 = p6_z - p3_z
-    v16 = p6_x - p4_x
-    v17 = p6_y - p4_y
-    v18 = p6_z - p4_z
-    J[0, 0] = -p6_y
-    J[0, 1] = c1 * v11
-    J[0, 2] = c1 * v12
-    J[0, 3] = -(v7 * v15 + z3_z * v14)
-    J[0, 4] = z4_y * v18 + v8 * v17
+    v11, v12, v13 = p6_z - d1, p6_z - p2_z, p6_x - p3_x
+    v14, v15, v16 = p6_y - p3_y, p6_z - p3_z, p6_x - p4_x
+    v17, v18 = p6_y - p4_y, p6_z - p4_z
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, c1 * v11, c1 * v12
+    J[0, 3], J[0, 4] = -(v7 * v15 + z3_z * v14), z4_y * v18 + v8 * v17
     J[0, 5] = z5_y * v18 + v10 * v17
-    J[1, 0] = p6_x
-    J[1, 1] = s1 * v11
-    J[1, 2] = s1 * v12
-    J[1, 3] = z3_z * v13 + v6 * v15
-    J[1, 4] = -(v8 * v16 + z4_x * v18)
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, s1 * v11, s1 * v12
+    J[1, 3], J[1, 4] = z3_z * v13 + v6 * v15, -(v8 * v16 + z4_x * v18)
     J[1, 5] = -(v10 * v16 + z5_x * v18)
     J[2, 1] = -(s1 * (p6_y - p1_y) + c1 * (p6_x - p1_x))
-    J[2, 2] = -(s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x))
-    J[2, 3] = v7 * v13 - v6 * v14
-    J[2, 4] = z4_x * v17 - z4_y * v16
-    J[2, 5] = z5_x * v17 - z5_y * v16
-    J[3, 1] = -s1
-    J[3, 2] = -s1
-    J[3, 3] = -v6
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = c1
-    J[4, 2] = c1
-    J[4, 3] = -v7
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 3] = z3_z
-    J[5, 4] = -v8
+    J[2, 2], J[2, 3] = -(s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)), v7 * v13 - v6 * v14
+    J[2, 4], J[2, 5] = z4_x * v17 - z4_y * v16, z5_x * v17 - z5_y * v16
+    J[3, 1], J[3, 2], J[3, 3] = -s1, -s1, -v6
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = c1, c1, -v7
+    J[4, 4], J[4, 5] = z4_y, z5_y
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, z3_z, -v8
     J[5, 5] = -v10
     return J
 
@@ -328,8 +254,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v3 = k1 * K3
-        v4 = k2 * K3
+        v3, v4 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[3, 3]
         v8 = T13 * c1 + T23 * s1
@@ -337,9 +262,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v9 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v10 = T22 * c1 - T12 * s1
-        v11 = T12 * c1 + T22 * s1
-        v13 = T21 * c1 - T11 * s1
+        v10, v11, v13 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T21 * c1 - T11 * s1
         v14 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
@@ -348,8 +271,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e3
-            s3 = (k2 * root3 - v3) * k4
-            c3 = k4 * (v4 + k1 * root3)
+            s3, c3 = (k2 * root3 - v3) * k4, k4 * (v4 + k1 * root3)
 
             # theta2
             v5 = d4 * c3 + a3 * s3
@@ -363,8 +285,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             s2 = math.sin(v7) if free2 else S2 * factor2
 
             # theta4
-            c23 = c3 * c2 - s3 * s2
-            s23 = c3 * s2 + s3 * c2
+            c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
             X4 = T33 * s23 - c23 * v8
             w4 = math.sqrt(X4 * X4 + v9)
             free4 = w4 <= free_limit
@@ -374,8 +295,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T33 * c23 + s23 * v8
 
             # theta6
-            v12 = c23 * v11 - T32 * s23
-            v15 = c23 * v14 - T31 * s23
+            v12, v15 = c23 * v11 - T32 * s23, c23 * v14 - T31 * s23
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -393,19 +313,14 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s5 = w4 * e4
 
                 # theta6
-                c6 = c4 * v10 + s4 * v12
-                s6 = c4 * v13 + s4 * v15
+                c6, s6 = c4 * v10 + s4 * v12, c4 * v13 + s4 * v15
                 q6 = _atan2(s6, c6)
 
                 # joint values
                 q5 = _wrap(_atan2(s5, c5) - offset5)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -417,83 +332,51 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        wx = T14 - d6 * T13
-        Y1 = d6 * T23 - T24
+        wx, Y1 = T14 - d6 * T13, d6 * T23 - T24
         v1 = wx * wx + Y1 * Y1
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
 
         # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        Z1_3 = T34 - d6 * T33 - d1
-        v3 = a1 + w1
-        v4 = a1 - w1
+        Z1_3, v3, v4 = T34 - d6 * T33 - d1, a1 + w1, a1 - w1
         v5 = Z1_3 * Z1_3
-        N3_p = v5 + v3 * v3
-        N3_m = v5 + v4 * v4
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
+        N3_p, N3_m = v5 + v3 * v3, v5 + v4 * v4
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
 
         # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-        Y1_2_p = m5 + m4 * N3_p
-        Y1_2_m = m5 + m4 * N3_m
-        v6 = Z1_3 * Y1_2_p
-        v7 = Z1_3 * Y1_2_m
-        v8 = v3 * Y1_2_p
-        v9 = v4 * Y1_2_m
-        v10 = m4 * Z1_3
-        v11 = m4 * -Z1_3
-        factor2_p = 1.0 / N3_p
-        factor2_m = 1.0 / N3_m
+        Y1_2_p, Y1_2_m = m5 + m4 * N3_p, m5 + m4 * N3_m
+        v6, v7, v8 = Z1_3 * Y1_2_p, Z1_3 * Y1_2_m, v3 * Y1_2_p
+        v9, v10, v11 = v4 * Y1_2_m, m4 * Z1_3, m4 * -Z1_3
+        factor2_p, factor2_m = 1.0 / N3_p, 1.0 / N3_m
 
         # theta4, type 2: U4[3, 3]
         v12 = m6 * Z1_3
-        v13 = v12 - m7 * v3
-        v14 = v12 - m7 * v4
-        v15 = m8 * factor2_p - m7
-        v16 = m8 * factor2_m - m7
-        v17 = m9 * factor2_p - m6
-        v18 = m9 * factor2_m - m6
-        v19 = Z1_3 * v15 + v3 * v17
-        v20 = Z1_3 * v16 + v4 * v18
-        c23_pp = v19 + w3_p * (factor2_p * v13)
-        c23_pm = v19 + w3_p * (factor2_p * -v13)
-        c23_mp = v20 + w3_m * (factor2_m * v14)
-        c23_mm = v20 + w3_m * (factor2_m * -v14)
-        v21 = m7 * Z1_3
-        v22 = Z1_3 * v17 + v3 * -v15
-        v23 = Z1_3 * v18 + v4 * -v16
+        v13, v14, v15 = v12 - m7 * v3, v12 - m7 * v4, m8 * factor2_p - m7
+        v16, v17, v18 = m8 * factor2_m - m7, m9 * factor2_p - m6, m9 * factor2_m - m6
+        v19, v20 = Z1_3 * v15 + v3 * v17, Z1_3 * v16 + v4 * v18
+        c23_pp, c23_pm = v19 + w3_p * (factor2_p * v13), v19 + w3_p * (factor2_p * -v13)
+        c23_mp, c23_mm = v20 + w3_m * (factor2_m * v14), v20 + w3_m * (factor2_m * -v14)
+        v21, v22, v23 = m7 * Z1_3, Z1_3 * v17 + v3 * -v15, Z1_3 * v18 + v4 * -v16
         v24 = w3_p * (factor2_p * (v21 + m6 * v3))
-        s23_pp = v22 - v24
-        s23_pm = v22 + v24
-        v25 = w3_m * (factor2_m * (v21 + m6 * v4))
-        s23_mp = v23 - v25
-        s23_mm = v23 + v25
-        v26 = w1 * (v2 * (T23 * Y1 - T13 * wx))
-        X4_pp = T33 * s23_pp - c23_pp * v26
-        X4_pm = T33 * s23_pm - c23_pm * v26
-        X4_mp = T33 * s23_mp + c23_mp * v26
-        X4_mm = T33 * s23_mm + c23_mm * v26
+        s23_pp, s23_pm, v25 = v22 - v24, v22 + v24, w3_m * (factor2_m * (v21 + m6 * v4))
+        s23_mp, s23_mm, v26 = v23 - v25, v23 + v25, w1 * (v2 * (T23 * Y1 - T13 * wx))
+        X4_pp, X4_pm = T33 * s23_pp - c23_pp * v26, T33 * s23_pm - c23_pm * v26
+        X4_mp, X4_mm = T33 * s23_mp + c23_mp * v26, T33 * s23_mm + c23_mm * v26
         Y4 = w1 * (v2 * (T13 * Y1 + wx * T23))
         v27 = Y4 * Y4
-        v28 = v27 + X4_pp * X4_pp
-        v29 = v27 + X4_pm * X4_pm
-        v30 = v27 + X4_mp * X4_mp
-        v31 = v27 + X4_mm * X4_mm
-        v32 = math.copysign(half_turn, Y4)
+        v28, v29, v30 = v27 + X4_pp * X4_pp, v27 + X4_pm * X4_pm, v27 + X4_mp * X4_mp
+        v31, v32 = v27 + X4_mm * X4_mm, math.copysign(half_turn, Y4)
         v33 = math.copysign(half_turn, -Y4)
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v34 = w1 * (v2 * (wx * T22 + Y1 * T12))
-        v35 = w1 * (v2 * (Y1 * T22 - wx * T12))
-        v36 = w1 * (v2 * (wx * T21 + Y1 * T11))
-        v37 = w1 * (v2 * (Y1 * T21 - wx * T11))
+        v34, v35 = w1 * (v2 * (wx * T22 + Y1 * T12)), w1 * (v2 * (Y1 * T22 - wx * T12))
+        v36, v37 = w1 * (v2 * (wx * T21 + Y1 * T11)), w1 * (v2 * (Y1 * T21 - wx * T11))
         v38 = Y4 * (c23_pp * v37 - s23_pp * T31) - -X4_pp * v36
         v39 = Y4 * (c23_pm * v37 - s23_pm * T31) - -X4_pm * v36
         v40 = Y4 * (c23_mp * v37 + s23_mp * T31) - X4_mp * v36
@@ -507,17 +390,18 @@ def _formulas(kept, turns, rows, w):
             1.0 if v31 <= m10 or v30 <= m10 or v29 <= m10 or v28 <= m10 or abs(D3_m) <= m3 or v1 <=
             m1 or abs(D3_p) <= m3 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Y1, w3_p, w3_m, v32
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v33, v38, v39, v40
-        kept[25 * w + k], turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = v41, Y1, Y4, Y4
-        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = -Y4, -Y4, v38, v39
-        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = v40, v41, v42 - v6
-        turns[10 * w + k], turns[11 * w + k] = -(v6 + v42), w3_m * (m4 * v4) - v7
-        turns[12 * w + k], turns[13 * w + k], turns[14 * w + k] = w3_m * (m4 * -v4) - v7, w3_p, w3_m
-        turns[15 * w + k], turns[16 * w + k] = math.sqrt(v28), math.sqrt(v29)
-        turns[17 * w + k], turns[18 * w + k] = math.sqrt(v30), math.sqrt(v31)
-        turns[24 * w + k], turns[25 * w + k], turns[26 * w + k] = -wx, -X4_pp, -X4_pm
-        turns[27 * w + k], turns[28 * w + k] = -X4_mp, -X4_mm
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y1, w3_p, w3_m
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v32, v33, v38
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = v39, v40, v41
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = Y1, Y4, Y4
+        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = -Y4, -Y4, v38
+        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = v39, v40, v41
+        turns[9 * w + k], turns[10 * w + k] = v42 - v6, -(v6 + v42)
+        turns[11 * w + k], turns[12 * w + k] = w3_m * (m4 * v4) - v7, w3_m * (m4 * -v4) - v7
+        turns[13 * w + k], turns[14 * w + k], turns[15 * w + k] = w3_p, w3_m, math.sqrt(v28)
+        turns[16 * w + k], turns[17 * w + k] = math.sqrt(v29), math.sqrt(v30)
+        turns[18 * w + k], turns[24 * w + k], turns[25 * w + k] = math.sqrt(v31), -wx, -X4_pp
+        turns[26 * w + k], turns[27 * w + k], turns[28 * w + k] = -X4_pm, -X4_mp, -X4_mm
         turns[29 * w + k] = Y4 * (c23_pp * v35 - s23_pp * T32) - -X4_pp * v34
         turns[30 * w + k] = Y4 * (c23_pm * v35 - s23_pm * T32) - -X4_pm * v34
         turns[31 * w + k] = Y4 * (c23_mp * v35 + s23_mp * T32) - X4_mp * v34
@@ -538,20 +422,19 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        Y1, w3_p, w3_m, v32 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v33, v38, v39, v40 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        v41, angle1, angle2 = kept[25 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
-        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
-        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
-        angle18, angle19 = turns[17 * w + k], turns[18 * w + k]
+        Y1, w3_p, w3_m = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v32, v33, v38 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v39, v40, v41 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        angle19 = turns[18 * w + k]
 
         # theta4, type 2: U4[3, 3]
-        q4_ppm = angle2 - v32
-        q4_pmm = angle3 - v32
-        q4_mpm = angle4 - v33
+        q4_ppm, q4_pmm, q4_mpm = angle2 - v32, angle3 - v32, angle4 - v33
         q4_mmm = angle5 - v33
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
@@ -561,30 +444,21 @@ def _formulas(kept, turns, rows, w):
         q6_mmm = angle9 - math.copysign(half_turn, v41)
 
         # joint values
-        v43 = angle10 - offset2
-        v44 = angle11 - offset2
-        v45 = angle12 - offset2
+        v43, v44, v45 = angle10 - offset2, angle11 - offset2, angle12 - offset2
         v46 = angle13 - offset2
         q2_ppp = v43 + (-turn if half_turn < v43 else 0.0)
         q2_pmp = v44 + (-turn if half_turn < v44 else 0.0)
         q2_mpp = v45 + (-turn if half_turn < v45 else 0.0)
         q2_mmp = v46 + (-turn if half_turn < v46 else 0.0)
-        v47 = angle14 - turn1 - offset3
-        v48 = offset3 + (turn1 + angle14)
-        v49 = angle15 - turn1 - offset3
-        v50 = offset3 + (turn1 + angle15)
+        v47, v48 = angle14 - turn1 - offset3, offset3 + (turn1 + angle14)
+        v49, v50 = angle15 - turn1 - offset3, offset3 + (turn1 + angle15)
         q3_ppp = v47 + (-turn if half_turn < v47 else 0.0)
         q3_pmp = (-turn if half_turn < -v48 else 0.0) - v48
         q3_mpp = v49 + (-turn if half_turn < v49 else 0.0)
         q3_mmp = (-turn if half_turn < -v50 else 0.0) - v50
-        v51 = angle16 - offset5
-        v52 = offset5 + angle16
-        v53 = angle17 - offset5
-        v54 = offset5 + angle17
-        v55 = angle18 - offset5
-        v56 = offset5 + angle18
-        v57 = angle19 - offset5
-        v58 = offset5 + angle19
+        v51, v52, v53 = angle16 - offset5, offset5 + angle16, angle17 - offset5
+        v54, v55, v56 = offset5 + angle17, angle18 - offset5, offset5 + angle18
+        v57, v58 = angle19 - offset5, offset5 + angle19
         q5_ppp = v51 + (turn if v51 <= -half_turn else 0.0)
         q5_ppm = (turn if -v52 <= -half_turn else 0.0) - v52
         q5_pmp = v53 + (turn if v53 <= -half_turn else 0.0)
@@ -608,25 +482,16 @@ def _formulas(kept, turns, rows, w):
         rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = q3_mmp, angle5, q5_mmp
         rows[30 * w + k], rows[31 * w + k], rows[32 * w + k] = angle9, q4_mmm, q5_mmm
         rows[33 * w + k] = q6_mmm
-        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[36 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[40 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[34 * w + k] = rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[38 * w + k] = rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[40 * w + k] = rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 19, 20, 21, 22],
-    [17, 18, 19, 23, 24, 25],
-    [17, 26, 27, 28, 29, 30],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22], [17, 18, 19, 23, 24, 25], [17, 26, 27, 28, 29, 30],
     [17, 26, 27, 31, 32, 33],
 ])
 

@@ -231,93 +231,51 @@ def fk(q):
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    y1_x = s1 * ca1
-    v2 = c1 * ca1
-    v3 = s1 * sa1
-    z1_y = c1 * sa1
-    v4 = q[1] + offset2
-    c2 = math.cos(v4)
-    s2 = math.sin(v4)
-    x2_x = c1 * c2 + y1_x * s2
-    x2_y = s1 * c2 - v2 * s2
-    v5 = sa1 * s2
-    v6 = y1_x * c2 - c1 * s2
-    v7 = v2 * c2 + s1 * s2
-    v8 = sa1 * c2
-    y2_x = v6 * ca2 - v3 * sa2
-    y2_y = z1_y * sa2 - v7 * ca2
-    v9 = v8 * ca2 + f2
-    v10 = v6 * sa2 + v3 * ca2
-    z2_y = v7 * sa2 + z1_y * ca2
-    z2_z = v8 * sa2 - f3
+    c1, s1 = math.cos(v1), math.sin(v1)
+    y1_x, v2, v3 = s1 * ca1, c1 * ca1, s1 * sa1
+    z1_y, v4 = c1 * sa1, q[1] + offset2
+    c2, s2 = math.cos(v4), math.sin(v4)
+    x2_x, x2_y, v5 = c1 * c2 + y1_x * s2, s1 * c2 - v2 * s2, sa1 * s2
+    v6, v7, v8 = y1_x * c2 - c1 * s2, v2 * c2 + s1 * s2, sa1 * c2
+    y2_x, y2_y, v9 = v6 * ca2 - v3 * sa2, z1_y * sa2 - v7 * ca2, v8 * ca2 + f2
+    v10, z2_y, z2_z = v6 * sa2 + v3 * ca2, v7 * sa2 + z1_y * ca2, v8 * sa2 - f3
     v11 = q[2] + offset3
-    c3 = math.cos(v11)
-    s3 = math.sin(v11)
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    v12 = v5 * c3 + v9 * s3
-    v13 = y2_x * c3 - x2_x * s3
-    v14 = y2_y * c3 - x2_y * s3
-    v15 = v5 * s3 - v9 * c3
-    y3_x = v13 * ca3 + v10 * sa3
-    y3_y = v14 * ca3 - z2_y * sa3
-    y3_z = v15 * ca3 - z2_z * sa3
-    z3_x = v13 * sa3 - v10 * ca3
-    z3_y = v14 * sa3 + z2_y * ca3
-    z3_z = v15 * sa3 + z2_z * ca3
+    c3, s3 = math.cos(v11), math.sin(v11)
+    x3_x, x3_y, v12 = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, v5 * c3 + v9 * s3
+    v13, v14, v15 = y2_x * c3 - x2_x * s3, y2_y * c3 - x2_y * s3, v5 * s3 - v9 * c3
+    y3_x, y3_y, y3_z = v13 * ca3 + v10 * sa3, v14 * ca3 - z2_y * sa3, v15 * ca3 - z2_z * sa3
+    z3_x, z3_y, z3_z = v13 * sa3 - v10 * ca3, v14 * sa3 + z2_y * ca3, v15 * sa3 + z2_z * ca3
     v16 = q[3] + offset4
-    c4 = math.cos(v16)
-    s4 = math.sin(v16)
-    x4_x = x3_x * c4 + y3_x * s4
-    x4_y = x3_y * c4 + y3_y * s4
-    x4_z = y3_z * s4 - v12 * c4
-    v17 = y3_x * c4 - x3_x * s4
-    v18 = y3_y * c4 - x3_y * s4
-    v19 = y3_z * c4 + v12 * s4
-    y4_x = z3_x * sa4 - v17 * ca4
-    y4_y = z3_y * sa4 - v18 * ca4
-    y4_z = z3_z * sa4 - v19 * ca4
-    v20 = v17 * sa4 + z3_x * ca4
-    v21 = v18 * sa4 + z3_y * ca4
-    v22 = v19 * sa4 + z3_z * ca4
+    c4, s4 = math.cos(v16), math.sin(v16)
+    x4_x, x4_y, x4_z = x3_x * c4 + y3_x * s4, x3_y * c4 + y3_y * s4, y3_z * s4 - v12 * c4
+    v17, v18, v19 = y3_x * c4 - x3_x * s4, y3_y * c4 - x3_y * s4, y3_z * c4 + v12 * s4
+    y4_x, y4_y, y4_z = z3_x * sa4 - v17 * ca4, z3_y * sa4 - v18 * ca4, z3_z * sa4 - v19 * ca4
+    v20, v21, v22 = v17 * sa4 + z3_x * ca4, v18 * sa4 + z3_y * ca4, v19 * sa4 + z3_z * ca4
     v23 = q[4] + offset5
-    c5 = math.cos(v23)
-    s5 = math.sin(v23)
-    x5_x = x4_x * c5 + y4_x * s5
-    x5_y = x4_y * c5 + y4_y * s5
-    x5_z = x4_z * c5 + y4_z * s5
-    v24 = y4_x * c5 - x4_x * s5
-    v25 = y4_y * c5 - x4_y * s5
-    v26 = y4_z * c5 - x4_z * s5
-    y5_x = v24 * ca5 - v20 * sa5
-    y5_y = v25 * ca5 - v21 * sa5
-    y5_z = v26 * ca5 - v22 * sa5
-    v27 = v24 * sa5 + v20 * ca5
-    v28 = v25 * sa5 + v21 * ca5
-    v29 = v26 * sa5 + v22 * ca5
+    c5, s5 = math.cos(v23), math.sin(v23)
+    x5_x, x5_y, x5_z = x4_x * c5 + y4_x * s5, x4_y * c5 + y4_y * s5, x4_z * c5 + y4_z * s5
+    v24, v25, v26 = y4_x * c5 - x4_x * s5, y4_y * c5 - x4_y * s5, y4_z * c5 - x4_z * s5
+    y5_x, y5_y, y5_z = v24 * ca5 - v20 * sa5, v25 * ca5 - v21 * sa5, v26 * ca5 - v22 * sa5
+    v27, v28, v29 = v24 * sa5 + v20 * ca5, v25 * sa5 + v21 * ca5, v26 * sa5 + v22 * ca5
     v30 = q[5] + offset6
-    c6 = math.cos(v30)
-    s6 = math.sin(v30)
-    x6_x = x5_x * c6 + y5_x * s6
-    x6_y = x5_y * c6 + y5_y * s6
-    x6_z = x5_z * c6 + y5_z * s6
-    v31 = y5_x * c6 - x5_x * s6
-    v32 = y5_y * c6 - x5_y * s6
-    v33 = y5_z * c6 - x5_z * s6
-    T[0, 0] = x6_x
-    T[0, 1] = v31 * ca6 + v27 * sa6
-    T[0, 2] = v31 * sa6 - v27 * ca6
-    T[0, 3] = c1 * a1 + x2_x * a2 - v3 * d2 + x3_x * a3 - v10 * d3 + x4_x * a4 + z3_x * d4 + x5_x * a5 - v20 * d5 + x6_x * a6 - v27 * d6
-    T[1, 0] = x6_y
-    T[1, 1] = v32 * ca6 + v28 * sa6
-    T[1, 2] = v32 * sa6 - v28 * ca6
-    T[1, 3] = s1 * a1 + x2_y * a2 + z1_y * d2 + x3_y * a3 + z2_y * d3 + x4_y * a4 + z3_y * d4 + x5_y * a5 - v21 * d5 + x6_y * a6 - v28 * d6
-    T[2, 0] = x6_z
-    T[2, 1] = v33 * ca6 + v29 * sa6
-    T[2, 2] = v33 * sa6 - v29 * ca6
-    T[2, 3] = d1 - v5 * a2 - f1 - v12 * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 - v22 * d5 + x6_z * a6 - v29 * d6
+    c6, s6 = math.cos(v30), math.sin(v30)
+    x6_x, x6_y, x6_z = x5_x * c6 + y5_x * s6, x5_y * c6 + y5_y * s6, x5_z * c6 + y5_z * s6
+    v31, v32, v33 = y5_x * c6 - x5_x * s6, y5_y * c6 - x5_y * s6, y5_z * c6 - x5_z * s6
+    T[0, 0], T[0, 1], T[0, 2] = x6_x, v31 * ca6 + v27 * sa6, v31 * sa6 - v27 * ca6
+    T[0, 3] = (
+        c1 * a1 + x2_x * a2 - v3 * d2 + x3_x * a3 - v10 * d3 + x4_x * a4 + z3_x * d4 + x5_x * a5 -
+        v20 * d5 + x6_x * a6 - v27 * d6
+    )
+    T[1, 0], T[1, 1], T[1, 2] = x6_y, v32 * ca6 + v28 * sa6, v32 * sa6 - v28 * ca6
+    T[1, 3] = (
+        s1 * a1 + x2_y * a2 + z1_y * d2 + x3_y * a3 + z2_y * d3 + x4_y * a4 + z3_y * d4 + x5_y * a5
+        - v21 * d5 + x6_y * a6 - v28 * d6
+    )
+    T[2, 0], T[2, 1], T[2, 2] = x6_z, v33 * ca6 + v29 * sa6, v33 * sa6 - v29 * ca6
+    T[2, 3] = (
+        d1 - v5 * a2 - f1 - v12 * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 - v22 * d5 +
+        x6_z * a6 - v29 * d6
+    )
     T[3, 3] = 1.0
     return T
 
@@ -329,137 +287,61 @@ def jacobian(q):
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    y1_x = s1 * ca1
-    v2 = c1 * ca1
-    v3 = s1 * sa1
-    z1_y = c1 * sa1
+    c1, s1 = math.cos(v1), math.sin(v1)
+    p1_x, p1_y, y1_x = c1 * a1, s1 * a1, s1 * ca1
+    v2, v3, z1_y = c1 * ca1, s1 * sa1, c1 * sa1
     v4 = q[1] + offset2
-    c2 = math.cos(v4)
-    s2 = math.sin(v4)
-    x2_x = c1 * c2 + y1_x * s2
-    x2_y = s1 * c2 - v2 * s2
-    v5 = sa1 * s2
-    v6 = y1_x * c2 - c1 * s2
-    v7 = v2 * c2 + s1 * s2
-    v8 = sa1 * c2
-    p2_x = p1_x + x2_x * a2 - v3 * d2
-    p2_y = p1_y + x2_y * a2 + z1_y * d2
-    p2_z = d1 - v5 * a2 - f1
-    y2_x = v6 * ca2 - v3 * sa2
-    y2_y = z1_y * sa2 - v7 * ca2
-    v9 = v8 * ca2 + f2
-    v10 = v6 * sa2 + v3 * ca2
-    z2_y = v7 * sa2 + z1_y * ca2
-    z2_z = v8 * sa2 - f3
+    c2, s2 = math.cos(v4), math.sin(v4)
+    x2_x, x2_y, v5 = c1 * c2 + y1_x * s2, s1 * c2 - v2 * s2, sa1 * s2
+    v6, v7, v8 = y1_x * c2 - c1 * s2, v2 * c2 + s1 * s2, sa1 * c2
+    p2_x, p2_y, p2_z = p1_x + x2_x * a2 - v3 * d2, p1_y + x2_y * a2 + z1_y * d2, d1 - v5 * a2 - f1
+    y2_x, y2_y, v9 = v6 * ca2 - v3 * sa2, z1_y * sa2 - v7 * ca2, v8 * ca2 + f2
+    v10, z2_y, z2_z = v6 * sa2 + v3 * ca2, v7 * sa2 + z1_y * ca2, v8 * sa2 - f3
     v11 = q[2] + offset3
-    c3 = math.cos(v11)
-    s3 = math.sin(v11)
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    v12 = v5 * c3 + v9 * s3
-    v13 = y2_x * c3 - x2_x * s3
-    v14 = y2_y * c3 - x2_y * s3
-    v15 = v5 * s3 - v9 * c3
-    p3_x = p2_x + x3_x * a3 - v10 * d3
-    p3_y = p2_y + x3_y * a3 + z2_y * d3
-    p3_z = p2_z - v12 * a3 + z2_z * d3
-    y3_x = v13 * ca3 + v10 * sa3
-    y3_y = v14 * ca3 - z2_y * sa3
-    y3_z = v15 * ca3 - z2_z * sa3
-    z3_x = v13 * sa3 - v10 * ca3
-    z3_y = v14 * sa3 + z2_y * ca3
-    z3_z = v15 * sa3 + z2_z * ca3
-    v16 = q[3] + offset4
-    c4 = math.cos(v16)
-    s4 = math.sin(v16)
-    x4_x = x3_x * c4 + y3_x * s4
-    x4_y = x3_y * c4 + y3_y * s4
-    x4_z = y3_z * s4 - v12 * c4
-    v17 = y3_x * c4 - x3_x * s4
-    v18 = y3_y * c4 - x3_y * s4
-    v19 = y3_z * c4 + v12 * s4
-    p4_x = p3_x + x4_x * a4 + z3_x * d4
-    p4_y = p3_y + x4_y * a4 + z3_y * d4
-    p4_z = p3_z + x4_z * a4 + z3_z * d4
-    y4_x = z3_x * sa4 - v17 * ca4
-    y4_y = z3_y * sa4 - v18 * ca4
-    y4_z = z3_z * sa4 - v19 * ca4
-    v20 = v17 * sa4 + z3_x * ca4
-    v21 = v18 * sa4 + z3_y * ca4
-    v22 = v19 * sa4 + z3_z * ca4
-    v23 = q[4] + offset5
-    c5 = math.cos(v23)
-    s5 = math.sin(v23)
-    x5_x = x4_x * c5 + y4_x * s5
-    x5_y = x4_y * c5 + y4_y * s5
-    x5_z = x4_z * c5 + y4_z * s5
-    v24 = y4_x * c5 - x4_x * s5
-    v25 = y4_y * c5 - x4_y * s5
-    v26 = y4_z * c5 - x4_z * s5
-    p5_x = p4_x + x5_x * a5 - v20 * d5
-    p5_y = p4_y + x5_y * a5 - v21 * d5
-    p5_z = p4_z + x5_z * a5 - v22 * d5
-    v27 = v24 * sa5 + v20 * ca5
-    v28 = v25 * sa5 + v21 * ca5
-    v29 = v26 * sa5 + v22 * ca5
-    v30 = q[5] + offset6
-    c6 = math.cos(v30)
-    s6 = math.sin(v30)
+    c3, s3 = math.cos(v11), math.sin(v11)
+    x3_x, x3_y, v12 = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, v5 * c3 + v9 * s3
+    v13, v14, v15 = y2_x * c3 - x2_x * s3, y2_y * c3 - x2_y * s3, v5 * s3 - v9 * c3
+    p3_x, p3_y = p2_x + x3_x * a3 - v10 * d3, p2_y + x3_y * a3 + z2_y * d3
+    p3_z, y3_x, y3_y = p2_z - v12 * a3 + z2_z * d3, v13 * ca3 + v10 * sa3, v14 * ca3 - z2_y * sa3
+    y3_z, z3_x, z3_y = v15 * ca3 - z2_z * sa3, v13 * sa3 - v10 * ca3, v14 * sa3 + z2_y * ca3
+    z3_z, v16 = v15 * sa3 + z2_z * ca3, q[3] + offset4
+    c4, s4 = math.cos(v16), math.sin(v16)
+    x4_x, x4_y, x4_z = x3_x * c4 + y3_x * s4, x3_y * c4 + y3_y * s4, y3_z * s4 - v12 * c4
+    v17, v18, v19 = y3_x * c4 - x3_x * s4, y3_y * c4 - x3_y * s4, y3_z * c4 + v12 * s4
+    p4_x, p4_y = p3_x + x4_x * a4 + z3_x * d4, p3_y + x4_y * a4 + z3_y * d4
+    p4_z, y4_x, y4_y = p3_z + x4_z * a4 + z3_z * d4, z3_x * sa4 - v17 * ca4, z3_y * sa4 - v18 * ca4
+    y4_z, v20, v21 = z3_z * sa4 - v19 * ca4, v17 * sa4 + z3_x * ca4, v18 * sa4 + z3_y * ca4
+    v22, v23 = v19 * sa4 + z3_z * ca4, q[4] + offset5
+    c5, s5 = math.cos(v23), math.sin(v23)
+    x5_x, x5_y, x5_z = x4_x * c5 + y4_x * s5, x4_y * c5 + y4_y * s5, x4_z * c5 + y4_z * s5
+    v24, v25, v26 = y4_x * c5 - x4_x * s5, y4_y * c5 - x4_y * s5, y4_z * c5 - x4_z * s5
+    p5_x, p5_y = p4_x + x5_x * a5 - v20 * d5, p4_y + x5_y * a5 - v21 * d5
+    p5_z, v27, v28 = p4_z + x5_z * a5 - v22 * d5, v24 * sa5 + v20 * ca5, v25 * sa5 + v21 * ca5
+    v29, v30 = v26 * sa5 + v22 * ca5, q[5] + offset6
+    c6, s6 = math.cos(v30), math.sin(v30)
     p6_x = p5_x + (x5_x * c6 + (v24 * ca5 - v20 * sa5) * s6) * a6 - v27 * d6
     p6_y = p5_y + (x5_y * c6 + (v25 * ca5 - v21 * sa5) * s6) * a6 - v28 * d6
-    p6_z = p5_z + (x5_z * c6 + (v26 * ca5 - v22 * sa5) * s6) * a6 - v29 * d6
-    v31 = p6_x - p1_x
-    v32 = p6_y - p1_y
-    v33 = p6_z - d1
-    v34 = p6_x - p2_x
-    v35 = p6_y - p2_y
-    v36 = p6_z - p2_z
-    v37 = p6_x - p3_x
-    v38 = p6_y - p3_y
-    v39 = p6_z - p3_z
-    v40 = p6_x - p4_x
-    v41 = p6_y - p4_y
-    v42 = p6_z - p4_z
-    v43 = p6_x - p5_x
-    v44 = p6_y - p5_y
-    v45 = p6_z - p5_z
-    J[0, 0] = -p6_y
-    J[0, 1] = z1_y * v33 + ca1 * v32
-    J[0, 2] = z2_y * v36 - z2_z * v35
-    J[0, 3] = z3_y * v39 - z3_z * v38
-    J[0, 4] = v22 * v41 - v21 * v42
+    p6_z, v31 = p5_z + (x5_z * c6 + (v26 * ca5 - v22 * sa5) * s6) * a6 - v29 * d6, p6_x - p1_x
+    v32, v33, v34 = p6_y - p1_y, p6_z - d1, p6_x - p2_x
+    v35, v36, v37 = p6_y - p2_y, p6_z - p2_z, p6_x - p3_x
+    v38, v39, v40 = p6_y - p3_y, p6_z - p3_z, p6_x - p4_x
+    v41, v42, v43 = p6_y - p4_y, p6_z - p4_z, p6_x - p5_x
+    v44, v45 = p6_y - p5_y, p6_z - p5_z
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, z1_y * v33 + ca1 * v32, z2_y * v36 - z2_z * v35
+    J[0, 3], J[0, 4] = z3_y * v39 - z3_z * v38, v22 * v41 - v21 * v42
     J[0, 5] = v29 * v44 - v28 * v45
-    J[1, 0] = p6_x
-    J[1, 1] = v3 * v33 - ca1 * v31
-    J[1, 2] = z2_z * v34 + v10 * v36
-    J[1, 3] = z3_z * v37 - z3_x * v39
-    J[1, 4] = v20 * v42 - v22 * v40
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, v3 * v33 - ca1 * v31, z2_z * v34 + v10 * v36
+    J[1, 3], J[1, 4] = z3_z * v37 - z3_x * v39, v20 * v42 - v22 * v40
     J[1, 5] = v27 * v45 - v29 * v43
-    J[2, 1] = -(v3 * v32 + z1_y * v31)
-    J[2, 2] = -(v10 * v35 + z2_y * v34)
-    J[2, 3] = z3_x * v38 - z3_y * v37
-    J[2, 4] = v21 * v40 - v20 * v41
+    J[2, 1], J[2, 2] = -(v3 * v32 + z1_y * v31), -(v10 * v35 + z2_y * v34)
+    J[2, 3], J[2, 4] = z3_x * v38 - z3_y * v37, v21 * v40 - v20 * v41
     J[2, 5] = v28 * v43 - v27 * v44
-    J[3, 1] = -v3
-    J[3, 2] = -v10
-    J[3, 3] = z3_x
-    J[3, 4] = -v20
-    J[3, 5] = -v27
-    J[4, 1] = z1_y
-    J[4, 2] = z2_y
-    J[4, 3] = z3_y
-    J[4, 4] = -v21
-    J[4, 5] = -v28
-    J[5, 0] = 1.0
-    J[5, 1] = -ca1
-    J[5, 2] = z2_z
-    J[5, 3] = z3_z
-    J[5, 4] = -v22
-    J[5, 5] = -v29
+    J[3, 1], J[3, 2], J[3, 3] = -v3, -v10, z3_x
+    J[3, 4], J[3, 5] = -v20, -v27
+    J[4, 1], J[4, 2], J[4, 3] = z1_y, z2_y, z3_y
+    J[4, 4], J[4, 5] = -v21, -v28
+    J[5, 0], J[5, 1], J[5, 2] = 1.0, -ca1, z2_z
+    J[5, 3], J[5, 4], J[5, 5] = z3_z, -v22, -v29
     return J
 
 
@@ -532,287 +414,156 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
         given1, given2 = kept[16 * w + k], kept[17 * w + k]
 
         # theta1, type 2: U1[3, 4]
         v1 = T14 * T14 + T24 * T24
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
 
         # theta3, type 6: U1[2, 4] and U1[1, 4]
-        Z2_3_p = w1 - near_a1
-        v3 = near_a1 + w1
-        v4 = T34 * T34
-        N3_p = v4 + Z2_3_p * Z2_3_p
-        N3_m = v4 + v3 * v3
-        v5 = near_longest3 - N3_p
-        v6 = near_longest3 - N3_m
-        v7 = N3_p - near_shortest3
-        v8 = N3_m - near_shortest3
-        D3_p = v5 * v7
-        D3_m = v6 * v8
-        w3_p = math.sqrt(D3_p)
+        Z2_3_p, v3, v4 = w1 - near_a1, near_a1 + w1, T34 * T34
+        N3_p, N3_m = v4 + Z2_3_p * Z2_3_p, v4 + v3 * v3
+        v5, v6, v7 = near_longest3 - N3_p, near_longest3 - N3_m, N3_p - near_shortest3
+        v8, D3_p = N3_m - near_shortest3, v5 * v7
+        D3_m, w3_p = v6 * v8, math.sqrt(D3_p)
         w3_m = math.sqrt(D3_m)
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
-        X1_2_p = near_m5 + near_m4 * N3_p
-        X1_2_m = near_m5 + near_m4 * N3_m
-        v11 = T34 * X1_2_p
-        v12 = T34 * X1_2_m
-        v13 = Z2_3_p * X1_2_p
-        v14 = v3 * X1_2_m
-        v15 = near_m4 * T34
-        factor2_p = 1.0 / N3_p
-        factor2_m = 1.0 / N3_m
-        v16 = w3_p * v15
-        v17 = w3_m * (near_m4 * v3)
+        X1_2_p, X1_2_m = near_m5 + near_m4 * N3_p, near_m5 + near_m4 * N3_m
+        v11, v12, v13 = T34 * X1_2_p, T34 * X1_2_m, Z2_3_p * X1_2_p
+        v14, v15, factor2_p = v3 * X1_2_m, near_m4 * T34, 1.0 / N3_p
+        factor2_m, v16, v17 = 1.0 / N3_m, w3_p * v15, w3_m * (near_m4 * v3)
         v18 = w3_m * v15
 
         # theta4, type 2: U4[3, 3]
         v19 = near_m7 * T34
-        v20 = v19 - near_m6 * Z2_3_p
-        v21 = v19 + near_m6 * v3
-        v22 = near_m8 * factor2_p - near_m7
-        v23 = near_m8 * factor2_m - near_m7
-        v24 = near_m9 * factor2_p - near_m6
-        v25 = near_m9 * factor2_m - near_m6
-        v26 = Z2_3_p * v22 + T34 * v24
-        v27 = T34 * v25 - v3 * v23
-        v28 = factor2_p * v20
-        v29 = factor2_p * -v20
-        v30 = factor2_m * v21
-        c23_pp = v26 + w3_p * v28
-        c23_pm = v26 + w3_p * v29
+        v20, v21, v22 = v19 - near_m6 * Z2_3_p, v19 + near_m6 * v3, near_m8 * factor2_p - near_m7
+        v23, v24 = near_m8 * factor2_m - near_m7, near_m9 * factor2_p - near_m6
+        v25, v26 = near_m9 * factor2_m - near_m6, Z2_3_p * v22 + T34 * v24
+        v27, v28, v29 = T34 * v25 - v3 * v23, factor2_p * v20, factor2_p * -v20
+        v30, c23_pp, c23_pm = factor2_m * v21, v26 + w3_p * v28, v26 + w3_p * v29
         v31 = w3_m * v30
-        c23_mp = v27 + v31
-        c23_mm = v27 - v31
-        v32 = near_m6 * T34
-        v33 = v32 + near_m7 * Z2_3_p
-        v34 = v32 - near_m7 * v3
-        v35 = Z2_3_p * -v24 + T34 * v22
-        v36 = T34 * v23 - v3 * -v25
-        v37 = factor2_p * v33
-        v38 = factor2_m * v34
-        v39 = factor2_m * -v34
-        v40 = w3_p * v37
-        s23_pp = v35 - v40
-        s23_pm = v35 + v40
-        s23_mp = v36 - w3_m * v38
-        s23_mm = v36 - w3_m * v39
-        v41 = T14 * T13 + T24 * T23
+        c23_mp, c23_mm, v32 = v27 + v31, v27 - v31, near_m6 * T34
+        v33, v34, v35 = v32 + near_m7 * Z2_3_p, v32 - near_m7 * v3, Z2_3_p * -v24 + T34 * v22
+        v36, v37, v38 = T34 * v23 - v3 * -v25, factor2_p * v33, factor2_m * v34
+        v39, v40 = factor2_m * -v34, w3_p * v37
+        s23_pp, s23_pm, s23_mp = v35 - v40, v35 + v40, v36 - w3_m * v38
+        s23_mm, v41 = v36 - w3_m * v39, T14 * T13 + T24 * T23
         v42 = v2 * v41
         v43 = w1 * v42
-        c4_pp = s23_pp * T33 + c23_pp * v43
-        c4_pm = s23_pm * T33 + c23_pm * v43
-        c4_mp = s23_mp * T33 - c23_mp * v43
-        c4_mm = s23_mm * T33 - c23_mm * v43
+        c4_pp, c4_pm = s23_pp * T33 + c23_pp * v43, s23_pm * T33 + c23_pm * v43
+        c4_mp, c4_mm = s23_mp * T33 - c23_mp * v43, s23_mm * T33 - c23_mm * v43
         v44 = T24 * T13 - T14 * T23
         Y4 = w1 * (v2 * v44)
         v45 = Y4 * Y4
-        v46 = v45 + c4_pp * c4_pp
-        v47 = v45 + c4_pm * c4_pm
-        v48 = v45 + c4_mp * c4_mp
-        v49 = v45 + c4_mm * c4_mm
-        v50 = math.copysign(half_turn, Y4)
+        v46, v47, v48 = v45 + c4_pp * c4_pp, v45 + c4_pm * c4_pm, v45 + c4_mp * c4_mp
+        v49, v50 = v45 + c4_mm * c4_mm, math.copysign(half_turn, Y4)
         v51 = math.copysign(half_turn, -Y4)
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v52 = w1 * (v2 * (T14 * T22 - T24 * T12))
-        v53 = w1 * (v2 * (T14 * T12 + T24 * T22))
-        v54 = w1 * (v2 * (T14 * T21 - T24 * T11))
-        v55 = w1 * (v2 * (T14 * T11 + T24 * T21))
+        v52, v53 = w1 * (v2 * (T14 * T22 - T24 * T12)), w1 * (v2 * (T14 * T12 + T24 * T22))
+        v54, v55 = w1 * (v2 * (T14 * T21 - T24 * T11)), w1 * (v2 * (T14 * T11 + T24 * T21))
         v56 = c4_pp * v54 + Y4 * (s23_pp * T31 + c23_pp * v55)
         v57 = c4_pm * v54 + Y4 * (s23_pm * T31 + c23_pm * v55)
 
         # joint values
-        v58 = T34 * given2
-        v59 = abs(T34)
-        v60 = abs(given2)
-        v61 = v58 + v58
-        v62 = v60 * v60
-        v63 = T14 * given2
-        v64 = v63 + v63
-        v65 = T24 * given2
-        v66 = v65 + v65
-        v67 = v62 + v62
-        v68 = near1 / w1
-        v69 = v64 * v68
-        v70 = v66 * v68
-        v71 = v67 * abs(v68)
-        v72 = v71 + math.sqrt(v69 * v69 + v70 * v70)
-        v73 = Z2_3_p * v69
-        v74 = v3 * v69
-        v75 = Z2_3_p * v70
-        v76 = v3 * v70
-        v77 = abs(Z2_3_p)
-        v78 = abs(v3)
-        v79 = v71 * v77
-        v80 = v71 * v78
-        v81 = v73 + v73
-        v82 = v74 + v74
-        v83 = v75 + v75
-        v84 = v76 + v76
-        v85 = v72 * v72
-        v86 = v62 + (v85 + (v79 + v79))
-        v87 = v62 + (v85 + (v80 + v80))
-        v88 = v61 * v61
+        v58, v59, v60 = T34 * given2, abs(T34), abs(given2)
+        v61, v62, v63 = v58 + v58, v60 * v60, T14 * given2
+        v64, v65 = v63 + v63, T24 * given2
+        v66, v67, v68 = v65 + v65, v62 + v62, near1 / w1
+        v69, v70, v71 = v64 * v68, v66 * v68, v67 * abs(v68)
+        v72, v73, v74 = v71 + math.sqrt(v69 * v69 + v70 * v70), Z2_3_p * v69, v3 * v69
+        v75, v76, v77 = Z2_3_p * v70, v3 * v70, abs(Z2_3_p)
+        v78, v79 = abs(v3), v71 * v77
+        v80, v81, v82 = v71 * v78, v73 + v73, v74 + v74
+        v83, v84, v85 = v75 + v75, v76 + v76, v72 * v72
+        v86, v87, v88 = v62 + (v85 + (v79 + v79)), v62 + (v85 + (v80 + v80)), v61 * v61
         v89 = v86 + math.sqrt(v88 + (v81 * v81 + v83 * v83))
-        v90 = v87 + math.sqrt(v88 + (v82 * v82 + v84 * v84))
-        v91 = v5 * v81 - v7 * v81
-        v92 = v6 * v82 - v8 * v82
-        v93 = v5 * v83 - v7 * v83
-        v94 = v6 * v84 - v8 * v84
-        v95 = v5 * v61 - v7 * v61
-        v96 = v6 * v61 - v8 * v61
+        v90, v91 = v87 + math.sqrt(v88 + (v82 * v82 + v84 * v84)), v5 * v81 - v7 * v81
+        v92, v93, v94 = v6 * v82 - v8 * v82, v5 * v83 - v7 * v83, v6 * v84 - v8 * v84
+        v95, v96 = v5 * v61 - v7 * v61, v6 * v61 - v8 * v61
         v97 = v86 * abs(v5) + v86 * abs(v7) + v89 * v89
         v98 = v87 * abs(v6) + v87 * abs(v8) + v90 * v90
         v99 = v97 + math.sqrt(v91 * v91 + v93 * v93 + v95 * v95)
-        v100 = v98 + math.sqrt(v92 * v92 + v94 * v94 + v96 * v96)
-        v101 = v62 + v85
-        v102 = w1 * v2
-        v103 = T33 * given1
-        v104 = T23 * given1
-        v105 = near1 * (given1 * given1)
-        v106 = T24 * v103
-        v107 = v105 * abs(T24)
-        v108 = T13 * given2
-        v109 = v103 * v103
-        v110 = v104 * v104
-        v111 = v60 * (v105 + math.sqrt(v109 + v110))
-        v112 = T13 * given1
-        v113 = T14 * v103
-        v114 = v105 * abs(T14)
-        v115 = T23 * given2
-        v116 = v112 * v112
-        v117 = v60 * (v105 + math.sqrt(v109 + v116))
-        v118 = T24 * v104 + T14 * v112
-        v119 = v107 + v111 + (v114 + v117)
-        v120 = abs(v2)
-        v121 = v2 * (v2 * v64)
-        v122 = v2 * (v2 * v66)
-        v123 = v120 * (v67 * v120)
-        v124 = w1 - math.sqrt(v67)
+        v100, v101, v102 = v98 + math.sqrt(v92 * v92 + v94 * v94 + v96 * v96), v62 + v85, w1 * v2
+        v103, v104, v105 = T33 * given1, T23 * given1, near1 * (given1 * given1)
+        v106, v107, v108 = T24 * v103, v105 * abs(T24), T13 * given2
+        v109, v110 = v103 * v103, v104 * v104
+        v111, v112, v113 = v60 * (v105 + math.sqrt(v109 + v110)), T13 * given1, T14 * v103
+        v114, v115, v116 = v105 * abs(T14), T23 * given2, v112 * v112
+        v117, v118 = v60 * (v105 + math.sqrt(v109 + v116)), T24 * v104 + T14 * v112
+        v119, v120, v121 = v107 + v111 + (v114 + v117), abs(v2), v2 * (v2 * v64)
+        v122, v123, v124 = v2 * (v2 * v66), v120 * (v67 * v120), w1 - math.sqrt(v67)
         v125 = (
             v123 + (v123 + (abs(v121) + abs(v122))) * ((v67 + math.sqrt(v64 * v64 + v66 * v66)) /
             (v124 * v124))
         )
-        v126 = abs(w1)
-        v127 = v125 + math.sqrt(v121 * v121 + v122 * v122)
-        v128 = v2 * v69 - w1 * v121
-        v129 = v2 * v70 - w1 * v122
-        v130 = v125 * v126 + v71 * v120 + v72 * v127
-        v131 = v102 * v113
-        v132 = v102 * v106
-        v133 = v102 * v118
-        v134 = v113 * v113 + v106 * v106
-        v135 = math.sqrt(v115 * v115 + v108 * v108)
-        v136 = v44 * v128 - v102 * v115
+        v126, v127 = abs(w1), v125 + math.sqrt(v121 * v121 + v122 * v122)
+        v128, v129 = v2 * v69 - w1 * v121, v2 * v70 - w1 * v122
+        v130, v131, v132 = v125 * v126 + v71 * v120 + v72 * v127, v102 * v113, v102 * v106
+        v133, v134 = v102 * v118, v113 * v113 + v106 * v106
+        v135, v136 = math.sqrt(v115 * v115 + v108 * v108), v44 * v128 - v102 * v115
         v137 = v44 * v129 + v102 * v108
         v138 = (
             v130 * abs(v44) + v119 * abs(v102) + (v119 + (v135 + math.sqrt(v134 + v118 * v118))) *
             (v130 + math.sqrt(v128 * v128 + v129 * v129)) + (math.sqrt(v131 * v131 + v132 * v132 +
             v133 * v133) + math.sqrt(v136 * v136 + v137 * v137))
         )
-        v139 = abs(factor2_p)
-        v140 = abs(factor2_m)
-        v141 = factor2_p * (factor2_p * v81)
-        v142 = factor2_m * (factor2_m * v82)
-        v143 = factor2_p * (factor2_p * v83)
-        v144 = factor2_m * (factor2_m * v84)
-        v145 = factor2_p * (factor2_p * v61)
-        v146 = factor2_m * (factor2_m * v61)
-        v147 = v139 * (v86 * v139)
-        v148 = v140 * (v87 * v140)
+        v139, v140, v141 = abs(factor2_p), abs(factor2_m), factor2_p * (factor2_p * v81)
+        v142, v143 = factor2_m * (factor2_m * v82), factor2_p * (factor2_p * v83)
+        v144, v145 = factor2_m * (factor2_m * v84), factor2_p * (factor2_p * v61)
+        v146, v147, v148 = factor2_m * (factor2_m * v61), v139 * (v86 * v139), v140 * (v87 * v140)
         v149 = math.sqrt(v101)
-        v150 = math.sqrt(N3_p) - v149
-        v151 = math.sqrt(N3_m) - v149
+        v150, v151 = math.sqrt(N3_p) - v149, math.sqrt(N3_m) - v149
         v152 = v147 + (v147 + (abs(v145) + (abs(v141) + abs(v143)))) * (v89 / (v150 * v150))
         v153 = v148 + (v148 + (abs(v146) + (abs(v142) + abs(v144)))) * (v90 / (v151 * v151))
-        v154 = near_m9 * v141
-        v155 = near_m9 * v142
-        v156 = near_m9 * v143
-        v157 = near_m9 * v144
-        v158 = near_m9 * v145
-        v159 = near_m9 * v146
-        v160 = near_m9 * v152
-        v161 = near_m9 * v153
+        v154, v155, v156 = near_m9 * v141, near_m9 * v142, near_m9 * v143
+        v157, v158, v159 = near_m9 * v144, near_m9 * v145, near_m9 * v146
+        v160, v161 = near_m9 * v152, near_m9 * v153
         v162 = v152 + math.sqrt(v141 * v141 + v143 * v143 + v145 * v145)
         v163 = v153 + math.sqrt(v142 * v142 + v144 * v144 + v146 * v146)
         v164 = v160 + math.sqrt(v154 * v154 + v156 * v156 + v158 * v158)
-        v165 = v161 + math.sqrt(v155 * v155 + v157 * v157 + v159 * v159)
-        v166 = near_m8 * v141
-        v167 = near_m8 * v142
-        v168 = near_m8 * v143
-        v169 = near_m8 * v144
-        v170 = near_m8 * v145
-        v171 = near_m8 * v146
-        v172 = near_m8 * v152
-        v173 = near_m8 * v153
-        v174 = v172 + math.sqrt(v166 * v166 + v168 * v168 + v170 * v170)
+        v165, v166 = v161 + math.sqrt(v155 * v155 + v157 * v157 + v159 * v159), near_m8 * v141
+        v167, v168, v169 = near_m8 * v142, near_m8 * v143, near_m8 * v144
+        v170, v171, v172 = near_m8 * v145, near_m8 * v146, near_m8 * v152
+        v173, v174 = near_m8 * v153, v172 + math.sqrt(v166 * v166 + v168 * v168 + v170 * v170)
         v175 = v173 + math.sqrt(v167 * v167 + v169 * v169 + v171 * v171)
-        v176 = Z2_3_p * v154 + -v24 * v69 - T34 * v166
-        v177 = v3 * v155 + -v25 * v69 + T34 * v167
-        v178 = Z2_3_p * v156 + -v24 * v70 - T34 * v168
-        v179 = v3 * v157 + -v25 * v70 + T34 * v169
+        v176, v177 = Z2_3_p * v154 + -v24 * v69 - T34 * v166, v3 * v155 + -v25 * v69 + T34 * v167
+        v178, v179 = Z2_3_p * v156 + -v24 * v70 - T34 * v168, v3 * v157 + -v25 * v70 + T34 * v169
         v180 = Z2_3_p * v158 + (v22 * given2 - T34 * v170)
         v181 = v23 * given2 - T34 * v171 - v3 * v159
         v182 = v77 * v160 + v71 * abs(-v24) + v72 * v164 + (v59 * v172 + v60 * v174)
         v183 = v78 * v161 + v71 * abs(-v25) + v72 * v165 + (v59 * v173 + v60 * v175)
-        v184 = near1 / w3_p
-        v185 = near1 / w3_m
-        v186 = v91 * v184
-        v187 = v92 * v185
-        v188 = v93 * v184
-        v189 = v94 * v185
-        v190 = v95 * v184
-        v191 = v96 * v185
-        v192 = v99 * v184
-        v193 = v100 * v185
-        v194 = v192 * v192 / w3_p
-        v195 = v193 * v193 / w3_m
-        v196 = v194 + (v194 + v97 * abs(v184))
-        v197 = v195 + (v195 + v98 * abs(v185))
-        v198 = near_m6 * given2
-        v199 = near_m7 * v69
-        v200 = near_m7 * v70
-        v201 = near_m7 * v71
-        v202 = factor2_p * v199 - v33 * v141
-        v203 = factor2_m * v199
-        v204 = v203 + v34 * v142
-        v205 = v203 - -v34 * v142
-        v206 = factor2_p * v200 - v33 * v143
+        v184, v185 = near1 / w3_p, near1 / w3_m
+        v186, v187, v188 = v91 * v184, v92 * v185, v93 * v184
+        v189, v190, v191 = v94 * v185, v95 * v184, v96 * v185
+        v192, v193 = v99 * v184, v100 * v185
+        v194, v195 = v192 * v192 / w3_p, v193 * v193 / w3_m
+        v196, v197 = v194 + (v194 + v97 * abs(v184)), v195 + (v195 + v98 * abs(v185))
+        v198, v199, v200 = near_m6 * given2, near_m7 * v69, near_m7 * v70
+        v201, v202, v203 = near_m7 * v71, factor2_p * v199 - v33 * v141, factor2_m * v199
+        v204, v205, v206 = v203 + v34 * v142, v203 - -v34 * v142, factor2_p * v200 - v33 * v143
         v207 = factor2_m * v200
-        v208 = v207 + v34 * v144
-        v209 = v207 - -v34 * v144
-        v210 = factor2_p * v198 - v33 * v145
+        v208, v209, v210 = v207 + v34 * v144, v207 - -v34 * v144, factor2_p * v198 - v33 * v145
         v211 = factor2_m * v198
-        v212 = v211 - v34 * v146
-        v213 = v211 + -v34 * v146
+        v212, v213 = v211 - v34 * v146, v211 + -v34 * v146
         v214 = v201 + math.sqrt(v198 * v198 + (v199 * v199 + v200 * v200))
         v215 = v139 * v201 + v152 * abs(v33) + v162 * v214
-        v216 = v140 * v201 + v153 * abs(v34) + v163 * v214
-        v217 = abs(w3_p)
-        v218 = abs(w3_m)
+        v216, v217, v218 = v140 * v201 + v153 * abs(v34) + v163 * v214, abs(w3_p), abs(w3_m)
         v219 = v196 + math.sqrt(v186 * v186 + v188 * v188 + v190 * v190)
-        v220 = v197 + math.sqrt(v187 * v187 + v189 * v189 + v191 * v191)
-        v221 = v37 * v186
-        v222 = v176 - (w3_p * v202 + v221)
-        v223 = v176 - (w3_p * -v202 - v221)
-        v224 = v177 + (v38 * v187 - w3_m * v204)
-        v225 = v177 + (w3_m * v205 + v39 * v187)
+        v220, v221 = v197 + math.sqrt(v187 * v187 + v189 * v189 + v191 * v191), v37 * v186
+        v222, v223 = v176 - (w3_p * v202 + v221), v176 - (w3_p * -v202 - v221)
+        v224, v225 = v177 + (v38 * v187 - w3_m * v204), v177 + (w3_m * v205 + v39 * v187)
         v226 = v37 * v188
-        v227 = v178 - (w3_p * v206 + v226)
-        v228 = v178 - (w3_p * -v206 - v226)
-        v229 = v179 + (v38 * v189 - w3_m * v208)
-        v230 = v179 + (w3_m * v209 + v39 * v189)
+        v227, v228 = v178 - (w3_p * v206 + v226), v178 - (w3_p * -v206 - v226)
+        v229, v230 = v179 + (v38 * v189 - w3_m * v208), v179 + (w3_m * v209 + v39 * v189)
         v231 = v37 * v190
-        v232 = v180 - (w3_p * v210 + v231)
-        v233 = v180 - (w3_p * -v210 - v231)
-        v234 = v181 - (w3_m * v212 + v38 * v191)
-        v235 = v181 - (v39 * v191 - w3_m * v213)
+        v232, v233 = v180 - (w3_p * v210 + v231), v180 - (w3_p * -v210 - v231)
+        v234, v235 = v181 - (w3_m * v212 + v38 * v191), v181 - (v39 * v191 - w3_m * v213)
         v236 = v215 * v217 + v196 * abs(v37)
         v237 = v182 + (v236 + v219 * (v215 + math.sqrt(v202 * v202 + v206 * v206 + v210 * v210)))
         v238 = (
@@ -827,51 +578,31 @@ def _formulas(kept, turns, rows, w):
             v183 + (v239 + v197 * abs(v39) + v220 * (v216 + math.sqrt(v205 * v205 + v209 * v209 +
             v213 * v213)))
         )
-        v242 = abs(T33)
-        v243 = v105 + math.sqrt(v110 + v116)
-        v244 = v22 * v69 - Z2_3_p * v166 - T34 * v154
-        v245 = v3 * v167 - v23 * v69 - T34 * v155
-        v246 = v22 * v70 - Z2_3_p * v168 - T34 * v156
-        v247 = v3 * v169 - v23 * v70 - T34 * v157
+        v242, v243 = abs(T33), v105 + math.sqrt(v110 + v116)
+        v244, v245 = v22 * v69 - Z2_3_p * v166 - T34 * v154, v3 * v167 - v23 * v69 - T34 * v155
+        v246, v247 = v22 * v70 - Z2_3_p * v168 - T34 * v156, v3 * v169 - v23 * v70 - T34 * v157
         v248 = v24 * given2 - T34 * v158 - Z2_3_p * v170
         v249 = v25 * given2 - T34 * v159 + v3 * v171
         v250 = v77 * v172 + v71 * abs(v22) + v72 * v174 + (v59 * v160 + v60 * v164)
         v251 = v78 * v173 + v71 * abs(v23) + v72 * v175 + (v59 * v161 + v60 * v165)
-        v252 = near_m7 * given2
-        v253 = near_m6 * v69
-        v254 = near_m6 * v70
-        v255 = near_m6 * v71
-        v256 = factor2_p * v253
-        v257 = v256 + v20 * v141
-        v258 = -v20 * v141 - v256
-        v259 = v21 * v142 - factor2_m * v253
+        v252, v253, v254 = near_m7 * given2, near_m6 * v69, near_m6 * v70
+        v255, v256 = near_m6 * v71, factor2_p * v253
+        v257, v258, v259 = v256 + v20 * v141, -v20 * v141 - v256, v21 * v142 - factor2_m * v253
         v260 = factor2_p * v254
-        v261 = v260 + v20 * v143
-        v262 = -v20 * v143 - v260
-        v263 = v21 * v144 - factor2_m * v254
+        v261, v262, v263 = v260 + v20 * v143, -v20 * v143 - v260, v21 * v144 - factor2_m * v254
         v264 = factor2_p * v252
-        v265 = v264 - v20 * v145
-        v266 = v264 + -v20 * v145
-        v267 = factor2_m * v252 - v21 * v146
+        v265, v266, v267 = v264 - v20 * v145, v264 + -v20 * v145, factor2_m * v252 - v21 * v146
         v268 = v255 + math.sqrt(v252 * v252 + (v253 * v253 + v254 * v254))
         v269 = v139 * v255 + v152 * abs(v20) + v162 * v268
-        v270 = v140 * v255 + v153 * abs(v21) + v163 * v268
-        v271 = v244 + (v28 * v186 - w3_p * v257)
-        v272 = v244 + (v29 * v186 - w3_p * v258)
-        v273 = v30 * v187
-        v274 = v245 + (v273 - w3_m * v259)
-        v275 = v245 - (v273 + w3_m * -v259)
-        v276 = v246 + (v28 * v188 - w3_p * v261)
-        v277 = v246 + (v29 * v188 - w3_p * v262)
+        v270, v271 = v140 * v255 + v153 * abs(v21) + v163 * v268, v244 + (v28 * v186 - w3_p * v257)
+        v272, v273 = v244 + (v29 * v186 - w3_p * v258), v30 * v187
+        v274, v275 = v245 + (v273 - w3_m * v259), v245 - (v273 + w3_m * -v259)
+        v276, v277 = v246 + (v28 * v188 - w3_p * v261), v246 + (v29 * v188 - w3_p * v262)
         v278 = v30 * v189
-        v279 = v247 + (v278 - w3_m * v263)
-        v280 = v247 - (v278 + w3_m * -v263)
-        v281 = v248 + (w3_p * v265 + v28 * v190)
-        v282 = v248 + (v29 * v190 - w3_p * v266)
+        v279, v280 = v247 + (v278 - w3_m * v263), v247 - (v278 + w3_m * -v263)
+        v281, v282 = v248 + (w3_p * v265 + v28 * v190), v248 + (v29 * v190 - w3_p * v266)
         v283 = v30 * v191
-        v284 = v249 + (w3_m * v267 + v283)
-        v285 = v249 + (w3_m * -v267 - v283)
-        v286 = v217 * v269
+        v284, v285, v286 = v249 + (w3_m * v267 + v283), v249 + (w3_m * -v267 - v283), v217 * v269
         v287 = (
             v250 + (v286 + v196 * abs(v28) + v219 * (v269 + math.sqrt(v257 * v257 + v261 * v261 +
             v265 * v265)))
@@ -885,21 +616,14 @@ def _formulas(kept, turns, rows, w):
         v291 = (
             v251 + (v289 + v220 * (v270 + math.sqrt(-v259 * -v259 + -v263 * -v263 + -v267 * -v267)))
         )
-        v292 = T24 * v112 - T14 * v104
-        v293 = v111 + v114 + (v107 + v117)
-        v294 = v2 * v106
-        v295 = v2 * v113
-        v296 = v2 * v292
-        v297 = v2 * v108 - v41 * v121
+        v292, v293, v294 = T24 * v112 - T14 * v104, v111 + v114 + (v107 + v117), v2 * v106
+        v295, v296, v297 = v2 * v113, v2 * v292, v2 * v108 - v41 * v121
         v298 = v2 * v115 - v41 * v122
         v299 = (
             v120 * v293 + v125 * abs(v41) + v127 * (v293 + (v135 + math.sqrt(v134 + v292 * v292)))
         )
-        v300 = w1 * v294
-        v301 = w1 * v295
-        v302 = w1 * v296
-        v303 = w1 * v297 + v42 * v69
-        v304 = w1 * v298 + v42 * v70
+        v300, v301, v302 = w1 * v294, w1 * v295, w1 * v296
+        v303, v304 = w1 * v297 + v42 * v69, w1 * v298 + v42 * v70
         v305 = (
             v126 * v299 + v71 * abs(v42) + v72 * (v299 + (math.sqrt(v294 * v294 + v295 * v295 + v296
             * v296) + math.sqrt(v297 * v297 + v298 * v298)))
@@ -909,30 +633,20 @@ def _formulas(kept, turns, rows, w):
             v305 + (math.sqrt(v300 * v300 + v301 * v301 + v302 * v302) + math.sqrt(v303 * v303 +
             v304 * v304))
         )
-        v308 = c23_pp * v302
-        v309 = c23_pm * v302
-        v310 = c23_mp * v302
-        v311 = c23_mm * v302
-        v312 = s23_pp * v104 - c23_pp * v300
-        v313 = s23_pm * v104 - c23_pm * v300
-        v314 = s23_mp * v104 + c23_mp * v300
-        v315 = s23_mm * v104 + c23_mm * v300
-        v316 = c23_pp * v301 - s23_pp * v112
-        v317 = c23_pm * v301 - s23_pm * v112
-        v318 = c23_mp * v301 + s23_mp * v112
-        v319 = c23_mm * v301 + s23_mm * v112
-        v320 = T33 * v222 + (c23_pp * v303 + v43 * v271)
+        v308, v309, v310 = c23_pp * v302, c23_pm * v302, c23_mp * v302
+        v311, v312 = c23_mm * v302, s23_pp * v104 - c23_pp * v300
+        v313, v314 = s23_pm * v104 - c23_pm * v300, s23_mp * v104 + c23_mp * v300
+        v315, v316 = s23_mm * v104 + c23_mm * v300, c23_pp * v301 - s23_pp * v112
+        v317, v318 = c23_pm * v301 - s23_pm * v112, c23_mp * v301 + s23_mp * v112
+        v319, v320 = c23_mm * v301 + s23_mm * v112, T33 * v222 + (c23_pp * v303 + v43 * v271)
         v321 = T33 * v223 + (c23_pm * v303 + v43 * v272)
         v322 = T33 * v224 + (c23_mp * v303 + v43 * v274)
         v323 = T33 * v225 + (c23_mm * v303 + v43 * v275)
         v324 = T33 * v227 + (c23_pp * v304 + v43 * v276)
         v325 = T33 * v228 + (c23_pm * v304 + v43 * v277)
         v326 = T33 * v229 + (c23_mp * v304 + v43 * v279)
-        v327 = T33 * v230 + (c23_mm * v304 + v43 * v280)
-        v328 = T33 * v232 + v43 * v281
-        v329 = T33 * v233 + v43 * v282
-        v330 = T33 * v234 - v43 * v284
-        v331 = T33 * v235 - v43 * v285
+        v327, v328 = T33 * v230 + (c23_mm * v304 + v43 * v280), T33 * v232 + v43 * v281
+        v329, v330, v331 = T33 * v233 + v43 * v282, T33 * v234 - v43 * v284, T33 * v235 - v43 * v285
         v332 = (
             v105 * abs(s23_pp) + v237 * v242 + v243 * (v237 + math.sqrt(v222 * v222 + v227 * v227 +
             v232 * v232)) + (v305 * abs(c23_pp) + v287 * v306 + v307 * (v287 + math.sqrt(v271 * v271
@@ -971,9 +685,10 @@ def _formulas(kept, turns, rows, w):
         kept[19 * w + k], kept[20 * w + k], kept[21 * w + k] = w3_p, w3_m, c23_mp
         kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = c23_mm, s23_mp, s23_mm
         kept[25 * w + k], kept[26 * w + k], kept[27 * w + k] = c4_mp, c4_mm, Y4
-        kept[28 * w + k], kept[29 * w + k], kept[30 * w + k], kept[31 * w + k] = v50, v51, v54, v55
-        kept[32 * w + k], kept[33 * w + k], turns[0 * w + k], turns[1 * w + k] = v56, v57, T24, w3_p
-        turns[2 * w + k], turns[3 * w + k] = w3_m, v11 - w3_p * (near_m4 * Z2_3_p)
+        kept[28 * w + k], kept[29 * w + k], kept[30 * w + k] = v50, v51, v54
+        kept[31 * w + k], kept[32 * w + k], kept[33 * w + k] = v55, v56, v57
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = T24, w3_p, w3_m
+        turns[3 * w + k] = v11 - w3_p * (near_m4 * Z2_3_p)
         turns[4 * w + k], turns[5 * w + k] = v11 - w3_p * (near_m4 * -Z2_3_p), v12 + v17
         turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = v12 - v17, Y4, Y4
         turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = -Y4, -Y4, math.sqrt(v46)
@@ -1002,29 +717,25 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        T24, T31, w3_p, w3_m = kept[7 * w + k], kept[8 * w + k], kept[19 * w + k], kept[20 * w + k]
-        c23_mp, c23_mm, s23_mp = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
-        s23_mm, c4_mp, c4_mm = kept[24 * w + k], kept[25 * w + k], kept[26 * w + k]
-        Y4, v50, v51, v54 = kept[27 * w + k], kept[28 * w + k], kept[29 * w + k], kept[30 * w + k]
-        v55, v56, v57 = kept[31 * w + k], kept[32 * w + k], kept[33 * w + k]
-        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
-        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
-        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
-        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
-        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
-        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
-        angle19 = turns[18 * w + k]
+        T24, T31, w3_p = kept[7 * w + k], kept[8 * w + k], kept[19 * w + k]
+        w3_m, c23_mp, c23_mm = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        s23_mp, s23_mm, c4_mp = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        c4_mm, Y4, v50 = kept[26 * w + k], kept[27 * w + k], kept[28 * w + k]
+        v51, v54, v55 = kept[29 * w + k], kept[30 * w + k], kept[31 * w + k]
+        v56, v57, angle1 = kept[32 * w + k], kept[33 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
+        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
+        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
+        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
+        angle17, angle18, angle19 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
 
         # theta3, type 6: U1[2, 4] and U1[1, 4]
-        q3__pp = angle2 - near_turn1
-        v9 = near_turn1 + angle2
-        q3__mp = angle3 - near_turn1
+        q3__pp, v9, q3__mp = angle2 - near_turn1, near_turn1 + angle2, angle3 - near_turn1
         v10 = near_turn1 + angle3
 
         # theta4, type 2: U4[3, 3]
-        q4_ppm = angle8 - v50
-        q4_pmm = angle9 - v50
-        q4_mpm = angle10 - v51
+        q4_ppm, q4_pmm, q4_mpm = angle8 - v50, angle9 - v50, angle10 - v51
         q4_mmm = angle11 - v51
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
@@ -1057,25 +768,16 @@ def _formulas(kept, turns, rows, w):
         rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = q3_mmp, angle11, angle15
         rows[30 * w + k], rows[31 * w + k], rows[32 * w + k] = angle19, q4_mmm, -angle15
         rows[33 * w + k] = q6_mmm
-        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[36 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[40 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[34 * w + k] = rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[38 * w + k] = rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[40 * w + k] = rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 19, 20, 21, 22],
-    [17, 18, 19, 23, 24, 25],
-    [17, 26, 27, 28, 29, 30],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22], [17, 18, 19, 23, 24, 25], [17, 26, 27, 28, 29, 30],
     [17, 26, 27, 31, 32, 33],
 ])
 

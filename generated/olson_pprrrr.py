@@ -120,35 +120,19 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = s3 * c4
-    v1 = c3 * c4
-    v2 = s3 * s4
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, v1, v2 = s3 * c4, c3 * c4, s3 * s4
     y4_y = c3 * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 - v2 * s5
-    x5_y = y4_y * s5 - v1 * c5
-    x5_z = s4 * c5 + c4 * s5
-    z6_x = v2 * c5 + x4_x * s5
-    y5_y = y4_y * c5 + v1 * s5
-    y5_z = c4 * c5 - s4 * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 - c3 * s6
-    T[0, 1] = -(c3 * c6 + x5_x * s6)
-    T[0, 2] = z6_x
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 - v2 * s5, y4_y * s5 - v1 * c5, s4 * c5 + c4 * s5
+    z6_x, y5_y, y5_z = v2 * c5 + x4_x * s5, y4_y * c5 + v1 * s5, c4 * c5 - s4 * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 - c3 * s6, -(c3 * c6 + x5_x * s6), z6_x
     T[0, 3] = q[1] + x4_x * a4 + z6_x * d6
-    T[1, 0] = x5_y * c6 - s3 * s6
-    T[1, 1] = -(s3 * c6 + x5_y * s6)
-    T[1, 2] = -y5_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 - s3 * s6, -(s3 * c6 + x5_y * s6), -y5_y
     T[1, 3] = q[0] - v1 * a4 - y5_y * d6
-    T[2, 0] = x5_z * c6
-    T[2, 1] = -(x5_z * s6)
-    T[2, 2] = -y5_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6, -(x5_z * s6), -y5_z
     T[2, 3] = d3 + s4 * a4 - y5_z * d6
     T[3, 3] = 1.0
     return T
@@ -160,45 +144,23 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = s3 * c4
-    v1 = c3 * c4
-    p5_x = q[1] + x4_x * a4
-    p5_y = q[0] - v1 * a4
-    p5_z = d3 + s4 * a4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    z6_x = s3 * s4 * c5 + x4_x * s5
-    y5_y = c3 * s4 * c5 + v1 * s5
-    y5_z = c4 * c5 - s4 * s5
-    p6_x = p5_x + z6_x * d6
-    p6_y = p5_y - y5_y * d6
-    p6_z = p5_z - y5_z * d6
-    J23 = p6_x - q[1]
-    v2 = p6_y - q[0]
-    v3 = p6_z - d3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, v1 = s3 * c4, c3 * c4
+    p5_x, p5_y, p5_z = q[1] + x4_x * a4, q[0] - v1 * a4, d3 + s4 * a4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    z6_x, y5_y, y5_z = s3 * s4 * c5 + x4_x * s5, c3 * s4 * c5 + v1 * s5, c4 * c5 - s4 * s5
+    p6_x, p6_y, p6_z = p5_x + z6_x * d6, p5_y - y5_y * d6, p5_z - y5_z * d6
+    J23, v2, v3 = p6_x - q[1], p6_y - q[0], p6_z - d3
     v4 = p6_z - p5_z
-    J[0, 1] = 1.0
-    J[0, 2] = -v2
-    J[0, 3] = -(s3 * v3)
+    J[0, 1], J[0, 2], J[0, 3] = 1.0, -v2, -(s3 * v3)
     J[0, 4] = -(s3 * v4)
-    J[1, 0] = 1.0
-    J[1, 2] = J23
-    J[1, 3] = c3 * v3
+    J[1, 0], J[1, 2], J[1, 3] = 1.0, J23, c3 * v3
     J[1, 4] = c3 * v4
-    J[2, 3] = s3 * J23 - c3 * v2
-    J[2, 4] = s3 * (p6_x - p5_x) - c3 * (p6_y - p5_y)
-    J[3, 3] = -c3
-    J[3, 4] = -c3
-    J[3, 5] = z6_x
-    J[4, 3] = -s3
-    J[4, 4] = -s3
-    J[4, 5] = -y5_y
-    J[5, 2] = 1.0
-    J[5, 5] = -y5_z
+    J[2, 3], J[2, 4] = s3 * J23 - c3 * v2, s3 * (p6_x - p5_x) - c3 * (p6_y - p5_y)
+    J[3, 3], J[3, 4], J[3, 5] = -c3, -c3, z6_x
+    J[4, 3], J[4, 4], J[4, 5] = -s3, -s3, -y5_y
+    J[5, 2], J[5, 5] = 1.0, -y5_z
     return J
 
 
@@ -236,8 +198,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if e3 < 0.0 and free3:
             continue  # both signs give the same
         factor3 = e3 / divisor3
-        v1 = T23 * factor3
-        v2 = T13 * factor3
+        v1, v2 = T23 * factor3, T13 * factor3
         off3 = w3 * abs(v1 * math.sin(seed[2]) + v2 * math.cos(seed[2])) if near3 else 1.0
         ahead3 = v1 * math.cos(seed[2]) - v2 * math.sin(seed[2]) if near3 else -1.0
         same3 = near3 and 0.0 < ahead3 and off3 <= free_limit
@@ -275,12 +236,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             # joint values
             q5 = _wrap(theta45 - q4)
             row = 2 * i1 + i2
-            q[row, 0] = r1
-            q[row, 1] = r2
-            q[row, 2] = q3
-            q[row, 3] = q4
-            q[row, 4] = q5
-            q[row, 5] = q6
+            q[row, 0], q[row, 1], q[row, 2] = r1, r2, q3
+            q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
             status[row] = FREE_JOINT if free3 else OK
 
 
@@ -292,37 +249,31 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T33, T34 = kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T33 = kept[6 * w + k], kept[7 * w + k], kept[10 * w + k]
+        T34 = kept[11 * w + k]
 
         # theta3, type 2: U3[2, 3]
         v1 = T23 * T23 + T13 * T13
         w3 = math.sqrt(v1)
         factor3 = w3 * (1.0 / v1)
-        c3 = T23 * factor3
-        v2 = T13 * factor3
+        c3, v2 = T23 * factor3, T13 * factor3
 
         # theta4, type 2: U0 A6^-1 [3, 4]
         Z4 = T34 - d6 * T33 - d3
         D4 = k1 - Z4 * Z4
         w4 = math.sqrt(D4)
-        v3 = w4 - w4
-        v4 = a4 * w4
-        v5 = k2 * v4
-        v6 = a4 * Z4
+        v3, v4 = w4 - w4, a4 * w4
+        v5, v6 = k2 * v4, a4 * Z4
 
         # r2, type 1: U0 A6^-1 [1, 4]
-        wx = T14 - d6 * T13
-        v7 = v5 * (a4 * v2)
-        q2_pp = wx - v7
-        q2_pm = wx + v7
+        wx, v7 = T14 - d6 * T13, v5 * (a4 * v2)
+        q2_pp, q2_pm = wx - v7, wx + v7
 
         # r1, type 1: U0 A6^-1 [2, 4]
-        wy = T24 - d6 * T23
-        v8 = v5 * (a4 * c3)
-        q1_pp = wy - v8
-        q1_pm = wy + v8
+        wy, v8 = T24 - d6 * T23, v5 * (a4 * c3)
+        q1_pp, q1_pm = wy - v8, wy + v8
 
         # theta6, type 3: U3[2, 2] and U3[2, 1]
         v9 = v2 * T21 - c3 * T11
@@ -333,9 +284,9 @@ def _formulas(kept, turns, rows, w):
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v3, v6, q2_pp
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = q2_pm, q1_pp, q1_pm
-        kept[23 * w + k], turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = v9, -T13, v6, -w3
-        turns[3 * w + k], turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = v9, T23, -v4, -T33
-        turns[11 * w + k] = v2 * T22 - c3 * T12
+        kept[23 * w + k], turns[0 * w + k], turns[1 * w + k] = v9, -T13, v6
+        turns[2 * w + k], turns[3 * w + k], turns[8 * w + k] = -w3, v9, T23
+        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = -v4, -T33, v2 * T22 - c3 * T12
     if w == 1 and kept[16] != 0.0:
         return
     end = 8 if w == 1 else 4 * w
@@ -345,27 +296,23 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 8 * w])
     for k in range(w):
-        T13, v3, v6, q2_pp = kept[2 * w + k], kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
-        q2_pm, q1_pp, q1_pm = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
-        v9, angle1, angle2 = kept[23 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4 = turns[2 * w + k], turns[3 * w + k]
+        T13, v3, v6 = kept[2 * w + k], kept[17 * w + k], kept[18 * w + k]
+        q2_pp, q2_pm, q1_pp = kept[19 * w + k], kept[20 * w + k], kept[21 * w + k]
+        q1_pm, v9, angle1 = kept[22 * w + k], kept[23 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
 
         # theta4, type 2: U0 A6^-1 [3, 4]
         q4_pm = math.copysign(half_turn, v6) - angle2
 
         # joint values
-        v10 = angle3 - angle2
-        v11 = angle3 - q4_pm
-        v12 = angle2 + angle3
+        v10, v11, v12 = angle3 - angle2, angle3 - q4_pm, angle2 + angle3
         v13 = q4_pm + angle3
         q5_pp = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
         q5_pm = v11 + (turn if v11 <= -half_turn else (-turn if half_turn < v11 else 0.0))
         q5_mp = (turn if -v12 <= -half_turn else (-turn if half_turn < -v12 else 0.0)) - v12
         q5_mm = (turn if -v13 <= -half_turn else (-turn if half_turn < -v13 else 0.0)) - v13
-        q3_pp = angle1 + v3
-        q3_mp = v3 + (angle1 - math.copysign(half_turn, -T13))
-        q6_pp = v3 + angle4
-        q6_mp = v3 + (angle4 - math.copysign(half_turn, v9))
+        q3_pp, q3_mp = angle1 + v3, v3 + (angle1 - math.copysign(half_turn, -T13))
+        q6_pp, q6_mp = v3 + angle4, v3 + (angle4 - math.copysign(half_turn, v9))
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_pp, q2_pp, q3_pp
         rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle2, q5_pp, q6_pp
@@ -373,17 +320,13 @@ def _formulas(kept, turns, rows, w):
         rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = q5_pm, q3_mp, q5_mp
         rows[12 * w + k], rows[13 * w + k] = q6_mp, q5_mm
         rows[14 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
-        rows[15 * w + k] = UNREACHABLE if q1_pm != q1_pm else OK
-        rows[16 * w + k] = UNREACHABLE if q1_pm != q1_pm else OK
+        rows[15 * w + k] = rows[16 * w + k] = UNREACHABLE if q1_pm != q1_pm else OK
         rows[17 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [6, 7, 2, 8, 9, 5],
-    [6, 7, 10, 3, 11, 12],
-    [0, 1, 10, 8, 13, 12],
+    [0, 1, 2, 3, 4, 5], [6, 7, 2, 8, 9, 5], [6, 7, 10, 3, 11, 12], [0, 1, 10, 8, 13, 12],
 ])
 
 

@@ -199,58 +199,34 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - x2_y * s3
-    x3_y = x2_y * c3 + x2_x * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4
-    x4_y = x3_y * c4
-    v1 = x3_x * s4
-    v2 = x3_y * s4
-    y4_z = c4 * k1
-    y4_x = x3_y * k2 - v1 * k1
-    y4_y = -x3_x * k2 - v2 * k1
-    v3 = c4 * k2
-    z4_x = v1 * k2 + x3_y * k1
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y = x2_x * c3 - x2_y * s3, x2_y * c3 + x2_x * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, v1 = x3_x * c4, x3_y * c4, x3_x * s4
+    v2, y4_z, y4_x = x3_y * s4, c4 * k1, x3_y * k2 - v1 * k1
+    y4_y, v3, z4_x = -x3_x * k2 - v2 * k1, c4 * k2, v1 * k2 + x3_y * k1
     z4_y = v2 * k2 + -x3_x * k1
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + y4_x * s5
-    x5_y = x4_y * c5 + y4_y * s5
-    x5_z = s4 * c5 + y4_z * s5
-    v4 = y4_x * c5 - x4_x * s5
-    v5 = y4_y * c5 - x4_y * s5
-    v6 = y4_z * c5 - s4 * s5
-    y5_x = v4 * ca5 + z4_x * sa5
-    y5_y = v5 * ca5 + z4_y * sa5
-    y5_z = v6 * ca5 - v3 * sa5
-    z5_x = z4_x * ca5 - v4 * sa5
-    z5_y = z4_y * ca5 - v5 * sa5
-    v7 = v6 * sa5 + v3 * ca5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    x6_x = x5_x * c6 + y5_x * s6
-    x6_y = x5_y * c6 + y5_y * s6
-    x6_z = x5_z * c6 + y5_z * s6
-    T[0, 0] = x6_x
-    T[0, 1] = y5_x * c6 - x5_x * s6
-    T[0, 2] = z5_x
-    T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 + x3_y * d4 + x5_x * a5 + z4_x * d5 + x6_x * a6 + z5_x * d6
-    T[1, 0] = x6_y
-    T[1, 1] = y5_y * c6 - x5_y * s6
-    T[1, 2] = z5_y
-    T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 + -x3_x * d4 + x5_y * a5 + z4_y * d5 + x6_y * a6 + z5_y * d6
-    T[2, 0] = x6_z
-    T[2, 1] = y5_z * c6 - x5_z * s6
-    T[2, 2] = -v7
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 + y4_x * s5, x4_y * c5 + y4_y * s5, s4 * c5 + y4_z * s5
+    v4, v5, v6 = y4_x * c5 - x4_x * s5, y4_y * c5 - x4_y * s5, y4_z * c5 - s4 * s5
+    y5_x, y5_y, y5_z = v4 * ca5 + z4_x * sa5, v5 * ca5 + z4_y * sa5, v6 * ca5 - v3 * sa5
+    z5_x, z5_y, v7 = z4_x * ca5 - v4 * sa5, z4_y * ca5 - v5 * sa5, v6 * sa5 + v3 * ca5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    x6_x, x6_y, x6_z = x5_x * c6 + y5_x * s6, x5_y * c6 + y5_y * s6, x5_z * c6 + y5_z * s6
+    T[0, 0], T[0, 1], T[0, 2] = x6_x, y5_x * c6 - x5_x * s6, z5_x
+    T[0, 3] = (
+        c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 + x3_y * d4 + x5_x * a5 + z4_x * d5 + x6_x * a6
+        + z5_x * d6
+    )
+    T[1, 0], T[1, 1], T[1, 2] = x6_y, y5_y * c6 - x5_y * s6, z5_y
+    T[1, 3] = (
+        s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 + -x3_x * d4 + x5_y * a5 + z4_y * d5 + x6_y * a6
+        + z5_y * d6
+    )
+    T[2, 0], T[2, 1], T[2, 2] = x6_z, y5_z * c6 - x5_z * s6, -v7
     T[2, 3] = f1 + s4 * a4 + x5_z * a5 - v3 * d5 + x6_z * a6 - v7 * d6
     T[3, 3] = 1.0
     return T
@@ -262,89 +238,43 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - x2_y * s3
-    x3_y = x2_y * c3 + x2_x * s3
-    p3_x = p2_x + x3_x * a3
-    p3_y = p2_y + x3_y * a3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4
-    x4_y = x3_y * c4
-    v1 = x3_x * s4
-    v2 = x3_y * s4
-    p4_z = g1 + s4 * a4
-    p4_x = p3_x + x4_x * a4 + x3_y * d4
-    p4_y = p3_y + x4_y * a4 + -x3_x * d4
-    y4_z = c4 * k1
-    y4_x = x3_y * k2 - v1 * k1
-    y4_y = -x3_x * k2 - v2 * k1
-    v3 = c4 * k2
-    z4_x = v1 * k2 + x3_y * k1
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * a1, s1 * a1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    p2_x, p2_y = p1_x + x2_x * a2, p1_y + x2_y * a2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y = x2_x * c3 - x2_y * s3, x2_y * c3 + x2_x * s3
+    p3_x, p3_y = p2_x + x3_x * a3, p2_y + x3_y * a3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, v1 = x3_x * c4, x3_y * c4, x3_x * s4
+    v2, p4_z, p4_x = x3_y * s4, g1 + s4 * a4, p3_x + x4_x * a4 + x3_y * d4
+    p4_y, y4_z, y4_x = p3_y + x4_y * a4 + -x3_x * d4, c4 * k1, x3_y * k2 - v1 * k1
+    y4_y, v3, z4_x = -x3_x * k2 - v2 * k1, c4 * k2, v1 * k2 + x3_y * k1
     z4_y = v2 * k2 + -x3_x * k1
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + y4_x * s5
-    x5_y = x4_y * c5 + y4_y * s5
-    x5_z = s4 * c5 + y4_z * s5
-    v4 = y4_x * c5 - x4_x * s5
-    v5 = y4_y * c5 - x4_y * s5
-    v6 = y4_z * c5 - s4 * s5
-    p5_x = p4_x + x5_x * a5 + z4_x * d5
-    p5_y = p4_y + x5_y * a5 + z4_y * d5
-    p5_z = p4_z + x5_z * a5 - v3 * d5
-    z5_x = z4_x * ca5 - v4 * sa5
-    z5_y = z4_y * ca5 - v5 * sa5
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 + y4_x * s5, x4_y * c5 + y4_y * s5, s4 * c5 + y4_z * s5
+    v4, v5, v6 = y4_x * c5 - x4_x * s5, y4_y * c5 - x4_y * s5, y4_z * c5 - s4 * s5
+    p5_x, p5_y = p4_x + x5_x * a5 + z4_x * d5, p4_y + x5_y * a5 + z4_y * d5
+    p5_z, z5_x, z5_y = p4_z + x5_z * a5 - v3 * d5, z4_x * ca5 - v4 * sa5, z4_y * ca5 - v5 * sa5
     v7 = v6 * sa5 + v3 * ca5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
     p6_x = p5_x + (x5_x * c6 + (v4 * ca5 + z4_x * sa5) * s6) * a6 + z5_x * d6
     p6_y = p5_y + (x5_y * c6 + (v5 * ca5 + z4_y * sa5) * s6) * a6 + z5_y * d6
     p6_z = p5_z + (x5_z * c6 + (v6 * ca5 - v3 * sa5) * s6) * a6 - v7 * d6
-    v8 = p6_z - g1
-    v9 = p6_x - p4_x
-    v10 = p6_y - p4_y
-    v11 = p6_z - p4_z
-    v12 = p6_x - p5_x
-    v13 = p6_y - p5_y
+    v8, v9, v10 = p6_z - g1, p6_x - p4_x, p6_y - p4_y
+    v11, v12, v13 = p6_z - p4_z, p6_x - p5_x, p6_y - p5_y
     v14 = p6_z - p5_z
-    J[0, 0] = -p6_y
-    J[0, 1] = p1_y - p6_y
-    J[0, 2] = p2_y - p6_y
-    J[0, 3] = -x3_x * v8
-    J[0, 4] = z4_y * v11 + v3 * v10
-    J[0, 5] = z5_y * v14 + v7 * v13
-    J[1, 0] = p6_x
-    J[1, 1] = p6_x - p1_x
-    J[1, 2] = p6_x - p2_x
-    J[1, 3] = -(x3_y * v8)
-    J[1, 4] = -(v3 * v9 + z4_x * v11)
-    J[1, 5] = -(v7 * v12 + z5_x * v14)
-    J[2, 3] = x3_y * (p6_y - p3_y) - -x3_x * (p6_x - p3_x)
-    J[2, 4] = z4_x * v10 - z4_y * v9
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, p1_y - p6_y, p2_y - p6_y
+    J[0, 3], J[0, 4], J[0, 5] = -x3_x * v8, z4_y * v11 + v3 * v10, z5_y * v14 + v7 * v13
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, p6_x - p1_x, p6_x - p2_x
+    J[1, 3], J[1, 4], J[1, 5] = -(x3_y * v8), -(v3 * v9 + z4_x * v11), -(v7 * v12 + z5_x * v14)
+    J[2, 3], J[2, 4] = x3_y * (p6_y - p3_y) - -x3_x * (p6_x - p3_x), z4_x * v10 - z4_y * v9
     J[2, 5] = z5_x * v13 - z5_y * v12
-    J[3, 3] = x3_y
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 3] = -x3_x
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 1] = 1.0
-    J[5, 2] = 1.0
-    J[5, 4] = -v3
-    J[5, 5] = -v7
+    J[3, 3], J[3, 4], J[3, 5] = x3_y, z4_x, z5_x
+    J[4, 3], J[4, 4], J[4, 5] = -x3_x, z4_y, z5_y
+    J[5, 0], J[5, 1], J[5, 2] = 1.0, 1.0, 1.0
+    J[5, 4], J[5, 5] = -v3, -v7
     return J
 
 
@@ -357,26 +287,13 @@ def _solve(pose, q_free, seed, moved, q, status):
     R1_6 = T31 * a6 + (T33 * k3 + (k4 - T34))
     R1c6 = T31 * a5 + sa5 * (T32 * d5)
     R1s6 = T31 * k5 - T32 * a5
-    v1 = T33 * ca5
-    v2 = T32 * sa5
-    v3 = T31 * sa5
-    v4 = a4 * v1
-    v5 = a4 * v2
-    v6 = a4 * v3
-    v7 = k2 * R1_6
-    v8 = k2 * R1c6
-    v9 = k2 * R1s6
-    v10 = v5 * v5
-    v11 = v6 * v6
-    v12 = 2.0 * v4
-    v13 = v8 * v8
-    v14 = v9 * v9
-    v15 = 2.0 * v7
-    v16 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14))
-    v17 = v5 * v12 + v8 * v15
-    v18 = v6 * v12 + v9 * v15
-    v19 = k1 * (v10 - v11) + k1 * (v13 - v14)
-    v20 = v5 * v6 + v8 * v9
+    v1, v2, v3 = T33 * ca5, T32 * sa5, T31 * sa5
+    v4, v5, v6 = a4 * v1, a4 * v2, a4 * v3
+    v7, v8, v9 = k2 * R1_6, k2 * R1c6, k2 * R1s6
+    v10, v11, v12 = v5 * v5, v6 * v6, 2.0 * v4
+    v13, v14, v15 = v8 * v8, v9 * v9, 2.0 * v7
+    v16, v17 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14)), v5 * v12 + v8 * v15
+    v18, v19, v20 = v6 * v12 + v9 * v15, k1 * (v10 - v11) + k1 * (v13 - v14), v5 * v6 + v8 * v9
     v21 = v16 - k6
     v22 = abs(v21) + abs(v17) + abs(v18) + abs(v19) + abs(v20)
     free6 = v22 <= free_limit2
@@ -384,9 +301,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     x6_roots, x6_close = _circle_roots(1.0 if free6 else v21, -1.0 if free6 else v17, 0.0 if free6
         else v18, 0.0 if free6 else v19, 0.0 if free6 else v20, v23, moved)
     v26 = math.cos(seed[5]) * math.cos(seed[5]) - math.sin(seed[5]) * math.sin(seed[5])
-    v27 = 2.0 * (math.cos(seed[5]) * math.sin(seed[5]))
-    v28 = 2.0 * v20
-    v29 = 2.0 * v19
+    v27, v28, v29 = 2.0 * (math.cos(seed[5]) * math.sin(seed[5])), 2.0 * v20, 2.0 * v19
     v31 = v22 * near_limit
     v32 = v26 * v28 + (v18 * math.cos(seed[5]) - v17 * math.sin(seed[5])) - v27 * v29
     v33 = (
@@ -395,21 +310,15 @@ def _solve(pose, q_free, seed, moved, q, status):
     )
 
     # theta123, type 3: U0 (A5 A6)^-1 [2, 3] and U0 (A5 A6)^-1 [1, 3]
-    v35 = sa5 * T22
-    v36 = sa5 * T21
-    v37 = ca5 * T23
-    v38 = sa5 * T12
-    v39 = sa5 * T11
-    v40 = ca5 * T13
+    v35, v36, v37 = sa5 * T22, sa5 * T21, ca5 * T23
+    v38, v39, v40 = sa5 * T12, sa5 * T11, ca5 * T13
     v41 = seed[0] + seed[1] + seed[2]
 
     # theta5, type 3: U3[3, 3] and U4[1, 3]
-    v42 = 2.0 * T23
-    v43 = 2.0 * T13
+    v42, v43 = 2.0 * T23, 2.0 * T13
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
-    v55 = 2.0 * T14
-    v56 = 2.0 * T24
+    v55, v56 = 2.0 * T14, 2.0 * T24
 
     # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
     wy = T24 - a6 * T21 - d6 * T23
@@ -422,8 +331,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta6
         if not (x6 <= 4.0):
             continue  # out of reach
-        v24 = math.cos(x6)
-        v25 = math.sin(x6)
+        v24, v25 = math.cos(x6), math.sin(x6)
         v30 = (v24 * v24 - v25 * v25) * v28 + (v18 * v24 - v17 * v25) - 2.0 * (v24 * v25) * v29
         near6 = abs(v30) <= v31
         same6 = (
@@ -433,12 +341,10 @@ def _solve(pose, q_free, seed, moved, q, status):
         )
         v34 = seed[5] if same6 else x6
         q6 = seed[5] if free6 else v34
-        c6 = math.cos(q6)
-        s6 = math.sin(q6)
+        c6, s6 = math.cos(q6), math.sin(q6)
 
         # theta4, type 3: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3]
-        s4 = k2 * (R1_6 + (R1c6 * c6 + R1s6 * s6)) * k7
-        c4 = a4 * (v1 + (v2 * c6 + v3 * s6)) * k7
+        s4, c4 = k2 * (R1_6 + (R1c6 * c6 + R1s6 * s6)) * k7, a4 * (v1 + (v2 * c6 + v3 * s6)) * k7
         q4 = _atan2(s4, c4)
 
         # theta123
@@ -461,16 +367,10 @@ def _solve(pose, q_free, seed, moved, q, status):
         q5 = _atan2(s5, -v44)
 
         # theta2
-        v45 = a5 + a6 * c6
-        v46 = s6 * k10 - k11
-        v47 = c4 * (2.0 * v45) + s4 * -v46
-        v48 = sqrt3 * v46
-        v49 = c4 * (2.0 * v46) + s4 * v45
-        v50 = sqrt3 * v45
-        v51 = c4 * k12
-        v52 = s6 * k13
-        v53 = k12 + (v51 + s4 * (sqrt3 * (v52 + k14)))
-        v54 = v52 + k15
+        v45, v46 = a5 + a6 * c6, s6 * k10 - k11
+        v47, v48, v49 = c4 * (2.0 * v45) + s4 * -v46, sqrt3 * v46, c4 * (2.0 * v46) + s4 * v45
+        v50, v51, v52 = sqrt3 * v45, c4 * k12, s6 * k13
+        v53, v54 = k12 + (v51 + s4 * (sqrt3 * (v52 + k14))), v52 + k15
         Z1_2 = (
             k1 * (v44 * (c123 * v47 + s123 * v48) + s5 * (c123 * v49 - s123 * v50) + (v55 - (c123 *
             v53 + s123 * v54)))
@@ -515,8 +415,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             k1 * (v44 * (2.0 * (a5 * (c4 * c123))) + s5 * (a5 * (s4 * c123 - sqrt3 * s123)) + (v59 -
             (c123 * v57 + s123 * k18)))
         )
-        v60 = X1_1 * Z1_1
-        v61 = X1_1 * Z2_1
+        v60, v61 = X1_1 * Z1_1, X1_1 * Z2_1
 
         for i2 in range(2):  # right, left
             e2 = 1.0 - 2.0 * i2
@@ -544,12 +443,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             # joint values
             q3 = _wrap(theta123 - (q2 + q1))
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
-            q[row, 3] = q4
-            q[row, 4] = q5
-            q[row, 5] = q6
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+            q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
             status[row] = (
                 FREE_JOINT if free123 or free1 or free6 else _status.CLOSE if x6_close[i1] or near6
                 or near123 or near1 else OK

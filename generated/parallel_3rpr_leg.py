@@ -106,14 +106,9 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 2 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    T[0, 0] = c1
-    T[0, 2] = s1
-    T[0, 3] = s1 * q[1]
-    T[1, 0] = s1
-    T[1, 2] = -c1
-    T[1, 3] = -(c1 * q[1])
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    T[0, 0], T[0, 2], T[0, 3] = c1, s1, s1 * q[1]
+    T[1, 0], T[1, 2], T[1, 3] = s1, -c1, -(c1 * q[1])
     T[2, 1] = 1.0
     T[3, 3] = 1.0
     return T
@@ -125,12 +120,9 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 2 joint values")
     J = _zeros(6, 2)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    J[0, 0] = c1 * q[1]
-    J[0, 1] = s1
-    J[1, 0] = s1 * q[1]
-    J[1, 1] = -c1
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    J[0, 0], J[0, 1] = c1 * q[1], s1
+    J[1, 0], J[1, 1] = s1 * q[1], -c1
     J[5, 0] = 1.0
     return J
 
@@ -156,8 +148,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         q1 = _atan2(s1, c1)
         r2 = w2 * e1
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = r2
+        q[row, 0], q[row, 1] = q1, r2
         status[row] = FREE_JOINT if free1 else OK
 
 
@@ -177,8 +168,7 @@ def _formulas(kept, turns, rows, w):
 
         # joint values
         excess_p = per_size * max(low2 - q2_p, q2_p - high2)
-        excess_m = per_size * max(low2 + q2_p, -(high2 + q2_p))
-        outside_p = 0.0 < excess_p
+        excess_m, outside_p = per_size * max(low2 + q2_p, -(high2 + q2_p)), 0.0 < excess_p
         outside_m = 0.0 < excess_m
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
@@ -208,8 +198,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1],
-    [2, 3],
+    [0, 1], [2, 3],
 ])
 
 

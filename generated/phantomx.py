@@ -157,39 +157,20 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    y2_x = c1 * s2
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, y2_x = c1 * c2, s1 * c2, c1 * s2
     y2_y = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = c2 * s3 - s2 * c3
-    y3_x = y2_x * c3 - x2_x * s3
-    y3_y = y2_y * c3 - x2_y * s3
-    y3_z = c2 * c3 + s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + y3_x * s4
-    x4_y = x3_y * c4 + y3_y * s4
-    x4_z = x3_z * c4 + y3_z * s4
-    T[0, 0] = x3_x * s4 - y3_x * c4
-    T[0, 1] = s1
-    T[0, 2] = -x4_x
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, c2 * s3 - s2 * c3
+    y3_x, y3_y, y3_z = y2_x * c3 - x2_x * s3, y2_y * c3 - x2_y * s3, c2 * c3 + s2 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 + y3_x * s4, x3_y * c4 + y3_y * s4, x3_z * c4 + y3_z * s4
+    T[0, 0], T[0, 1], T[0, 2] = x3_x * s4 - y3_x * c4, s1, -x4_x
     T[0, 3] = -(x2_x * a2 + x3_x * a3 + x4_x * a4)
-    T[1, 0] = x3_y * s4 - y3_y * c4
-    T[1, 1] = -c1
-    T[1, 2] = -x4_y
+    T[1, 0], T[1, 1], T[1, 2] = x3_y * s4 - y3_y * c4, -c1, -x4_y
     T[1, 3] = -(x2_y * a2 + x3_y * a3 + x4_y * a4)
-    T[2, 0] = x3_z * s4 - y3_z * c4
-    T[2, 2] = -x4_z
-    T[2, 3] = d1 + s2 * a2 - x3_z * a3 - x4_z * a4
+    T[2, 0], T[2, 2], T[2, 3] = x3_z * s4 - y3_z * c4, -x4_z, d1 + s2 * a2 - x3_z * a3 - x4_z * a4
     T[3, 3] = 1.0
     return T
 
@@ -200,51 +181,27 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    y2_x = c1 * s2
-    y2_y = s1 * s2
-    v2 = x2_x * a2
-    v3 = x2_y * a2
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, y2_x = c1 * c2, s1 * c2, c1 * s2
+    y2_y, v2, v3 = s1 * s2, x2_x * a2, x2_y * a2
     p2_z = d1 + s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = c2 * s3 - s2 * c3
-    v4 = v2 + x3_x * a3
-    v5 = v3 + x3_y * a3
-    p3_z = p2_z - x3_z * a3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, c2 * s3 - s2 * c3
+    v4, v5, p3_z = v2 + x3_x * a3, v3 + x3_y * a3, p2_z - x3_z * a3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
     v6 = v4 + (x3_x * c4 + (y2_x * c3 - x2_x * s3) * s4) * a4
     J11 = v5 + (x3_y * c4 + (y2_y * c3 - x2_y * s3) * s4) * a4
     p4_z = p3_z - (x3_z * c4 + (c2 * c3 + s2 * s3) * s4) * a4
-    v7 = p4_z - d1
-    v8 = p4_z - p2_z
-    v9 = p4_z - p3_z
-    J[0, 0] = J11
-    J[0, 1] = c1 * v7
-    J[0, 2] = -(c1 * v8)
+    v7, v8, v9 = p4_z - d1, p4_z - p2_z, p4_z - p3_z
+    J[0, 0], J[0, 1], J[0, 2] = J11, c1 * v7, -(c1 * v8)
     J[0, 3] = -(c1 * v9)
-    J[1, 0] = -v6
-    J[1, 1] = s1 * v7
-    J[1, 2] = -(s1 * v8)
+    J[1, 0], J[1, 1], J[1, 2] = -v6, s1 * v7, -(s1 * v8)
     J[1, 3] = -(s1 * v9)
-    J[2, 1] = s1 * J11 + c1 * v6
-    J[2, 2] = s1 * (v3 - J11) + c1 * (v2 - v6)
+    J[2, 1], J[2, 2] = s1 * J11 + c1 * v6, s1 * (v3 - J11) + c1 * (v2 - v6)
     J[2, 3] = s1 * (v5 - J11) + c1 * (v4 - v6)
-    J[3, 1] = -s1
-    J[3, 2] = s1
-    J[3, 3] = s1
-    J[4, 1] = c1
-    J[4, 2] = -c1
-    J[4, 3] = -c1
+    J[3, 1], J[3, 2], J[3, 3] = -s1, s1, s1
+    J[4, 1], J[4, 2], J[4, 3] = c1, -c1, -c1
     J[5, 0] = 1.0
     return J
 
@@ -286,9 +243,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
     X2_2 = a2 + a3 * c3
-    v7 = Z1_3 * X2_2
-    v8 = Z2_3 * X2_2
-    v10 = seed[1] + offset2
+    v7, v8, v10 = Z1_3 * X2_2, Z2_3 * X2_2, seed[1] + offset2
 
     # is the pose one that the arm can take?
     v12 = d1 + v4
@@ -332,9 +287,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         q2 = _wrap(theta2 - offset2)
         q4 = _wrap(theta2 - q3 - theta2m3m4)
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
+        q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
         q[row, 3] = q4
         status[row] = FREE_JOINT if free2 else OK
 
@@ -347,15 +300,15 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T12, T13, T14, T22 = kept[1 * w + k], kept[2 * w + k], kept[3 * w + k], kept[5 * w + k]
-        T23, T24, T31, T32 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k], kept[9 * w + k]
-        T33, T34 = kept[10 * w + k], kept[11 * w + k]
+        T12, T13, T14 = kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T22, T23, T24 = kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T32, T33 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k]
+        T34 = kept[11 * w + k]
 
         # theta1, type 3: U0[1, 3] and U0[2, 3]
         v1 = T12 * T12 + T22 * T22
         v2 = math.sqrt(v1) * (1.0 / v1)
-        v3 = T22 * v2
-        s1 = T12 * v2
+        v3, s1 = T22 * v2, T12 * v2
 
         # theta2m3m4, type 3: U0[3, 2] and U0[3, 1]
         v4 = T33 * T33 + T31 * T31
@@ -363,39 +316,26 @@ def _formulas(kept, turns, rows, w):
 
         # theta3, type 8: U1[2, 4] and U1[1, 4]
         v5 = factor2m3m4 * (a4 * T33)
-        Z1_3 = T34 - d1 - v5
-        v6 = factor2m3m4 * (a4 * T31)
+        Z1_3, v6 = T34 - d1 - v5, factor2m3m4 * (a4 * T31)
         Z2_3 = s1 * T24 - v3 * T14 - v6
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         D3 = (longest3 - N3) * (N3 - shortest3)
         w3 = math.sqrt(D3)
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
-        v7 = w3 * (m4 * Z2_3)
-        v8 = w3 * (m4 * -Z2_3)
-        v9 = m4 * (Z1_3 * N3)
-        S2_p = v9 - v7
-        S2_m = v9 - v8
-        v10 = m4 * (Z2_3 * N3)
+        v7, v8, v9 = w3 * (m4 * Z2_3), w3 * (m4 * -Z2_3), m4 * (Z1_3 * N3)
+        S2_p, S2_m, v10 = v9 - v7, v9 - v8, m4 * (Z2_3 * N3)
         factor2 = 1.0 / N3
 
         # is the pose one that the arm can take?
-        v11 = -Z2_3 - v6
-        v12 = d1 + v5
-        v13 = T33 * factor2m3m4 - T33
-        v14 = factor2m3m4 * (s1 * T31) - T23
-        v15 = T13 + factor2m3m4 * (v3 * T31)
-        v16 = v1 - 1.0
+        v11, v12, v13 = -Z2_3 - v6, d1 + v5, T33 * factor2m3m4 - T33
+        v14, v15, v16 = factor2m3m4 * (s1 * T31) - T23, T13 + factor2m3m4 * (v3 * T31), v1 - 1.0
         v17 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
-        v18 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
-        v19 = T14 - v3 * v11
-        v20 = T24 + s1 * v11
-        v21 = v19 * v19
+        v18, v19 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9))), T14 - v3 * v11
+        v20, v21 = T24 + s1 * v11, v19 * v19
         v22 = v20 * v20
-        v23 = v22 + (v21 + v17 * v17)
-        v24 = v22 + (v21 + v18 * v18)
-        exact__p = v23 <= m6
-        exact__m = v24 <= m6
+        v23, v24 = v22 + (v21 + v17 * v17), v22 + (v21 + v18 * v18)
+        exact__p, exact__m = v23 <= m6, v24 <= m6
 
         # joint values
         v29 = math.sqrt(-1.0)
@@ -409,11 +349,11 @@ def _formulas(kept, turns, rows, w):
             (exact__p or exact__m)) or (m6 < v23 and v23 <= m7) or (m6 < v24 and v24 <= m7) else
             kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], turns[0 * w + k] = w3, v30, v31, T33
-        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = w3, S2_p, S2_m, T12
-        turns[8 * w + k], turns[9 * w + k] = -T31, N3 - k1
-        turns[10 * w + k], turns[11 * w + k] = -(v10 + w3 * (m4 * Z1_3)), -(v10 + w3 * (m4 * -Z1_3))
-        turns[12 * w + k] = -T22
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3, v30, v31
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = T33, w3, S2_p
+        turns[3 * w + k], turns[4 * w + k], turns[8 * w + k] = S2_m, T12, -T31
+        turns[9 * w + k], turns[10 * w + k] = N3 - k1, -(v10 + w3 * (m4 * Z1_3))
+        turns[11 * w + k], turns[12 * w + k] = -(v10 + w3 * (m4 * -Z1_3)), -T22
     if w == 1 and kept[16] != 0.0:
         return
     end = 8 if w == 1 else 5 * w
@@ -428,30 +368,25 @@ def _formulas(kept, turns, rows, w):
         angle4, angle5 = turns[3 * w + k], turns[4 * w + k]
 
         # joint values
-        v25 = angle3 - offset2
-        v26 = angle4 - offset2
-        v27 = angle3 - angle2 - angle1
-        v28 = angle2 + angle4 - angle1
-        v32 = angle5 + (w3 - w3)
-        q1_p = v30 + v32
-        q1_m = v31 + v32
+        v25, v26, v27 = angle3 - offset2, angle4 - offset2, angle3 - angle2 - angle1
+        v28, v32 = angle2 + angle4 - angle1, angle5 + (w3 - w3)
+        q1_p, q1_m = v30 + v32, v31 + v32
         q2_p = v30 + (v25 + (turn if v25 <= -half_turn else 0.0))
         q2_m = v31 + (v26 + (turn if v26 <= -half_turn else 0.0))
-        q3_p = angle2 + v30
-        q3_m = v31 - angle2
+        q3_p, q3_m = angle2 + v30, v31 - angle2
         q4_p = v30 + (v27 + (turn if v27 <= -half_turn else (-turn if half_turn < v27 else 0.0)))
         q4_m = v31 + (v28 + (turn if v28 <= -half_turn else (-turn if half_turn < v28 else 0.0)))
 
-        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k], rows[3 * w + k] = q1_p, q2_p, q3_p, q4_p
-        rows[4 * w + k], rows[5 * w + k], rows[6 * w + k], rows[7 * w + k] = q1_m, q2_m, q3_m, q4_m
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_p, q2_p, q3_p
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q4_p, q1_m, q2_m
+        rows[6 * w + k], rows[7 * w + k] = q3_m, q4_m
         rows[8 * w + k] = UNREACHABLE if q1_p != q1_p else OK
         rows[9 * w + k] = UNREACHABLE if q1_m != q1_m else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3],
-    [4, 5, 6, 7],
+    [0, 1, 2, 3], [4, 5, 6, 7],
 ])
 
 

@@ -112,16 +112,10 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 2 joint values")
     T = _zeros(4, 4)
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = f3 * c2
-    x2_y = f3 * s2
-    T[0, 0] = x2_x
-    T[0, 1] = -x2_y
-    T[0, 3] = f2 * q[0] + x2_x * a
-    T[1, 0] = x2_y
-    T[1, 1] = x2_x
-    T[1, 3] = f1 * q[0] + x2_y * a
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = f3 * c2, f3 * s2
+    T[0, 0], T[0, 1], T[0, 3] = x2_x, -x2_y, f2 * q[0] + x2_x * a
+    T[1, 0], T[1, 1], T[1, 3] = x2_y, x2_x, f1 * q[0] + x2_y * a
     T[2, 2] = 1.0
     T[3, 3] = 1.0
     return T
@@ -133,14 +127,10 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 2 joint values")
     J = _zeros(6, 2)
-    p1_x = f2 * q[0]
-    p1_y = f1 * q[0]
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    J[0, 0] = f2
-    J[0, 1] = p1_y - (p1_y + f3 * s2 * a)
-    J[1, 0] = f1
-    J[1, 1] = p1_x + f3 * c2 * a - p1_x
+    p1_x, p1_y = f2 * q[0], f1 * q[0]
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    J[0, 0], J[0, 1] = f2, p1_y - (p1_y + f3 * s2 * a)
+    J[1, 0], J[1, 1] = f1, p1_x + f3 * c2 * a - p1_x
     J[5, 1] = 1.0
     return J
 
@@ -153,8 +143,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     # theta2, r1, type 5: U0[2, 4] and U0[1, 4]
     V1_2 = T24 * k1
     V2_2 = T14 * k1
-    v1 = V1_2 * k2 + V2_2 * k3
-    v2 = k2 * V2_2 - V1_2 * k3
+    v1, v2 = V1_2 * k2 + V2_2 * k3, k2 * V2_2 - V1_2 * k3
     D1 = k4 - v2 * v2
     apart2 = k6 < D1
     if not (-k5 <= D1):
@@ -167,12 +156,10 @@ def _solve(pose, q_free, seed, moved, q, status):
         if e2 < 0.0 and not apart2:
             continue  # both signs give the same
         r1 = (v1 + w2 * e2) * k7
-        s2 = V1_2 - k2 * r1
-        c2 = V2_2 - k3 * r1
+        s2, c2 = V1_2 - k2 * r1, V2_2 - k3 * r1
         q2 = _atan2(s2, c2)
         row = i1
-        q[row, 0] = r1
-        q[row, 1] = q2
+        q[row, 0], q[row, 1] = r1, q2
         status[row] = OK
 
 
@@ -187,18 +174,12 @@ def _formulas(kept, turns, rows, w):
         T14, T24 = kept[3 * w + k], kept[7 * w + k]
 
         # theta2, r1, type 5: U0[2, 4] and U0[1, 4]
-        V1_2 = k1 * T24
-        V2_2 = k1 * T14
-        v1 = k2 * V1_2 + k3 * V2_2
-        v2 = k2 * V2_2 - k3 * V1_2
+        V1_2, V2_2 = k1 * T24, k1 * T14
+        v1, v2 = k2 * V1_2 + k3 * V2_2, k2 * V2_2 - k3 * V1_2
         D1 = k4 - v2 * v2
         w2 = math.sqrt(D1)
-        q1_p = k7 * (v1 + w2)
-        q1_m = k7 * (v1 - w2)
-        v3 = V1_2 - m2 * v1
-        v4 = V2_2 - m3 * v1
-        v5 = m2 * w2
-        v6 = m3 * w2
+        q1_p, q1_m, v3 = k7 * (v1 + w2), k7 * (v1 - w2), V1_2 - m2 * v1
+        v4, v5, v6 = V2_2 - m3 * v1, m2 * w2, m3 * w2
 
         # a joint is free, or branches meet
         kept[16 * w + k] = 1.0 if abs(D1) <= m1 else kept[16 * w + k]
@@ -224,8 +205,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1],
-    [2, 3],
+    [0, 1], [2, 3],
 ])
 
 

@@ -107,14 +107,9 @@ def fk(q):
         raise ValueError("q must hold 2 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    T[0, 0] = c1
-    T[0, 2] = s1
-    T[0, 3] = s1 * q[1]
-    T[1, 0] = s1
-    T[1, 2] = -c1
-    T[1, 3] = -(c1 * q[1])
+    c1, s1 = math.cos(v1), math.sin(v1)
+    T[0, 0], T[0, 2], T[0, 3] = c1, s1, s1 * q[1]
+    T[1, 0], T[1, 2], T[1, 3] = s1, -c1, -(c1 * q[1])
     T[2, 1] = 1.0
     T[3, 3] = 1.0
     return T
@@ -127,12 +122,9 @@ def jacobian(q):
         raise ValueError("q must hold 2 joint values")
     J = _zeros(6, 2)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    J[0, 0] = c1 * q[1]
-    J[0, 1] = s1
-    J[1, 0] = s1 * q[1]
-    J[1, 1] = -c1
+    c1, s1 = math.cos(v1), math.sin(v1)
+    J[0, 0], J[0, 1] = c1 * q[1], s1
+    J[1, 0], J[1, 1] = s1 * q[1], -c1
     J[5, 0] = 1.0
     return J
 
@@ -161,8 +153,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = r2
+        q[row, 0], q[row, 1] = q1, r2
         status[row] = FREE_JOINT if free1 else OK
 
 
@@ -181,10 +172,8 @@ def _formulas(kept, turns, rows, w):
         q2_p = math.sqrt(v1)
 
         # joint values
-        excess_p = max(low2 - q2_p, q2_p - high2)
-        excess_m = max(low2 + q2_p, -(high2 + q2_p))
-        outside_p = 0.0 < excess_p
-        outside_m = 0.0 < excess_m
+        excess_p, excess_m = max(low2 - q2_p, q2_p - high2), max(low2 + q2_p, -(high2 + q2_p))
+        outside_p, outside_m = 0.0 < excess_p, 0.0 < excess_m
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = 1.0 if v1 <= m1 else kept[16 * w + k]
@@ -203,20 +192,19 @@ def _formulas(kept, turns, rows, w):
         outside_m, angle1 = kept[19 * w + k] != 0.0, turns[0 * w + k]
 
         # joint values
-        v2 = angle1 - offset1
-        v3 = angle1 - math.copysign(half_turn, T14) - offset1
+        v2, v3 = angle1 - offset1, angle1 - math.copysign(half_turn, T14) - offset1
         q1_p = v2 + (turn if v2 <= -half_turn else 0.0)
         q1_m = v3 + (turn if v3 <= -half_turn else 0.0)
 
-        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k], rows[3 * w + k] = q1_p, q2_p, q1_m, -q2_p
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_p, q2_p, q1_m
+        rows[3 * w + k] = -q2_p
         rows[4 * w + k] = UNREACHABLE if q1_p != q1_p else (OUT_OF_LIMITS if outside_p else OK)
         rows[5 * w + k] = UNREACHABLE if q1_m != q1_m else (OUT_OF_LIMITS if outside_m else OK)
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1],
-    [2, 3],
+    [0, 1], [2, 3],
 ])
 
 

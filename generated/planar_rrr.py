@@ -123,22 +123,13 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - x2_y * s3
-    x3_y = x2_y * c3 + x2_x * s3
-    T[0, 0] = x3_x
-    T[0, 1] = -x3_y
-    T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3
-    T[1, 0] = x3_y
-    T[1, 1] = x3_x
-    T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y = x2_x * c3 - x2_y * s3, x2_y * c3 + x2_x * s3
+    T[0, 0], T[0, 1], T[0, 3] = x3_x, -x3_y, c1 * a1 + x2_x * a2 + x3_x * a3
+    T[1, 0], T[1, 1], T[1, 3] = x3_y, x3_x, s1 * a1 + x2_y * a2 + x3_y * a3
     T[2, 2] = 1.0
     T[3, 3] = 1.0
     return T
@@ -150,29 +141,16 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    p3_x = p2_x + (x2_x * c3 - x2_y * s3) * a3
-    p3_y = p2_y + (x2_y * c3 + x2_x * s3) * a3
-    J[0, 0] = -p3_y
-    J[0, 1] = p1_y - p3_y
-    J[0, 2] = p2_y - p3_y
-    J[1, 0] = p3_x
-    J[1, 1] = p3_x - p1_x
-    J[1, 2] = p3_x - p2_x
-    J[5, 0] = 1.0
-    J[5, 1] = 1.0
-    J[5, 2] = 1.0
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * a1, s1 * a1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    p2_x, p2_y = p1_x + x2_x * a2, p1_y + x2_y * a2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    p3_x, p3_y = p2_x + (x2_x * c3 - x2_y * s3) * a3, p2_y + (x2_y * c3 + x2_x * s3) * a3
+    J[0, 0], J[0, 1], J[0, 2] = -p3_y, p1_y - p3_y, p2_y - p3_y
+    J[1, 0], J[1, 1], J[1, 2] = p3_x, p3_x - p1_x, p3_x - p2_x
+    J[5, 0], J[5, 1], J[5, 2] = 1.0, 1.0, 1.0
     return J
 
 
@@ -185,8 +163,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     w123 = math.sqrt(T21 * T21 + T11 * T11)
     short123 = w123 <= free_limit
     v1 = 1.0 / (1.0 if short123 else w123)
-    c123 = T11 * v1
-    s123 = T21 * v1
+    c123, s123 = T11 * v1, T21 * v1
     theta123 = _atan2(s123, c123)
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
@@ -205,8 +182,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     X1_1 = a1 + a2 * c2
-    v4 = Z2_2 * X1_1
-    v5 = Z1_2 * X1_1
+    v4, v5 = Z2_2 * X1_1, Z1_2 * X1_1
 
     # is the pose one that the arm can take?
     if (
@@ -236,8 +212,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         q1 = _atan2(s1, c1)
 
         # is the pose one that the arm can take?
-        c12 = c2 * c1 - s2 * s1
-        s12 = c2 * s1 + s2 * c1
+        c12, s12 = c2 * c1 - s2 * s1, c2 * s1 + s2 * c1
         if (
             not (abs(T14 - (a2 * c12 + (v2 + a1 * c1))) <= pose_slack1 and abs(T24 - (a2 * s12 + (v3
             + a1 * s1))) <= pose_slack1)
@@ -247,9 +222,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         # joint values
         q3 = _wrap(theta123 - (q2 + q1))
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
+        q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
         status[row] = FREE_JOINT if free1 else OK
 
 
@@ -261,9 +234,9 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T13, T14, T21 = kept[0 * w + k], kept[2 * w + k], kept[3 * w + k], kept[4 * w + k]
-        T23, T24, T31, T33 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k], kept[10 * w + k]
-        T34 = kept[11 * w + k]
+        T11, T13, T14 = kept[0 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T23, T24 = kept[4 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T33, T34 = kept[8 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta123, type 3: U0[2, 1] and U0[1, 1]
         v1 = T21 * T21 + T11 * T11
@@ -271,8 +244,7 @@ def _formulas(kept, turns, rows, w):
 
         # theta2, type 8: U0[1, 4] and U0[2, 4]
         v3 = v2 * (a3 * T11)
-        Z1_2 = T14 - v3
-        v4 = v2 * (a3 * T21)
+        Z1_2, v4 = T14 - v3, v2 * (a3 * T21)
         Z2_2 = T24 - v4
         N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
         D2 = (longest2 - N2) * (N2 - shortest2)
@@ -281,25 +253,18 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 3: U0[2, 4] and U0[1, 4]
         v5 = m3 + m2 * N2
         v6 = Z2_2 * v5
-        S1_p = v6 - w2 * (m2 * Z1_2)
-        S1_m = v6 - w2 * (m2 * -Z1_2)
-        v7 = Z1_2 * v5
-        C1_p = v7 + w2 * (m2 * Z2_2)
-        C1_m = v7 + w2 * (m2 * -Z2_2)
-        factor1 = 1.0 / N2
+        S1_p, S1_m, v7 = v6 - w2 * (m2 * Z1_2), v6 - w2 * (m2 * -Z1_2), Z1_2 * v5
+        C1_p, C1_m, factor1 = v7 + w2 * (m2 * Z2_2), v7 + w2 * (m2 * -Z2_2), 1.0 / N2
 
         # is the pose one that the arm can take?
         v8 = m4 - m5 * factor1
-        v9 = Z1_2 * v8
-        v10 = Z2_2 * v8
-        v11 = T33 - 1.0
+        v9, v10, v11 = Z1_2 * v8, Z2_2 * v8, T33 - 1.0
         v12 = v1 - 1.0
         v13 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
         v14 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
         v15 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
         v16 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
-        v17 = v13 * v13 + v15 * v15
-        v18 = v14 * v14 + v16 * v16
+        v17, v18 = v13 * v13 + v15 * v15, v14 * v14 + v16 * v16
 
         # joint values
         v21 = math.sqrt(-1.0)
@@ -312,9 +277,10 @@ def _formulas(kept, turns, rows, w):
             T13 + v12 * v12 or (m6 < v17 and v17 <= m8) or (m6 < v18 and v18 <= m8) else kept[16 * w
             + k]
         )
-        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k], turns[1 * w + k] = v22, v23, T21, w2
-        turns[2 * w + k], turns[3 * w + k], turns[8 * w + k] = S1_p, S1_m, T11
-        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = N2 - k1, C1_p, C1_m
+        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = v22, v23, T21
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = w2, S1_p, S1_m
+        turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = T11, N2 - k1, C1_p
+        turns[11 * w + k] = C1_m
     if w == 1 and kept[16] != 0.0:
         return
     end = 8 if w == 1 else 4 * w
@@ -328,25 +294,20 @@ def _formulas(kept, turns, rows, w):
         angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
 
         # joint values
-        v19 = angle1 - (angle2 + angle3)
-        v20 = angle1 - (angle4 - angle2)
-        q1_p = angle3 + v22
-        q1_m = angle4 + v23
-        q2_p = angle2 + v22
-        q2_m = v23 - angle2
+        v19, v20, q1_p = angle1 - (angle2 + angle3), angle1 - (angle4 - angle2), angle3 + v22
+        q1_m, q2_p, q2_m = angle4 + v23, angle2 + v22, v23 - angle2
         q3_p = v22 + (v19 + (turn if v19 <= -half_turn else (-turn if half_turn < v19 else 0.0)))
         q3_m = v23 + (v20 + (turn if v20 <= -half_turn else (-turn if half_turn < v20 else 0.0)))
 
-        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k], rows[3 * w + k] = q1_p, q2_p, q3_p, q1_m
-        rows[4 * w + k], rows[5 * w + k] = q2_m, q3_m
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_p, q2_p, q3_p
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q1_m, q2_m, q3_m
         rows[6 * w + k] = UNREACHABLE if q1_p != q1_p else OK
         rows[7 * w + k] = UNREACHABLE if q1_m != q1_m else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [3, 4, 5],
+    [0, 1, 2], [3, 4, 5],
 ])
 
 

@@ -136,54 +136,26 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = s1 * s2
-    v1 = c1 * s2
-    y2_x = s1 * c2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, v1, y2_x = s1 * s2, c1 * s2, s1 * c2
     v2 = c1 * c2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    v3 = v1 * c3 + v2 * s3
-    x3_z = c2 * c3 - s2 * s3
-    v4 = s2 * c3 + c2 * s3
-    v5 = x2_x * s3 - y2_x * c3
-    v6 = v2 * c3 - v1 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = c1 * c4 + v5 * s4
-    x4_y = s1 * c4 + v6 * s4
-    x4_z = v4 * s4
-    y4_z = v4 * c4
-    v7 = c1 * s4 - v5 * c4
-    v8 = s1 * s4 - v6 * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x3_x * c5 + v7 * s5
-    x5_y = v8 * s5 - v3 * c5
-    x5_z = x3_z * c5 - y4_z * s5
-    y5_y = v8 * c5 + v3 * s5
-    v9 = y4_z * c5 + x3_z * s5
-    v10 = x3_x * s5 - v7 * c5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    x6_x = x4_x * c6 + v10 * s6
-    x6_y = x4_y * c6 - y5_y * s6
-    x6_z = x4_z * c6 + v9 * s6
-    T[0, 0] = x6_x
-    T[0, 1] = v10 * c6 - x4_x * s6
-    T[0, 2] = x5_x
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, v3, x3_z = x2_x * c3 + y2_x * s3, v1 * c3 + v2 * s3, c2 * c3 - s2 * s3
+    v4, v5, v6 = s2 * c3 + c2 * s3, x2_x * s3 - y2_x * c3, v2 * c3 - v1 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = c1 * c4 + v5 * s4, s1 * c4 + v6 * s4, v4 * s4
+    y4_z, v7, v8 = v4 * c4, c1 * s4 - v5 * c4, s1 * s4 - v6 * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x3_x * c5 + v7 * s5, v8 * s5 - v3 * c5, x3_z * c5 - y4_z * s5
+    y5_y, v9, v10 = v8 * c5 + v3 * s5, y4_z * c5 + x3_z * s5, x3_x * s5 - v7 * c5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    x6_x, x6_y, x6_z = x4_x * c6 + v10 * s6, x4_y * c6 - y5_y * s6, x4_z * c6 + v9 * s6
+    T[0, 0], T[0, 1], T[0, 2] = x6_x, v10 * c6 - x4_x * s6, x5_x
     T[0, 3] = x2_x * L2 + c1 * D3 + x3_x * D4 - D3 * x6_x - x5_x * f1
-    T[1, 0] = x6_y
-    T[1, 1] = -(y5_y * c6 + x4_y * s6)
-    T[1, 2] = x5_y
+    T[1, 0], T[1, 1], T[1, 2] = x6_y, -(y5_y * c6 + x4_y * s6), x5_y
     T[1, 3] = s1 * D3 - v1 * L2 - v3 * D4 - D3 * x6_y - x5_y * f1
-    T[2, 0] = x6_z
-    T[2, 1] = v9 * c6 - x4_z * s6
-    T[2, 2] = x5_z
+    T[2, 0], T[2, 1], T[2, 2] = x6_z, v9 * c6 - x4_z * s6, x5_z
     T[2, 3] = c2 * L2 + x3_z * D4 - D3 * x6_z - x5_z * f1
     T[3, 3] = 1.0
     return T
@@ -195,84 +167,41 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = s1 * s2
-    v1 = c1 * s2
-    y2_x = s1 * c2
-    v2 = c1 * c2
-    p3_x = x2_x * L2
-    v3 = v1 * L2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, v1, y2_x = s1 * s2, c1 * s2, s1 * c2
+    v2, p3_x, v3 = c1 * c2, x2_x * L2, v1 * L2
     p3_z = c2 * L2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    v4 = v1 * c3 + v2 * s3
-    x3_z = c2 * c3 - s2 * s3
-    v5 = s2 * c3 + c2 * s3
-    p4_x = p3_x + c1 * D3
-    p4_y = s1 * D3 - v3
-    v6 = x2_x * s3 - y2_x * c3
-    v7 = v2 * c3 - v1 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = c1 * c4 + v6 * s4
-    x4_y = s1 * c4 + v7 * s4
-    x4_z = v5 * s4
-    y4_z = v5 * c4
-    p5_x = p4_x + x3_x * D4
-    p5_y = p4_y - v4 * D4
-    p5_z = p3_z + x3_z * D4
-    v8 = c1 * s4 - v6 * c4
-    v9 = s1 * s4 - v7 * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x3_x * c5 + v8 * s5
-    x5_y = v9 * s5 - v4 * c5
-    x5_z = x3_z * c5 - y4_z * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, v4, x3_z = x2_x * c3 + y2_x * s3, v1 * c3 + v2 * s3, c2 * c3 - s2 * s3
+    v5, p4_x, p4_y = s2 * c3 + c2 * s3, p3_x + c1 * D3, s1 * D3 - v3
+    v6, v7 = x2_x * s3 - y2_x * c3, v2 * c3 - v1 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = c1 * c4 + v6 * s4, s1 * c4 + v7 * s4, v5 * s4
+    y4_z, p5_x, p5_y = v5 * c4, p4_x + x3_x * D4, p4_y - v4 * D4
+    p5_z, v8, v9 = p3_z + x3_z * D4, c1 * s4 - v6 * c4, s1 * s4 - v7 * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x3_x * c5 + v8 * s5, v9 * s5 - v4 * c5, x3_z * c5 - y4_z * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
     J21 = p5_x - D3 * (x4_x * c6 + (x3_x * s5 - v8 * c5) * s6) - x5_x * g1
     v10 = p5_y - D3 * (x4_y * c6 - (v9 * c5 + v4 * s5) * s6) - x5_y * g1
     v11 = p5_z - D3 * (x4_z * c6 + (y4_z * c5 + x3_z * s5) * s6) - x5_z * g1
-    v12 = v11 - p3_z
-    v13 = J21 - p4_x
-    v14 = v10 - p4_y
-    v15 = J21 - p5_x
-    v16 = v10 - p5_y
-    v17 = v11 - p5_z
-    J[0, 0] = -v10
-    J[0, 1] = s1 * v11
-    J[0, 2] = s1 * v12
-    J[0, 3] = -(v4 * v12 + x3_z * v14)
-    J[0, 4] = x4_y * v17 - x4_z * v16
+    v12, v13, v14 = v11 - p3_z, J21 - p4_x, v10 - p4_y
+    v15, v16, v17 = J21 - p5_x, v10 - p5_y, v11 - p5_z
+    J[0, 0], J[0, 1], J[0, 2] = -v10, s1 * v11, s1 * v12
+    J[0, 3], J[0, 4] = -(v4 * v12 + x3_z * v14), x4_y * v17 - x4_z * v16
     J[0, 5] = x5_y * v17 - x5_z * v16
-    J[1, 0] = J21
-    J[1, 1] = -(c1 * v11)
-    J[1, 2] = -(c1 * v12)
-    J[1, 3] = x3_z * v13 - x3_x * v12
-    J[1, 4] = x4_z * v15 - x4_x * v17
+    J[1, 0], J[1, 1], J[1, 2] = J21, -(c1 * v11), -(c1 * v12)
+    J[1, 3], J[1, 4] = x3_z * v13 - x3_x * v12, x4_z * v15 - x4_x * v17
     J[1, 5] = x5_z * v15 - x5_x * v17
-    J[2, 1] = c1 * v10 - s1 * J21
-    J[2, 2] = c1 * (v3 + v10) - s1 * (J21 - p3_x)
-    J[2, 3] = x3_x * v14 + v4 * v13
-    J[2, 4] = x4_x * v16 - x4_y * v15
+    J[2, 1], J[2, 2] = c1 * v10 - s1 * J21, c1 * (v3 + v10) - s1 * (J21 - p3_x)
+    J[2, 3], J[2, 4] = x3_x * v14 + v4 * v13, x4_x * v16 - x4_y * v15
     J[2, 5] = x5_x * v16 - x5_y * v15
-    J[3, 1] = c1
-    J[3, 2] = c1
-    J[3, 3] = x3_x
-    J[3, 4] = x4_x
-    J[3, 5] = x5_x
-    J[4, 1] = s1
-    J[4, 2] = s1
-    J[4, 3] = -v4
-    J[4, 4] = x4_y
-    J[4, 5] = x5_y
-    J[5, 0] = 1.0
-    J[5, 3] = x3_z
-    J[5, 4] = x4_z
+    J[3, 1], J[3, 2], J[3, 3] = c1, c1, x3_x
+    J[3, 4], J[3, 5] = x4_x, x5_x
+    J[4, 1], J[4, 2], J[4, 3] = s1, s1, -v4
+    J[4, 4], J[4, 5] = x4_y, x5_y
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, x3_z, x4_z
     J[5, 5] = x5_z
     return J
 
@@ -293,8 +222,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else D3 * math.sqrt(N1)))
-    v1 = D3 * t24
-    v2 = D3 * t14
+    v1, v2 = D3 * t24, D3 * t14
 
     # theta3, type 8: U1[3, 4] and U1[2, 4]
     t34 = T34 + D3 * T31 + k1 * T33
@@ -323,18 +251,14 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2, type 3: U1[3, 4] and U1[2, 4]
         Y1_2 = L2 + D4 * c3
-        v6 = root1 * Y1_2
-        v8 = t34 * Y1_2
+        v6, v8 = root1 * Y1_2, t34 * Y1_2
 
         # theta4, type 2: U4[1, 3]
-        v9 = T13 * s1 - T23 * c1
-        v10 = T13 * c1 + T23 * s1
+        v9, v10 = T13 * s1 - T23 * c1, T13 * c1 + T23 * s1
         v11 = v10 * v10
 
         # theta6, type 3: U4[1, 2] and U4[1, 1]
-        v12 = T12 * c1 + T22 * s1
-        v13 = T12 * s1 - T22 * c1
-        v15 = T11 * c1 + T21 * s1
+        v12, v13, v15 = T12 * c1 + T22 * s1, T12 * s1 - T22 * c1, T11 * c1 + T21 * s1
         v16 = T11 * s1 - T21 * c1
 
         for i2 in range(2):  # +, -
@@ -357,8 +281,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _atan2(s2, c2)
 
             # theta4
-            c23 = c3 * c2 - s3 * s2
-            s23 = c3 * s2 + s3 * c2
+            c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
             X4 = c23 * v9 - T33 * s23
             w4 = math.sqrt(X4 * X4 + v11)
             free4 = w4 <= free_limit
@@ -368,8 +291,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T33 * c23 + s23 * v9
 
             # theta6
-            v14 = T32 * s23 - c23 * v13
-            v17 = T31 * s23 - c23 * v16
+            v14, v17 = T32 * s23 - c23 * v13, T31 * s23 - c23 * v16
 
             for i3 in range(2):  # noflip, flip
                 e4 = 1.0 - 2.0 * i3
@@ -388,12 +310,8 @@ def _solve(pose, q_free, seed, moved, q, status):
                 c6 = c4 * v15 + s4 * v17
                 q6 = _atan2(-(c4 * v12 + s4 * v14), c6)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -405,26 +323,21 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[1, 4]
-        t24 = T24 + D3 * T21 + k1 * T23
-        t14 = T14 + D3 * T11 + k1 * T13
+        t24, t14 = T24 + D3 * T21 + k1 * T23, T14 + D3 * T11 + k1 * T13
         N1 = t24 * t24 + t14 * t14
         D1 = N1 - k2
         w1 = math.sqrt(D1)
-        v1 = w1 - w1
-        inverse1 = 1.0 / N1
-        v2 = inverse1 * (D3 * t14)
-        v3 = w1 * (t24 * inverse1)
-        c1_p = v2 + v3
-        c1_m = v2 - v3
-        v4 = inverse1 * (D3 * t24)
+        v1, inverse1 = w1 - w1, 1.0 / N1
+        v2, v3 = inverse1 * (D3 * t14), w1 * (t24 * inverse1)
+        c1_p, c1_m, v4 = v2 + v3, v2 - v3, inverse1 * (D3 * t24)
         v5 = w1 * (t14 * inverse1)
-        s1_p = v4 - v5
-        s1_m = v4 + v5
+        s1_p, s1_m = v4 - v5, v4 + v5
 
         # theta3, type 8: U1[3, 4] and U1[2, 4]
         t34 = T34 + D3 * T31 + k1 * T33
@@ -434,62 +347,37 @@ def _formulas(kept, turns, rows, w):
         v6 = w3 - w3
 
         # theta2, type 3: U1[3, 4] and U1[2, 4]
-        v7 = w3 * (m3 * t34)
-        v8 = m3 * (w1 * N3)
-        v9 = v7 + v8
-        v10 = v8 - v7
-        v11 = m3 * (t34 * N3)
+        v7, v8 = w3 * (m3 * t34), m3 * (w1 * N3)
+        v9, v10, v11 = v7 + v8, v8 - v7, m3 * (t34 * N3)
         v12 = w3 * (m3 * w1)
-        C2_pp = v11 - v12
-        C2_pm = v11 + v12
-        v13 = v9 * v9 + C2_pp * C2_pp
-        v14 = C2_pm * C2_pm
-        v15 = v10 * v10 + v14
-        v16 = v14 + -v10 * -v10
-        factor2_pp = math.sqrt(v13) * (1.0 / v13)
-        factor2_pm = math.sqrt(v15) * (1.0 / v15)
-        factor2_mp = math.sqrt(v16) * (1.0 / v16)
+        C2_pp, C2_pm = v11 - v12, v11 + v12
+        v13, v14 = v9 * v9 + C2_pp * C2_pp, C2_pm * C2_pm
+        v15, v16, factor2_pp = v10 * v10 + v14, v14 + -v10 * -v10, math.sqrt(v13) * (1.0 / v13)
+        factor2_pm, factor2_mp = math.sqrt(v15) * (1.0 / v15), math.sqrt(v16) * (1.0 / v16)
 
         # theta4, type 2: U4[1, 3]
         v17 = m5 * N3
-        v18 = m3 - v17
-        v19 = v17 - m6
+        v18, v19 = m3 - v17, v17 - m6
         v20 = w1 * (N3 * (v18 + v19))
-        s23_pp = v7 + v20
-        s23_pm = v20 - v7
-        v21 = w1 * (N3 * (-v18 + -v19))
-        s23_mp = v7 + v21
-        s23_mm = v21 - v7
-        v22 = T13 * s1_p - T23 * c1_p
-        v23 = T13 * s1_m - T23 * c1_m
-        X4_pp = C2_pm * v22 - T33 * s23_pp
-        X4_pm = C2_pp * v22 - T33 * s23_pm
-        X4_mp = C2_pp * v23 - T33 * s23_mp
-        X4_mm = C2_pm * v23 - T33 * s23_mm
-        v24 = T13 * c1_p + T23 * s1_p
-        v25 = T13 * c1_m + T23 * s1_m
-        v26 = v24 * v24
-        v27 = v25 * v25
-        v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
+        s23_pp, s23_pm, v21 = v7 + v20, v20 - v7, w1 * (N3 * (-v18 + -v19))
+        s23_mp, s23_mm, v22 = v7 + v21, v21 - v7, T13 * s1_p - T23 * c1_p
+        v23, X4_pp = T13 * s1_m - T23 * c1_m, C2_pm * v22 - T33 * s23_pp
+        X4_pm, X4_mp = C2_pp * v22 - T33 * s23_pm, C2_pp * v23 - T33 * s23_mp
+        X4_mm, v24 = C2_pm * v23 - T33 * s23_mm, T13 * c1_p + T23 * s1_p
+        v25, v26 = T13 * c1_m + T23 * s1_m, v24 * v24
+        v27, v28 = v25 * v25, v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
         v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
         v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
-        v31 = v27 + factor2_pp * (X4_mm * (factor2_pp * X4_mm))
-        v32 = math.copysign(half_turn, -v24)
+        v31, v32 = v27 + factor2_pp * (X4_mm * (factor2_pp * X4_mm)), math.copysign(half_turn, -v24)
         v33 = math.copysign(half_turn, -v25)
 
         # theta5, type 3: U4[3, 3] and U4[2, 3]
-        v34 = T33 * C2_pm
-        v35 = T33 * C2_pp
+        v34, v35 = T33 * C2_pm, T33 * C2_pp
 
         # theta6, type 3: U4[1, 2] and U4[1, 1]
-        v36 = c1_p * T12 + s1_p * T22
-        v37 = c1_m * T12 + s1_m * T22
-        v38 = s1_p * T12 - c1_p * T22
-        v39 = s1_m * T12 - c1_m * T22
-        v40 = T11 * c1_p + T21 * s1_p
-        v41 = T11 * c1_m + T21 * s1_m
-        v42 = T11 * s1_p - T21 * c1_p
-        v43 = T11 * s1_m - T21 * c1_m
+        v36, v37, v38 = c1_p * T12 + s1_p * T22, c1_m * T12 + s1_m * T22, s1_p * T12 - c1_p * T22
+        v39, v40, v41 = s1_m * T12 - c1_m * T22, T11 * c1_p + T21 * s1_p, T11 * c1_m + T21 * s1_m
+        v42, v43 = T11 * s1_p - T21 * c1_p, T11 * s1_m - T21 * c1_m
         v44 = v24 * (s23_pp * T32 - C2_pm * v38) - -X4_pp * v36
         v45 = v24 * (s23_pm * T32 - C2_pp * v38) - -X4_pm * v36
         v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37
@@ -500,9 +388,10 @@ def _formulas(kept, turns, rows, w):
             1.0 if v31 <= m7 or v30 <= m7 or v16 <= m4 or v29 <= m7 or v15 <= m4 or v28 <= m7 or
             abs(D1) <= m1 or abs(D3_ * (k5 * w1)) <= m2 or v13 <= m4 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = v1, v6, v32, v33
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v44, v45, v46, v47
-        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = w3, -v9, -v10, v10
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, v6, v32
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v33, v44, v45
+        kept[23 * w + k], kept[24 * w + k], turns[0 * w + k] = v46, v47, w3
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -v9, -v10, v10
         turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = v9, -v24, -v24
         turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = -v25, -v25, -math.sqrt(v28)
         turns[10 * w + k], turns[11 * w + k] = -math.sqrt(v29), -math.sqrt(v30)
@@ -530,20 +419,18 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        v1, v6, v32, v33 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v44, v45, v46, v47 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
-        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
-        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
-        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
-        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
-        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
-        angle19 = turns[18 * w + k]
+        v1, v6, v32 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v33, v44, v45 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v46, v47, angle1 = kept[23 * w + k], kept[24 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
+        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
+        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
+        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
+        angle17, angle18, angle19 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
 
         # theta4, type 2: U4[1, 3]
-        q4_ppm = angle6 - v32
-        q4_pmm = angle7 - v32
-        q4_mpm = angle8 - v33
+        q4_ppm, q4_pmm, q4_mpm = angle6 - v32, angle7 - v32, angle8 - v33
         q4_mmm = angle9 - v33
 
         # theta6, type 3: U4[1, 2] and U4[1, 1]
@@ -553,9 +440,7 @@ def _formulas(kept, turns, rows, w):
         q6_mmm = angle17 - math.copysign(half_turn, v47)
 
         # joint values
-        q1_ppp = v6 + angle18
-        q1_mpp = v6 + angle19
-        q3_ppp = v1 + angle1
+        q1_ppp, q1_mpp, q3_ppp = v6 + angle18, v6 + angle19, v1 + angle1
         q3_pmp = v1 - angle1
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, angle2, q3_ppp
@@ -569,25 +454,16 @@ def _formulas(kept, turns, rows, w):
         rows[24 * w + k], rows[25 * w + k], rows[26 * w + k] = q6_mpm, angle5, angle9
         rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = angle13, angle17, q4_mmm
         rows[30 * w + k], rows[31 * w + k] = -angle13, q6_mmm
-        rows[32 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[33 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[36 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[37 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[32 * w + k] = rows[33 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[34 * w + k] = rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = rows[37 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[38 * w + k] = rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 2, 19, 20, 21],
-    [17, 18, 2, 22, 23, 24],
-    [17, 25, 10, 26, 27, 28],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 2, 19, 20, 21], [17, 18, 2, 22, 23, 24], [17, 25, 10, 26, 27, 28],
     [17, 25, 10, 29, 30, 31],
 ])
 

@@ -149,49 +149,25 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
     v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v3 = v1 * c3 + x2_x * s3
-    v4 = v2 * c3 + x2_y * s3
-    z3_z = c2 * c3 - s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - s1 * s4
-    x4_y = x3_y * c4 + c1 * s4
-    x4_z = x3_z * c4
-    z4_x = s1 * c4 + x3_x * s4
-    y5_y = c1 * c4 - x3_y * s4
-    z4_z = x3_z * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 - v3 * s5
-    x5_y = x4_y * c5 - v4 * s5
-    x5_z = x4_z * c5 + z3_z * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 - z4_x * s6
-    T[0, 1] = -(z4_x * c6 + x5_x * s6)
-    T[0, 2] = -(v3 * c5 + x4_x * s5)
-    T[0, 3] = x2_x * a2 + x3_x * a3 + s1 * d3 - v3 * d4
-    T[1, 0] = x5_y * c6 + y5_y * s6
-    T[1, 1] = y5_y * c6 - x5_y * s6
-    T[1, 2] = -(v4 * c5 + x4_y * s5)
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v3, v4, z3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, c2 * c3 - s2 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 - s1 * s4, x3_y * c4 + c1 * s4, x3_z * c4
+    z4_x, y5_y, z4_z = s1 * c4 + x3_x * s4, c1 * c4 - x3_y * s4, x3_z * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 - v3 * s5, x4_y * c5 - v4 * s5, x4_z * c5 + z3_z * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1] = x5_x * c6 - z4_x * s6, -(z4_x * c6 + x5_x * s6)
+    T[0, 2], T[0, 3] = -(v3 * c5 + x4_x * s5), x2_x * a2 + x3_x * a3 + s1 * d3 - v3 * d4
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + y5_y * s6, y5_y * c6 - x5_y * s6, -(v4 * c5 + x4_y * s5)
     T[1, 3] = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4
-    T[2, 0] = x5_z * c6 - z4_z * s6
-    T[2, 1] = -(z4_z * c6 + x5_z * s6)
-    T[2, 2] = z3_z * c5 - x4_z * s5
-    T[2, 3] = d1 + s2 * a2 + x3_z * a3 + z3_z * d4
+    T[2, 0], T[2, 1] = x5_z * c6 - z4_z * s6, -(z4_z * c6 + x5_z * s6)
+    T[2, 2], T[2, 3] = z3_z * c5 - x4_z * s5, d1 + s2 * a2 + x3_z * a3 + z3_z * d4
     T[3, 3] = 1.0
     return T
 
@@ -202,64 +178,31 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    p2_x = x2_x * a2
-    p2_y = x2_y * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
+    v2, p2_x, p2_y = s1 * s2, x2_x * a2, x2_y * a2
     p2_z = d1 + s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v3 = v1 * c3 + x2_x * s3
-    v4 = v2 * c3 + x2_y * s3
-    z3_z = c2 * c3 - s2 * s3
-    p3_z = p2_z + x3_z * a3
-    p3_x = p2_x + x3_x * a3 + s1 * d3
-    p3_y = p2_y + x3_y * a3 - c1 * d3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    p4_x = p3_x - v3 * d4
-    p4_y = p3_y - v4 * d4
-    p4_z = p3_z + z3_z * d4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    v5 = p4_z - d1
-    v6 = p4_z - p2_z
-    v7 = p4_x - p3_x
-    v8 = p4_y - p3_y
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v3, v4, z3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, c2 * c3 - s2 * s3
+    p3_z, p3_x, p3_y = p2_z + x3_z * a3, p2_x + x3_x * a3 + s1 * d3, p2_y + x3_y * a3 - c1 * d3
+    c4, s4, p4_x = math.cos(q[3]), math.sin(q[3]), p3_x - v3 * d4
+    p4_y, p4_z = p3_y - v4 * d4, p3_z + z3_z * d4
+    c5, s5, v5 = math.cos(q[4]), math.sin(q[4]), p4_z - d1
+    v6, v7, v8 = p4_z - p2_z, p4_x - p3_x, p4_y - p3_y
     v9 = p4_z - p3_z
-    J[0, 0] = -p4_y
-    J[0, 1] = -(c1 * v5)
-    J[0, 2] = -(c1 * v6)
+    J[0, 0], J[0, 1], J[0, 2] = -p4_y, -(c1 * v5), -(c1 * v6)
     J[0, 3] = -(v4 * v9 + z3_z * v8)
-    J[1, 0] = p4_x
-    J[1, 1] = -(s1 * v5)
-    J[1, 2] = -(s1 * v6)
+    J[1, 0], J[1, 1], J[1, 2] = p4_x, -(s1 * v5), -(s1 * v6)
     J[1, 3] = z3_z * v7 + v3 * v9
-    J[2, 1] = s1 * p4_y + c1 * p4_x
-    J[2, 2] = s1 * (p4_y - p2_y) + c1 * (p4_x - p2_x)
+    J[2, 1], J[2, 2] = s1 * p4_y + c1 * p4_x, s1 * (p4_y - p2_y) + c1 * (p4_x - p2_x)
     J[2, 3] = v4 * v7 - v3 * v8
-    J[3, 1] = s1
-    J[3, 2] = s1
-    J[3, 3] = -v3
-    J[3, 4] = s1 * c4 + x3_x * s4
-    J[3, 5] = -(v3 * c5 + (x3_x * c4 - s1 * s4) * s5)
-    J[4, 1] = -c1
-    J[4, 2] = -c1
-    J[4, 3] = -v4
-    J[4, 4] = x3_y * s4 - c1 * c4
-    J[4, 5] = -(v4 * c5 + (x3_y * c4 + c1 * s4) * s5)
-    J[5, 0] = 1.0
-    J[5, 3] = z3_z
-    J[5, 4] = x3_z * s4
+    J[3, 1], J[3, 2], J[3, 3] = s1, s1, -v3
+    J[3, 4], J[3, 5] = s1 * c4 + x3_x * s4, -(v3 * c5 + (x3_x * c4 - s1 * s4) * s5)
+    J[4, 1], J[4, 2], J[4, 3] = -c1, -c1, -v4
+    J[4, 4], J[4, 5] = x3_y * s4 - c1 * c4, -(v4 * c5 + (x3_y * c4 + c1 * s4) * s5)
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, z3_z, x3_z * s4
     J[5, 5] = z3_z * c5 - x3_z * c4 * s5
     return J
 
@@ -278,8 +221,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d3 * math.sqrt(N1)))
-    v1 = T14 * d3
-    v2 = T24 * d3
+    v1, v2 = T14 * d3, T24 * d3
 
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
@@ -304,8 +246,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (-boundary3 <= D3 * v4):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v5 = k5 * K3
-        v6 = k6 * K3
+        v5, v6 = k5 * K3, k6 * K3
 
         # theta4, type 2: U4[3, 3]
         v7 = T13 * c1 + T23 * s1
@@ -313,9 +254,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v9 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v10 = T12 * s1 - T22 * c1
-        v11 = T12 * c1 + T22 * s1
-        v13 = T11 * s1 - T21 * c1
+        v10, v11, v13 = T12 * s1 - T22 * c1, T12 * c1 + T22 * s1, T11 * s1 - T21 * c1
         v14 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
@@ -324,8 +263,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e3
-            s3 = (k6 * root3 - v5) * k8
-            c3 = k8 * (v6 + k5 * root3)
+            s3, c3 = (k6 * root3 - v5) * k8, k8 * (v6 + k5 * root3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1[2, 4] and U1[1, 4]
@@ -341,8 +279,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _atan2(s2, c2)
 
             # theta4
-            c23 = c3 * c2 - s3 * s2
-            s23 = c3 * s2 + s3 * c2
+            c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
             v8 = c23 * v7 + T33 * s23
             w4 = math.sqrt(v8 * v8 + v9)
             free4 = w4 <= free_limit
@@ -352,8 +289,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T33 * c23 - s23 * v7
 
             # theta6
-            v12 = c23 * v11 + T32 * s23
-            v15 = c23 * v14 + T31 * s23
+            v12, v15 = c23 * v11 + T32 * s23, c23 * v14 + T31 * s23
 
             for i3 in range(2):  # noflip, flip
                 e4 = 1.0 - 2.0 * i3
@@ -371,12 +307,8 @@ def _solve(pose, q_free, seed, moved, q, status):
                 # theta6
                 q6 = _atan2(-(c4 * v13 + s4 * v15), -(c4 * v10 + s4 * v12))
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -388,95 +320,58 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[3, 4]
         N1 = T14 * T14 + T24 * T24
         D1 = N1 - k1
         w1 = math.sqrt(D1)
-        v1 = w1 - w1
-        inverse1 = 1.0 / N1
-        v2 = inverse1 * (d3 * T24)
-        v3 = w1 * (T14 * inverse1)
-        c1_p = v3 - v2
-        v4 = v2 + v3
-        v5 = inverse1 * (d3 * T14)
+        v1, inverse1 = w1 - w1, 1.0 / N1
+        v2, v3 = inverse1 * (d3 * T24), w1 * (T14 * inverse1)
+        c1_p, v4, v5 = v3 - v2, v2 + v3, inverse1 * (d3 * T14)
         v6 = w1 * (T24 * inverse1)
-        s1_p = v5 + v6
-        s1_m = v5 - v6
+        s1_p, s1_m = v5 + v6, v5 - v6
 
         # theta3, type 6: U1[2, 4] and U1[1, 4]
         Z1_3 = T34 - d1
         N3 = D1 + Z1_3 * Z1_3
         D3 = (longest3 - N3) * (N3 - shortest3)
         w3 = math.sqrt(D3)
-        v7 = w3 - w3
-        v8 = m4 - m5 * N3
-        v9 = m3 * w3
-        s3_p = v8 + v9
-        s3_m = v8 - v9
-        v10 = m3 * N3 - m6
+        v7, v8, v9 = w3 - w3, m4 - m5 * N3, m3 * w3
+        s3_p, s3_m, v10 = v8 + v9, v8 - v9, m3 * N3 - m6
         v11 = m5 * w3
-        c3_p = v10 + v11
-        c3_m = v10 - v11
+        c3_p, c3_m = v10 + v11, v10 - v11
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
         X1_2 = m7 * N3 - m8
-        v13 = Z1_3 * X1_2
-        v14 = w3 * (m7 * w1)
-        S2_pp = v13 - v14
-        S2_pm = v13 + v14
-        v15 = w3 * (m7 * Z1_3)
-        v16 = w3 * (m7 * -Z1_3)
-        v17 = w1 * X1_2
-        v18 = w1 * -X1_2
-        C2_pp = v15 + v17
-        C2_pm = v16 + v17
-        C2_mp = v15 + v18
-        C2_mm = v16 + v18
-        factor2 = 1.0 / N3
+        v13, v14 = Z1_3 * X1_2, w3 * (m7 * w1)
+        S2_pp, S2_pm, v15 = v13 - v14, v13 + v14, w3 * (m7 * Z1_3)
+        v16, v17, v18 = w3 * (m7 * -Z1_3), w1 * X1_2, w1 * -X1_2
+        C2_pp, C2_pm, C2_mp = v15 + v17, v16 + v17, v15 + v18
+        C2_mm, factor2 = v16 + v18, 1.0 / N3
 
         # theta4, type 2: U4[3, 3]
-        c23_pp = c3_p * C2_pp - s3_p * S2_pp
-        c23_pm = c3_m * C2_pm - s3_m * S2_pm
-        c23_mp = c3_p * C2_mp - s3_p * S2_pm
-        c23_mm = c3_m * C2_mm - s3_m * S2_pp
-        s23_pp = c3_p * S2_pp + s3_p * C2_pp
-        s23_pm = c3_m * S2_pm + s3_m * C2_pm
-        s23_mp = c3_p * S2_pm + s3_p * C2_mp
-        s23_mm = c3_m * S2_pp + s3_m * C2_mm
-        v19 = c1_p * T13 + s1_p * T23
-        v20 = s1_m * T23 - v4 * T13
-        c4_pp = c23_pp * v19 + s23_pp * T33
-        c4_pm = c23_pm * v19 + s23_pm * T33
-        c4_mp = c23_mp * v20 + s23_mp * T33
-        c4_mm = c23_mm * v20 + s23_mm * T33
-        Y4_p = c1_p * T23 - s1_p * T13
-        v21 = v4 * T23 + s1_m * T13
-        v22 = Y4_p * Y4_p
-        v23 = v21 * v21
-        v24 = factor2 * c4_pp
-        v25 = factor2 * c4_pm
-        v26 = factor2 * c4_mp
-        v27 = factor2 * c4_mm
-        v28 = v22 + factor2 * (c4_pp * v24)
-        v29 = v22 + factor2 * (c4_pm * v25)
-        v30 = v23 + factor2 * (c4_mp * v26)
-        v31 = v23 + factor2 * (c4_mm * v27)
-        v32 = math.copysign(half_turn, Y4_p)
-        v33 = math.copysign(half_turn, -v21)
+        c23_pp, c23_pm = c3_p * C2_pp - s3_p * S2_pp, c3_m * C2_pm - s3_m * S2_pm
+        c23_mp, c23_mm = c3_p * C2_mp - s3_p * S2_pm, c3_m * C2_mm - s3_m * S2_pp
+        s23_pp, s23_pm = c3_p * S2_pp + s3_p * C2_pp, c3_m * S2_pm + s3_m * C2_pm
+        s23_mp, s23_mm = c3_p * S2_pm + s3_p * C2_mp, c3_m * S2_pp + s3_m * C2_mm
+        v19, v20 = c1_p * T13 + s1_p * T23, s1_m * T23 - v4 * T13
+        c4_pp, c4_pm = c23_pp * v19 + s23_pp * T33, c23_pm * v19 + s23_pm * T33
+        c4_mp, c4_mm = c23_mp * v20 + s23_mp * T33, c23_mm * v20 + s23_mm * T33
+        Y4_p, v21 = c1_p * T23 - s1_p * T13, v4 * T23 + s1_m * T13
+        v22, v23, v24 = Y4_p * Y4_p, v21 * v21, factor2 * c4_pp
+        v25, v26, v27 = factor2 * c4_pm, factor2 * c4_mp, factor2 * c4_mm
+        v28, v29 = v22 + factor2 * (c4_pp * v24), v22 + factor2 * (c4_pm * v25)
+        v30, v31 = v23 + factor2 * (c4_mp * v26), v23 + factor2 * (c4_mm * v27)
+        v32, v33 = math.copysign(half_turn, Y4_p), math.copysign(half_turn, -v21)
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v34 = s1_p * T12 - c1_p * T22
-        v35 = s1_m * T12 + v4 * T22
-        v36 = c1_p * T12 + s1_p * T22
-        v37 = s1_m * T22 - v4 * T12
-        v38 = s1_p * T11 - c1_p * T21
-        v39 = s1_m * T11 + v4 * T21
-        v40 = c1_p * T11 + s1_p * T21
-        v41 = s1_m * T21 - v4 * T11
+        v34, v35, v36 = s1_p * T12 - c1_p * T22, s1_m * T12 + v4 * T22, c1_p * T12 + s1_p * T22
+        v37, v38, v39 = s1_m * T22 - v4 * T12, s1_p * T11 - c1_p * T21, s1_m * T11 + v4 * T21
+        v40, v41 = c1_p * T11 + s1_p * T21, s1_m * T21 - v4 * T11
         v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
         v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
 
@@ -488,12 +383,12 @@ def _formulas(kept, turns, rows, w):
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, v7, c23_pp
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = c23_pm, s23_pp, s23_pm
         kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = c4_pp, c4_pm, Y4_p
-        kept[26 * w + k], kept[27 * w + k], kept[28 * w + k], kept[29 * w + k] = v32, v33, v38, v40
-        kept[30 * w + k], kept[31 * w + k], turns[0 * w + k] = v42, v43, s1_p
-        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = s1_m, w3, S2_pp
-        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = S2_pm, S2_pm, S2_pp
-        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = Y4_p, Y4_p, -v21
-        turns[10 * w + k], turns[11 * w + k] = -v21, -math.sqrt(v28)
+        kept[26 * w + k], kept[27 * w + k], kept[28 * w + k] = v32, v33, v38
+        kept[29 * w + k], kept[30 * w + k], kept[31 * w + k] = v40, v42, v43
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = s1_p, s1_m, w3
+        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = S2_pp, S2_pm, S2_pm
+        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = S2_pp, Y4_p, Y4_p
+        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = -v21, -v21, -math.sqrt(v28)
         turns[12 * w + k], turns[13 * w + k] = -math.sqrt(v29), -math.sqrt(v30)
         turns[14 * w + k] = -math.sqrt(v31)
         turns[15 * w + k] = -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31))
@@ -519,26 +414,24 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        T31, v1, v7, c23_pp = kept[8 * w + k], kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
-        c23_pm, s23_pp, s23_pm = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
-        c4_pp, c4_pm, Y4_p = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
-        v32, v33, v38, v40 = kept[26 * w + k], kept[27 * w + k], kept[28 * w + k], kept[29 * w + k]
-        v42, v43, angle1 = kept[30 * w + k], kept[31 * w + k], turns[0 * w + k]
-        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
-        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
-        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
-        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
-        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
-        angle17, angle18, angle19 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
+        T31, v1, v7 = kept[8 * w + k], kept[17 * w + k], kept[18 * w + k]
+        c23_pp, c23_pm, s23_pp = kept[19 * w + k], kept[20 * w + k], kept[21 * w + k]
+        s23_pm, c4_pp, c4_pm = kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
+        Y4_p, v32, v33 = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k]
+        v38, v40, v42 = kept[28 * w + k], kept[29 * w + k], kept[30 * w + k]
+        v43, angle1, angle2 = kept[31 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
+        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
+        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
+        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
+        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
+        angle18, angle19 = turns[17 * w + k], turns[18 * w + k]
 
         # theta3, type 6: U1[2, 4] and U1[1, 4]
-        q3__p = angle3 - turn1
-        v12 = turn1 + angle3
+        q3__p, v12 = angle3 - turn1, turn1 + angle3
 
         # theta4, type 2: U4[3, 3]
-        q4_ppm = angle8 - v32
-        q4_pmm = angle9 - v32
-        q4_mpm = angle10 - v33
+        q4_ppm, q4_pmm, q4_mpm = angle8 - v32, angle9 - v32, angle10 - v33
         q4_mmm = angle11 - v33
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
@@ -556,21 +449,14 @@ def _formulas(kept, turns, rows, w):
         # joint values
         v44 = q3__p + (turn if q3__p <= -half_turn else 0.0)
         v45 = (turn if -v12 <= -half_turn else 0.0) - v12
-        v46 = abs(angle1) - high1
-        v47 = abs(angle2) - high1
-        v48 = abs(v44) - high3
-        v49 = abs(v45) - high3
-        q1_ppp = angle1 + v7
-        q1_mpp = angle2 + v7
-        q3_ppp = v1 + v44
-        q3_pmp = v1 + v45
+        v46, v47, v48 = abs(angle1) - high1, abs(angle2) - high1, abs(v44) - high3
+        v49, q1_ppp, q1_mpp = abs(v45) - high3, angle1 + v7, angle2 + v7
+        q3_ppp, q3_pmp = v1 + v44, v1 + v45
         excess_pp = max(abs(angle12) - high5, max(abs(angle4) - high2, max(v46, v48)))
         excess_pm = max(abs(angle13) - high5, max(abs(angle5) - high2, max(v46, v49)))
         excess_mp = max(abs(angle14) - high5, max(abs(angle6) - high2, max(v47, v48)))
         excess_mm = max(abs(angle15) - high5, max(abs(angle7) - high2, max(v47, v49)))
-        outside_ppp = 0.0 < excess_pp
-        outside_pmp = 0.0 < excess_pm
-        outside_mpp = 0.0 < excess_mp
+        outside_ppp, outside_pmp, outside_mpp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
         outside_mmp = 0.0 < excess_mm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
@@ -618,13 +504,8 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 2, 19, 20, 21],
-    [17, 18, 2, 22, 23, 24],
-    [17, 25, 10, 26, 27, 28],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 2, 19, 20, 21], [17, 18, 2, 22, 23, 24], [17, 25, 10, 26, 27, 28],
     [17, 25, 10, 29, 30, 31],
 ])
 

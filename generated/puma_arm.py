@@ -127,33 +127,18 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
     v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v3 = v1 * c3 + x2_x * s3
-    v4 = v2 * c3 + x2_y * s3
-    z3_z = c2 * c3 - s2 * s3
-    T[0, 0] = x3_x
-    T[0, 1] = -s1
-    T[0, 2] = -v3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v3, v4, z3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, c2 * c3 - s2 * s3
+    T[0, 0], T[0, 1], T[0, 2] = x3_x, -s1, -v3
     T[0, 3] = x2_x * a2 + x3_x * a3 + s1 * d3 - v3 * d4
-    T[1, 0] = x3_y
-    T[1, 1] = c1
-    T[1, 2] = -v4
+    T[1, 0], T[1, 1], T[1, 2] = x3_y, c1, -v4
     T[1, 3] = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4
-    T[2, 0] = x3_z
-    T[2, 2] = z3_z
-    T[2, 3] = d1 + s2 * a2 + x3_z * a3 + z3_z * d4
+    T[2, 0], T[2, 2], T[2, 3] = x3_z, z3_z, d1 + s2 * a2 + x3_z * a3 + z3_z * d4
     T[3, 3] = 1.0
     return T
 
@@ -164,36 +149,21 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    p2_x = x2_x * a2
-    p2_y = x2_y * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
+    v2, p2_x, p2_y = s1 * s2, x2_x * a2, x2_y * a2
     p2_z = d1 + s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
     J21 = p2_x + (x2_x * c3 - v1 * s3) * a3 + s1 * d3 - (v1 * c3 + x2_x * s3) * d4
     v3 = p2_y + (x2_y * c3 - v2 * s3) * a3 - c1 * d3 - (v2 * c3 + x2_y * s3) * d4
     v4 = p2_z + (s2 * c3 + c2 * s3) * a3 + (c2 * c3 - s2 * s3) * d4
-    v5 = v4 - d1
-    v6 = v4 - p2_z
-    J[0, 0] = -v3
-    J[0, 1] = -(c1 * v5)
-    J[0, 2] = -(c1 * v6)
-    J[1, 0] = J21
-    J[1, 1] = -(s1 * v5)
-    J[1, 2] = -(s1 * v6)
-    J[2, 1] = s1 * v3 + c1 * J21
-    J[2, 2] = s1 * (v3 - p2_y) + c1 * (J21 - p2_x)
-    J[3, 1] = s1
-    J[3, 2] = s1
-    J[4, 1] = -c1
-    J[4, 2] = -c1
+    v5, v6 = v4 - d1, v4 - p2_z
+    J[0, 0], J[0, 1], J[0, 2] = -v3, -(c1 * v5), -(c1 * v6)
+    J[1, 0], J[1, 1], J[1, 2] = J21, -(s1 * v5), -(s1 * v6)
+    J[2, 1], J[2, 2] = s1 * v3 + c1 * J21, s1 * (v3 - p2_y) + c1 * (J21 - p2_x)
+    J[3, 1], J[3, 2] = s1, s1
+    J[4, 1], J[4, 2] = -c1, -c1
     J[5, 0] = 1.0
     return J
 
@@ -212,8 +182,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d3 * math.sqrt(N1)))
-    v1 = T14 * d3
-    v2 = T24 * d3
+    v1, v2 = T14 * d3, T24 * d3
 
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
@@ -238,8 +207,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (-boundary3 <= D3 * v4):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v5 = k5 * K3
-        v6 = k6 * K3
+        v5, v6 = k5 * K3, k6 * K3
 
         for i2 in range(2):  # +, -
             e3 = 1.0 - 2.0 * i2
@@ -247,8 +215,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e3
-            s3 = (k6 * root3 - v5) * k8
-            c3 = k8 * (v6 + k5 * root3)
+            s3, c3 = (k6 * root3 - v5) * k8, k8 * (v6 + k5 * root3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1[2, 4] and U1[1, 4]
@@ -263,9 +230,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             s2 = math.sin(seed[1]) if free2 else S2 * factor2
             q2 = _atan2(s2, c2)
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
@@ -282,11 +247,8 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 2: U1[3, 4]
         D1 = T14 * T14 + T24 * T24 - k1
         w1 = math.sqrt(D1)
-        v1 = w1 - w1
-        v2 = d3 * T14
-        v3 = d3 * T24
-        v4 = T14 * w1
-        v5 = T24 * w1
+        v1, v2, v3 = w1 - w1, d3 * T14, d3 * T24
+        v4, v5 = T14 * w1, T24 * w1
 
         # theta3, type 6: U1[2, 4] and U1[1, 4]
         Z1_3 = T34 - d1
@@ -297,22 +259,18 @@ def _formulas(kept, turns, rows, w):
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
         X1_2 = m3 * N3 - m4
-        v8 = Z1_3 * X1_2
-        v9 = w3 * (m3 * Z1_3)
-        v10 = w3 * (m3 * -Z1_3)
-        v11 = w1 * X1_2
-        v12 = w1 * -X1_2
-        v13 = w3 * (m3 * w1)
-        v14 = v8 - v13
-        v15 = v8 + v13
+        v8, v9, v10 = Z1_3 * X1_2, w3 * (m3 * Z1_3), w3 * (m3 * -Z1_3)
+        v11, v12, v13 = w1 * X1_2, w1 * -X1_2, w3 * (m3 * w1)
+        v14, v15 = v8 - v13, v8 + v13
 
         # a joint is free, or branches meet
         kept[16 * w + k] = 1.0 if abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 else kept[16 * w + k]
-        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k], turns[1 * w + k] = v1, v6, w3, v14
-        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = v15, v15, v14
-        turns[5 * w + k], turns[6 * w + k], turns[8 * w + k] = v2 + v5, v2 - v5, N3 - k7
-        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = v9 + v11, v10 + v11, v9 + v12
-        turns[12 * w + k], turns[13 * w + k], turns[14 * w + k] = v10 + v12, v4 - v3, -(v3 + v4)
+        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = v1, v6, w3
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = v14, v15, v15
+        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = v14, v2 + v5, v2 - v5
+        turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = N3 - k7, v9 + v11, v10 + v11
+        turns[11 * w + k], turns[12 * w + k], turns[13 * w + k] = v9 + v12, v10 + v12, v4 - v3
+        turns[14 * w + k] = -(v3 + v4)
     if w == 1 and kept[16] != 0.0:
         return
     end = 8 if w == 1 else 7 * w
@@ -327,30 +285,23 @@ def _formulas(kept, turns, rows, w):
         angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
 
         # theta3, type 6: U1[2, 4] and U1[1, 4]
-        q3__p = angle1 - turn1
-        v7 = turn1 + angle1
+        q3__p, v7 = angle1 - turn1, turn1 + angle1
 
         # joint values
-        q1_pp = v6 + angle6
-        q1_mp = v6 + angle7
+        q1_pp, q1_mp = v6 + angle6, v6 + angle7
         q3_pp = v1 + (q3__p + (turn if q3__p <= -half_turn else 0.0))
         q3_pm = v1 + ((turn if -v7 <= -half_turn else 0.0) - v7)
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_pp, angle2, q3_pp
         rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle3, q3_pm, q1_mp
         rows[6 * w + k], rows[7 * w + k] = angle4, angle5
-        rows[8 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
-        rows[9 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
-        rows[10 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
-        rows[11 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
+        rows[8 * w + k] = rows[9 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
+        rows[10 * w + k] = rows[11 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [0, 3, 4],
-    [5, 6, 2],
-    [5, 7, 4],
+    [0, 1, 2], [0, 3, 4], [5, 6, 2], [5, 7, 4],
 ])
 
 

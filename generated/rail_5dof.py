@@ -144,35 +144,19 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
     T = _zeros(4, 4)
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = c2 * c3
-    x3_y = s2 * c3
-    z4_x = c2 * s3
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, z4_x = c2 * c3, s2 * c3, c2 * s3
     z4_y = s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + s2 * s4
-    x4_y = x3_y * c4 - c2 * s4
-    x4_z = s3 * c4
-    y4_x = s2 * c4 - x3_x * s4
-    v1 = c2 * c4 + x3_y * s4
-    v2 = s3 * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    T[0, 0] = x4_x * c5 - z4_x * s5
-    T[0, 1] = -(z4_x * c5 + x4_x * s5)
-    T[0, 2] = y4_x
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 + s2 * s4, x3_y * c4 - c2 * s4, s3 * c4
+    y4_x, v1, v2 = s2 * c4 - x3_x * s4, c2 * c4 + x3_y * s4, s3 * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    T[0, 0], T[0, 1], T[0, 2] = x4_x * c5 - z4_x * s5, -(z4_x * c5 + x4_x * s5), y4_x
     T[0, 3] = a1 + s2 * d3 + y4_x * d5
-    T[1, 0] = x4_y * c5 - z4_y * s5
-    T[1, 1] = -(z4_y * c5 + x4_y * s5)
-    T[1, 2] = -v1
+    T[1, 0], T[1, 1], T[1, 2] = x4_y * c5 - z4_y * s5, -(z4_y * c5 + x4_y * s5), -v1
     T[1, 3] = -(c2 * d3 + v1 * d5)
-    T[2, 0] = x4_z * c5 + c3 * s5
-    T[2, 1] = c3 * c5 - x4_z * s5
-    T[2, 2] = -v2
+    T[2, 0], T[2, 1], T[2, 2] = x4_z * c5 + c3 * s5, c3 * c5 - x4_z * s5, -v2
     T[2, 3] = q[0] - v2 * d5
     T[3, 3] = 1.0
     return T
@@ -184,42 +168,20 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
     J = _zeros(6, 5)
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    p3_x = a1 + s2 * d3
-    v1 = c2 * d3
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    z4_x = c2 * s3
-    z4_y = s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    y4_x = s2 * c4 - c2 * c3 * s4
-    v2 = c2 * c4 + s2 * c3 * s4
-    v3 = s3 * s4
-    p5_x = p3_x + y4_x * d5
-    J12 = v1 + v2 * d5
-    v4 = q[0] - v3 * d5 - q[0]
-    v5 = p5_x - p3_x
-    v6 = v1 - J12
-    J[0, 1] = J12
-    J[0, 2] = -(c2 * v4)
-    J[0, 3] = z4_y * v4 + c3 * v6
-    J[1, 1] = p5_x - a1
-    J[1, 2] = -(s2 * v4)
-    J[1, 3] = -(c3 * v5 + z4_x * v4)
-    J[2, 0] = 1.0
-    J[2, 2] = s2 * v6 + c2 * v5
-    J[2, 3] = z4_x * v6 - z4_y * v5
-    J[3, 2] = s2
-    J[3, 3] = z4_x
-    J[3, 4] = y4_x
-    J[4, 2] = -c2
-    J[4, 3] = z4_y
-    J[4, 4] = -v2
-    J[5, 1] = 1.0
-    J[5, 3] = -c3
-    J[5, 4] = -v3
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    p3_x, v1 = a1 + s2 * d3, c2 * d3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    z4_x, z4_y = c2 * s3, s2 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    y4_x, v2, v3 = s2 * c4 - c2 * c3 * s4, c2 * c4 + s2 * c3 * s4, s3 * s4
+    p5_x, J12, v4 = p3_x + y4_x * d5, v1 + v2 * d5, q[0] - v3 * d5 - q[0]
+    v5, v6 = p5_x - p3_x, v1 - J12
+    J[0, 1], J[0, 2], J[0, 3] = J12, -(c2 * v4), z4_y * v4 + c3 * v6
+    J[1, 1], J[1, 2], J[1, 3] = p5_x - a1, -(s2 * v4), -(c3 * v5 + z4_x * v4)
+    J[2, 0], J[2, 2], J[2, 3] = 1.0, s2 * v6 + c2 * v5, z4_x * v6 - z4_y * v5
+    J[3, 2], J[3, 3], J[3, 4] = s2, z4_x, y4_x
+    J[4, 2], J[4, 3], J[4, 4] = -c2, z4_y, -v2
+    J[5, 1], J[5, 3], J[5, 4] = 1.0, -c3, -v3
     return J
 
 
@@ -254,15 +216,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     v5 = v4 * v4
 
     # theta5, type 3: U3[2, 2] and U3[2, 1]
-    v7 = T22 * s2 - T12 * v3
-    v8 = T21 * s2 - T11 * v3
+    v7, v8 = T22 * s2 - T12 * v3, T21 * s2 - T11 * v3
 
     # is the pose one that the arm can take?
-    v13 = T34 - wz
-    v15 = T14 - a1
-    v16 = T24 * s2 - v3 * v15
-    v17 = T11 * s2 + T21 * v3
-    v18 = s2 * v15 + T24 * v3
+    v13, v15 = T34 - wz, T14 - a1
+    v16, v17, v18 = T24 * s2 - v3 * v15, T11 * s2 + T21 * v3, s2 * v15 + T24 * v3
 
     for i1 in range(2):  # noflip, flip
         e3 = 1.0 - 2.0 * i1
@@ -279,8 +237,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         w4 = math.sqrt(root3 * root3 + v5)
         short4 = w4 <= free_limit
         v6 = 1.0 / (1.0 if short4 else w4)
-        c4 = v4 * v6
-        s4 = root3 * v6
+        c4, s4 = v4 * v6, root3 * v6
         q4 = _atan2(s4, c4)
 
         # theta5
@@ -289,13 +246,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         w5 = math.sqrt(S5 * S5 + C5 * C5)
         short5 = w5 <= free_limit
         v9 = 1.0 / (1.0 if short5 else w5)
-        v10 = C5 * v9
-        v11 = S5 * v9
+        v10, v11 = C5 * v9, S5 * v9
         q5 = _atan2(-v11, -v10)
 
         # is the pose one that the arm can take?
-        v12 = s3 * s4
-        v14 = c3 * s4
+        v12, v14 = s3 * s4, c3 * s4
         if (
             not (abs(v13 + d5 * v12) <= doubtful_slack1 and abs(T33 + v12) <= doubtful_slack and
             abs(T31 + (v10 * (s3 * c4) + c3 * v11)) <= doubtful_slack and abs(d3 + d5 * c4 - v18) <=
@@ -305,11 +260,8 @@ def _solve(pose, q_free, seed, moved, q, status):
         ):
             continue  # the arm can't take this pose
         row = i1
-        q[row, 0] = wz
-        q[row, 1] = q2
-        q[row, 2] = q3
-        q[row, 3] = q4
-        q[row, 4] = q5
+        q[row, 0], q[row, 1], q[row, 2] = wz, q2, q3
+        q[row, 3], q[row, 4] = q4, q5
         status[row] = FREE_JOINT if free3 else OK
 
 
@@ -321,61 +273,48 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # r1, type 1: U0 A5^-1 [3, 4]
         q1_p = T34 - d5 * T33
 
         # theta2, type 3: U0 A5^-1 [1, 4] and U0 A5^-1 [2, 4]
-        wy = T24 - d5 * T23
-        v1 = T14 - d5 * T13 - a1
-        s2 = d3 * v1
-        C2 = d3 * wy
+        wy, v1 = T24 - d5 * T23, T14 - d5 * T13 - a1
+        s2, C2 = d3 * v1, d3 * wy
         v2 = s2 * s2 + C2 * C2
         v3 = math.sqrt(v2) * (1.0 / v2)
 
         # theta3, type 2: U3[2, 3]
         X3 = T23 * s2 - T13 * C2
         v4 = T33 * T33 + v3 * (X3 * (v3 * X3))
-        w3 = math.sqrt(v4)
-        v5 = 1.0 / v4
+        w3, v5 = math.sqrt(v4), 1.0 / v4
         factor3 = w3 * v5
-        v6 = X3 * factor3
-        v7 = T33 * factor3
+        v6, v7 = X3 * factor3, T33 * factor3
         v8 = v3 * v6
 
         # theta4, type 3: U3[3, 3] and U3[1, 3]
         v9 = T23 * C2 + T13 * s2
         v10 = v4 + v3 * (v9 * (v3 * v9))
         v11 = math.sqrt(v10) * (1.0 / v10)
-        c4 = v9 * v11
-        s4 = w3 * v11
+        c4, s4 = v9 * v11, w3 * v11
 
         # theta5, type 3: U3[2, 2] and U3[2, 1]
-        C5 = w3 * (v5 * (X3 * T32 - T33 * (s2 * T22 - C2 * T12)))
-        v12 = s2 * T21 - C2 * T11
+        C5, v12 = w3 * (v5 * (X3 * T32 - T33 * (s2 * T22 - C2 * T12))), s2 * T21 - C2 * T11
         S5 = w3 * (v5 * (X3 * T31 - T33 * v12))
         v13 = v3 * (S5 * (v3 * S5) + C5 * (v3 * C5))
         v14 = math.sqrt(v13) * (1.0 / v13)
-        v15 = C5 * v14
-        v16 = S5 * v14
+        v15, v16 = C5 * v14, S5 * v14
 
         # is the pose one that the arm can take?
-        v17 = v7 * s4
-        v18 = v6 * s4
-        v19 = T14 - a1
-        v20 = T34 - q1_p - d5 * v17
-        v21 = T33 - v17
-        v22 = v3 * v15
+        v17, v18, v19 = v7 * s4, v6 * s4, T14 - a1
+        v20, v21, v22 = T34 - q1_p - d5 * v17, T33 - v17, v3 * v15
         v23 = T31 - v3 * (v22 * (v7 * c4) + v8 * v16)
-        v24 = d3 + v3 * (d5 * c4) - v3 * (s2 * v19 + T24 * C2)
-        v25 = v3 * (c4 - v9)
-        v26 = v3 * (s2 * T11 + C2 * T21 + s4 * v15)
-        v27 = v3 * (T24 * s2 - C2 * v19 - d5 * v18)
-        v28 = v3 * (v12 - (v22 * (v8 * c4) - v7 * v16))
-        v29 = v3 * (X3 - v18)
+        v24, v25 = d3 + v3 * (d5 * c4) - v3 * (s2 * v19 + T24 * C2), v3 * (c4 - v9)
+        v26, v27 = v3 * (s2 * T11 + C2 * T21 + s4 * v15), v3 * (T24 * s2 - C2 * v19 - d5 * v18)
+        v28, v29 = v3 * (v12 - (v22 * (v8 * c4) - v7 * v16)), v3 * (X3 - v18)
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
@@ -383,9 +322,10 @@ def _formulas(kept, turns, rows, w):
             v25 * v25 + v26 * v26 + v28 * v28 + v29 * v29 or m4 < v20 * v20 + v24 * v24 + v27 * v27
             else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], turns[0 * w + k] = q1_p, v7, v16, v1
-        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k], turns[8 * w + k] = -v7, s4, -v16, -wy
-        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = -v8, v3 * c4, -v15
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = q1_p, v7, v16
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = v1, -v7, s4
+        turns[3 * w + k], turns[8 * w + k], turns[9 * w + k] = -v16, -wy, -v8
+        turns[10 * w + k], turns[11 * w + k] = v3 * c4, -v15
     if w == 1 and kept[16] != 0.0:
         return
     end = 8 if w == 1 else 4 * w
@@ -408,14 +348,12 @@ def _formulas(kept, turns, rows, w):
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_p, angle1, angle2
         rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle3, angle4, q3_m
         rows[6 * w + k], rows[7 * w + k] = -angle3, q5_m
-        rows[8 * w + k] = UNREACHABLE if q1_p != q1_p else OK
-        rows[9 * w + k] = UNREACHABLE if q1_p != q1_p else OK
+        rows[8 * w + k] = rows[9 * w + k] = UNREACHABLE if q1_p != q1_p else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4],
-    [0, 1, 5, 6, 7],
+    [0, 1, 2, 3, 4], [0, 1, 5, 6, 7],
 ])
 
 

@@ -102,16 +102,10 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    T[0, 0] = c1
-    T[0, 1] = -s1
-    T[0, 3] = -(s1 * q[1])
-    T[1, 0] = s1
-    T[1, 1] = c1
-    T[1, 3] = c1 * q[1]
-    T[2, 2] = 1.0
-    T[2, 3] = d1 + q[2]
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    T[0, 0], T[0, 1], T[0, 3] = c1, -s1, -(s1 * q[1])
+    T[1, 0], T[1, 1], T[1, 3] = s1, c1, c1 * q[1]
+    T[2, 2], T[2, 3] = 1.0, d1 + q[2]
     T[3, 3] = 1.0
     return T
 
@@ -122,12 +116,9 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    J[0, 0] = -(c1 * q[1])
-    J[0, 1] = -s1
-    J[1, 0] = -(s1 * q[1])
-    J[1, 1] = c1
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    J[0, 0], J[0, 1] = -(c1 * q[1]), -s1
+    J[1, 0], J[1, 1] = -(s1 * q[1]), c1
     J[2, 2] = 1.0
     J[5, 0] = 1.0
     return J
@@ -157,9 +148,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         q1 = _atan2(s1, c1)
         r2 = w2 * e1
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = r2
-        q[row, 2] = r3
+        q[row, 0], q[row, 1], q[row, 2] = q1, r2, r3
         status[row] = FREE_JOINT if free1 else OK
 
 
@@ -203,8 +192,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [3, 4, 2],
+    [0, 1, 2], [3, 4, 2],
 ])
 
 

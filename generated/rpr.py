@@ -108,23 +108,14 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    v1 = s1 * s3
-    x3_y = c1 * s3
-    T[0, 0] = -v1
-    T[0, 1] = -(s1 * c3)
-    T[0, 2] = c1
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    v1, x3_y = s1 * s3, c1 * s3
+    T[0, 0], T[0, 1], T[0, 2] = -v1, -(s1 * c3), c1
     T[0, 3] = -(s1 * q[1] + v1 * a3)
-    T[1, 0] = x3_y
-    T[1, 1] = c1 * c3
-    T[1, 2] = s1
+    T[1, 0], T[1, 1], T[1, 2] = x3_y, c1 * c3, s1
     T[1, 3] = c1 * q[1] + x3_y * a3
-    T[2, 0] = -c3
-    T[2, 1] = s3
-    T[2, 3] = d1 - c3 * a3
+    T[2, 0], T[2, 1], T[2, 3] = -c3, s3, d1 - c3 * a3
     T[3, 3] = 1.0
     return T
 
@@ -135,21 +126,12 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = s1 * q[1]
-    p2_y = c1 * q[1]
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    v2 = v1 + s1 * s3 * a3
-    p3_y = p2_y + c1 * s3 * a3
-    v3 = d1 - c3 * a3 - d1
-    J[0, 0] = -p3_y
-    J[0, 1] = -s1
-    J[0, 2] = s1 * v3
-    J[1, 0] = -v2
-    J[1, 1] = c1
-    J[1, 2] = -(c1 * v3)
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    v1, p2_y = s1 * q[1], c1 * q[1]
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    v2, p3_y, v3 = v1 + s1 * s3 * a3, p2_y + c1 * s3 * a3, d1 - c3 * a3 - d1
+    J[0, 0], J[0, 1], J[0, 2] = -p3_y, -s1, s1 * v3
+    J[1, 0], J[1, 1], J[1, 2] = -v2, c1, -(c1 * v3)
     J[2, 2] = c1 * (p3_y - p2_y) - s1 * (v1 - v2)
     J[3, 2] = c1
     J[4, 2] = s1
@@ -199,9 +181,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             v3 = a3 * v2
             r2 = root1 + v3
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = r2
-            q[row, 2] = q3
+            q[row, 0], q[row, 1], q[row, 2] = q1, r2, q3
             status[row] = FREE_JOINT if free1 else OK
 
 
@@ -226,8 +206,7 @@ def _formulas(kept, turns, rows, w):
         v2 = w3 - w3
 
         # r2, type 1: U1[3, 4]
-        q2_pp = w1 + w3
-        q2_pm = w1 - w3
+        q2_pp, q2_pm = w1 + w3, w1 - w3
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
@@ -249,24 +228,18 @@ def _formulas(kept, turns, rows, w):
         q2_pm, angle1, angle2 = kept[19 * w + k], turns[0 * w + k], turns[1 * w + k]
 
         # joint values
-        q1_pp = angle1 + v2
-        q1_mp = v2 + (angle1 - math.copysign(half_turn, -T14))
+        q1_pp, q1_mp = angle1 + v2, v2 + (angle1 - math.copysign(half_turn, -T14))
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_pp, q2_pp, angle2
         rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q2_pm, -angle2, q1_mp
         rows[6 * w + k], rows[7 * w + k] = -q2_pm, -q2_pp
-        rows[8 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
-        rows[9 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
-        rows[10 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
-        rows[11 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
+        rows[8 * w + k] = rows[9 * w + k] = UNREACHABLE if q1_pp != q1_pp else OK
+        rows[10 * w + k] = rows[11 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [0, 3, 4],
-    [5, 6, 2],
-    [5, 7, 4],
+    [0, 1, 2], [0, 3, 4], [5, 6, 2], [5, 7, 4],
 ])
 
 

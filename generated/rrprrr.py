@@ -109,40 +109,21 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    z3_x = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, z3_x = c1 * c2, s1 * c2, c1 * s2
     z3_y = s1 * s2
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x2_x * c4 + s1 * s4
-    x4_y = x2_y * c4 - c1 * s4
-    x4_z = s2 * c4
-    y4_x = s1 * c4 - x2_x * s4
-    v1 = c1 * c4 + x2_y * s4
-    v2 = s2 * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 - z3_x * s5
-    x5_y = x4_y * c5 - z3_y * s5
-    x5_z = x4_z * c5 + c2 * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 + y4_x * s6
-    T[0, 1] = y4_x * c6 - x5_x * s6
-    T[0, 2] = z3_x * c5 + x4_x * s5
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x2_x * c4 + s1 * s4, x2_y * c4 - c1 * s4, s2 * c4
+    y4_x, v1, v2 = s1 * c4 - x2_x * s4, c1 * c4 + x2_y * s4, s2 * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 - z3_x * s5, x4_y * c5 - z3_y * s5, x4_z * c5 + c2 * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + y4_x * s6, y4_x * c6 - x5_x * s6, z3_x * c5 + x4_x * s5
     T[0, 3] = z3_x * q[2]
-    T[1, 0] = x5_y * c6 - v1 * s6
-    T[1, 1] = -(v1 * c6 + x5_y * s6)
-    T[1, 2] = z3_y * c5 + x4_y * s5
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 - v1 * s6, -(v1 * c6 + x5_y * s6), z3_y * c5 + x4_y * s5
     T[1, 3] = z3_y * q[2]
-    T[2, 0] = x5_z * c6 - v2 * s6
-    T[2, 1] = -(v2 * c6 + x5_z * s6)
-    T[2, 2] = x4_z * s5 - c2 * c5
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 - v2 * s6, -(v2 * c6 + x5_z * s6), x4_z * s5 - c2 * c5
     T[2, 3] = -(c2 * q[2])
     T[3, 3] = 1.0
     return T
@@ -154,40 +135,21 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    z3_x = c1 * s2
-    z3_y = s1 * s2
-    p3_x = z3_x * q[2]
-    p3_y = z3_y * q[2]
-    v1 = c2 * q[2]
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    J[0, 0] = -p3_y
-    J[0, 1] = c1 * v1
-    J[0, 2] = z3_x
-    J[1, 0] = p3_x
-    J[1, 1] = s1 * v1
-    J[1, 2] = z3_y
-    J[2, 1] = s1 * p3_y + c1 * p3_x
-    J[2, 2] = -c2
-    J[3, 1] = s1
-    J[3, 3] = z3_x
-    J[3, 4] = s1 * c4 - x2_x * s4
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, z3_x = c1 * c2, s1 * c2, c1 * s2
+    z3_y, p3_x = s1 * s2, z3_x * q[2]
+    p3_y, v1 = z3_y * q[2], c2 * q[2]
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    J[0, 0], J[0, 1], J[0, 2] = -p3_y, c1 * v1, z3_x
+    J[1, 0], J[1, 1], J[1, 2] = p3_x, s1 * v1, z3_y
+    J[2, 1], J[2, 2] = s1 * p3_y + c1 * p3_x, -c2
+    J[3, 1], J[3, 3], J[3, 4] = s1, z3_x, s1 * c4 - x2_x * s4
     J[3, 5] = z3_x * c5 + (x2_x * c4 + s1 * s4) * s5
-    J[4, 1] = -c1
-    J[4, 3] = z3_y
-    J[4, 4] = -(c1 * c4 + x2_y * s4)
+    J[4, 1], J[4, 3], J[4, 4] = -c1, z3_y, -(c1 * c4 + x2_y * s4)
     J[4, 5] = z3_y * c5 + (x2_y * c4 - c1 * s4) * s5
-    J[5, 0] = 1.0
-    J[5, 3] = -c2
-    J[5, 4] = -(s2 * s4)
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, -c2, -(s2 * s4)
     J[5, 5] = s2 * c4 * s5 - c2 * c5
     return J
 
@@ -227,9 +189,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v3 = Y4 * Y4
 
         # theta6, type 3: U4[2, 2] and U4[2, 1]
-        v4 = T22 * c1 - T12 * s1
-        v5 = T12 * c1 + T22 * s1
-        v7 = T21 * c1 - T11 * s1
+        v4, v5, v7 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T21 * c1 - T11 * s1
         v8 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # forward, backward
@@ -253,8 +213,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = s2 * v2 - T33 * c2
 
             # theta6
-            v6 = c2 * v5 + T32 * s2
-            v9 = c2 * v8 + T31 * s2
+            v6, v9 = c2 * v5 + T32 * s2, c2 * v8 + T31 * s2
 
             for i3 in range(2):  # noflip, flip
                 e4 = 1.0 - 2.0 * i3
@@ -272,12 +231,8 @@ def _solve(pose, q_free, seed, moved, q, status):
                 # theta6
                 q6 = _atan2(-(c4 * v7 + s4 * v9), -(c4 * v4 + s4 * v6))
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = r3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, r3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -289,9 +244,10 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[2, 4]
         v1 = T14 * T14 + T24 * T24
@@ -302,18 +258,15 @@ def _formulas(kept, turns, rows, w):
         v2 = v1 + T34 * T34
         q3_ppp = math.sqrt(v2)
         factor2 = q3_ppp * (1.0 / v2)
-        v3 = T34 * factor2
-        v4 = w1 * factor2
+        v3, v4 = T34 * factor2, w1 * factor2
 
         # theta4, type 2: U4[2, 3]
         v5 = T14 * T13 + T24 * T23
-        X4 = factor1 * (v3 * v5) - v4 * T33
-        Y4 = T24 * T13 - T14 * T23
+        X4, Y4 = factor1 * (v3 * v5) - v4 * T33, T24 * T13 - T14 * T23
         v6 = X4 * X4 + factor1 * (Y4 * (factor1 * Y4))
         w4 = math.sqrt(v6)
         factor4 = w4 * (1.0 / v6)
-        v7 = X4 * factor4
-        s4 = Y4 * factor4
+        v7, s4 = X4 * factor4, Y4 * factor4
         v8 = factor1 * s4
 
         # theta6, type 3: U4[2, 2] and U4[2, 1]
@@ -324,9 +277,10 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = 1.0 if v2 <= m1 or v6 <= m1 or v1 <= m1 else kept[16 * w + k]
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = w1, q3_ppp, w4, v8
-        kept[21 * w + k], turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = v9, -T24, -w1, v8
-        turns[3 * w + k], turns[4 * w + k], turns[8 * w + k], turns[9 * w + k] = -w4, v9, -T14, -T34
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w1, q3_ppp, w4
+        kept[20 * w + k], kept[21 * w + k], turns[0 * w + k] = v8, v9, -T24
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -w1, v8, -w4
+        turns[4 * w + k], turns[8 * w + k], turns[9 * w + k] = v9, -T14, -T34
         turns[10 * w + k], turns[11 * w + k] = -v7, v3 * T33 + factor1 * (v4 * v5)
         turns[12 * w + k] = (
             v7 * (T24 * T12 - T14 * T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 *
@@ -341,10 +295,10 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 8 * w])
     for k in range(w):
-        T24, w1, q3_ppp, w4 = kept[7 * w + k], kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
-        v8, v9, angle1 = kept[20 * w + k], kept[21 * w + k], turns[0 * w + k]
-        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
-        angle5 = turns[4 * w + k]
+        T24, w1, q3_ppp = kept[7 * w + k], kept[17 * w + k], kept[18 * w + k]
+        w4, v8, v9 = kept[19 * w + k], kept[20 * w + k], kept[21 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5 = turns[3 * w + k], turns[4 * w + k]
 
         # theta1, type 2: U1[2, 4]
         q1_mpp = angle1 - math.copysign(half_turn, -T24)
@@ -367,26 +321,16 @@ def _formulas(kept, turns, rows, w):
         rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = q2_pmp, -q3_ppp, -q4_ppm
         rows[12 * w + k], rows[13 * w + k], rows[14 * w + k] = q5_pmp, -angle3, -q5_pmp
         rows[15 * w + k], rows[16 * w + k], rows[17 * w + k] = q1_mpp, -angle2, -q2_pmp
-        rows[18 * w + k] = UNREACHABLE if angle1 != angle1 else OK
-        rows[19 * w + k] = UNREACHABLE if angle1 != angle1 else OK
-        rows[20 * w + k] = UNREACHABLE if angle1 != angle1 else OK
-        rows[21 * w + k] = UNREACHABLE if angle1 != angle1 else OK
-        rows[22 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[23 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[24 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[25 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[18 * w + k] = rows[19 * w + k] = UNREACHABLE if angle1 != angle1 else OK
+        rows[20 * w + k] = rows[21 * w + k] = UNREACHABLE if angle1 != angle1 else OK
+        rows[22 * w + k] = rows[23 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[24 * w + k] = rows[25 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 8],
-    [0, 9, 10, 13, 14, 5],
-    [15, 16, 2, 6, 4, 5],
-    [15, 16, 2, 3, 7, 8],
-    [15, 17, 10, 13, 12, 8],
-    [15, 17, 10, 11, 14, 5],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 8], [0, 9, 10, 13, 14, 5],
+    [15, 16, 2, 6, 4, 5], [15, 16, 2, 3, 7, 8], [15, 17, 10, 13, 12, 8], [15, 17, 10, 11, 14, 5],
 ])
 
 

@@ -130,24 +130,14 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x2_x * c4 - x2_y * s4
-    x4_y = x2_y * c4 + x2_x * s4
-    T[0, 0] = x4_x
-    T[0, 1] = -x4_y
-    T[0, 3] = c1 * L1 + x2_x * L2 + x4_x * L4
-    T[1, 0] = x4_y
-    T[1, 1] = x4_x
-    T[1, 3] = s1 * L1 + x2_y * L2 + x4_y * L4
-    T[2, 2] = 1.0
-    T[2, 3] = q[2]
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y = x2_x * c4 - x2_y * s4, x2_y * c4 + x2_x * s4
+    T[0, 0], T[0, 1], T[0, 3] = x4_x, -x4_y, c1 * L1 + x2_x * L2 + x4_x * L4
+    T[1, 0], T[1, 1], T[1, 3] = x4_y, x4_x, s1 * L1 + x2_y * L2 + x4_y * L4
+    T[2, 2], T[2, 3] = 1.0, q[2]
     T[3, 3] = 1.0
     return T
 
@@ -158,30 +148,17 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * L1
-    p1_y = s1 * L1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    p2_x = p1_x + x2_x * L2
-    p2_y = p1_y + x2_y * L2
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    J21 = p2_x + (x2_x * c4 - x2_y * s4) * L4
-    v1 = p2_y + (x2_y * c4 + x2_x * s4) * L4
-    J[0, 0] = -v1
-    J[0, 1] = p1_y - v1
-    J[0, 3] = p2_y - v1
-    J[1, 0] = J21
-    J[1, 1] = J21 - p1_x
-    J[1, 3] = J21 - p2_x
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * L1, s1 * L1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    p2_x, p2_y = p1_x + x2_x * L2, p1_y + x2_y * L2
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    J21, v1 = p2_x + (x2_x * c4 - x2_y * s4) * L4, p2_y + (x2_y * c4 + x2_x * s4) * L4
+    J[0, 0], J[0, 1], J[0, 3] = -v1, p1_y - v1, p2_y - v1
+    J[1, 0], J[1, 1], J[1, 3] = J21, J21 - p1_x, J21 - p2_x
     J[2, 2] = 1.0
-    J[5, 0] = 1.0
-    J[5, 1] = 1.0
-    J[5, 3] = 1.0
+    J[5, 0], J[5, 1], J[5, 3] = 1.0, 1.0, 1.0
     return J
 
 
@@ -197,8 +174,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     w124 = math.sqrt(T21 * T21 + T11 * T11)
     short124 = w124 <= free_limit
     v1 = 1.0 / (1.0 if short124 else w124)
-    c124 = T11 * v1
-    s124 = T21 * v1
+    c124, s124 = T11 * v1, T21 * v1
     theta124 = _atan2(s124, c124)
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
@@ -215,8 +191,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     X1_1 = L1 + L2 * c2
-    v2 = t24 * X1_1
-    v3 = t14 * X1_1
+    v2, v3 = t24 * X1_1, t14 * X1_1
 
     # is the pose one that the arm can take?
     if (
@@ -245,8 +220,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         q1 = _atan2(s1, c1)
 
         # is the pose one that the arm can take?
-        c12 = c2 * c1 - s2 * s1
-        s12 = c2 * s1 + s2 * c1
+        c12, s12 = c2 * c1 - s2 * s1, c2 * s1 + s2 * c1
         if (
             not (abs(t14 - (L2 * c12 + L1 * c1)) <= pose_slack1 and abs(t24 - (L2 * s12 + L1 * s1))
             <= pose_slack1)
@@ -256,9 +230,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         # joint values
         q4 = _wrap(theta124 - (q2 + q1))
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = t34
+        q[row, 0], q[row, 1], q[row, 2] = q1, q2, t34
         q[row, 3] = q4
         status[row] = FREE_JOINT if free1 else OK
 
@@ -271,28 +243,25 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T13, T14, T21 = kept[0 * w + k], kept[2 * w + k], kept[3 * w + k], kept[4 * w + k]
-        T23, T24, T31, T33 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k], kept[10 * w + k]
-        T34 = kept[11 * w + k]
+        T11, T13, T14 = kept[0 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T23, T24 = kept[4 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T33, T34 = kept[8 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # r3, type 1: U0[3, 4]
         t34 = T34 - L4 * T31
 
         # theta2, type 8: U0[1, 4] and U0[2, 4]
-        t14 = T14 - L4 * T11
-        t24 = T24 - L4 * T21
+        t14, t24 = T14 - L4 * T11, T24 - L4 * T21
         N2 = t14 * t14 + t24 * t24
         D2 = (longest2 - N2) * (N2 - shortest2)
         w2 = math.sqrt(D2)
 
         # theta1, type 3: U0[2, 4] and U0[1, 4]
         v1 = m3 + m2 * N2
-        v2 = t24 * v1
-        v3 = t14 * v1
+        v2, v3 = t24 * v1, t14 * v1
 
         # is the pose one that the arm can take?
-        v4 = T33 - 1.0
-        v5 = T21 * T21 + T11 * T11 - 1.0
+        v4, v5 = T33 - 1.0, T21 * T21 + T11 * T11 - 1.0
 
         # joint values
         q3_p = t34 + (w2 - w2)
@@ -302,10 +271,10 @@ def _formulas(kept, turns, rows, w):
             1.0 if abs(D2) <= m1 or m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 * v5 else
             kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k], turns[1 * w + k] = t34, q3_p, T21, w2
-        turns[2 * w + k], turns[3 * w + k] = v2 - w2 * (m2 * t14), v2 - w2 * (m2 * -t14)
-        turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = T11, N2 - k1, v3 + w2 * (m2 * t24)
-        turns[11 * w + k] = v3 + w2 * (m2 * -t24)
+        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = t34, q3_p, T21
+        turns[1 * w + k], turns[2 * w + k] = w2, v2 - w2 * (m2 * t14)
+        turns[3 * w + k], turns[8 * w + k], turns[9 * w + k] = v2 - w2 * (m2 * -t14), T11, N2 - k1
+        turns[10 * w + k], turns[11 * w + k] = v3 + w2 * (m2 * t24), v3 + w2 * (m2 * -t24)
     if w == 1 and kept[16] != 0.0:
         return
     end = 8 if w == 1 else 4 * w
@@ -319,15 +288,12 @@ def _formulas(kept, turns, rows, w):
         angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
 
         # joint values
-        v6 = angle1 - (angle2 + angle3)
-        v7 = angle1 - (angle4 - angle2)
+        v6, v7 = angle1 - (angle2 + angle3), angle1 - (angle4 - angle2)
         q4_p = v6 + (turn if v6 <= -half_turn else (-turn if half_turn < v6 else 0.0))
         q4_m = v7 + (turn if v7 <= -half_turn else (-turn if half_turn < v7 else 0.0))
         v8 = max(abs(angle2) - high2, per_size * max(low3 - t34, t34 - high3))
-        excess_p = max(v8, abs(angle3) - high1)
-        excess_m = max(v8, abs(angle4) - high1)
-        outside_p = 0.0 < excess_p
-        outside_m = 0.0 < excess_m
+        excess_p, excess_m = max(v8, abs(angle3) - high1), max(v8, abs(angle4) - high1)
+        outside_p, outside_m = 0.0 < excess_p, 0.0 < excess_m
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
@@ -344,8 +310,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3],
-    [4, 5, 2, 6],
+    [0, 1, 2, 3], [4, 5, 2, 6],
 ])
 
 

@@ -149,23 +149,14 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
     x4_y = x2_y * c4 + x2_x * s4
-    T[0, 0] = x2_x * c4 - x2_y * s4
-    T[0, 1] = -x4_y
-    T[0, 3] = c1 * L1 + x2_x * L2
-    T[1, 0] = x4_y
-    T[1, 1] = x2_x * c4 - x2_y * s4
-    T[1, 3] = s1 * L1 + x2_y * L2
-    T[2, 2] = 1.0
-    T[2, 3] = q[2] + factor34 * q[3]
+    T[0, 0], T[0, 1], T[0, 3] = x2_x * c4 - x2_y * s4, -x4_y, c1 * L1 + x2_x * L2
+    T[1, 0], T[1, 1], T[1, 3] = x4_y, x2_x * c4 - x2_y * s4, s1 * L1 + x2_y * L2
+    T[2, 2], T[2, 3] = 1.0, q[2] + factor34 * q[3]
     T[3, 3] = 1.0
     return T
 
@@ -176,23 +167,14 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * L1
-    p1_y = s1 * L1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    p2_x = p1_x + (c1 * c2 - s1 * s2) * L2
-    p2_y = p1_y + (s1 * c2 + c1 * s2) * L2
-    J[0, 0] = -p2_y
-    J[0, 1] = p1_y - p2_y
-    J[1, 0] = p2_x
-    J[1, 1] = p2_x - p1_x
-    J[2, 2] = 1.0
-    J[2, 3] = factor34
-    J[5, 0] = 1.0
-    J[5, 1] = 1.0
-    J[5, 3] = 1.0
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * L1, s1 * L1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    p2_x, p2_y = p1_x + (c1 * c2 - s1 * s2) * L2, p1_y + (s1 * c2 + c1 * s2) * L2
+    J[0, 0], J[0, 1] = -p2_y, p1_y - p2_y
+    J[1, 0], J[1, 1] = p2_x, p2_x - p1_x
+    J[2, 2], J[2, 3] = 1.0, factor34
+    J[5, 0], J[5, 1], J[5, 3] = 1.0, 1.0, 1.0
     return J
 
 
@@ -205,8 +187,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     w124 = math.sqrt(T21 * T21 + T11 * T11)
     short124 = w124 <= free_limit
     v1 = 1.0 / (1.0 if short124 else w124)
-    c124 = T11 * v1
-    s124 = T21 * v1
+    c124, s124 = T11 * v1, T21 * v1
     theta124 = _atan2(s124, c124)
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
@@ -221,8 +202,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     X1_1 = L1 + L2 * c2
-    v2 = T24 * X1_1
-    v3 = T14 * X1_1
+    v2, v3 = T24 * X1_1, T14 * X1_1
 
     # is the pose one that the arm can take?
     if (
@@ -251,8 +231,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         q1 = _atan2(s1, c1)
 
         # is the pose one that the arm can take?
-        c12 = c2 * c1 - s2 * s1
-        s12 = c2 * s1 + s2 * c1
+        c12, s12 = c2 * c1 - s2 * s1, c2 * s1 + s2 * c1
         if (
             not (abs(T14 - (L2 * c12 + L1 * c1)) <= pose_slack1 and abs(T24 - (L2 * s12 + L1 * s1))
             <= pose_slack1)
@@ -263,9 +242,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         q4 = _wrap(theta124 - (q2 + q1))
         q3 = T34 - q4 * factor34
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
+        q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
         q[row, 3] = q4
         status[row] = FREE_JOINT if free1 else OK
 

@@ -120,23 +120,14 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = c2 * c3 - s2 * s3
-    x3_y = s2 * c3 + c2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y = c2 * c3 - s2 * s3, s2 * c3 + c2 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
     x4_x = x3_x * c4 - x3_y * s4
-    T[0, 0] = x4_x
-    T[0, 1] = x3_y * c4 + x3_x * s4
-    T[0, 3] = c2 * a2 + x3_x * a3
-    T[1, 0] = x3_y * c4 + x3_x * s4
-    T[1, 1] = -x4_x
-    T[1, 3] = s2 * a2 + x3_y * a3
-    T[2, 2] = -1.0
-    T[2, 3] = q[0]
+    T[0, 0], T[0, 1], T[0, 3] = x4_x, x3_y * c4 + x3_x * s4, c2 * a2 + x3_x * a3
+    T[1, 0], T[1, 1], T[1, 3] = x3_y * c4 + x3_x * s4, -x4_x, s2 * a2 + x3_y * a3
+    T[2, 2], T[2, 3] = -1.0, q[0]
     T[3, 3] = 1.0
     return T
 
@@ -147,22 +138,14 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    p2_x = c2 * a2
-    p2_y = s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    p3_x = p2_x + (c2 * c3 - s2 * s3) * a3
-    p3_y = p2_y + (s2 * c3 + c2 * s3) * a3
-    J[0, 1] = -p3_y
-    J[0, 2] = p2_y - p3_y
-    J[1, 1] = p3_x
-    J[1, 2] = p3_x - p2_x
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    p2_x, p2_y = c2 * a2, s2 * a2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    p3_x, p3_y = p2_x + (c2 * c3 - s2 * s3) * a3, p2_y + (s2 * c3 + c2 * s3) * a3
+    J[0, 1], J[0, 2] = -p3_y, p2_y - p3_y
+    J[1, 1], J[1, 2] = p3_x, p3_x - p2_x
     J[2, 0] = 1.0
-    J[5, 1] = 1.0
-    J[5, 2] = 1.0
-    J[5, 3] = 1.0
+    J[5, 1], J[5, 2], J[5, 3] = 1.0, 1.0, 1.0
     return J
 
 
@@ -175,8 +158,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     w234 = math.sqrt(T21 * T21 + T11 * T11)
     short234 = w234 <= free_limit
     v1 = 1.0 / (1.0 if short234 else w234)
-    c234 = T11 * v1
-    s234 = T21 * v1
+    c234, s234 = T11 * v1, T21 * v1
     theta234 = _atan2(s234, c234)
 
     # theta3, type 8: U0[1, 4] and U0[2, 4]
@@ -191,8 +173,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta2, type 3: U0[2, 4] and U0[1, 4]
     X1_2 = a2 + a3 * c3
-    v2 = T24 * X1_2
-    v3 = T14 * X1_2
+    v2, v3 = T24 * X1_2, T14 * X1_2
 
     # is the pose one that the arm can take?
     if (
@@ -221,8 +202,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         q2 = _atan2(s2, c2)
 
         # is the pose one that the arm can take?
-        c23 = c3 * c2 - s3 * s2
-        s23 = c3 * s2 + s3 * c2
+        c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
         if (
             not (abs(T14 - (a3 * c23 + a2 * c2)) <= pose_slack1 and abs(T24 - (a3 * s23 + a2 * s2))
             <= pose_slack1)
@@ -232,9 +212,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         # joint values
         q4 = _wrap(theta234 - (q3 + q2))
         row = i1
-        q[row, 0] = T34
-        q[row, 1] = q2
-        q[row, 2] = q3
+        q[row, 0], q[row, 1], q[row, 2] = T34, q2, q3
         q[row, 3] = q4
         status[row] = FREE_JOINT if free2 else OK
 
@@ -247,9 +225,9 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T13, T14, T21 = kept[0 * w + k], kept[2 * w + k], kept[3 * w + k], kept[4 * w + k]
-        T23, T24, T31, T33 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k], kept[10 * w + k]
-        T34 = kept[11 * w + k]
+        T11, T13, T14 = kept[0 * w + k], kept[2 * w + k], kept[3 * w + k]
+        T21, T23, T24 = kept[4 * w + k], kept[6 * w + k], kept[7 * w + k]
+        T31, T33, T34 = kept[8 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta3, type 8: U0[1, 4] and U0[2, 4]
         N3 = T14 * T14 + T24 * T24
@@ -258,14 +236,11 @@ def _formulas(kept, turns, rows, w):
 
         # theta2, type 3: U0[2, 4] and U0[1, 4]
         v1 = m3 + m2 * N3
-        v2 = T24 * v1
-        v3 = T14 * v1
-        v4 = w3 * (m2 * T14)
+        v2, v3, v4 = T24 * v1, T14 * v1, w3 * (m2 * T14)
         v5 = w3 * (m2 * T24)
 
         # is the pose one that the arm can take?
-        v6 = 1.0 + T33
-        v7 = T21 * T21 + T11 * T11 - 1.0
+        v6, v7 = 1.0 + T33, T21 * T21 + T11 * T11 - 1.0
 
         # joint values
         q1_p = w3 - w3 + T34
@@ -291,22 +266,19 @@ def _formulas(kept, turns, rows, w):
         angle3, angle4 = turns[2 * w + k], turns[3 * w + k]
 
         # joint values
-        v8 = angle1 - (angle2 + angle3)
-        v9 = angle1 - (angle4 - angle2)
+        v8, v9 = angle1 - (angle2 + angle3), angle1 - (angle4 - angle2)
         q4_p = v8 + (turn if v8 <= -half_turn else (-turn if half_turn < v8 else 0.0))
         q4_m = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_p, angle3, angle2
         rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q4_p, angle4, -angle2
         rows[6 * w + k] = q4_m
-        rows[7 * w + k] = UNREACHABLE if q1_p != q1_p else OK
-        rows[8 * w + k] = UNREACHABLE if q1_p != q1_p else OK
+        rows[7 * w + k] = rows[8 * w + k] = UNREACHABLE if q1_p != q1_p else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3],
-    [0, 4, 5, 6],
+    [0, 1, 2, 3], [0, 4, 5, 6],
 ])
 
 

@@ -125,39 +125,22 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
     v1 = x2_y * s4
-    x4_x = x2_x * c4 + v1
-    v2 = x2_y * c4
-    x4_y = v2 + -x2_x * s4
-    y5_x = v2 - x2_x * s4
-    y5_y = -x2_x * c4 - v1
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5
-    x5_y = x4_y * c5
-    v3 = x4_x * s5
+    x4_x, v2 = x2_x * c4 + v1, x2_y * c4
+    x4_y, y5_x, y5_y = v2 + -x2_x * s4, v2 - x2_x * s4, -x2_x * c4 - v1
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, v3 = x4_x * c5, x4_y * c5, x4_x * s5
     v4 = x4_y * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 + y5_x * s6
-    T[0, 1] = y5_x * c6 - x5_x * s6
-    T[0, 2] = -v3
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + y5_x * s6, y5_x * c6 - x5_x * s6, -v3
     T[0, 3] = c1 * a1 + x2_x * a2 - v3 * d6
-    T[1, 0] = x5_y * c6 + y5_y * s6
-    T[1, 1] = y5_y * c6 - x5_y * s6
-    T[1, 2] = -v4
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + y5_y * s6, y5_y * c6 - x5_y * s6, -v4
     T[1, 3] = s1 * a1 + x2_y * a2 - v4 * d6
-    T[2, 0] = -(s5 * c6)
-    T[2, 1] = s5 * s6
-    T[2, 2] = -c5
+    T[2, 0], T[2, 1], T[2, 2] = -(s5 * c6), s5 * s6, -c5
     T[2, 3] = d1 + q[2] - c5 * d6
     T[3, 3] = 1.0
     return T
@@ -169,52 +152,26 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
-    p3_z = d1 + q[2]
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    v1 = x2_y * s4
-    v2 = x2_y * c4
-    z4_x = x2_x * s4 - v2
-    z4_y = v1 - -x2_x * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    v3 = (x2_x * c4 + v1) * s5
-    v4 = (v2 + -x2_x * s4) * s5
-    p6_x = p2_x - v3 * d6
-    p6_y = p2_y - v4 * d6
-    v5 = p6_x - p2_x
-    J14 = p6_y - p2_y
-    v6 = p3_z - c5 * d6 - p3_z
-    J[0, 0] = -p6_y
-    J[0, 1] = p1_y - p6_y
-    J[0, 3] = J14
-    J[0, 4] = z4_y * v6
-    J[0, 5] = c5 * J14 - v4 * v6
-    J[1, 0] = p6_x
-    J[1, 1] = p6_x - p1_x
-    J[1, 3] = -v5
-    J[1, 4] = -(z4_x * v6)
-    J[1, 5] = v3 * v6 - c5 * v5
-    J[2, 2] = 1.0
-    J[2, 4] = z4_x * J14 - z4_y * v5
-    J[2, 5] = v4 * v5 - v3 * J14
-    J[3, 4] = z4_x
-    J[3, 5] = -v3
-    J[4, 4] = z4_y
-    J[4, 5] = -v4
-    J[5, 0] = 1.0
-    J[5, 1] = 1.0
-    J[5, 3] = -1.0
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * a1, s1 * a1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
+    p2_x, p2_y, p3_z = p1_x + x2_x * a2, p1_y + x2_y * a2, d1 + q[2]
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    v1, v2 = x2_y * s4, x2_y * c4
+    z4_x, z4_y = x2_x * s4 - v2, v1 - -x2_x * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    v3, v4 = (x2_x * c4 + v1) * s5, (v2 + -x2_x * s4) * s5
+    p6_x, p6_y = p2_x - v3 * d6, p2_y - v4 * d6
+    v5, J14, v6 = p6_x - p2_x, p6_y - p2_y, p3_z - c5 * d6 - p3_z
+    J[0, 0], J[0, 1], J[0, 3] = -p6_y, p1_y - p6_y, J14
+    J[0, 4], J[0, 5] = z4_y * v6, c5 * J14 - v4 * v6
+    J[1, 0], J[1, 1], J[1, 3] = p6_x, p6_x - p1_x, -v5
+    J[1, 4], J[1, 5] = -(z4_x * v6), v3 * v6 - c5 * v5
+    J[2, 2], J[2, 4], J[2, 5] = 1.0, z4_x * J14 - z4_y * v5, v4 * v5 - v3 * J14
+    J[3, 4], J[3, 5] = z4_x, -v3
+    J[4, 4], J[4, 5] = z4_y, -v4
+    J[5, 0], J[5, 1], J[5, 3] = 1.0, 1.0, -1.0
     J[5, 5] = -c5
     return J
 
@@ -242,8 +199,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
     X1_1 = a1 + a2 * c2
-    v1 = wy * X1_1
-    v2 = wx * X1_1
+    v1, v2 = wy * X1_1, wx * X1_1
 
     # theta12m4, type 2: U4[3, 3]
     w12m4 = math.sqrt(T13 * T13 + T23 * T23)
@@ -287,19 +243,14 @@ def _solve(pose, q_free, seed, moved, q, status):
             q5 = _atan2(s5, -T33)
 
             # theta6, type 3: U4[3, 2] and U4[3, 1]
-            c6 = T12 * s12m4 - T22 * c12m4
-            s6 = T11 * s12m4 - T21 * c12m4
+            c6, s6 = T12 * s12m4 - T22 * c12m4, T11 * s12m4 - T21 * c12m4
             q6 = _atan2(s6, c6)
 
             # joint values
             q4 = _wrap(v3 - _atan2(s12m4, c12m4))
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = r3
-            q[row, 3] = q4
-            q[row, 4] = q5
-            q[row, 5] = q6
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, r3
+            q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
             status[row] = FREE_JOINT if free1 or free12m4 else OK
 
 
@@ -311,13 +262,13 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T33, T34 = kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T33 = kept[6 * w + k], kept[7 * w + k], kept[10 * w + k]
+        T34 = kept[11 * w + k]
 
         # theta2, type 8: U0 A6^-1 [1, 4] and U0 A6^-1 [2, 4]
-        wx = T14 - d6 * T13
-        wy = T24 - d6 * T23
+        wx, wy = T14 - d6 * T13, T24 - d6 * T23
         N2 = wx * wx + wy * wy
         D2 = (longest2 - N2) * (N2 - shortest2)
         w2 = math.sqrt(D2)
@@ -325,8 +276,7 @@ def _formulas(kept, turns, rows, w):
 
         # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
         v2 = m3 + m2 * N2
-        v3 = wy * v2
-        v4 = wx * v2
+        v3, v4 = wy * v2, wx * v2
 
         # theta12m4, type 2: U4[3, 3]
         v5 = T13 * T13 + T23 * T23
@@ -339,12 +289,12 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = 1.0 if abs(D2) <= m1 or v5 <= m4 else kept[16 * w + k]
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], turns[0 * w + k] = v1, s6, q3_pp, w2
-        turns[1 * w + k], turns[2 * w + k] = v3 - w2 * (m2 * wx), v3 - w2 * (m2 * -wx)
-        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = math.sqrt(v5), s6, -T23
-        turns[8 * w + k], turns[9 * w + k] = N2 - k1, v4 + w2 * (m2 * wy)
-        turns[10 * w + k], turns[11 * w + k] = v4 + w2 * (m2 * -wy), -T33
-        turns[12 * w + k], turns[13 * w + k] = T13 * T22 - T23 * T12, -T13
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, s6, q3_pp
+        turns[0 * w + k], turns[1 * w + k] = w2, v3 - w2 * (m2 * wx)
+        turns[2 * w + k], turns[3 * w + k] = v3 - w2 * (m2 * -wx), math.sqrt(v5)
+        turns[4 * w + k], turns[5 * w + k], turns[8 * w + k] = s6, -T23, N2 - k1
+        turns[9 * w + k], turns[10 * w + k] = v4 + w2 * (m2 * wy), v4 + w2 * (m2 * -wy)
+        turns[11 * w + k], turns[12 * w + k], turns[13 * w + k] = -T33, T13 * T22 - T23 * T12, -T13
     if w == 1 and kept[16] != 0.0:
         return
     end = 8 if w == 1 else 6 * w
@@ -354,27 +304,22 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 8 * w])
     for k in range(w):
-        T23, v1, s6, q3_pp = kept[6 * w + k], kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
-        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
-        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        T23, v1, s6 = kept[6 * w + k], kept[17 * w + k], kept[18 * w + k]
+        q3_pp, angle1, angle2 = kept[19 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
+        angle6 = turns[5 * w + k]
 
         # theta12m4, type 2: U4[3, 3]
-        v6 = angle1 + angle2
-        v7 = angle3 - angle1
+        v6, v7 = angle1 + angle2, angle3 - angle1
 
         # joint values
-        v8 = angle6 - math.copysign(half_turn, -T23)
-        v9 = v6 - angle6
-        v10 = v6 - v8
-        v11 = v7 - angle6
-        v12 = v7 - v8
+        v8, v9 = angle6 - math.copysign(half_turn, -T23), v6 - angle6
+        v10, v11, v12 = v6 - v8, v7 - angle6, v7 - v8
         q4_pp = v9 + (turn if v9 <= -half_turn else (-turn if half_turn < v9 else 0.0))
         q4_pm = v10 + (turn if v10 <= -half_turn else (-turn if half_turn < v10 else 0.0))
         q4_mp = v11 + (turn if v11 <= -half_turn else (-turn if half_turn < v11 else 0.0))
         q4_mm = v12 + (turn if v12 <= -half_turn else (-turn if half_turn < v12 else 0.0))
-        q5_pp = v1 + angle4
-        q5_pm = v1 - angle4
-        q6_pp = v1 + angle5
+        q5_pp, q5_pm, q6_pp = v1 + angle4, v1 - angle4, v1 + angle5
         q6_pm = v1 + (angle5 - math.copysign(half_turn, s6))
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = angle2, angle1, q3_pp
@@ -382,18 +327,13 @@ def _formulas(kept, turns, rows, w):
         rows[6 * w + k], rows[7 * w + k], rows[8 * w + k] = q4_pm, q5_pm, q6_pm
         rows[9 * w + k], rows[10 * w + k], rows[11 * w + k] = angle3, -angle1, q4_mp
         rows[12 * w + k] = q4_mm
-        rows[13 * w + k] = UNREACHABLE if angle2 != angle2 else OK
-        rows[14 * w + k] = UNREACHABLE if angle2 != angle2 else OK
-        rows[15 * w + k] = UNREACHABLE if angle3 != angle3 else OK
-        rows[16 * w + k] = UNREACHABLE if angle3 != angle3 else OK
+        rows[13 * w + k] = rows[14 * w + k] = UNREACHABLE if angle2 != angle2 else OK
+        rows[15 * w + k] = rows[16 * w + k] = UNREACHABLE if angle3 != angle3 else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [9, 10, 2, 11, 4, 5],
-    [9, 10, 2, 12, 7, 8],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [9, 10, 2, 11, 4, 5], [9, 10, 2, 12, 7, 8],
 ])
 
 

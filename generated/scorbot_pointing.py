@@ -176,44 +176,23 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
     v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    v3 = s2 * c3 + c2 * s3
-    v4 = v1 * c3 + x2_x * s3
-    v5 = v2 * c3 + x2_y * s3
-    y3_z = s2 * s3 - c2 * c3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v3 = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v4, v5, y3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, s2 * s3 - c2 * c3
     v6 = q[3] + offset4
-    c4 = math.cos(v6)
-    s4 = math.sin(v6)
-    x4_x = x3_x * c4 - v4 * s4
-    x4_y = x3_y * c4 - v5 * s4
-    x4_z = y3_z * s4 - v3 * c4
-    z4_x = v4 * c4 + x3_x * s4
-    z4_y = v5 * c4 + x3_y * s4
-    v7 = y3_z * c4 + v3 * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    T[0, 0] = x4_x * c5 - s1 * s5
-    T[0, 1] = -(s1 * c5 + x4_x * s5)
-    T[0, 2] = z4_x
+    c4, s4 = math.cos(v6), math.sin(v6)
+    x4_x, x4_y, x4_z = x3_x * c4 - v4 * s4, x3_y * c4 - v5 * s4, y3_z * s4 - v3 * c4
+    z4_x, z4_y, v7 = v4 * c4 + x3_x * s4, v5 * c4 + x3_y * s4, y3_z * c4 + v3 * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    T[0, 0], T[0, 1], T[0, 2] = x4_x * c5 - s1 * s5, -(s1 * c5 + x4_x * s5), z4_x
     T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 + z4_x * d5
-    T[1, 0] = x4_y * c5 + c1 * s5
-    T[1, 1] = c1 * c5 - x4_y * s5
-    T[1, 2] = z4_y
+    T[1, 0], T[1, 1], T[1, 2] = x4_y * c5 + c1 * s5, c1 * c5 - x4_y * s5, z4_y
     T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 + z4_y * d5
-    T[2, 0] = x4_z * c5
-    T[2, 1] = -(x4_z * s5)
-    T[2, 2] = -v7
+    T[2, 0], T[2, 1], T[2, 2] = x4_z * c5, -(x4_z * s5), -v7
     T[2, 3] = d1 - s2 * a2 - v3 * a3 - v7 * d5
     T[3, 3] = 1.0
     return T
@@ -225,65 +204,34 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
     J = _zeros(6, 5)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * a1, s1 * a1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
+    v2, p2_x, p2_y = s1 * s2, p1_x + x2_x * a2, p1_y + x2_y * a2
     p2_z = d1 - s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    v3 = s2 * c3 + c2 * s3
-    p3_x = p2_x + x3_x * a3
-    p3_y = p2_y + x3_y * a3
-    p3_z = p2_z - v3 * a3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v3 = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    p3_x, p3_y, p3_z = p2_x + x3_x * a3, p2_y + x3_y * a3, p2_z - v3 * a3
     v4 = q[3] + offset4
-    c4 = math.cos(v4)
-    s4 = math.sin(v4)
-    z4_x = (v1 * c3 + x2_x * s3) * c4 + x3_x * s4
-    z4_y = (v2 * c3 + x2_y * s3) * c4 + x3_y * s4
-    v5 = (s2 * s3 - c2 * c3) * c4 + v3 * s4
-    p5_x = p3_x + z4_x * d5
-    p5_y = p3_y + z4_y * d5
+    c4, s4 = math.cos(v4), math.sin(v4)
+    z4_x, z4_y = (v1 * c3 + x2_x * s3) * c4 + x3_x * s4, (v2 * c3 + x2_y * s3) * c4 + x3_y * s4
+    v5, p5_x, p5_y = (s2 * s3 - c2 * c3) * c4 + v3 * s4, p3_x + z4_x * d5, p3_y + z4_y * d5
     p5_z = p3_z - v5 * d5
-    v6 = p5_z - d1
-    v7 = p5_z - p2_z
-    v8 = p5_x - p3_x
-    v9 = p5_y - p3_y
-    v10 = p5_z - p3_z
-    J[0, 0] = -p5_y
-    J[0, 1] = c1 * v6
-    J[0, 2] = c1 * v7
-    J[0, 3] = c1 * v10
-    J[0, 4] = z4_y * v10 + v5 * v9
-    J[1, 0] = p5_x
-    J[1, 1] = s1 * v6
-    J[1, 2] = s1 * v7
-    J[1, 3] = s1 * v10
-    J[1, 4] = -(v5 * v8 + z4_x * v10)
+    v6, v7, v8 = p5_z - d1, p5_z - p2_z, p5_x - p3_x
+    v9, v10 = p5_y - p3_y, p5_z - p3_z
+    J[0, 0], J[0, 1], J[0, 2] = -p5_y, c1 * v6, c1 * v7
+    J[0, 3], J[0, 4] = c1 * v10, z4_y * v10 + v5 * v9
+    J[1, 0], J[1, 1], J[1, 2] = p5_x, s1 * v6, s1 * v7
+    J[1, 3], J[1, 4] = s1 * v10, -(v5 * v8 + z4_x * v10)
     J[2, 1] = -(s1 * (p5_y - p1_y) + c1 * (p5_x - p1_x))
-    J[2, 2] = -(s1 * (p5_y - p2_y) + c1 * (p5_x - p2_x))
-    J[2, 3] = -(s1 * v9 + c1 * v8)
+    J[2, 2], J[2, 3] = -(s1 * (p5_y - p2_y) + c1 * (p5_x - p2_x)), -(s1 * v9 + c1 * v8)
     J[2, 4] = z4_x * v9 - z4_y * v8
-    J[3, 1] = -s1
-    J[3, 2] = -s1
-    J[3, 3] = -s1
+    J[3, 1], J[3, 2], J[3, 3] = -s1, -s1, -s1
     J[3, 4] = z4_x
-    J[4, 1] = c1
-    J[4, 2] = c1
-    J[4, 3] = c1
+    J[4, 1], J[4, 2], J[4, 3] = c1, c1, c1
     J[4, 4] = z4_y
-    J[5, 0] = 1.0
-    J[5, 4] = -v5
+    J[5, 0], J[5, 4] = 1.0, -v5
     return J
 
 
@@ -322,8 +270,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         w234 = math.sqrt(Z2_234 * Z2_234 + v1)
         short234 = w234 <= free_limit
         v2 = 1.0 / (1.0 if short234 else w234)
-        c234 = T33 * v2
-        s234 = Z2_234 * v2
+        c234, s234 = T33 * v2, Z2_234 * v2
         theta234 = _atan2(s234, c234)
 
         # theta3
@@ -345,12 +292,10 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         Y1_2 = a2 + a3 * c3
-        v7 = Z1_3 * Y1_2
-        v9 = Z2_3 * Y1_2
+        v7, v9 = Z1_3 * Y1_2, Z2_3 * Y1_2
 
         # is the pose one that the arm can take?
-        v10 = a1 + v5
-        v12 = d1 + v3
+        v10, v12 = a1 + v5, d1 + v3
         if (
             not (abs(T33 - c234) <= doubtful_slack and abs(T13 - c1 * s234) <= doubtful_slack and
             abs(T23 - s1 * s234) <= doubtful_slack)
@@ -377,8 +322,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
-            c23 = c3 * c2 - s3 * s2
-            s23 = c3 * s2 + s3 * c2
+            c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
             v11 = a3 * c23 + (a2 * c2 + v10)
             if (
                 not (abs(T34 + (a3 * s23 + (a2 * s2 - v12))) <= doubtful_slack1 and abs(T14 - c1 *
@@ -389,11 +333,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             # joint values
             q4 = _wrap(theta234 - (q3 + q2) - offset4)
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
-            q[row, 3] = q4
-            q[row, 4] = q_free[0]
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+            q[row, 3], q[row, 4] = q4, q_free[0]
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
@@ -405,107 +346,62 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T13, T14, T23, T24 = kept[2 * w + k], kept[3 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T33, T34, given1 = kept[10 * w + k], kept[11 * w + k], kept[16 * w + k]
+        T13, T14, T23 = kept[2 * w + k], kept[3 * w + k], kept[6 * w + k]
+        T24, T33, T34 = kept[7 * w + k], kept[10 * w + k], kept[11 * w + k]
+        given1 = kept[16 * w + k]
 
         # theta1, type 2: U1[3, 4], so theta1 = atan2(T24, T14) or half a turn from it. Where both
         # are small, U1[3, 3] says more: its vector, along the same line, is added
         sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-        Xhat1 = T14 + T13 * sigma1
-        Yhat1 = T24 + T23 * sigma1
+        Xhat1, Yhat1 = T14 + T13 * sigma1, T24 + T23 * sigma1
         v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
         factor1 = w1 * v2
-        v3 = Xhat1 * factor1
-        v4 = Yhat1 * factor1
+        v3, v4 = Xhat1 * factor1, Yhat1 * factor1
 
         # theta234, type 3: U1[2, 3] and U1[1, 3]
         v5 = w1 * (v2 * (T13 * Xhat1 + T23 * Yhat1))
         v6 = T33 * T33 + v5 * v5
-        w234 = math.sqrt(v6)
-        v7 = 1.0 / v6
+        w234, v7 = math.sqrt(v6), 1.0 / v6
         v8 = w234 * v7
 
         # theta3, type 8: U1[2, 4] and U1[1, 4]
-        v9 = d5 * T33
-        v10 = T34 - d1
+        v9, v10 = d5 * T33, T34 - d1
         v11 = v8 * v9
-        Z1_3 = v10 - v11
-        v12 = d5 * v5
-        v13 = T14 * v3 + T24 * v4
-        v14 = a1 + v13
-        v15 = a1 - v13
-        v16 = v8 * v12
-        v17 = v16 - v14
-        v18 = w234 * (v7 * v12)
-        Z2_3_p = v18 - v14
-        v19 = v15 + v18
-        v20 = Z1_3 * Z1_3
-        N3_p = v20 + Z2_3_p * Z2_3_p
-        N3_m = v20 + v19 * v19
-        K3_p = N3_p - k1
-        K3_m = N3_m - k1
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
-        v21 = w3_p - w3_p
-        v22 = w3_m - w3_m
-        s3_p = k2 * w3_p
-        s3_m = k2 * w3_m
-        c3_p = k2 * K3_p
-        c3_m = k2 * K3_m
+        Z1_3, v12, v13 = v10 - v11, d5 * v5, T14 * v3 + T24 * v4
+        v14, v15, v16 = a1 + v13, a1 - v13, v8 * v12
+        v17, v18 = v16 - v14, w234 * (v7 * v12)
+        Z2_3_p, v19, v20 = v18 - v14, v15 + v18, Z1_3 * Z1_3
+        N3_p, N3_m = v20 + Z2_3_p * Z2_3_p, v20 + v19 * v19
+        K3_p, K3_m, D3_p = N3_p - k1, N3_m - k1, (longest3 - N3_p) * (N3_p - shortest3)
+        D3_m, w3_p = (longest3 - N3_m) * (N3_m - shortest3), math.sqrt(D3_p)
+        w3_m, v21 = math.sqrt(D3_m), w3_p - w3_p
+        v22, s3_p, s3_m = w3_m - w3_m, k2 * w3_p, k2 * w3_m
+        c3_p, c3_m = k2 * K3_p, k2 * K3_m
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
-        v23 = v9 * v10
-        v24 = v7 * (v9 * v9 + v12 * v12)
-        v25 = v10 * v10
+        v23, v24, v25 = v9 * v10, v7 * (v9 * v9 + v12 * v12), v10 * v10
         Y1_2_p = m7 * (v24 + (v25 + v14 * v14)) - w234 * (m6 * (v7 * (v23 + v12 * v14)))
         Y1_2_m = m7 * (v24 + (v25 + v15 * v15)) - w234 * (m6 * (v7 * (v23 - v12 * v15)))
-        v26 = Z1_3 * Y1_2_p
-        v27 = Z1_3 * Y1_2_m
-        v28 = v26 + w3_p * (m7 * v17)
-        v29 = v26 + w3_p * (m7 * -v17)
-        v30 = w3_m * (m7 * (v15 + v16))
-        v31 = v27 - v30
-        v32 = v27 + v30
-        v33 = Z2_3_p * Y1_2_p
-        v34 = v19 * Y1_2_m
-        v35 = m7 * Z1_3
-        v36 = m7 * -Z1_3
-        C2_pp = v33 - w3_p * v35
-        C2_pm = v33 - w3_p * v36
-        v37 = v34 + w3_m * v35
-        v38 = v34 + w3_m * v36
-        v39 = v28 * v28 + C2_pp * C2_pp
-        v40 = v29 * v29 + C2_pm * C2_pm
-        v41 = v31 * v31 + v37 * v37
-        v42 = v32 * v32 + v38 * v38
-        w2_pp = math.sqrt(v39)
-        w2_pm = math.sqrt(v40)
-        w2_mp = math.sqrt(v41)
-        w2_mm = math.sqrt(v42)
-        v43 = 1.0 / v39
-        v44 = 1.0 / v40
-        v45 = 1.0 / v41
-        v46 = 1.0 / v42
-        factor2_pp = w2_pp * v43
-        factor2_pm = w2_pm * v44
-        factor2_mp = w2_mp * v45
-        factor2_mm = w2_mm * v46
+        v26, v27 = Z1_3 * Y1_2_p, Z1_3 * Y1_2_m
+        v28, v29, v30 = v26 + w3_p * (m7 * v17), v26 + w3_p * (m7 * -v17), w3_m * (m7 * (v15 + v16))
+        v31, v32, v33 = v27 - v30, v27 + v30, Z2_3_p * Y1_2_p
+        v34, v35, v36 = v19 * Y1_2_m, m7 * Z1_3, m7 * -Z1_3
+        C2_pp, C2_pm, v37 = v33 - w3_p * v35, v33 - w3_p * v36, v34 + w3_m * v35
+        v38, v39, v40 = v34 + w3_m * v36, v28 * v28 + C2_pp * C2_pp, v29 * v29 + C2_pm * C2_pm
+        v41, v42, w2_pp = v31 * v31 + v37 * v37, v32 * v32 + v38 * v38, math.sqrt(v39)
+        w2_pm, w2_mp, w2_mm = math.sqrt(v40), math.sqrt(v41), math.sqrt(v42)
+        v43, v44, v45 = 1.0 / v39, 1.0 / v40, 1.0 / v41
+        v46, factor2_pp, factor2_pm = 1.0 / v42, w2_pp * v43, w2_pm * v44
+        factor2_mp, factor2_mm = w2_mp * v45, w2_mm * v46
 
         # is the pose one that the arm can take?
-        v47 = a1 - v16
-        v48 = a1 + v16
+        v47, v48 = a1 - v16, a1 + v16
         v49 = v47 + w2_pp * (v43 * (a3 * (c3_p * C2_pp + s3_p * v28) + a2 * C2_pp))
         v50 = v47 + w2_pm * (v44 * (a3 * (c3_p * C2_pm - s3_p * v29) + a2 * C2_pm))
         v51 = v48 + w2_mp * (v45 * (a3 * (s3_m * v31 - c3_m * v37) - a2 * v37))
-        v52 = v48 - w2_mm * (v46 * (a3 * (c3_m * v38 + s3_m * v32) + a2 * v38))
-        v53 = d1 + v11
-        v54 = T33 - T33 * v8
-        v55 = T13 - v8 * (v3 * v5)
-        v56 = T23 - v8 * (v4 * v5)
+        v52, v53 = v48 - w2_mm * (v46 * (a3 * (c3_m * v38 + s3_m * v32) + a2 * v38)), d1 + v11
+        v54, v55, v56 = T33 - T33 * v8, T13 - v8 * (v3 * v5), T23 - v8 * (v4 * v5)
         v57 = (
             T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v28)) - (v53 + factor2_pp * (a2 *
             v28)))
@@ -520,22 +416,12 @@ def _formulas(kept, turns, rows, w):
         v60 = (
             T34 + (factor2_mm * (a3 * (s3_m * v38 - c3_m * v32)) - (v53 + factor2_mm * (a2 * v32)))
         )
-        v61 = T14 + v3 * v49
-        v62 = T14 + v3 * v50
-        v63 = T14 - v3 * v51
-        v64 = T14 - v3 * v52
-        v65 = T24 + v4 * v49
-        v66 = T24 + v4 * v50
-        v67 = T24 - v4 * v51
-        v68 = T24 - v4 * v52
-        v69 = v57 * v57 + v61 * v61 + v65 * v65
-        v70 = v58 * v58 + v62 * v62 + v66 * v66
-        v71 = v59 * v59 + v63 * v63 + v67 * v67
-        v72 = v60 * v60 + v64 * v64 + v68 * v68
-        exact__pp = v69 <= m10
-        exact__pm = v70 <= m10
-        exact__mp = v71 <= m10
-        exact__mm = v72 <= m10
+        v61, v62, v63 = T14 + v3 * v49, T14 + v3 * v50, T14 - v3 * v51
+        v64, v65, v66 = T14 - v3 * v52, T24 + v4 * v49, T24 + v4 * v50
+        v67, v68, v69 = T24 - v4 * v51, T24 - v4 * v52, v57 * v57 + v61 * v61 + v65 * v65
+        v70, v71 = v58 * v58 + v62 * v62 + v66 * v66, v59 * v59 + v63 * v63 + v67 * v67
+        v72, exact__pp, exact__pm = v60 * v60 + v64 * v64 + v68 * v68, v69 <= m10, v70 <= m10
+        exact__mp, exact__mm = v71 <= m10, v72 <= m10
 
         # joint values
         v81 = math.sqrt(-1.0)
@@ -543,11 +429,8 @@ def _formulas(kept, turns, rows, w):
         v83 = 0.0 if exact__pm else v81
         v84 = 0.0 if exact__mp else v81
         v85 = 0.0 if exact__mm else v81
-        v88 = v21 + given1
-        v89 = v22 + given1
-        q5_pp = v82 + v88
-        q5_pm = v83 + v88
-        q5_mp = v84 + v89
+        v88, v89 = v21 + given1, v22 + given1
+        q5_pp, q5_pm, q5_mp = v82 + v88, v83 + v88, v84 + v89
         q5_mm = v85 + v89
 
         # a joint is free, or branches meet
@@ -560,49 +443,39 @@ def _formulas(kept, turns, rows, w):
             * w + k]
         )
         kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Yhat1, v21, v22
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v82, v83, v84, v85
-        kept[25 * w + k], kept[26 * w + k], kept[27 * w + k] = q5_pp, q5_pm, q5_mp
-        kept[28 * w + k], turns[0 * w + k], turns[1 * w + k] = q5_mm, -Yhat1, -v5
-        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = w3_p, w3_m, -v28
-        turns[5 * w + k], turns[6 * w + k], turns[7 * w + k] = -v29, -v31, -v32
-        turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = -Xhat1, T33, K3_p
-        turns[11 * w + k], turns[12 * w + k], turns[13 * w + k] = K3_m, C2_pp, C2_pm
-        turns[14 * w + k], turns[15 * w + k] = -v37, -v38
+        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = v82, v83, v84
+        kept[24 * w + k], kept[25 * w + k], kept[26 * w + k] = v85, q5_pp, q5_pm
+        kept[27 * w + k], kept[28 * w + k], turns[0 * w + k] = q5_mp, q5_mm, -Yhat1
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -v5, w3_p, w3_m
+        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = -v28, -v29, -v31
+        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = -v32, -Xhat1, T33
+        turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = K3_p, K3_m, C2_pp
+        turns[13 * w + k], turns[14 * w + k], turns[15 * w + k] = C2_pm, -v37, -v38
     if w == 1 and kept[17] != 0.0:
         return
     for k in range(0 * w, 8 * w):
         turns[k] = _atan2(turns[k], turns[k + 8 * w])
     for k in range(w):
         Yhat1, v21, v22 = kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v82, v83, v84, v85 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        q5_pp, q5_pm, q5_mp = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k]
-        q5_mm, angle1, angle2 = kept[28 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
+        v82, v83, v84 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
+        v85, q5_pp, q5_pm = kept[24 * w + k], kept[25 * w + k], kept[26 * w + k]
+        q5_mp, q5_mm, angle1 = kept[27 * w + k], kept[28 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
+        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle8 = turns[7 * w + k]
 
         # joint values
-        v73 = angle2 - (angle3 + angle5) - offset4
-        v74 = angle2 - (angle6 - angle3) - offset4
-        v75 = offset4 + (angle2 + (angle4 + angle7))
-        v76 = offset4 + (angle2 + (angle8 - angle4))
+        v73, v74 = angle2 - (angle3 + angle5) - offset4, angle2 - (angle6 - angle3) - offset4
+        v75, v76 = offset4 + (angle2 + (angle4 + angle7)), offset4 + (angle2 + (angle8 - angle4))
         v77 = v73 + (turn if v73 <= -half_turn else (-turn if half_turn < v73 else 0.0))
         v78 = v74 + (turn if v74 <= -half_turn else (-turn if half_turn < v74 else 0.0))
         v79 = (turn if -v75 <= -half_turn else (-turn if half_turn < -v75 else 0.0)) - v75
         v80 = (turn if -v76 <= -half_turn else (-turn if half_turn < -v76 else 0.0)) - v76
-        v86 = angle1 + v21
-        v87 = v22 + (angle1 - math.copysign(half_turn, -Yhat1))
-        q1_pp = v82 + v86
-        q1_pm = v83 + v86
-        q1_mp = v84 + v87
-        q1_mm = v85 + v87
-        q2_pp = angle5 + v82
-        q2_pm = angle6 + v83
-        q2_mp = angle7 + v84
-        q2_mm = angle8 + v85
-        q3_pp = angle3 + v82
-        q3_pm = v83 - angle3
-        q3_mp = angle4 + v84
-        q3_mm = v85 - angle4
+        v86, v87 = angle1 + v21, v22 + (angle1 - math.copysign(half_turn, -Yhat1))
+        q1_pp, q1_pm, q1_mp = v82 + v86, v83 + v86, v84 + v87
+        q1_mm, q2_pp, q2_pm = v85 + v87, angle5 + v82, angle6 + v83
+        q2_mp, q2_mm, q3_pp = angle7 + v84, angle8 + v85, angle3 + v82
+        q3_pm, q3_mp, q3_mm = v83 - angle3, angle4 + v84, v85 - angle4
         q4_pp = v82 + (v77 + (turn if v77 <= -half_turn else 0.0))
         q4_pm = v83 + (v78 + (turn if v78 <= -half_turn else 0.0))
         q4_mp = v84 + (v79 + (turn if v79 <= -half_turn else 0.0))
@@ -623,10 +496,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4],
-    [5, 6, 7, 8, 9],
-    [10, 11, 12, 13, 14],
-    [15, 16, 17, 18, 19],
+    [0, 1, 2, 3, 4], [5, 6, 7, 8, 9], [10, 11, 12, 13, 14], [15, 16, 17, 18, 19],
 ])
 
 

@@ -102,23 +102,14 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    v1 = c1 * s2
-    v2 = s1 * s2
-    T[0, 0] = c1 * c2
-    T[0, 1] = -s1
-    T[0, 2] = -v1
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    v1, v2 = c1 * s2, s1 * s2
+    T[0, 0], T[0, 1], T[0, 2] = c1 * c2, -s1, -v1
     T[0, 3] = -(v1 * q[2])
-    T[1, 0] = s1 * c2
-    T[1, 1] = c1
-    T[1, 2] = -v2
+    T[1, 0], T[1, 1], T[1, 2] = s1 * c2, c1, -v2
     T[1, 3] = -(v2 * q[2])
-    T[2, 0] = s2
-    T[2, 2] = c2
-    T[2, 3] = d1 + c2 * q[2]
+    T[2, 0], T[2, 2], T[2, 3] = s2, c2, d1 + c2 * q[2]
     T[3, 3] = 1.0
     return T
 
@@ -129,23 +120,13 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    v1 = c1 * s2
-    v2 = s1 * s2
-    v3 = v1 * q[2]
-    J11 = v2 * q[2]
-    v4 = d1 + c2 * q[2] - d1
-    J[0, 0] = J11
-    J[0, 1] = -(c1 * v4)
-    J[0, 2] = -v1
-    J[1, 0] = -v3
-    J[1, 1] = -(s1 * v4)
-    J[1, 2] = -v2
-    J[2, 1] = -(s1 * J11 + c1 * v3)
-    J[2, 2] = c2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    v1, v2 = c1 * s2, s1 * s2
+    v3, J11, v4 = v1 * q[2], v2 * q[2], d1 + c2 * q[2] - d1
+    J[0, 0], J[0, 1], J[0, 2] = J11, -(c1 * v4), -v1
+    J[1, 0], J[1, 1], J[1, 2] = -v3, -(s1 * v4), -v2
+    J[2, 1], J[2, 2] = -(s1 * J11 + c1 * v3), c2
     J[3, 1] = s1
     J[4, 1] = -c1
     J[5, 0] = 1.0
@@ -193,9 +174,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _atan2(s2, c2)
             r3 = w3 * e2
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = r3
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, r3
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
@@ -242,18 +221,13 @@ def _formulas(kept, turns, rows, w):
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = angle1, angle2, q3_pp
         rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q2_pm, -q3_pp, q1_mp
         rows[6 * w + k], rows[7 * w + k] = -angle2, -q2_pm
-        rows[8 * w + k] = UNREACHABLE if angle1 != angle1 else OK
-        rows[9 * w + k] = UNREACHABLE if angle1 != angle1 else OK
-        rows[10 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
-        rows[11 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
+        rows[8 * w + k] = rows[9 * w + k] = UNREACHABLE if angle1 != angle1 else OK
+        rows[10 * w + k] = rows[11 * w + k] = UNREACHABLE if q1_mp != q1_mp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [0, 3, 4],
-    [5, 6, 2],
-    [5, 7, 4],
+    [0, 1, 2], [0, 3, 4], [5, 6, 2], [5, 7, 4],
 ])
 
 

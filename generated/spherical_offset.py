@@ -110,23 +110,14 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    z2_x = c1 * s2
-    z2_y = s1 * s2
-    T[0, 0] = c1 * c2
-    T[0, 1] = -s1
-    T[0, 2] = z2_x
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    z2_x, z2_y = c1 * s2, s1 * s2
+    T[0, 0], T[0, 1], T[0, 2] = c1 * c2, -s1, z2_x
     T[0, 3] = z2_x * q[2] - s1 * d2
-    T[1, 0] = s1 * c2
-    T[1, 1] = c1
-    T[1, 2] = z2_y
+    T[1, 0], T[1, 1], T[1, 2] = s1 * c2, c1, z2_y
     T[1, 3] = c1 * d2 + z2_y * q[2]
-    T[2, 0] = -s2
-    T[2, 2] = c2
-    T[2, 3] = c2 * q[2]
+    T[2, 0], T[2, 2], T[2, 3] = -s2, c2, c2 * q[2]
     T[3, 3] = 1.0
     return T
 
@@ -137,23 +128,13 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    z2_x = c1 * s2
-    z2_y = s1 * s2
-    p3_x = z2_x * q[2] - s1 * d2
-    p3_y = c1 * d2 + z2_y * q[2]
-    p3_z = c2 * q[2]
-    J[0, 0] = -p3_y
-    J[0, 1] = c1 * p3_z
-    J[0, 2] = z2_x
-    J[1, 0] = p3_x
-    J[1, 1] = s1 * p3_z
-    J[1, 2] = z2_y
-    J[2, 1] = -(s1 * p3_y + c1 * p3_x)
-    J[2, 2] = c2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    z2_x, z2_y = c1 * s2, s1 * s2
+    p3_x, p3_y, p3_z = z2_x * q[2] - s1 * d2, c1 * d2 + z2_y * q[2], c2 * q[2]
+    J[0, 0], J[0, 1], J[0, 2] = -p3_y, c1 * p3_z, z2_x
+    J[1, 0], J[1, 1], J[1, 2] = p3_x, s1 * p3_z, z2_y
+    J[2, 1], J[2, 2] = -(s1 * p3_y + c1 * p3_x), c2
     J[3, 1] = -s1
     J[4, 1] = c1
     J[5, 0] = 1.0
@@ -174,8 +155,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d2 * math.sqrt(N1)))
-    v1 = T14 * d2
-    v2 = T24 * d2
+    v1, v2 = T14 * d2, T24 * d2
 
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
     v3 = T34 * T34
@@ -206,9 +186,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _atan2(s2, c2)
             r3 = w3 * e2
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = r3
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, r3
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
@@ -225,19 +203,15 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 2: U1[3, 4]
         D1 = T14 * T14 + T24 * T24 - k1
         w1 = math.sqrt(D1)
-        v1 = w1 - w1
-        v2 = d2 * T14
-        v3 = d2 * T24
-        v4 = T14 * w1
-        v5 = T24 * w1
+        v1, v2, v3 = w1 - w1, d2 * T14, d2 * T24
+        v4, v5 = T14 * w1, T24 * w1
 
         # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
         v6 = D1 + T34 * T34
         w3 = math.sqrt(v6)
 
         # joint values
-        q3_pp = v1 + w3
-        q3_pm = v1 - w3
+        q3_pp, q3_pm = v1 + w3, v1 - w3
 
         # a joint is free, or branches meet
         kept[16 * w + k] = 1.0 if abs(D1) <= m1 or v6 <= m2 else kept[16 * w + k]
@@ -262,18 +236,13 @@ def _formulas(kept, turns, rows, w):
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = angle1, angle3, q3_pp
         rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q2_pm, q3_pm, angle2
         rows[6 * w + k], rows[7 * w + k] = -angle3, -q2_pm
-        rows[8 * w + k] = UNREACHABLE if angle1 != angle1 else OK
-        rows[9 * w + k] = UNREACHABLE if angle1 != angle1 else OK
-        rows[10 * w + k] = UNREACHABLE if angle2 != angle2 else OK
-        rows[11 * w + k] = UNREACHABLE if angle2 != angle2 else OK
+        rows[8 * w + k] = rows[9 * w + k] = UNREACHABLE if angle1 != angle1 else OK
+        rows[10 * w + k] = rows[11 * w + k] = UNREACHABLE if angle2 != angle2 else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [0, 3, 4],
-    [5, 6, 2],
-    [5, 7, 4],
+    [0, 1, 2], [0, 3, 4], [5, 6, 2], [5, 7, 4],
 ])
 
 

@@ -149,51 +149,25 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
     v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    v3 = s2 * c3 + c2 * s3
-    z3_x = v1 * c3 + x2_x * s3
-    z3_y = v2 * c3 + x2_y * s3
-    y4_z = s2 * s3 - c2 * c3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - s1 * s4
-    x4_y = x3_y * c4 + c1 * s4
-    v4 = v3 * c4
-    v5 = s1 * c4 + x3_x * s4
-    z4_y = c1 * c4 - x3_y * s4
-    z4_z = v3 * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 - z3_x * s5
-    x5_y = x4_y * c5 - z3_y * s5
-    x5_z = y4_z * s5 - v4 * c5
-    z5_x = z3_x * c5 + x4_x * s5
-    z5_y = z3_y * c5 + x4_y * s5
-    v6 = y4_z * c5 + v4 * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 - v5 * s6
-    T[0, 1] = -(v5 * c6 + x5_x * s6)
-    T[0, 2] = z5_x
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v3 = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    z3_x, z3_y, y4_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, v4 = x3_x * c4 - s1 * s4, x3_y * c4 + c1 * s4, v3 * c4
+    v5, z4_y, z4_z = s1 * c4 + x3_x * s4, c1 * c4 - x3_y * s4, v3 * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 - z3_x * s5, x4_y * c5 - z3_y * s5, y4_z * s5 - v4 * c5
+    z5_x, z5_y, v6 = z3_x * c5 + x4_x * s5, z3_y * c5 + x4_y * s5, y4_z * c5 + v4 * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 - v5 * s6, -(v5 * c6 + x5_x * s6), z5_x
     T[0, 3] = c1 * a1 + x2_x * a2 - s1 * d2 + x3_x * a3 + s1 * d3 + z3_x * d4 + z5_x * d6
-    T[1, 0] = x5_y * c6 + z4_y * s6
-    T[1, 1] = z4_y * c6 - x5_y * s6
-    T[1, 2] = z5_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + z4_y * s6, z4_y * c6 - x5_y * s6, z5_y
     T[1, 3] = s1 * a1 + x2_y * a2 + c1 * d2 + x3_y * a3 - c1 * d3 + z3_y * d4 + z5_y * d6
-    T[2, 0] = x5_z * c6 + z4_z * s6
-    T[2, 1] = z4_z * c6 - x5_z * s6
-    T[2, 2] = -v6
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 + z4_z * s6, z4_z * c6 - x5_z * s6, -v6
     T[2, 3] = d1 - s2 * a2 - v3 * a3 + -y4_z * d4 - v6 * d6
     T[3, 3] = 1.0
     return T
@@ -205,84 +179,40 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    p2_z = d1 - s2 * a2
-    p2_x = p1_x + x2_x * a2 - s1 * d2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * a1, s1 * a1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
+    v2, p2_z, p2_x = s1 * s2, d1 - s2 * a2, p1_x + x2_x * a2 - s1 * d2
     p2_y = p1_y + x2_y * a2 + c1 * d2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    v3 = s2 * c3 + c2 * s3
-    z3_x = v1 * c3 + x2_x * s3
-    z3_y = v2 * c3 + x2_y * s3
-    y4_z = s2 * s3 - c2 * c3
-    p3_z = p2_z - v3 * a3
-    p3_x = p2_x + x3_x * a3 + s1 * d3
-    p3_y = p2_y + x3_y * a3 - c1 * d3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    v4 = s1 * c4 + x3_x * s4
-    z4_y = c1 * c4 - x3_y * s4
-    z4_z = v3 * s4
-    p4_x = p3_x + z3_x * d4
-    p4_y = p3_y + z3_y * d4
-    p4_z = p3_z + -y4_z * d4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    z5_x = z3_x * c5 + (x3_x * c4 - s1 * s4) * s5
-    z5_y = z3_y * c5 + (x3_y * c4 + c1 * s4) * s5
-    v5 = y4_z * c5 + v3 * c4 * s5
-    p6_x = p4_x + z5_x * d6
-    p6_y = p4_y + z5_y * d6
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, v3 = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    z3_x, z3_y, y4_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, s2 * s3 - c2 * c3
+    p3_z, p3_x, p3_y = p2_z - v3 * a3, p2_x + x3_x * a3 + s1 * d3, p2_y + x3_y * a3 - c1 * d3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    v4, z4_y, z4_z = s1 * c4 + x3_x * s4, c1 * c4 - x3_y * s4, v3 * s4
+    p4_x, p4_y, p4_z = p3_x + z3_x * d4, p3_y + z3_y * d4, p3_z + -y4_z * d4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    z5_x, z5_y = z3_x * c5 + (x3_x * c4 - s1 * s4) * s5, z3_y * c5 + (x3_y * c4 + c1 * s4) * s5
+    v5, p6_x, p6_y = y4_z * c5 + v3 * c4 * s5, p4_x + z5_x * d6, p4_y + z5_y * d6
     p6_z = p4_z - v5 * d6
-    v6 = p6_z - d1
-    v7 = p6_z - p2_z
-    v8 = p6_x - p3_x
-    v9 = p6_y - p3_y
-    v10 = p6_z - p3_z
-    v11 = p6_x - p4_x
-    v12 = p6_y - p4_y
-    v13 = p6_z - p4_z
-    J[0, 0] = -p6_y
-    J[0, 1] = c1 * v6
-    J[0, 2] = c1 * v7
-    J[0, 3] = z3_y * v10 - -y4_z * v9
-    J[0, 4] = z4_y * v13 - z4_z * v12
+    v6, v7, v8 = p6_z - d1, p6_z - p2_z, p6_x - p3_x
+    v9, v10, v11 = p6_y - p3_y, p6_z - p3_z, p6_x - p4_x
+    v12, v13 = p6_y - p4_y, p6_z - p4_z
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, c1 * v6, c1 * v7
+    J[0, 3], J[0, 4] = z3_y * v10 - -y4_z * v9, z4_y * v13 - z4_z * v12
     J[0, 5] = z5_y * v13 + v5 * v12
-    J[1, 0] = p6_x
-    J[1, 1] = s1 * v6
-    J[1, 2] = s1 * v7
-    J[1, 3] = -y4_z * v8 - z3_x * v10
-    J[1, 4] = z4_z * v11 + v4 * v13
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, s1 * v6, s1 * v7
+    J[1, 3], J[1, 4] = -y4_z * v8 - z3_x * v10, z4_z * v11 + v4 * v13
     J[1, 5] = -(v5 * v11 + z5_x * v13)
     J[2, 1] = -(s1 * (p6_y - p1_y) + c1 * (p6_x - p1_x))
-    J[2, 2] = -(s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x))
-    J[2, 3] = z3_x * v9 - z3_y * v8
-    J[2, 4] = -(v4 * v12 + z4_y * v11)
-    J[2, 5] = z5_x * v12 - z5_y * v11
-    J[3, 1] = -s1
-    J[3, 2] = -s1
-    J[3, 3] = z3_x
-    J[3, 4] = -v4
-    J[3, 5] = z5_x
-    J[4, 1] = c1
-    J[4, 2] = c1
-    J[4, 3] = z3_y
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 3] = -y4_z
-    J[5, 4] = z4_z
+    J[2, 2], J[2, 3] = -(s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)), z3_x * v9 - z3_y * v8
+    J[2, 4], J[2, 5] = -(v4 * v12 + z4_y * v11), z5_x * v12 - z5_y * v11
+    J[3, 1], J[3, 2], J[3, 3] = -s1, -s1, z3_x
+    J[3, 4], J[3, 5] = -v4, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = c1, c1, z3_y
+    J[4, 4], J[4, 5] = z4_y, z5_y
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, -y4_z, z4_z
     J[5, 5] = -v5
     return J
 
@@ -303,8 +233,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else k1 * math.sqrt(N1)))
-    v1 = wx * k1
-    v2 = Y1 * k1
+    v1, v2 = wx * k1, Y1 * k1
 
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     wz = T34 - d6 * T33
@@ -331,8 +260,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (-boundary3 <= D3 * v5):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v6 = k6 * K3
-        v7 = k7 * K3
+        v6, v7 = k6 * K3, k7 * K3
 
         # theta4, type 2: U4[3, 3]
         v9 = T13 * c1 + T23 * s1
@@ -340,9 +268,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v10 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v11 = T12 * s1 - T22 * c1
-        v12 = T12 * c1 + T22 * s1
-        v14 = T11 * s1 - T21 * c1
+        v11, v12, v14 = T12 * s1 - T22 * c1, T12 * c1 + T22 * s1, T11 * s1 - T21 * c1
         v15 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
@@ -351,8 +277,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e3
-            s3 = (v6 + k7 * root3) * k9
-            c3 = k9 * (v7 - k6 * root3)
+            s3, c3 = (v6 + k7 * root3) * k9, k9 * (v7 - k6 * root3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
@@ -368,8 +293,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _atan2(s2, c2)
 
             # theta4
-            c23 = c3 * c2 - s3 * s2
-            s23 = c3 * s2 + s3 * c2
+            c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
             X4 = c23 * v9 - T33 * s23
             w4 = math.sqrt(X4 * X4 + v10)
             free4 = w4 <= free_limit
@@ -379,8 +303,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T33 * c23 + s23 * v9
 
             # theta6
-            v13 = c23 * v12 - T32 * s23
-            v16 = c23 * v15 - T31 * s23
+            v13, v16 = c23 * v12 - T32 * s23, c23 * v15 - T31 * s23
 
             for i3 in range(2):  # noflip, flip
                 e4 = 1.0 - 2.0 * i3
@@ -398,12 +321,8 @@ def _solve(pose, q_free, seed, moved, q, status):
                 # theta6
                 q6 = _atan2(-(c4 * v14 + s4 * v16), -(c4 * v11 + s4 * v13))
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -415,95 +334,55 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        wx = T14 - d6 * T13
-        Y1 = d6 * T23 - T24
+        wx, Y1 = T14 - d6 * T13, d6 * T23 - T24
         N1 = wx * wx + Y1 * Y1
         D1 = N1 - k2
-        w1 = math.sqrt(D1)
-        inverse1 = 1.0 / N1
+        w1, inverse1 = math.sqrt(D1), 1.0 / N1
         v1 = inverse1 * (k1 * Y1)
-        v2 = v1 + w1 * (wx * inverse1)
-        v3 = v1 + w1 * (inverse1 * -wx)
-        v4 = inverse1 * (k1 * wx)
-        s1_p = w1 * (Y1 * inverse1) - v4
-        s1_m = w1 * (inverse1 * -Y1) - v4
+        v2, v3, v4 = v1 + w1 * (wx * inverse1), v1 + w1 * (inverse1 * -wx), inverse1 * (k1 * wx)
+        s1_p, s1_m = w1 * (Y1 * inverse1) - v4, w1 * (inverse1 * -Y1) - v4
 
         # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        Z1_3 = T34 - d6 * T33 - d1
-        v5 = a1 + w1
-        v6 = a1 - w1
+        Z1_3, v5, v6 = T34 - d6 * T33 - d1, a1 + w1, a1 - w1
         v7 = Z1_3 * Z1_3
-        N3_p = v7 + v5 * v5
-        N3_m = v7 + v6 * v6
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        v8 = k5 * w1
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
+        N3_p, N3_m = v7 + v5 * v5, v7 + v6 * v6
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        v8, w3_p, w3_m = k5 * w1, math.sqrt(D3_p), math.sqrt(D3_m)
 
         # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-        v11 = Z1_3 * (m4 + m3 * N3_p)
-        v12 = Z1_3 * (m4 + m3 * N3_m)
-        factor2_p = 1.0 / N3_p
-        factor2_m = 1.0 / N3_m
-        v13 = v5 * (m3 + m4 * factor2_p)
-        v14 = v6 * (m3 + m4 * factor2_m)
-        v15 = w3_p * (m3 * v5)
+        v11, v12, factor2_p = Z1_3 * (m4 + m3 * N3_p), Z1_3 * (m4 + m3 * N3_m), 1.0 / N3_p
+        factor2_m, v13 = 1.0 / N3_m, v5 * (m3 + m4 * factor2_p)
+        v14, v15 = v6 * (m3 + m4 * factor2_m), w3_p * (m3 * v5)
 
         # theta4, type 2: U4[3, 3]
-        v16 = m5 * Z1_3
-        v17 = m6 - m7 * factor2_p
-        v18 = m6 - m7 * factor2_m
-        v19 = m8 * factor2_p - m5
-        v20 = m8 * factor2_m - m5
-        v21 = Z1_3 * v17 + v5 * v19
-        v22 = Z1_3 * v18 + v6 * v20
+        v16, v17, v18 = m5 * Z1_3, m6 - m7 * factor2_p, m6 - m7 * factor2_m
+        v19, v20 = m8 * factor2_p - m5, m8 * factor2_m - m5
+        v21, v22 = Z1_3 * v17 + v5 * v19, Z1_3 * v18 + v6 * v20
         v23 = w3_p * (factor2_p * (v16 + m6 * v5))
-        c23_pp = v21 + v23
-        c23_pm = v21 - v23
-        v24 = w3_m * (factor2_m * (v16 + m6 * v6))
-        c23_mp = v22 + v24
-        c23_mm = v22 - v24
-        v25 = m6 * Z1_3
-        v26 = v25 - m5 * v5
-        v27 = v25 - m5 * v6
-        v28 = Z1_3 * v19 + v5 * -v17
-        v29 = Z1_3 * v20 + v6 * -v18
-        s23_pp = v28 + w3_p * (factor2_p * v26)
-        s23_pm = v28 + w3_p * (factor2_p * -v26)
-        s23_mp = v29 + w3_m * (factor2_m * v27)
-        s23_mm = v29 + w3_m * (factor2_m * -v27)
-        v30 = T23 * s1_p - T13 * v2
-        v31 = T23 * s1_m - T13 * v3
-        X4_pp = c23_pp * v30 - T33 * s23_pp
-        X4_pm = c23_pm * v30 - T33 * s23_pm
-        X4_mp = c23_mp * v31 - T33 * s23_mp
-        X4_mm = c23_mm * v31 - T33 * s23_mm
-        Y4_p = T13 * s1_p + T23 * v2
-        Y4_m = T13 * s1_m + T23 * v3
-        v32 = Y4_p * Y4_p
-        v33 = Y4_m * Y4_m
-        v34 = v32 + X4_pp * X4_pp
-        v35 = v32 + X4_pm * X4_pm
-        v36 = v33 + X4_mp * X4_mp
-        v37 = v33 + X4_mm * X4_mm
-        v38 = math.copysign(half_turn, Y4_p)
+        c23_pp, c23_pm, v24 = v21 + v23, v21 - v23, w3_m * (factor2_m * (v16 + m6 * v6))
+        c23_mp, c23_mm, v25 = v22 + v24, v22 - v24, m6 * Z1_3
+        v26, v27, v28 = v25 - m5 * v5, v25 - m5 * v6, Z1_3 * v19 + v5 * -v17
+        v29, s23_pp = Z1_3 * v20 + v6 * -v18, v28 + w3_p * (factor2_p * v26)
+        s23_pm, s23_mp = v28 + w3_p * (factor2_p * -v26), v29 + w3_m * (factor2_m * v27)
+        s23_mm, v30 = v29 + w3_m * (factor2_m * -v27), T23 * s1_p - T13 * v2
+        v31, X4_pp = T23 * s1_m - T13 * v3, c23_pp * v30 - T33 * s23_pp
+        X4_pm, X4_mp = c23_pm * v30 - T33 * s23_pm, c23_mp * v31 - T33 * s23_mp
+        X4_mm, Y4_p = c23_mm * v31 - T33 * s23_mm, T13 * s1_p + T23 * v2
+        Y4_m, v32 = T13 * s1_m + T23 * v3, Y4_p * Y4_p
+        v33, v34, v35 = Y4_m * Y4_m, v32 + X4_pp * X4_pp, v32 + X4_pm * X4_pm
+        v36, v37, v38 = v33 + X4_mp * X4_mp, v33 + X4_mm * X4_mm, math.copysign(half_turn, Y4_p)
         v39 = math.copysign(half_turn, Y4_m)
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v40 = s1_p * T12 + v2 * T22
-        v41 = s1_m * T12 + v3 * T22
-        v42 = s1_p * T22 - v2 * T12
-        v43 = s1_m * T22 - v3 * T12
-        v44 = s1_p * T11 + v2 * T21
-        v45 = s1_m * T11 + v3 * T21
-        v46 = s1_p * T21 - v2 * T11
-        v47 = s1_m * T21 - v3 * T11
+        v40, v41, v42 = s1_p * T12 + v2 * T22, s1_m * T12 + v3 * T22, s1_p * T22 - v2 * T12
+        v43, v44, v45 = s1_m * T22 - v3 * T12, s1_p * T11 + v2 * T21, s1_m * T11 + v3 * T21
+        v46, v47 = s1_p * T21 - v2 * T11, s1_m * T21 - v3 * T11
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
@@ -515,10 +394,10 @@ def _formulas(kept, turns, rows, w):
         kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = s23_pp, s23_pm, s23_mp
         kept[26 * w + k], kept[27 * w + k], kept[28 * w + k] = s23_mm, X4_pp, X4_pm
         kept[29 * w + k], kept[30 * w + k], kept[31 * w + k] = X4_mp, X4_mm, Y4_p
-        kept[32 * w + k], kept[33 * w + k], kept[34 * w + k], kept[35 * w + k] = Y4_m, v38, v39, v44
-        kept[36 * w + k], kept[37 * w + k], kept[38 * w + k], turns[0 * w + k] = v45, v46, v47, w3_p
-        turns[1 * w + k], turns[2 * w + k] = w3_m, -(factor2_p * (v11 - v15))
-        turns[3 * w + k] = -(factor2_p * (v11 + v15))
+        kept[32 * w + k], kept[33 * w + k], kept[34 * w + k] = Y4_m, v38, v39
+        kept[35 * w + k], kept[36 * w + k], kept[37 * w + k] = v44, v45, v46
+        kept[38 * w + k], turns[0 * w + k], turns[1 * w + k] = v47, w3_p, w3_m
+        turns[2 * w + k], turns[3 * w + k] = -(factor2_p * (v11 - v15)), -(factor2_p * (v11 + v15))
         turns[4 * w + k] = -(factor2_m * (v12 - w3_m * (m3 * v6)))
         turns[5 * w + k], turns[6 * w + k] = -(factor2_m * (v12 - w3_m * (m3 * -v6))), Y4_p
         turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = Y4_p, Y4_m, Y4_m
@@ -558,25 +437,22 @@ def _formulas(kept, turns, rows, w):
         s23_mp, s23_mm, X4_pp = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k]
         X4_pm, X4_mp, X4_mm = kept[28 * w + k], kept[29 * w + k], kept[30 * w + k]
         Y4_p, Y4_m, v38 = kept[31 * w + k], kept[32 * w + k], kept[33 * w + k]
-        v39, v44, v45, v46 = kept[34 * w + k], kept[35 * w + k], kept[36 * w + k], kept[37 * w + k]
-        v47, angle1, angle2 = kept[38 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
-        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
-        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
-        angle18, angle19, angle20 = turns[17 * w + k], turns[18 * w + k], turns[19 * w + k]
+        v39, v44, v45 = kept[34 * w + k], kept[35 * w + k], kept[36 * w + k]
+        v46, v47, angle1 = kept[37 * w + k], kept[38 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
+        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
+        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
+        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
+        angle17, angle18, angle19 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
+        angle20 = turns[19 * w + k]
 
         # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        q3__pp = angle1 - turn1
-        v9 = turn1 + angle1
-        q3__mp = angle2 - turn1
+        q3__pp, v9, q3__mp = angle1 - turn1, turn1 + angle1, angle2 - turn1
         v10 = turn1 + angle2
 
         # theta4, type 2: U4[3, 3]
-        q4_ppm = angle7 - v38
-        q4_pmm = angle8 - v38
-        q4_mpm = angle9 - v39
+        q4_ppm, q4_pmm, q4_mpm = angle7 - v38, angle8 - v38, angle9 - v39
         q4_mmm = angle10 - v39
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
@@ -602,8 +478,7 @@ def _formulas(kept, turns, rows, w):
         q3_pmp = (-turn if half_turn < -v9 else 0.0) - v9
         q3_mpp = q3__mp + (-turn if half_turn < q3__mp else 0.0)
         q3_mmp = (-turn if half_turn < -v10 else 0.0) - v10
-        q1_ppp = angle19 + (w3_p - w3_p)
-        q1_mpp = angle20 + (w3_m - w3_m)
+        q1_ppp, q1_mpp = angle19 + (w3_p - w3_p), angle20 + (w3_m - w3_m)
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, angle3, q3_ppp
         rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle7, angle11, angle15
@@ -617,25 +492,16 @@ def _formulas(kept, turns, rows, w):
         rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = q3_mmp, angle10, angle14
         rows[30 * w + k], rows[31 * w + k], rows[32 * w + k] = angle18, q4_mmm, -angle14
         rows[33 * w + k] = q6_mmm
-        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[36 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[40 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[34 * w + k] = rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[38 * w + k] = rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[40 * w + k] = rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 19, 20, 21, 22],
-    [17, 18, 19, 23, 24, 25],
-    [17, 26, 27, 28, 29, 30],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22], [17, 18, 19, 23, 24, 25], [17, 26, 27, 28, 29, 30],
     [17, 26, 27, 31, 32, 33],
 ])
 

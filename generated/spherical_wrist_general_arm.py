@@ -195,69 +195,31 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = s1 * ca1
-    y1_y = c1 * ca1
-    z1_x = s1 * sa1
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    v1, y1_y, z1_x = s1 * ca1, c1 * ca1, s1 * sa1
     v2 = c1 * sa1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - v1 * s2
-    x2_y = s1 * c2 + y1_y * s2
-    x2_z = sa1 * s2
-    v3 = v1 * c2 + c1 * s2
-    v4 = y1_y * c2 - s1 * s2
-    v5 = sa1 * c2
-    y2_x = z1_x * sa2 - v3 * ca2
-    y2_y = v4 * ca2 - v2 * sa2
-    y2_z = v5 * ca2 + f2
-    z2_x = v3 * sa2 + z1_x * ca2
-    v6 = v4 * sa2 + v2 * ca2
-    z2_z = f3 - v5 * sa2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = x2_z * c3 + y2_z * s3
-    v7 = y2_x * c3 - x2_x * s3
-    v8 = y2_y * c3 - x2_y * s3
-    v9 = y2_z * c3 - x2_z * s3
-    y3_x = v7 * ca3 - z2_x * sa3
-    y3_y = v8 * ca3 + v6 * sa3
-    y3_z = v9 * ca3 - z2_z * sa3
-    z3_x = v7 * sa3 + z2_x * ca3
-    z3_y = v8 * sa3 - v6 * ca3
-    z3_z = v9 * sa3 + z2_z * ca3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + y3_x * s4
-    x4_y = x3_y * c4 + y3_y * s4
-    x4_z = x3_z * c4 + y3_z * s4
-    y5_x = y3_x * c4 - x3_x * s4
-    y5_y = y3_y * c4 - x3_y * s4
-    y5_z = y3_z * c4 - x3_z * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = x4_y * c5 + z3_y * s5
-    x5_z = x4_z * c5 + z3_z * s5
-    z5_x = z3_x * c5 - x4_x * s5
-    z5_y = z3_y * c5 - x4_y * s5
-    z5_z = z3_z * c5 - x4_z * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 + y5_x * s6
-    T[0, 1] = y5_x * c6 - x5_x * s6
-    T[0, 2] = z5_x
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, x2_z = c1 * c2 - v1 * s2, s1 * c2 + y1_y * s2, sa1 * s2
+    v3, v4, v5 = v1 * c2 + c1 * s2, y1_y * c2 - s1 * s2, sa1 * c2
+    y2_x, y2_y, y2_z = z1_x * sa2 - v3 * ca2, v4 * ca2 - v2 * sa2, v5 * ca2 + f2
+    z2_x, v6, z2_z = v3 * sa2 + z1_x * ca2, v4 * sa2 + v2 * ca2, f3 - v5 * sa2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, x2_z * c3 + y2_z * s3
+    v7, v8, v9 = y2_x * c3 - x2_x * s3, y2_y * c3 - x2_y * s3, y2_z * c3 - x2_z * s3
+    y3_x, y3_y, y3_z = v7 * ca3 - z2_x * sa3, v8 * ca3 + v6 * sa3, v9 * ca3 - z2_z * sa3
+    z3_x, z3_y, z3_z = v7 * sa3 + z2_x * ca3, v8 * sa3 - v6 * ca3, v9 * sa3 + z2_z * ca3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 + y3_x * s4, x3_y * c4 + y3_y * s4, x3_z * c4 + y3_z * s4
+    y5_x, y5_y, y5_z = y3_x * c4 - x3_x * s4, y3_y * c4 - x3_y * s4, y3_z * c4 - x3_z * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 + z3_x * s5, x4_y * c5 + z3_y * s5, x4_z * c5 + z3_z * s5
+    z5_x, z5_y, z5_z = z3_x * c5 - x4_x * s5, z3_y * c5 - x4_y * s5, z3_z * c5 - x4_z * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + y5_x * s6, y5_x * c6 - x5_x * s6, z5_x
     T[0, 3] = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + z3_x * d4 + z5_x * d6
-    T[1, 0] = x5_y * c6 + y5_y * s6
-    T[1, 1] = y5_y * c6 - x5_y * s6
-    T[1, 2] = z5_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + y5_y * s6, y5_y * c6 - x5_y * s6, z5_y
     T[1, 3] = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + z3_y * d4 + z5_y * d6
-    T[2, 0] = x5_z * c6 + y5_z * s6
-    T[2, 1] = y5_z * c6 - x5_z * s6
-    T[2, 2] = z5_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 + y5_z * s6, y5_z * c6 - x5_z * s6, z5_z
     T[2, 3] = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + z3_z * d4 + z5_z * d6
     T[3, 3] = 1.0
     return T
@@ -269,109 +231,48 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    v1 = s1 * ca1
-    y1_y = c1 * ca1
-    z1_x = s1 * sa1
-    v2 = c1 * sa1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - v1 * s2
-    x2_y = s1 * c2 + y1_y * s2
-    x2_z = sa1 * s2
-    v3 = v1 * c2 + c1 * s2
-    v4 = y1_y * c2 - s1 * s2
-    v5 = sa1 * c2
-    p2_x = p1_x + x2_x * a2 + z1_x * d2
-    p2_y = p1_y + x2_y * a2 - v2 * d2
-    p2_z = d1 + x2_z * a2 + f1
-    y2_x = z1_x * sa2 - v3 * ca2
-    y2_y = v4 * ca2 - v2 * sa2
-    y2_z = v5 * ca2 + f2
-    z2_x = v3 * sa2 + z1_x * ca2
-    v6 = v4 * sa2 + v2 * ca2
-    z2_z = f3 - v5 * sa2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = x2_z * c3 + y2_z * s3
-    v7 = y2_x * c3 - x2_x * s3
-    v8 = y2_y * c3 - x2_y * s3
-    v9 = y2_z * c3 - x2_z * s3
-    p3_x = p2_x + x3_x * a3 + z2_x * d3
-    p3_y = p2_y + x3_y * a3 - v6 * d3
-    p3_z = p2_z + x3_z * a3 + z2_z * d3
-    y3_x = v7 * ca3 - z2_x * sa3
-    y3_y = v8 * ca3 + v6 * sa3
-    y3_z = v9 * ca3 - z2_z * sa3
-    z3_x = v7 * sa3 + z2_x * ca3
-    z3_y = v8 * sa3 - v6 * ca3
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y, v1 = c1 * a1, s1 * a1, s1 * ca1
+    y1_y, z1_x, v2 = c1 * ca1, s1 * sa1, c1 * sa1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, x2_z = c1 * c2 - v1 * s2, s1 * c2 + y1_y * s2, sa1 * s2
+    v3, v4, v5 = v1 * c2 + c1 * s2, y1_y * c2 - s1 * s2, sa1 * c2
+    p2_x, p2_y, p2_z = p1_x + x2_x * a2 + z1_x * d2, p1_y + x2_y * a2 - v2 * d2, d1 + x2_z * a2 + f1
+    y2_x, y2_y, y2_z = z1_x * sa2 - v3 * ca2, v4 * ca2 - v2 * sa2, v5 * ca2 + f2
+    z2_x, v6, z2_z = v3 * sa2 + z1_x * ca2, v4 * sa2 + v2 * ca2, f3 - v5 * sa2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, x2_z * c3 + y2_z * s3
+    v7, v8, v9 = y2_x * c3 - x2_x * s3, y2_y * c3 - x2_y * s3, y2_z * c3 - x2_z * s3
+    p3_x, p3_y = p2_x + x3_x * a3 + z2_x * d3, p2_y + x3_y * a3 - v6 * d3
+    p3_z, y3_x, y3_y = p2_z + x3_z * a3 + z2_z * d3, v7 * ca3 - z2_x * sa3, v8 * ca3 + v6 * sa3
+    y3_z, z3_x, z3_y = v9 * ca3 - z2_z * sa3, v7 * sa3 + z2_x * ca3, v8 * sa3 - v6 * ca3
     z3_z = v9 * sa3 + z2_z * ca3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    p4_x = p3_x + z3_x * d4
-    p4_y = p3_y + z3_y * d4
-    p4_z = p3_z + z3_z * d4
-    z4_x = x3_x * s4 - y3_x * c4
-    z4_y = x3_y * s4 - y3_y * c4
-    z4_z = x3_z * s4 - y3_z * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    z5_x = z3_x * c5 - (x3_x * c4 + y3_x * s4) * s5
-    z5_y = z3_y * c5 - (x3_y * c4 + y3_y * s4) * s5
-    z5_z = z3_z * c5 - (x3_z * c4 + y3_z * s4) * s5
-    p6_x = p4_x + z5_x * d6
-    p6_y = p4_y + z5_y * d6
-    p6_z = p4_z + z5_z * d6
-    v10 = p6_x - p1_x
-    v11 = p6_y - p1_y
-    v12 = p6_z - d1
-    v13 = p6_x - p2_x
-    v14 = p6_y - p2_y
-    v15 = p6_z - p2_z
-    v16 = p6_x - p3_x
-    v17 = p6_y - p3_y
-    v18 = p6_z - p3_z
-    v19 = p6_x - p4_x
-    v20 = p6_y - p4_y
+    c4, s4, p4_x = math.cos(q[3]), math.sin(q[3]), p3_x + z3_x * d4
+    p4_y, p4_z, z4_x = p3_y + z3_y * d4, p3_z + z3_z * d4, x3_x * s4 - y3_x * c4
+    z4_y, z4_z = x3_y * s4 - y3_y * c4, x3_z * s4 - y3_z * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    z5_x, z5_y = z3_x * c5 - (x3_x * c4 + y3_x * s4) * s5, z3_y * c5 - (x3_y * c4 + y3_y * s4) * s5
+    z5_z, p6_x, p6_y = z3_z * c5 - (x3_z * c4 + y3_z * s4) * s5, p4_x + z5_x * d6, p4_y + z5_y * d6
+    p6_z, v10, v11 = p4_z + z5_z * d6, p6_x - p1_x, p6_y - p1_y
+    v12, v13, v14 = p6_z - d1, p6_x - p2_x, p6_y - p2_y
+    v15, v16, v17 = p6_z - p2_z, p6_x - p3_x, p6_y - p3_y
+    v18, v19, v20 = p6_z - p3_z, p6_x - p4_x, p6_y - p4_y
     v21 = p6_z - p4_z
-    J[0, 0] = -p6_y
-    J[0, 1] = -(v2 * v12 + ca1 * v11)
-    J[0, 2] = -(v6 * v15 + z2_z * v14)
-    J[0, 3] = z3_y * v18 - z3_z * v17
-    J[0, 4] = z4_y * v21 - z4_z * v20
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, -(v2 * v12 + ca1 * v11), -(v6 * v15 + z2_z * v14)
+    J[0, 3], J[0, 4] = z3_y * v18 - z3_z * v17, z4_y * v21 - z4_z * v20
     J[0, 5] = z5_y * v21 - z5_z * v20
-    J[1, 0] = p6_x
-    J[1, 1] = ca1 * v10 - z1_x * v12
-    J[1, 2] = z2_z * v13 - z2_x * v15
-    J[1, 3] = z3_z * v16 - z3_x * v18
-    J[1, 4] = z4_z * v19 - z4_x * v21
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, ca1 * v10 - z1_x * v12, z2_z * v13 - z2_x * v15
+    J[1, 3], J[1, 4] = z3_z * v16 - z3_x * v18, z4_z * v19 - z4_x * v21
     J[1, 5] = z5_z * v19 - z5_x * v21
-    J[2, 1] = z1_x * v11 + v2 * v10
-    J[2, 2] = z2_x * v14 + v6 * v13
-    J[2, 3] = z3_x * v17 - z3_y * v16
-    J[2, 4] = z4_x * v20 - z4_y * v19
+    J[2, 1], J[2, 2] = z1_x * v11 + v2 * v10, z2_x * v14 + v6 * v13
+    J[2, 3], J[2, 4] = z3_x * v17 - z3_y * v16, z4_x * v20 - z4_y * v19
     J[2, 5] = z5_x * v20 - z5_y * v19
-    J[3, 1] = z1_x
-    J[3, 2] = z2_x
-    J[3, 3] = z3_x
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = -v2
-    J[4, 2] = -v6
-    J[4, 3] = z3_y
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 1] = ca1
-    J[5, 2] = z2_z
-    J[5, 3] = z3_z
-    J[5, 4] = z4_z
-    J[5, 5] = z5_z
+    J[3, 1], J[3, 2], J[3, 3] = z1_x, z2_x, z3_x
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = -v2, -v6, z3_y
+    J[4, 4], J[4, 5] = z4_y, z5_y
+    J[5, 0], J[5, 1], J[5, 2] = 1.0, ca1, z2_z
+    J[5, 3], J[5, 4], J[5, 5] = z3_z, z4_z, z5_z
     return J
 
 
@@ -386,27 +287,15 @@ def _solve(pose, q_free, seed, moved, q, status):
     wy = T24 - d6 * T23
     R1c1 = wy * sa1
     wx = T14 - d6 * T13
-    v2 = sa1 * wx
-    v3 = wx * wx + (wy * wy + (wz * (wz - k7) + k8))
+    v2, v3 = sa1 * wx, wx * wx + (wy * wy + (wz * (wz - k7) + k8))
     R2c1 = 2.0 * (wx * a1)
     R2s1 = 2.0 * (wy * a1)
-    v4 = k4 * v3 + k5 * -v1
-    v5 = k4 * R2c1 - k5 * R1c1
-    v6 = k4 * R2s1 + k5 * v2
-    v7 = k3 * -v1 + k2 * v3
-    v8 = k3 * R1c1 - k2 * R2c1
-    v9 = k3 * v2 + k2 * R2s1
-    v10 = v5 * v5
-    v11 = v6 * v6
-    v12 = 2.0 * v4
-    v13 = v8 * v8
-    v14 = v9 * v9
-    v15 = 2.0 * v7
-    v16 = v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14))
-    v17 = v8 * v15 - v5 * v12
-    v18 = v6 * v12 + v9 * v15
-    v19 = k9 * (v10 - v11) + k9 * (v13 - v14)
-    v20 = v5 * v6 - v8 * v9
+    v4, v5, v6 = k4 * v3 + k5 * -v1, k4 * R2c1 - k5 * R1c1, k4 * R2s1 + k5 * v2
+    v7, v8, v9 = k3 * -v1 + k2 * v3, k3 * R1c1 - k2 * R2c1, k3 * v2 + k2 * R2s1
+    v10, v11, v12 = v5 * v5, v6 * v6, 2.0 * v4
+    v13, v14, v15 = v8 * v8, v9 * v9, 2.0 * v7
+    v16, v17 = v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14)), v8 * v15 - v5 * v12
+    v18, v19, v20 = v6 * v12 + v9 * v15, k9 * (v10 - v11) + k9 * (v13 - v14), v5 * v6 - v8 * v9
     v21 = v16 - k10
     free1 = abs(v21) + abs(v17) + abs(v18) + abs(v19) + abs(v20) <= free_limit6
     x1_roots, x1_close = _circle_roots(1.0 if free1 else v21, -1.0 if free1 else v17, 0.0 if free1
@@ -414,28 +303,18 @@ def _solve(pose, q_free, seed, moved, q, status):
         moved)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v22 = ca1 * wy
-    v23 = ca1 * wx
-    v24 = sa1 * (wz - d1)
+    v22, v23, v24 = ca1 * wy, ca1 * wx, sa1 * (wz - d1)
 
     # theta4, type 2: U4[3, 3]
-    v26 = ca1 * T23
-    v27 = ca1 * T13
-    v28 = T33 * sa1
-    v32 = T23 * sa1
-    v33 = sa1 * T13
-    v34 = T33 * ca1
+    v26, v27, v28 = ca1 * T23, ca1 * T13, T33 * sa1
+    v32, v33, v34 = T23 * sa1, sa1 * T13, T33 * ca1
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v40 = T32 * sa1
-    v42 = T32 * ca1
-    v51 = T31 * sa1
+    v40, v42, v51 = T32 * sa1, T32 * ca1, T31 * sa1
     v53 = T31 * ca1
 
     # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
-    v62 = T21 * sa1
-    v63 = sa1 * T11
-    v65 = T22 * sa1
+    v62, v63, v65 = T21 * sa1, sa1 * T11, T22 * sa1
     v66 = sa1 * T12
 
     for i1 in range(4):  # root1, root2, root3, root4
@@ -444,14 +323,12 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (x1 <= 4.0):
             continue  # out of reach
         q1 = seed[0] if free1 else x1
-        c1 = math.cos(q1)
-        s1 = math.sin(q1)
+        c1, s1 = math.cos(q1), math.sin(q1)
 
         # theta3, type 3: U1 A6^-1 [3, 4] and the squared length of column 4 of U1 A6^-1
         Z1_3 = v1 + (v2 * s1 - R1c1 * c1)
         Z2_3 = v3 - (R2c1 * c1 + R2s1 * s1)
-        s3 = (k3 * Z1_3 - k2 * Z2_3) * k11
-        c3 = (k4 * Z2_3 - k5 * Z1_3) * k11
+        s3, c3 = (k3 * Z1_3 - k2 * Z2_3) * k11, (k4 * Z2_3 - k5 * Z1_3) * k11
         q3 = _atan2(s3, c3)
 
         # theta2
@@ -470,10 +347,8 @@ def _solve(pose, q_free, seed, moved, q, status):
         q2 = _atan2(s2, c2)
 
         # theta4
-        v25 = T13 * c1 + T23 * s1
-        v29 = s1 * v27 - c1 * v26 - v28
-        v30 = ca2 * v29
-        v31 = ca2 * v25
+        v25, v29 = T13 * c1 + T23 * s1, s1 * v27 - c1 * v26 - v28
+        v30, v31 = ca2 * v29, ca2 * v25
         Z1_5 = s1 * v33 - c1 * v32 + v34
         v35 = c2 * (c3 * v25 - s3 * v30) - s2 * (c3 * v29 + s3 * v31) + sa2 * (s3 * Z1_5)
         v36 = (
@@ -488,32 +363,21 @@ def _solve(pose, q_free, seed, moved, q, status):
         divisor4 = 1.0 if free4 else w4
 
         # theta6
-        v38 = T12 * c1 + T22 * s1
-        v39 = T22 * c1 - T12 * s1
-        v41 = ca1 * v39 + v40
-        v43 = v42 - sa1 * v39
-        v44 = c2 * v38 + s2 * v41
-        v45 = c2 * v41 - s2 * v38
+        v38, v39 = T12 * c1 + T22 * s1, T22 * c1 - T12 * s1
+        v41, v43 = ca1 * v39 + v40, v42 - sa1 * v39
+        v44, v45 = c2 * v38 + s2 * v41, c2 * v41 - s2 * v38
         v46 = ca2 * v45 + sa2 * v43
-        v47 = c3 * v44 + s3 * v46
-        v48 = ca3 * (c3 * v46 - s3 * v44) - sa3 * (ca2 * v43 - sa2 * v45)
-        v49 = T11 * c1 + T21 * s1
-        v50 = T21 * c1 - T11 * s1
-        v52 = ca1 * v50 + v51
-        v54 = v53 - sa1 * v50
-        v55 = c2 * v49 + s2 * v52
-        v56 = c2 * v52 - s2 * v49
+        v47, v48 = c3 * v44 + s3 * v46, ca3 * (c3 * v46 - s3 * v44) - sa3 * (ca2 * v43 - sa2 * v45)
+        v49, v50 = T11 * c1 + T21 * s1, T21 * c1 - T11 * s1
+        v52, v54 = ca1 * v50 + v51, v53 - sa1 * v50
+        v55, v56 = c2 * v49 + s2 * v52, c2 * v52 - s2 * v49
         v57 = ca2 * v56 + sa2 * v54
-        v58 = c3 * v55 + s3 * v57
-        v59 = ca3 * (c3 * v57 - s3 * v55) - sa3 * (ca2 * v54 - sa2 * v56)
+        v58, v59 = c3 * v55 + s3 * v57, ca3 * (c3 * v57 - s3 * v55) - sa3 * (ca2 * v54 - sa2 * v56)
 
         # theta5
-        v60 = sa2 * s3
-        v61 = c3 * k17 - k13
+        v60, v61 = sa2 * s3, c3 * k17 - k13
         Y1_5 = k1 * c3 + k18
-        v64 = v53 + (s1 * v63 - c1 * v62)
-        v67 = v42 + (s1 * v66 - c1 * v65)
-        v68 = Z1_5 * Y1_5
+        v64, v67, v68 = v53 + (s1 * v63 - c1 * v62), v42 + (s1 * v66 - c1 * v65), Z1_5 * Y1_5
 
         for i2 in range(2):  # noflip, flip
             e4 = 1.0 - 2.0 * i2
@@ -526,8 +390,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q4 = _atan2(s4, c4)
 
             # theta6
-            c6 = c4 * v48 - s4 * v47
-            s6 = c4 * v59 - s4 * v58
+            c6, s6 = c4 * v48 - s4 * v47, c4 * v59 - s4 * v58
             q6 = _atan2(s6, c6)
 
             # theta5
@@ -543,12 +406,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             s5 = math.sin(seed[4]) if free5 else -(S5 * v70)
             q5 = _atan2(s5, c5)
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
-            q[row, 3] = q4
-            q[row, 4] = q5
-            q[row, 5] = q6
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+            q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
             status[row] = (
                 FREE_JOINT if free1 or free2 or free4 or free5 else _status.CLOSE if x1_close[i1] or
                 near2 or near4 or near5 else OK

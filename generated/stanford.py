@@ -134,40 +134,21 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    z2_x = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, z2_x = c1 * c2, s1 * c2, c1 * s2
     z2_y = s1 * s2
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = s1 * c4 + x2_x * s4
-    x4_y = x2_y * s4 - c1 * c4
-    v1 = s2 * s4
-    z4_x = x2_x * c4 - s1 * s4
-    z4_y = x2_y * c4 + c1 * s4
-    v2 = s2 * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 - z2_x * s5
-    x5_y = x4_y * c5 - z2_y * s5
-    v3 = v1 * c5 + c2 * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 + z4_x * s6
-    T[0, 1] = z4_x * c6 - x5_x * s6
-    T[0, 2] = z2_x * c5 + x4_x * s5
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, v1 = s1 * c4 + x2_x * s4, x2_y * s4 - c1 * c4, s2 * s4
+    z4_x, z4_y, v2 = x2_x * c4 - s1 * s4, x2_y * c4 + c1 * s4, s2 * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, v3 = x4_x * c5 - z2_x * s5, x4_y * c5 - z2_y * s5, v1 * c5 + c2 * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + z4_x * s6, z4_x * c6 - x5_x * s6, z2_x * c5 + x4_x * s5
     T[0, 3] = z2_x * q[2] - s1 * d2 + s1 * a3
-    T[1, 0] = x5_y * c6 + z4_y * s6
-    T[1, 1] = z4_y * c6 - x5_y * s6
-    T[1, 2] = z2_y * c5 + x4_y * s5
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + z4_y * s6, z4_y * c6 - x5_y * s6, z2_y * c5 + x4_y * s5
     T[1, 3] = c1 * d2 + z2_y * q[2] - c1 * a3
-    T[2, 0] = -(v3 * c6 + v2 * s6)
-    T[2, 1] = v3 * s6 - v2 * c6
-    T[2, 2] = c2 * c5 - v1 * s5
+    T[2, 0], T[2, 1], T[2, 2] = -(v3 * c6 + v2 * s6), v3 * s6 - v2 * c6, c2 * c5 - v1 * s5
     T[2, 3] = d1 + c2 * q[2]
     T[3, 3] = 1.0
     return T
@@ -179,40 +160,21 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    z2_x = c1 * s2
-    z2_y = s1 * s2
-    p3_x = z2_x * q[2] - s1 * d2 + s1 * a3
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, z2_x = c1 * c2, s1 * c2, c1 * s2
+    z2_y, p3_x = s1 * s2, z2_x * q[2] - s1 * d2 + s1 * a3
     p3_y = c1 * d2 + z2_y * q[2] - c1 * a3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    v1 = d1 + c2 * q[2] - d1
-    J[0, 0] = -p3_y
-    J[0, 1] = c1 * v1
-    J[0, 2] = z2_x
-    J[1, 0] = p3_x
-    J[1, 1] = s1 * v1
-    J[1, 2] = z2_y
-    J[2, 1] = -(s1 * p3_y + c1 * p3_x)
-    J[2, 2] = c2
-    J[3, 1] = -s1
-    J[3, 3] = z2_x
-    J[3, 4] = x2_x * c4 - s1 * s4
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    c5, s5, v1 = math.cos(q[4]), math.sin(q[4]), d1 + c2 * q[2] - d1
+    J[0, 0], J[0, 1], J[0, 2] = -p3_y, c1 * v1, z2_x
+    J[1, 0], J[1, 1], J[1, 2] = p3_x, s1 * v1, z2_y
+    J[2, 1], J[2, 2] = -(s1 * p3_y + c1 * p3_x), c2
+    J[3, 1], J[3, 3], J[3, 4] = -s1, z2_x, x2_x * c4 - s1 * s4
     J[3, 5] = z2_x * c5 + (s1 * c4 + x2_x * s4) * s5
-    J[4, 1] = c1
-    J[4, 3] = z2_y
-    J[4, 4] = x2_y * c4 + c1 * s4
+    J[4, 1], J[4, 3], J[4, 4] = c1, z2_y, x2_y * c4 + c1 * s4
     J[4, 5] = z2_y * c5 + (x2_y * s4 - c1 * c4) * s5
-    J[5, 0] = 1.0
-    J[5, 3] = c2
-    J[5, 4] = -(s2 * c4)
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, c2, -(s2 * c4)
     J[5, 5] = c2 * c5 - s2 * s4 * s5
     return J
 
@@ -231,8 +193,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else k1 * math.sqrt(N1)))
-    v1 = T14 * k1
-    v2 = T24 * k1
+    v1, v2 = T14 * k1, T24 * k1
 
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
     Y2_2 = T34 - d1
@@ -255,13 +216,10 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta4, type 2: U4[3, 3]
         X4 = T13 * s1 - T23 * c1
-        v4 = T13 * c1 + T23 * s1
-        v5 = X4 * X4
+        v4, v5 = T13 * c1 + T23 * s1, X4 * X4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v6 = T12 * c1 + T22 * s1
-        v8 = T22 * c1 - T12 * s1
-        v9 = T11 * c1 + T21 * s1
+        v6, v8, v9 = T12 * c1 + T22 * s1, T22 * c1 - T12 * s1, T11 * c1 + T21 * s1
         v11 = T21 * c1 - T11 * s1
 
         for i2 in range(2):  # forward, backward
@@ -285,8 +243,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T33 * c2 + s2 * v4
 
             # theta6
-            v7 = c2 * v6 - T32 * s2
-            v10 = c2 * v9 - T31 * s2
+            v7, v10 = c2 * v6 - T32 * s2, c2 * v9 - T31 * s2
 
             for i3 in range(2):  # noflip, flip
                 e4 = 1.0 - 2.0 * i3
@@ -302,16 +259,11 @@ def _solve(pose, q_free, seed, moved, q, status):
                 q5 = _atan2(-(w4 * e4), c5)
 
                 # theta6
-                c6 = c4 * v7 + s4 * v8
-                s6 = c4 * v10 + s4 * v11
+                c6, s6 = c4 * v7 + s4 * v8, c4 * v10 + s4 * v11
                 q6 = _atan2(s6, c6)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = r3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, r3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -323,26 +275,21 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[3, 4]
         N1 = T14 * T14 + T24 * T24
         D1 = N1 - k2
         w1 = math.sqrt(D1)
-        v1 = w1 - w1
-        inverse1 = 1.0 / N1
-        v2 = k1 * T14
+        v1, inverse1, v2 = w1 - w1, 1.0 / N1, k1 * T14
         v3 = k1 * T24
-        v4 = inverse1 * v3
-        v5 = w1 * (T14 * inverse1)
-        c1_p = v4 - v5
-        c1_m = v4 + v5
-        v6 = inverse1 * v2
+        v4, v5 = inverse1 * v3, w1 * (T14 * inverse1)
+        c1_p, c1_m, v6 = v4 - v5, v4 + v5, inverse1 * v2
         v7 = w1 * (T24 * inverse1)
-        v8 = v6 + v7
-        v9 = v6 - v7
+        v8, v9 = v6 + v7, v6 - v7
 
         # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
         Y2_2 = T34 - d1
@@ -351,16 +298,12 @@ def _formulas(kept, turns, rows, w):
         factor2 = w3 * (1.0 / v10)
 
         # theta4, type 2: U4[3, 3]
-        c4_p = v8 * T13 + c1_p * T23
-        c4_m = v9 * T13 + c1_m * T23
+        c4_p, c4_m = v8 * T13 + c1_p * T23, v9 * T13 + c1_m * T23
         v11 = inverse1 * (Y2_2 * (T14 * T13 + T24 * T23)) - T33
         v12 = inverse1 * (Y2_2 * (v2 * T23 - v3 * T13))
-        Y4_p = v12 + w1 * v11
-        Y4_m = v12 + w1 * -v11
-        v13 = factor2 * Y4_p
-        v14 = factor2 * Y4_m
-        v15 = c4_p * c4_p + factor2 * (Y4_p * v13)
-        v16 = c4_m * c4_m + factor2 * (Y4_m * v14)
+        Y4_p, Y4_m = v12 + w1 * v11, v12 + w1 * -v11
+        v13, v14 = factor2 * Y4_p, factor2 * Y4_m
+        v15, v16 = c4_p * c4_p + factor2 * (Y4_p * v13), c4_m * c4_m + factor2 * (Y4_m * v14)
 
         # theta5, type 3: U4[2, 3] and U4[1, 3]
         v17 = Y2_2 * T33
@@ -374,21 +317,19 @@ def _formulas(kept, turns, rows, w):
         s6_m = c4_m * (v21 + w1 * -v20) + Y4_m * (c1_m * T21 + v9 * T11)
 
         # joint values
-        v26 = per_size * max(low3 - w3, w3 - high3)
-        v27 = per_size * max(low3 + w3, -(high3 + w3))
-        q3_ppp = v1 + w3
-        q3_pmp = v1 - w3
+        v26, v27 = per_size * max(low3 - w3, w3 - high3), per_size * max(low3 + w3, -(high3 + w3))
+        q3_ppp, q3_pmp = v1 + w3, v1 - w3
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
             1.0 if v10 <= m2 or abs(D1) <= m1 or v15 <= m4 or v16 <= m4 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = w1, v13, v14, v15
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = v16, s6_p, s6_m
-        kept[24 * w + k], kept[25 * w + k], kept[26 * w + k] = v26, v27, q3_ppp
-        kept[27 * w + k], turns[0 * w + k], turns[1 * w + k] = q3_pmp, -v8, -v9
-        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = -w1, v13, v14
-        turns[5 * w + k], turns[6 * w + k] = -math.sqrt(v15), -math.sqrt(v16)
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w1, v13, v14
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v15, v16, s6_p
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = s6_m, v26, v27
+        kept[26 * w + k], kept[27 * w + k], turns[0 * w + k] = q3_ppp, q3_pmp, -v8
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -v9, -w1, v13
+        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = v14, -math.sqrt(v15), -math.sqrt(v16)
         turns[7 * w + k], turns[8 * w + k], turns[16 * w + k] = s6_p, s6_m, c1_p
         turns[17 * w + k], turns[18 * w + k], turns[19 * w + k] = c1_m, Y2_2, c4_p
         turns[20 * w + k], turns[21 * w + k] = c4_m, factor2 * (v17 - w1 * (c1_p * T13 - v8 * T23))
@@ -404,13 +345,13 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 16 * w])
     for k in range(w):
-        w1, v13, v14, v15 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v16, s6_p, s6_m = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
-        v26, v27, q3_ppp = kept[24 * w + k], kept[25 * w + k], kept[26 * w + k]
-        q3_pmp, angle1, angle2 = kept[27 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle9 = turns[8 * w + k]
+        w1, v13, v14 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v15, v16, s6_p = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        s6_m, v26, v27 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        q3_ppp, q3_pmp, angle1 = kept[26 * w + k], kept[27 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
+        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle8, angle9 = turns[7 * w + k], turns[8 * w + k]
 
         # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
         q2_pmp = angle3 - math.copysign(half_turn, -w1)
@@ -428,41 +369,22 @@ def _formulas(kept, turns, rows, w):
         q6_mpm = angle9 - math.copysign(half_turn, s6_m)
 
         # joint values
-        v22 = abs(angle1) - high1
-        v23 = abs(angle2) - high1
-        v24 = abs(angle3) - high2
-        v25 = abs(q2_pmp) - high2
-        v28 = abs(angle4) - high4
-        v29 = abs(q4_ppm) - high4
-        v30 = abs(angle5) - high4
-        v31 = abs(q4_mpm) - high4
-        v32 = abs(angle6) - high5
-        v33 = abs(q5_pmp) - high5
-        v34 = abs(angle7) - high5
-        v35 = abs(q5_mmp) - high5
-        v36 = max(v26, max(v22, v24))
-        v37 = max(v27, max(v22, v25))
-        v38 = max(v26, max(v23, v24))
-        v39 = max(v27, max(v23, v25))
-        v40 = abs(angle8) - high6
-        excess_ppp = max(v40, max(v32, max(v28, v36)))
-        v41 = abs(q6_ppm) - high6
+        v22, v23, v24 = abs(angle1) - high1, abs(angle2) - high1, abs(angle3) - high2
+        v25, v28, v29 = abs(q2_pmp) - high2, abs(angle4) - high4, abs(q4_ppm) - high4
+        v30, v31, v32 = abs(angle5) - high4, abs(q4_mpm) - high4, abs(angle6) - high5
+        v33, v34, v35 = abs(q5_pmp) - high5, abs(angle7) - high5, abs(q5_mmp) - high5
+        v36, v37, v38 = max(v26, max(v22, v24)), max(v27, max(v22, v25)), max(v26, max(v23, v24))
+        v39, v40 = max(v27, max(v23, v25)), abs(angle8) - high6
+        excess_ppp, v41 = max(v40, max(v32, max(v28, v36))), abs(q6_ppm) - high6
         excess_ppm = max(v41, max(v32, max(v29, v36)))
         excess_pmp = max(v41, max(v33, max(v28, v37)))
-        excess_pmm = max(v40, max(v33, max(v29, v37)))
-        v42 = abs(angle9) - high6
-        excess_mpp = max(v42, max(v34, max(v30, v38)))
-        v43 = abs(q6_mpm) - high6
+        excess_pmm, v42 = max(v40, max(v33, max(v29, v37))), abs(angle9) - high6
+        excess_mpp, v43 = max(v42, max(v34, max(v30, v38))), abs(q6_mpm) - high6
         excess_mpm = max(v43, max(v34, max(v31, v38)))
         excess_mmp = max(v43, max(v35, max(v30, v39)))
-        excess_mmm = max(v42, max(v35, max(v31, v39)))
-        outside_ppp = 0.0 < excess_ppp
-        outside_ppm = 0.0 < excess_ppm
-        outside_pmp = 0.0 < excess_pmp
-        outside_pmm = 0.0 < excess_pmm
-        outside_mpp = 0.0 < excess_mpp
-        outside_mpm = 0.0 < excess_mpm
-        outside_mmp = 0.0 < excess_mmp
+        excess_mmm, outside_ppp = max(v42, max(v35, max(v31, v39))), 0.0 < excess_ppp
+        outside_ppm, outside_pmp, outside_pmm = 0.0 < excess_ppm, 0.0 < excess_pmp, 0.0 < excess_pmm
+        outside_mpp, outside_mpm, outside_mmp = 0.0 < excess_mpp, 0.0 < excess_mpm, 0.0 < excess_mmp
         outside_mmm = 0.0 < excess_mmm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
@@ -511,13 +433,8 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 8],
-    [0, 9, 10, 13, 14, 5],
-    [15, 16, 2, 17, 18, 19],
-    [15, 16, 2, 20, 21, 22],
-    [15, 23, 10, 24, 25, 22],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 8], [0, 9, 10, 13, 14, 5],
+    [15, 16, 2, 17, 18, 19], [15, 16, 2, 20, 21, 22], [15, 23, 10, 24, 25, 22],
     [15, 23, 10, 26, 27, 19],
 ])
 

@@ -127,49 +127,25 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
     v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v3 = v1 * c3 + x2_x * s3
-    v4 = v2 * c3 + x2_y * s3
-    y3_z = c2 * c3 - s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - s1 * s4
-    x4_y = x3_y * c4 + c1 * s4
-    x4_z = x3_z * c4
-    z5_x = s1 * c4 + x3_x * s4
-    y4_y = c1 * c4 - x3_y * s4
-    z5_z = x3_z * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 - v3 * s5
-    x5_y = x4_y * c5 - v4 * s5
-    x5_z = x4_z * c5 + y3_z * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 - z5_x * s6
-    T[0, 1] = -(z5_x * c6 + x5_x * s6)
-    T[0, 2] = -(v3 * c5 + x4_x * s5)
-    T[0, 3] = x2_x * a2 - v3 * d4
-    T[1, 0] = x5_y * c6 + y4_y * s6
-    T[1, 1] = y4_y * c6 - x5_y * s6
-    T[1, 2] = -(v4 * c5 + x4_y * s5)
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v3, v4, y3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, c2 * c3 - s2 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 - s1 * s4, x3_y * c4 + c1 * s4, x3_z * c4
+    z5_x, y4_y, z5_z = s1 * c4 + x3_x * s4, c1 * c4 - x3_y * s4, x3_z * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 - v3 * s5, x4_y * c5 - v4 * s5, x4_z * c5 + y3_z * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1] = x5_x * c6 - z5_x * s6, -(z5_x * c6 + x5_x * s6)
+    T[0, 2], T[0, 3] = -(v3 * c5 + x4_x * s5), x2_x * a2 - v3 * d4
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + y4_y * s6, y4_y * c6 - x5_y * s6, -(v4 * c5 + x4_y * s5)
     T[1, 3] = x2_y * a2 - v4 * d4
-    T[2, 0] = x5_z * c6 - z5_z * s6
-    T[2, 1] = -(z5_z * c6 + x5_z * s6)
-    T[2, 2] = y3_z * c5 - x4_z * s5
-    T[2, 3] = s2 * a2 + y3_z * d4
+    T[2, 0], T[2, 1] = x5_z * c6 - z5_z * s6, -(z5_z * c6 + x5_z * s6)
+    T[2, 2], T[2, 3] = y3_z * c5 - x4_z * s5, s2 * a2 + y3_z * d4
     T[3, 3] = 1.0
     return T
 
@@ -180,54 +156,25 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    p3_x = x2_x * a2
-    p3_y = x2_y * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
+    v2, p3_x, p3_y = s1 * s2, x2_x * a2, x2_y * a2
     p3_z = s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v3 = v1 * c3 + x2_x * s3
-    v4 = v2 * c3 + x2_y * s3
-    y3_z = c2 * c3 - s2 * s3
-    p4_x = p3_x - v3 * d4
-    p4_y = p3_y - v4 * d4
-    p4_z = p3_z + y3_z * d4
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    v5 = p4_z - p3_z
-    J[0, 0] = -p4_y
-    J[0, 1] = -(c1 * p4_z)
-    J[0, 2] = -(c1 * v5)
-    J[1, 0] = p4_x
-    J[1, 1] = -(s1 * p4_z)
-    J[1, 2] = -(s1 * v5)
-    J[2, 1] = s1 * p4_y + c1 * p4_x
-    J[2, 2] = s1 * (p4_y - p3_y) + c1 * (p4_x - p3_x)
-    J[3, 1] = s1
-    J[3, 2] = s1
-    J[3, 3] = -v3
-    J[3, 4] = s1 * c4 + x3_x * s4
-    J[3, 5] = -(v3 * c5 + (x3_x * c4 - s1 * s4) * s5)
-    J[4, 1] = -c1
-    J[4, 2] = -c1
-    J[4, 3] = -v4
-    J[4, 4] = x3_y * s4 - c1 * c4
-    J[4, 5] = -(v4 * c5 + (x3_y * c4 + c1 * s4) * s5)
-    J[5, 0] = 1.0
-    J[5, 3] = y3_z
-    J[5, 4] = x3_z * s4
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v3, v4, y3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, c2 * c3 - s2 * s3
+    p4_x, p4_y, p4_z = p3_x - v3 * d4, p3_y - v4 * d4, p3_z + y3_z * d4
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    c5, s5, v5 = math.cos(q[4]), math.sin(q[4]), p4_z - p3_z
+    J[0, 0], J[0, 1], J[0, 2] = -p4_y, -(c1 * p4_z), -(c1 * v5)
+    J[1, 0], J[1, 1], J[1, 2] = p4_x, -(s1 * p4_z), -(s1 * v5)
+    J[2, 1], J[2, 2] = s1 * p4_y + c1 * p4_x, s1 * (p4_y - p3_y) + c1 * (p4_x - p3_x)
+    J[3, 1], J[3, 2], J[3, 3] = s1, s1, -v3
+    J[3, 4], J[3, 5] = s1 * c4 + x3_x * s4, -(v3 * c5 + (x3_x * c4 - s1 * s4) * s5)
+    J[4, 1], J[4, 2], J[4, 3] = -c1, -c1, -v4
+    J[4, 4], J[4, 5] = x3_y * s4 - c1 * c4, -(v4 * c5 + (x3_y * c4 + c1 * s4) * s5)
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, y3_z, x3_z * s4
     J[5, 5] = y3_z * c5 - x3_z * c4 * s5
     return J
 
@@ -268,8 +215,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2, type 3: U1[3, 4] and U1[1, 4]
         X1_2 = a2 + d4 * v2
-        v3 = T34 * X1_2
-        v4 = root1 * X1_2
+        v3, v4 = T34 * X1_2, root1 * X1_2
 
         # theta4, type 2: U4[2, 3]
         v5 = T13 * c1 + T23 * s1
@@ -277,9 +223,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v6 = Y4 * Y4
 
         # theta6, type 3: U4[2, 2] and U4[2, 1]
-        v7 = T12 * s1 - T22 * c1
-        v8 = T12 * c1 + T22 * s1
-        v10 = T11 * s1 - T21 * c1
+        v7, v8, v10 = T12 * s1 - T22 * c1, T12 * c1 + T22 * s1, T11 * s1 - T21 * c1
         v11 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
@@ -302,8 +246,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _atan2(s2, c2)
 
             # theta4
-            c23 = c3 * c2 + v2 * s2
-            s23 = c3 * s2 - v2 * c2
+            c23, s23 = c3 * c2 + v2 * s2, c3 * s2 - v2 * c2
             X4 = c23 * v5 + T33 * s23
             w4 = math.sqrt(X4 * X4 + v6)
             free4 = w4 <= free_limit
@@ -313,8 +256,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T33 * c23 - s23 * v5
 
             # theta6
-            v9 = c23 * v8 + T32 * s23
-            v12 = c23 * v11 + T31 * s23
+            v9, v12 = c23 * v8 + T32 * s23, c23 * v11 + T31 * s23
 
             for i3 in range(2):  # noflip, flip
                 e4 = 1.0 - 2.0 * i3
@@ -333,12 +275,8 @@ def _solve(pose, q_free, seed, moved, q, status):
                 # theta6
                 q6 = _atan2(-(c4 * v10 + s4 * v12), -(c4 * v7 + s4 * v9))
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -350,122 +288,79 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[2, 4]
         v1 = T14 * T14 + T24 * T24
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
 
         # theta3, type 8: U1[3, 4] and U1[1, 4]
         N3 = v1 + T34 * T34
         D3 = (longest3 - N3) * (N3 - shortest3)
         w3 = math.sqrt(D3)
-        v3 = w3 - w3
-        v4 = k1 * (N3 - k1)
-        v5 = k2 * v4
-        v6 = k1 * w3
+        v3, v4 = w3 - w3, k1 * (N3 - k1)
+        v5, v6 = k2 * v4, k1 * w3
         c3 = k2 * v6
 
         # theta2, type 3: U1[3, 4] and U1[1, 4]
-        X1_2 = a2 + d4 * v5
-        Y1_2 = d4 * c3
-        v7 = T34 * X1_2
-        v8 = w1 * Y1_2
-        v9 = v7 + v8
-        v10 = v7 - v8
-        v11 = m4 * (T34 * N3)
+        X1_2, Y1_2 = a2 + d4 * v5, d4 * c3
+        v7, v8 = T34 * X1_2, w1 * Y1_2
+        v9, v10, v11 = v7 + v8, v7 - v8, m4 * (T34 * N3)
         v12 = w3 * (m4 * w1)
-        S2_pp = v11 + v12
-        S2_pm = v11 - v12
-        v13 = w1 * X1_2
+        S2_pp, S2_pm, v13 = v11 + v12, v11 - v12, w1 * X1_2
         v14 = T34 * Y1_2
-        v15 = v14 - v13
-        v16 = v13 + v14
-        v17 = w3 * (m4 * T34)
+        v15, v16, v17 = v14 - v13, v13 + v14, w3 * (m4 * T34)
         v18 = m4 * (w1 * N3)
-        C2_pp = v17 - v18
-        C2_mp = v17 + v18
-        v19 = S2_pp * S2_pp
-        v20 = v19 + C2_pp * C2_pp
-        v21 = S2_pm * S2_pm + C2_mp * C2_mp
-        v22 = v19 + -C2_pp * -C2_pp
-        w2_pp = math.sqrt(v20)
-        w2_pm = math.sqrt(v21)
-        w2_mm = math.sqrt(v22)
-        v23 = 1.0 / v20
-        v24 = 1.0 / v21
-        v25 = 1.0 / v22
+        C2_pp, C2_mp, v19 = v17 - v18, v17 + v18, S2_pp * S2_pp
+        v20, v21, v22 = v19 + C2_pp * C2_pp, S2_pm * S2_pm + C2_mp * C2_mp, v19 + -C2_pp * -C2_pp
+        w2_pp, w2_pm, w2_mm = math.sqrt(v20), math.sqrt(v21), math.sqrt(v22)
+        v23, v24, v25 = 1.0 / v20, 1.0 / v21, 1.0 / v22
 
         # theta4, type 2: U4[2, 3]
         v26 = v5 * v9
-        c23_pp = w2_pp * (v23 * (c3 * v15 + v26))
-        c23_pm = w2_pm * (v24 * (c3 * v16 + v5 * v10))
-        c23_mm = w2_mm * (v25 * (v26 - c3 * -v15))
-        v27 = c3 * v9
-        s23_pp = w2_pp * (v23 * (v27 - v5 * v15))
-        v28 = v5 * v16 - c3 * v10
-        s23_pm = w2_pm * (v24 * v28)
-        s23_mp = w2_pm * (v24 * -v28)
-        v29 = w2_mm * (v25 * (v27 + v5 * -v15))
-        v30 = w1 * (v2 * (T14 * T13 + T24 * T23))
-        X4_pp = s23_pp * T33 - c23_pp * v30
-        v31 = c23_pm * v30
-        X4_pm = s23_pm * T33 - v31
-        X4_mp = v31 + s23_mp * T33
-        X4_mm = c23_mm * v30 - v29 * T33
+        c23_pp, c23_pm = w2_pp * (v23 * (c3 * v15 + v26)), w2_pm * (v24 * (c3 * v16 + v5 * v10))
+        c23_mm, v27 = w2_mm * (v25 * (v26 - c3 * -v15)), c3 * v9
+        s23_pp, v28 = w2_pp * (v23 * (v27 - v5 * v15)), v5 * v16 - c3 * v10
+        s23_pm, s23_mp = w2_pm * (v24 * v28), w2_pm * (v24 * -v28)
+        v29, v30 = w2_mm * (v25 * (v27 + v5 * -v15)), w1 * (v2 * (T14 * T13 + T24 * T23))
+        X4_pp, v31 = s23_pp * T33 - c23_pp * v30, c23_pm * v30
+        X4_pm, X4_mp, X4_mm = s23_pm * T33 - v31, v31 + s23_mp * T33, c23_mm * v30 - v29 * T33
         Y4 = w1 * (v2 * (T14 * T23 - T24 * T13))
         v32 = Y4 * Y4
-        v33 = v32 + X4_pp * X4_pp
-        v34 = v32 + X4_pm * X4_pm
-        v35 = v32 + X4_mp * X4_mp
-        v36 = v32 + X4_mm * X4_mm
-        w4_pp = math.sqrt(v33)
-        w4_pm = math.sqrt(v34)
-        w4_mp = math.sqrt(v35)
-        w4_mm = math.sqrt(v36)
-        factor4_pp = w4_pp * (1.0 / v33)
-        factor4_pm = w4_pm * (1.0 / v34)
-        factor4_mp = w4_mp * (1.0 / v35)
-        factor4_mm = w4_mm * (1.0 / v36)
-        v37 = X4_pp * factor4_pp
-        v38 = X4_pm * factor4_pm
-        v39 = X4_mp * factor4_mp
-        v40 = X4_mm * factor4_mm
-        s4_pp = Y4 * factor4_pp
-        s4_pm = Y4 * factor4_pm
-        s4_mp = Y4 * factor4_mp
-        s4_mm = Y4 * factor4_mm
-        v41 = math.copysign(half_turn, Y4)
-        v42 = math.copysign(half_turn, -Y4)
+        v33, v34, v35 = v32 + X4_pp * X4_pp, v32 + X4_pm * X4_pm, v32 + X4_mp * X4_mp
+        v36, w4_pp, w4_pm = v32 + X4_mm * X4_mm, math.sqrt(v33), math.sqrt(v34)
+        w4_mp, w4_mm, factor4_pp = math.sqrt(v35), math.sqrt(v36), w4_pp * (1.0 / v33)
+        factor4_pm, factor4_mp = w4_pm * (1.0 / v34), w4_mp * (1.0 / v35)
+        factor4_mm, v37, v38 = w4_mm * (1.0 / v36), X4_pp * factor4_pp, X4_pm * factor4_pm
+        v39, v40, s4_pp = X4_mp * factor4_mp, X4_mm * factor4_mm, Y4 * factor4_pp
+        s4_pm, s4_mp, s4_mm = Y4 * factor4_pm, Y4 * factor4_mp, Y4 * factor4_mm
+        v41, v42 = math.copysign(half_turn, Y4), math.copysign(half_turn, -Y4)
 
         # theta5, type 3: U4[3, 3] and U4[1, 3]
         v43 = c23_pm * T33
 
         # theta6, type 3: U4[2, 2] and U4[2, 1]
-        v44 = w1 * (v2 * (T14 * T22 - T24 * T12))
-        v45 = w1 * (v2 * (T14 * T12 + T24 * T22))
-        v46 = w1 * (v2 * (T14 * T21 - T24 * T11))
-        v47 = w1 * (v2 * (T14 * T11 + T24 * T21))
-        v48 = v37 * v46 - s4_pp * (s23_pp * T31 - c23_pp * v47)
-        v49 = c23_pm * v47
+        v44, v45 = w1 * (v2 * (T14 * T22 - T24 * T12)), w1 * (v2 * (T14 * T12 + T24 * T22))
+        v46, v47 = w1 * (v2 * (T14 * T21 - T24 * T11)), w1 * (v2 * (T14 * T11 + T24 * T21))
+        v48, v49 = v37 * v46 - s4_pp * (s23_pp * T31 - c23_pp * v47), c23_pm * v47
         v50 = v38 * v46 - s4_pm * (s23_pm * T31 - v49)
         v51 = s4_mp * (v49 + s23_mp * T31) - v39 * v46
-        v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46
-        v53 = c23_pm * v45
+        v52, v53 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46, c23_pm * v45
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
             1.0 if v36 <= m6 or v22 <= m5 or v35 <= m6 or v34 <= m6 or v21 <= m5 or v33 <= m6 or v1
             <= m1 or abs(D3) <= m3 or v20 <= m5 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = v3, v4, v41, v42
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v48, v50, v51, v52
-        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = -T24, -v4, S2_pp
-        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = S2_pm, S2_pm, S2_pp
-        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = Y4, Y4, -Y4, -Y4
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v3, v4, v41
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v42, v48, v50
+        kept[23 * w + k], kept[24 * w + k], turns[0 * w + k] = v51, v52, -T24
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -v4, S2_pp, S2_pm
+        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = S2_pm, S2_pp, Y4
+        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = Y4, -Y4, -Y4
         turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = w4_pp, w4_pm, w4_mp
         turns[13 * w + k], turns[14 * w + k], turns[15 * w + k] = w4_mm, v48, v50
         turns[16 * w + k], turns[17 * w + k], turns[24 * w + k] = v51, v52, -T14
@@ -487,23 +382,21 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        T24, v3, v4, v41 = kept[7 * w + k], kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
-        v42, v48, v50, v51 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
-        v52, angle1, angle2 = kept[24 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
-        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
-        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
-        angle18 = turns[17 * w + k]
+        T24, v3, v4 = kept[7 * w + k], kept[17 * w + k], kept[18 * w + k]
+        v41, v42, v48 = kept[19 * w + k], kept[20 * w + k], kept[21 * w + k]
+        v50, v51, v52 = kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
 
         # theta3, type 8: U1[3, 4] and U1[1, 4]
         q3_pmp = math.copysign(half_turn, -v4) - angle2
 
         # theta4, type 2: U4[2, 3]
-        q4_ppm = angle7 - v41
-        q4_pmm = angle8 - v41
-        q4_mpm = angle9 - v42
+        q4_ppm, q4_pmm, q4_mpm = angle7 - v41, angle8 - v41, angle9 - v42
         q4_mmm = angle10 - v42
 
         # theta6, type 3: U4[2, 2] and U4[2, 1]
@@ -513,8 +406,7 @@ def _formulas(kept, turns, rows, w):
         q6_mmm = angle18 - math.copysign(half_turn, v52)
 
         # joint values
-        q1_ppp = angle1 + v3
-        q1_mpp = v3 + (angle1 - math.copysign(half_turn, -T24))
+        q1_ppp, q1_mpp = angle1 + v3, v3 + (angle1 - math.copysign(half_turn, -T24))
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, angle3, angle2
         rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = angle7, angle11, angle15
@@ -527,25 +419,16 @@ def _formulas(kept, turns, rows, w):
         rows[24 * w + k], rows[25 * w + k], rows[26 * w + k] = q6_mpm, angle6, angle10
         rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = angle14, angle18, q4_mmm
         rows[30 * w + k], rows[31 * w + k] = -angle14, q6_mmm
-        rows[32 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[33 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[36 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[37 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[32 * w + k] = rows[33 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[34 * w + k] = rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = rows[37 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[38 * w + k] = rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 2, 19, 20, 21],
-    [17, 18, 2, 22, 23, 24],
-    [17, 25, 10, 26, 27, 28],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 2, 19, 20, 21], [17, 18, 2, 22, 23, 24], [17, 25, 10, 26, 27, 28],
     [17, 25, 10, 29, 30, 31],
 ])
 

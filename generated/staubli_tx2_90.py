@@ -154,55 +154,27 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
-    v3 = s1 * s2
-    v4 = q[2] + offset3
-    c3 = math.cos(v4)
-    s3 = math.sin(v4)
-    x3_x = x2_x * c3 - v2 * s3
-    x3_y = x2_y * c3 - v3 * s3
-    v5 = s2 * c3 + c2 * s3
-    z3_x = v2 * c3 + x2_x * s3
-    z3_y = v3 * c3 + x2_y * s3
-    z3_z = c2 * c3 - s2 * s3
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
+    v3, v4 = s1 * s2, q[2] + offset3
+    c3, s3 = math.cos(v4), math.sin(v4)
+    x3_x, x3_y, v5 = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    z3_x, z3_y, z3_z = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, c2 * c3 - s2 * s3
     v6 = q[3] + offset4
-    c4 = math.cos(v6)
-    s4 = math.sin(v6)
-    x4_x = x3_x * c4 - s1 * s4
-    x4_y = x3_y * c4 + c1 * s4
-    v7 = v5 * c4
-    z4_x = s1 * c4 + x3_x * s4
-    v8 = v5 * s4
-    z4_y = x3_y * s4 - c1 * c4
+    c4, s4 = math.cos(v6), math.sin(v6)
+    x4_x, x4_y, v7 = x3_x * c4 - s1 * s4, x3_y * c4 + c1 * s4, v5 * c4
+    z4_x, v8, z4_y = s1 * c4 + x3_x * s4, v5 * s4, x3_y * s4 - c1 * c4
     v9 = q[4] + offset5
-    c5 = math.cos(v9)
-    s5 = math.sin(v9)
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = x4_y * c5 + z3_y * s5
-    x5_z = z3_z * s5 - v7 * c5
-    v10 = z3_z * c5 + v7 * s5
-    z5_x = x4_x * s5 - z3_x * c5
-    z5_y = x4_y * s5 - z3_y * c5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = z5_x
-    T[0, 1] = z4_x * c6 - x5_x * s6
-    T[0, 2] = -(x5_x * c6 + z4_x * s6)
+    c5, s5 = math.cos(v9), math.sin(v9)
+    x5_x, x5_y, x5_z = x4_x * c5 + z3_x * s5, x4_y * c5 + z3_y * s5, z3_z * s5 - v7 * c5
+    v10, z5_x, z5_y = z3_z * c5 + v7 * s5, x4_x * s5 - z3_x * c5, x4_y * s5 - z3_y * c5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = z5_x, z4_x * c6 - x5_x * s6, -(x5_x * c6 + z4_x * s6)
     T[0, 3] = c1 * a1 + x2_x * a2 - s1 * d2 + z3_x * d4 + z5_x * d6
-    T[1, 0] = z5_y
-    T[1, 1] = z4_y * c6 - x5_y * s6
-    T[1, 2] = -(x5_y * c6 + z4_y * s6)
+    T[1, 0], T[1, 1], T[1, 2] = z5_y, z4_y * c6 - x5_y * s6, -(x5_y * c6 + z4_y * s6)
     T[1, 3] = s1 * a1 + x2_y * a2 + c1 * d2 + z3_y * d4 + z5_y * d6
-    T[2, 0] = -v10
-    T[2, 1] = -(v8 * c6 + x5_z * s6)
-    T[2, 2] = v8 * s6 - x5_z * c6
+    T[2, 0], T[2, 1], T[2, 2] = -v10, -(v8 * c6 + x5_z * s6), v8 * s6 - x5_z * c6
     T[2, 3] = d1 - s2 * a2 + z3_z * d4 - v10 * d6
     T[3, 3] = 1.0
     return T
@@ -214,84 +186,41 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v2 = c1 * s2
-    v3 = s1 * s2
-    p2_z = d1 - s2 * a2
-    p2_x = p1_x + x2_x * a2 - s1 * d2
-    p2_y = p1_y + x2_y * a2 + c1 * d2
-    v4 = q[2] + offset3
-    c3 = math.cos(v4)
-    s3 = math.sin(v4)
-    x3_x = x2_x * c3 - v2 * s3
-    x3_y = x2_y * c3 - v3 * s3
-    v5 = s2 * c3 + c2 * s3
-    z3_x = v2 * c3 + x2_x * s3
-    z3_y = v3 * c3 + x2_y * s3
-    z3_z = c2 * c3 - s2 * s3
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y, v1 = c1 * a1, s1 * a1, q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, v2 = c1 * c2, s1 * c2, c1 * s2
+    v3, p2_z, p2_x = s1 * s2, d1 - s2 * a2, p1_x + x2_x * a2 - s1 * d2
+    p2_y, v4 = p1_y + x2_y * a2 + c1 * d2, q[2] + offset3
+    c3, s3 = math.cos(v4), math.sin(v4)
+    x3_x, x3_y, v5 = x2_x * c3 - v2 * s3, x2_y * c3 - v3 * s3, s2 * c3 + c2 * s3
+    z3_x, z3_y, z3_z = v2 * c3 + x2_x * s3, v3 * c3 + x2_y * s3, c2 * c3 - s2 * s3
     v6 = q[3] + offset4
-    c4 = math.cos(v6)
-    s4 = math.sin(v6)
-    z4_x = s1 * c4 + x3_x * s4
-    v7 = v5 * s4
-    p4_x = p2_x + z3_x * d4
-    p4_y = p2_y + z3_y * d4
-    p4_z = p2_z + z3_z * d4
-    z4_y = x3_y * s4 - c1 * c4
+    c4, s4 = math.cos(v6), math.sin(v6)
+    z4_x, v7, p4_x = s1 * c4 + x3_x * s4, v5 * s4, p2_x + z3_x * d4
+    p4_y, p4_z, z4_y = p2_y + z3_y * d4, p2_z + z3_z * d4, x3_y * s4 - c1 * c4
     v8 = q[4] + offset5
-    c5 = math.cos(v8)
-    s5 = math.sin(v8)
-    v9 = z3_z * c5 + v5 * c4 * s5
-    z5_x = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5
-    z5_y = (x3_y * c4 + c1 * s4) * s5 - z3_y * c5
-    J21 = p4_x + z5_x * d6
-    v10 = p4_y + z5_y * d6
-    v11 = p4_z - v9 * d6
-    v12 = v11 - d1
-    v13 = J21 - p2_x
-    v14 = v10 - p2_y
-    v15 = v11 - p2_z
-    v16 = J21 - p4_x
-    v17 = v10 - p4_y
+    c5, s5 = math.cos(v8), math.sin(v8)
+    v9, z5_x = z3_z * c5 + v5 * c4 * s5, (x3_x * c4 - s1 * s4) * s5 - z3_x * c5
+    z5_y, J21 = (x3_y * c4 + c1 * s4) * s5 - z3_y * c5, p4_x + z5_x * d6
+    v10, v11 = p4_y + z5_y * d6, p4_z - v9 * d6
+    v12, v13, v14 = v11 - d1, J21 - p2_x, v10 - p2_y
+    v15, v16, v17 = v11 - p2_z, J21 - p4_x, v10 - p4_y
     v18 = v11 - p4_z
-    J[0, 0] = -v10
-    J[0, 1] = c1 * v12
-    J[0, 2] = c1 * v15
-    J[0, 3] = z3_y * v15 - z3_z * v14
-    J[0, 4] = z4_y * v18 + v7 * v17
+    J[0, 0], J[0, 1], J[0, 2] = -v10, c1 * v12, c1 * v15
+    J[0, 3], J[0, 4] = z3_y * v15 - z3_z * v14, z4_y * v18 + v7 * v17
     J[0, 5] = z5_y * v18 + v9 * v17
-    J[1, 0] = J21
-    J[1, 1] = s1 * v12
-    J[1, 2] = s1 * v15
-    J[1, 3] = z3_z * v13 - z3_x * v15
-    J[1, 4] = -(v7 * v16 + z4_x * v18)
+    J[1, 0], J[1, 1], J[1, 2] = J21, s1 * v12, s1 * v15
+    J[1, 3], J[1, 4] = z3_z * v13 - z3_x * v15, -(v7 * v16 + z4_x * v18)
     J[1, 5] = -(v9 * v16 + z5_x * v18)
-    J[2, 1] = -(s1 * (v10 - p1_y) + c1 * (J21 - p1_x))
-    J[2, 2] = -(s1 * v14 + c1 * v13)
-    J[2, 3] = z3_x * v14 - z3_y * v13
-    J[2, 4] = z4_x * v17 - z4_y * v16
+    J[2, 1], J[2, 2] = -(s1 * (v10 - p1_y) + c1 * (J21 - p1_x)), -(s1 * v14 + c1 * v13)
+    J[2, 3], J[2, 4] = z3_x * v14 - z3_y * v13, z4_x * v17 - z4_y * v16
     J[2, 5] = z5_x * v17 - z5_y * v16
-    J[3, 1] = -s1
-    J[3, 2] = -s1
-    J[3, 3] = z3_x
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = c1
-    J[4, 2] = c1
-    J[4, 3] = z3_y
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 3] = z3_z
-    J[5, 4] = -v7
+    J[3, 1], J[3, 2], J[3, 3] = -s1, -s1, z3_x
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = c1, c1, z3_y
+    J[4, 4], J[4, 5] = z4_y, z5_y
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, z3_z, -v7
     J[5, 5] = -v9
     return J
 
@@ -312,8 +241,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d2 * math.sqrt(N1)))
-    v1 = t14 * d2
-    v2 = Y1 * d2
+    v1, v2 = t14 * d2, Y1 * d2
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     t34 = T34 - d6 * T31
@@ -350,8 +278,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2
         Y1_2 = a2 + d4 * s3
-        v8 = Z1_3 * Y1_2
-        v9 = v3 * Y1_2
+        v8, v9 = Z1_3 * Y1_2, v3 * Y1_2
 
         # theta4
         v13 = T11 * c1 + T21 * s1
@@ -359,9 +286,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v14 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v16 = T12 * s1 - T22 * c1
-        v17 = T12 * c1 + T22 * s1
-        v19 = T23 * c1 - T13 * s1
+        v16, v17, v19 = T12 * s1 - T22 * c1, T12 * c1 + T22 * s1, T23 * c1 - T13 * s1
         v20 = T13 * c1 + T23 * s1
 
         for i2 in range(2):  # +, -
@@ -393,8 +318,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T31 * v12 - s23 * v13
 
             # theta6
-            v18 = v12 * v17 + T32 * s23
-            v21 = v12 * v20 + T33 * s23
+            v18, v21 = v12 * v17 + T32 * s23, v12 * v20 + T33 * s23
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -411,20 +335,15 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s5 = w4 * e4
 
                 # theta6
-                c6 = c4 * v16 - s4 * v18
-                s6 = c4 * v19 + s4 * v21
+                c6, s6 = c4 * v16 - s4 * v18, c4 * v19 + s4 * v21
                 q6 = _atan2(s6, c6)
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
                 q5 = _wrap(_atan2(s5, c5) - offset5)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -436,107 +355,61 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[3, 4]
-        t14 = T14 - d6 * T11
-        Y1 = d6 * T21 - T24
+        t14, Y1 = T14 - d6 * T11, d6 * T21 - T24
         N1 = t14 * t14 + Y1 * Y1
         D1 = N1 - k1
-        w1 = math.sqrt(D1)
-        inverse1 = 1.0 / N1
+        w1, inverse1 = math.sqrt(D1), 1.0 / N1
         v1 = inverse1 * (d2 * Y1)
-        v2 = v1 + w1 * (t14 * inverse1)
-        v3 = v1 + w1 * (inverse1 * -t14)
-        v4 = inverse1 * (d2 * t14)
-        s1_p = w1 * (Y1 * inverse1) - v4
-        s1_m = w1 * (inverse1 * -Y1) - v4
+        v2, v3, v4 = v1 + w1 * (t14 * inverse1), v1 + w1 * (inverse1 * -t14), inverse1 * (d2 * t14)
+        s1_p, s1_m = w1 * (Y1 * inverse1) - v4, w1 * (inverse1 * -Y1) - v4
 
         # theta3, type 8: U1[2, 4] and U1[1, 4]
-        Z1_3 = T34 - d6 * T31 - d1
-        v5 = a1 + w1
-        v6 = a1 - w1
+        Z1_3, v5, v6 = T34 - d6 * T31 - d1, a1 + w1, a1 - w1
         v7 = Z1_3 * Z1_3
-        N3_p = v7 + v5 * v5
-        N3_m = v7 + v6 * v6
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        v8 = k4 * w1
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
-        v9 = m4 * v7 + (m4 * N1 - 1.0)
-        v10 = m3 * w1
-        s3_p = v9 + v10
-        s3_m = v9 - v10
-        v11 = k6 * (k5 * w3_p)
+        N3_p, N3_m = v7 + v5 * v5, v7 + v6 * v6
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        v8, w3_p, w3_m = k4 * w1, math.sqrt(D3_p), math.sqrt(D3_m)
+        v9, v10 = m4 * v7 + (m4 * N1 - 1.0), m3 * w1
+        s3_p, s3_m, v11 = v9 + v10, v9 - v10, k6 * (k5 * w3_p)
         v12 = k6 * (k5 * w3_m)
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
-        Y1_2_p = a2 + d4 * s3_p
-        Y1_2_m = a2 + d4 * s3_m
-        v13 = Z1_3 * Y1_2_p
-        v14 = Z1_3 * Y1_2_m
-        v15 = w3_p * (m5 * v5)
-        S2_pp = v15 - v13
-        v16 = v13 + v15
-        S2_mp = w3_m * (m5 * v6) - v14
-        S2_mm = w3_m * (m5 * -v6) - v14
-        v17 = v5 * Y1_2_p
-        v18 = v6 * Y1_2_m
-        v19 = m5 * Z1_3
-        v20 = m5 * -Z1_3
-        v21 = v17 + w3_p * v19
-        v22 = v17 + w3_p * v20
-        v23 = v18 + w3_m * v19
-        v24 = v18 + w3_m * v20
-        v25 = S2_pp * S2_pp + v21 * v21
-        v26 = v16 * v16 + v22 * v22
-        v27 = S2_mp * S2_mp + v23 * v23
-        v28 = S2_mm * S2_mm + v24 * v24
-        factor2_pp = math.sqrt(v25) * (1.0 / v25)
-        factor2_pm = math.sqrt(v26) * (1.0 / v26)
-        factor2_mp = math.sqrt(v27) * (1.0 / v27)
-        factor2_mm = math.sqrt(v28) * (1.0 / v28)
+        Y1_2_p, Y1_2_m = a2 + d4 * s3_p, a2 + d4 * s3_m
+        v13, v14, v15 = Z1_3 * Y1_2_p, Z1_3 * Y1_2_m, w3_p * (m5 * v5)
+        S2_pp, v16, S2_mp = v15 - v13, v13 + v15, w3_m * (m5 * v6) - v14
+        S2_mm, v17, v18 = w3_m * (m5 * -v6) - v14, v5 * Y1_2_p, v6 * Y1_2_m
+        v19, v20 = m5 * Z1_3, m5 * -Z1_3
+        v21, v22, v23 = v17 + w3_p * v19, v17 + w3_p * v20, v18 + w3_m * v19
+        v24, v25, v26 = v18 + w3_m * v20, S2_pp * S2_pp + v21 * v21, v16 * v16 + v22 * v22
+        v27, v28 = S2_mp * S2_mp + v23 * v23, S2_mm * S2_mm + v24 * v24
+        factor2_pp, factor2_pm = math.sqrt(v25) * (1.0 / v25), math.sqrt(v26) * (1.0 / v26)
+        factor2_mp, factor2_mm = math.sqrt(v27) * (1.0 / v27), math.sqrt(v28) * (1.0 / v28)
 
         # theta4, type 2: U4[3, 3]
-        v29 = s3_p * S2_pp - v11 * v21
-        v30 = v11 * v22 - s3_p * v16
-        v31 = s3_m * S2_mp - v12 * v23
-        v32 = s3_m * S2_mm + v12 * v24
-        v33 = s3_p * v21 + v11 * S2_pp
-        v34 = s3_p * v22 + v11 * v16
-        v35 = s3_m * v23 + v12 * S2_mp
-        v36 = s3_m * v24 - v12 * S2_mm
-        v37 = T21 * s1_p - T11 * v2
-        v38 = T21 * s1_m - T11 * v3
-        X4_pp = v29 * v37 - T31 * v33
-        X4_pm = v30 * v37 - T31 * v34
-        X4_mp = v31 * v38 - T31 * v35
-        X4_mm = v32 * v38 - T31 * v36
-        v39 = T21 * v2 + T11 * s1_p
-        v40 = T21 * v3 + T11 * s1_m
-        v41 = v39 * v39
-        v42 = v40 * v40
-        v43 = v41 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
+        v29, v30, v31 = s3_p * S2_pp - v11 * v21, v11 * v22 - s3_p * v16, s3_m * S2_mp - v12 * v23
+        v32, v33, v34 = s3_m * S2_mm + v12 * v24, s3_p * v21 + v11 * S2_pp, s3_p * v22 + v11 * v16
+        v35, v36, v37 = s3_m * v23 + v12 * S2_mp, s3_m * v24 - v12 * S2_mm, T21 * s1_p - T11 * v2
+        v38, X4_pp, X4_pm = T21 * s1_m - T11 * v3, v29 * v37 - T31 * v33, v30 * v37 - T31 * v34
+        X4_mp, X4_mm, v39 = v31 * v38 - T31 * v35, v32 * v38 - T31 * v36, T21 * v2 + T11 * s1_p
+        v40, v41 = T21 * v3 + T11 * s1_m, v39 * v39
+        v42, v43 = v40 * v40, v41 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
         v44 = v41 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
         v45 = v42 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
         v46 = v42 + factor2_mm * (X4_mm * (factor2_mm * X4_mm))
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v47 = s1_p * T12 + v2 * T22
-        v48 = s1_m * T12 + v3 * T22
-        v49 = s1_p * T22 - v2 * T12
-        v50 = s1_m * T22 - v3 * T12
-        v51 = v2 * T23 + s1_p * T13
-        v52 = v3 * T23 + s1_m * T13
-        v53 = s1_p * T23 - v2 * T13
-        v54 = s1_m * T23 - v3 * T13
+        v47, v48, v49 = s1_p * T12 + v2 * T22, s1_m * T12 + v3 * T22, s1_p * T22 - v2 * T12
+        v50, v51, v52 = s1_m * T22 - v3 * T12, v2 * T23 + s1_p * T13, v3 * T23 + s1_m * T13
+        v53, v54 = s1_p * T23 - v2 * T13, s1_m * T23 - v3 * T13
 
         # joint values
-        v63 = math.copysign(half_turn, -v39)
-        v64 = math.copysign(half_turn, -v40)
+        v63, v64 = math.copysign(half_turn, -v39), math.copysign(half_turn, -v40)
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
@@ -545,11 +418,12 @@ def _formulas(kept, turns, rows, w):
             kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3_p, w3_m, s3_p
-        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = s3_m, v29, v30, v31
-        kept[24 * w + k], kept[25 * w + k], kept[26 * w + k], kept[27 * w + k] = v32, v33, v34, v35
-        kept[28 * w + k], kept[29 * w + k], kept[30 * w + k] = v36, X4_pp, X4_pm
-        kept[31 * w + k], kept[32 * w + k], kept[33 * w + k] = X4_mp, X4_mm, v39
-        kept[34 * w + k], kept[35 * w + k], kept[36 * w + k], kept[37 * w + k] = v40, v51, v52, v53
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = s3_m, v29, v30
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = v31, v32, v33
+        kept[26 * w + k], kept[27 * w + k], kept[28 * w + k] = v34, v35, v36
+        kept[29 * w + k], kept[30 * w + k], kept[31 * w + k] = X4_pp, X4_pm, X4_mp
+        kept[32 * w + k], kept[33 * w + k], kept[34 * w + k] = X4_mm, v39, v40
+        kept[35 * w + k], kept[36 * w + k], kept[37 * w + k] = v51, v52, v53
         kept[38 * w + k], kept[39 * w + k], kept[40 * w + k] = v54, v63, v64
         turns[0 * w + k] = -(v51 * -X4_pp + v39 * (v29 * v53 - v33 * T33))
         turns[1 * w + k] = -(v51 * -X4_pm + v39 * (v30 * v53 - v34 * T33))
@@ -585,19 +459,19 @@ def _formulas(kept, turns, rows, w):
     for k in range(w):
         T33, w3_p, w3_m = kept[10 * w + k], kept[17 * w + k], kept[18 * w + k]
         s3_p, s3_m, v29 = kept[19 * w + k], kept[20 * w + k], kept[21 * w + k]
-        v30, v31, v32, v33 = kept[22 * w + k], kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
-        v34, v35, v36 = kept[26 * w + k], kept[27 * w + k], kept[28 * w + k]
-        X4_pp, X4_pm, X4_mp = kept[29 * w + k], kept[30 * w + k], kept[31 * w + k]
-        X4_mm, v39, v40 = kept[32 * w + k], kept[33 * w + k], kept[34 * w + k]
-        v51, v52, v53, v54 = kept[35 * w + k], kept[36 * w + k], kept[37 * w + k], kept[38 * w + k]
-        v63, v64, angle1 = kept[39 * w + k], kept[40 * w + k], turns[0 * w + k]
-        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
-        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
-        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
-        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
-        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
-        angle17, angle18, angle19 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
-        angle20 = turns[19 * w + k]
+        v30, v31, v32 = kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
+        v33, v34, v35 = kept[25 * w + k], kept[26 * w + k], kept[27 * w + k]
+        v36, X4_pp, X4_pm = kept[28 * w + k], kept[29 * w + k], kept[30 * w + k]
+        X4_mp, X4_mm, v39 = kept[31 * w + k], kept[32 * w + k], kept[33 * w + k]
+        v40, v51, v52 = kept[34 * w + k], kept[35 * w + k], kept[36 * w + k]
+        v53, v54, v63 = kept[37 * w + k], kept[38 * w + k], kept[39 * w + k]
+        v64, angle1, angle2 = kept[40 * w + k], turns[0 * w + k], turns[1 * w + k]
+        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
+        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
+        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
+        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
+        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
+        angle18, angle19, angle20 = turns[17 * w + k], turns[18 * w + k], turns[19 * w + k]
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
         q6_ppm = angle1 - math.copysign(half_turn, -(v51 * -X4_pp + v39 * (v29 * v53 - v33 * T33)))
@@ -606,30 +480,21 @@ def _formulas(kept, turns, rows, w):
         q6_mmm = angle4 - math.copysign(half_turn, -(v52 * -X4_mm + v40 * (v32 * v54 - v36 * T33)))
 
         # joint values
-        v55 = angle5 - offset2
-        v56 = angle6 - offset2
-        v57 = angle7 - offset2
+        v55, v56, v57 = angle5 - offset2, angle6 - offset2, angle7 - offset2
         v58 = angle8 - offset2
         q2_ppp = v55 + (-turn if half_turn < v55 else 0.0)
         q2_pmp = v56 + (-turn if half_turn < v56 else 0.0)
         q2_mpp = v57 + (-turn if half_turn < v57 else 0.0)
         q2_mmp = v58 + (-turn if half_turn < v58 else 0.0)
-        v59 = angle9 - offset3
-        v60 = math.copysign(half_turn, s3_p) - angle9 - offset3
-        v61 = angle10 - offset3
-        v62 = math.copysign(half_turn, s3_m) - angle10 - offset3
+        v59, v60 = angle9 - offset3, math.copysign(half_turn, s3_p) - angle9 - offset3
+        v61, v62 = angle10 - offset3, math.copysign(half_turn, s3_m) - angle10 - offset3
         q3_ppp = v59 + (turn if v59 <= -half_turn else 0.0)
         q3_pmp = v60 + (turn if v60 <= -half_turn else 0.0)
         q3_mpp = v61 + (turn if v61 <= -half_turn else 0.0)
         q3_mmp = v62 + (turn if v62 <= -half_turn else 0.0)
-        v65 = angle11 - offset4
-        v66 = angle11 - v63 - offset4
-        v67 = angle12 - offset4
-        v68 = angle12 - v63 - offset4
-        v69 = angle13 - offset4
-        v70 = angle13 - v64 - offset4
-        v71 = angle14 - offset4
-        v72 = angle14 - v64 - offset4
+        v65, v66, v67 = angle11 - offset4, angle11 - v63 - offset4, angle12 - offset4
+        v68, v69, v70 = angle12 - v63 - offset4, angle13 - offset4, angle13 - v64 - offset4
+        v71, v72 = angle14 - offset4, angle14 - v64 - offset4
         q4_ppp = v65 + (turn if v65 <= -half_turn else 0.0)
         q4_ppm = v66 + (turn if v66 <= -half_turn else 0.0)
         q4_pmp = v67 + (turn if v67 <= -half_turn else 0.0)
@@ -638,14 +503,9 @@ def _formulas(kept, turns, rows, w):
         q4_mpm = v70 + (turn if v70 <= -half_turn else 0.0)
         q4_mmp = v71 + (turn if v71 <= -half_turn else 0.0)
         q4_mmm = v72 + (turn if v72 <= -half_turn else 0.0)
-        v73 = angle15 - offset5
-        v74 = offset5 + angle15
-        v75 = angle16 - offset5
-        v76 = offset5 + angle16
-        v77 = angle17 - offset5
-        v78 = offset5 + angle17
-        v79 = angle18 - offset5
-        v80 = offset5 + angle18
+        v73, v74, v75 = angle15 - offset5, offset5 + angle15, angle16 - offset5
+        v76, v77, v78 = offset5 + angle16, angle17 - offset5, offset5 + angle17
+        v79, v80 = angle18 - offset5, offset5 + angle18
         q5_ppp = v73 + (turn if v73 <= -half_turn else 0.0)
         q5_ppm = (turn if -v74 <= -half_turn else 0.0) - v74
         q5_pmp = v75 + (turn if v75 <= -half_turn else 0.0)
@@ -654,8 +514,7 @@ def _formulas(kept, turns, rows, w):
         q5_mpm = (turn if -v78 <= -half_turn else 0.0) - v78
         q5_mmp = v79 + (turn if v79 <= -half_turn else 0.0)
         q5_mmm = (turn if -v80 <= -half_turn else 0.0) - v80
-        q1_ppp = angle19 + (w3_p - w3_p)
-        q1_mpp = angle20 + (w3_m - w3_m)
+        q1_ppp, q1_mpp = angle19 + (w3_p - w3_p), angle20 + (w3_m - w3_m)
         v81 = max(max(low2 - q2_ppp, q2_ppp - high2), abs(q3_ppp) - high3)
         v82 = max(max(low2 - q2_pmp, q2_pmp - high2), abs(q3_pmp) - high3)
         v83 = max(max(low2 - q2_mpp, q2_mpp - high2), abs(q3_mpp) - high3)
@@ -667,14 +526,9 @@ def _formulas(kept, turns, rows, w):
         excess_mpp = max(v83, max(low5 - q5_mpp, q5_mpp - high5))
         excess_mpm = max(v83, max(low5 - q5_mpm, q5_mpm - high5))
         excess_mmp = max(v84, max(low5 - q5_mmp, q5_mmp - high5))
-        excess_mmm = max(v84, max(low5 - q5_mmm, q5_mmm - high5))
-        outside_ppp = 0.0 < excess_ppp
-        outside_ppm = 0.0 < excess_ppm
-        outside_pmp = 0.0 < excess_pmp
-        outside_pmm = 0.0 < excess_pmm
-        outside_mpp = 0.0 < excess_mpp
-        outside_mpm = 0.0 < excess_mpm
-        outside_mmp = 0.0 < excess_mmp
+        excess_mmm, outside_ppp = max(v84, max(low5 - q5_mmm, q5_mmm - high5)), 0.0 < excess_ppp
+        outside_ppm, outside_pmp, outside_pmm = 0.0 < excess_ppm, 0.0 < excess_pmp, 0.0 < excess_pmm
+        outside_mpp, outside_mpm, outside_mmp = 0.0 < excess_mpp, 0.0 < excess_mpm, 0.0 < excess_mmp
         outside_mmm = 0.0 < excess_mmm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
@@ -725,13 +579,8 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 19, 20, 21, 22],
-    [17, 18, 19, 23, 24, 25],
-    [17, 26, 27, 28, 29, 30],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22], [17, 18, 19, 23, 24, 25], [17, 26, 27, 28, 29, 30],
     [17, 26, 27, 31, 32, 33],
 ])
 

@@ -143,55 +143,27 @@ def fk(q):
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v3 = c1 * s2
-    v4 = s1 * s2
-    v5 = q[2] + offset3
-    c3 = math.cos(v5)
-    s3 = math.sin(v5)
-    x3_x = x2_x * c3 - v3 * s3
-    x3_y = x2_y * c3 - v4 * s3
-    x3_z = s2 * c3 + c2 * s3
-    z3_x = v3 * c3 + x2_x * s3
-    z3_y = v4 * c3 + x2_y * s3
-    z3_z = s2 * s3 - c2 * c3
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, x2_y, v3 = c1 * c2, s1 * c2, c1 * s2
+    v4, v5 = s1 * s2, q[2] + offset3
+    c3, s3 = math.cos(v5), math.sin(v5)
+    x3_x, x3_y, x3_z = x2_x * c3 - v3 * s3, x2_y * c3 - v4 * s3, s2 * c3 + c2 * s3
+    z3_x, z3_y, z3_z = v3 * c3 + x2_x * s3, v4 * c3 + x2_y * s3, s2 * s3 - c2 * c3
     v6 = q[3] + offset4
-    c4 = math.cos(v6)
-    s4 = math.sin(v6)
-    x4_x = x3_x * c4 + s1 * s4
-    x4_y = x3_y * c4 - c1 * s4
-    x4_z = x3_z * c4
-    z4_y = c1 * c4 + x3_y * s4
-    z4_z = x3_z * s4
-    z4_x = x3_x * s4 - s1 * c4
+    c4, s4 = math.cos(v6), math.sin(v6)
+    x4_x, x4_y, x4_z = x3_x * c4 + s1 * s4, x3_y * c4 - c1 * s4, x3_z * c4
+    z4_y, z4_z, z4_x = c1 * c4 + x3_y * s4, x3_z * s4, x3_x * s4 - s1 * c4
     v7 = q[4] + offset5
-    c5 = math.cos(v7)
-    s5 = math.sin(v7)
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = x4_y * c5 + z3_y * s5
-    x5_z = x4_z * c5 + z3_z * s5
-    z5_x = x4_x * s5 - z3_x * c5
-    z5_y = x4_y * s5 - z3_y * c5
-    z5_z = x4_z * s5 - z3_z * c5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 + z4_x * s6
-    T[0, 1] = z4_x * c6 - x5_x * s6
-    T[0, 2] = z5_x
+    c5, s5 = math.cos(v7), math.sin(v7)
+    x5_x, x5_y, x5_z = x4_x * c5 + z3_x * s5, x4_y * c5 + z3_y * s5, x4_z * c5 + z3_z * s5
+    z5_x, z5_y, z5_z = x4_x * s5 - z3_x * c5, x4_y * s5 - z3_y * c5, x4_z * s5 - z3_z * c5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + z4_x * s6, z4_x * c6 - x5_x * s6, z5_x
     T[0, 3] = x2_x * a2 + s1 * d3 + z3_x * d4 + z5_x * d6
-    T[1, 0] = x5_y * c6 + z4_y * s6
-    T[1, 1] = z4_y * c6 - x5_y * s6
-    T[1, 2] = z5_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + z4_y * s6, z4_y * c6 - x5_y * s6, z5_y
     T[1, 3] = x2_y * a2 - c1 * d3 + z3_y * d4 + z5_y * d6
-    T[2, 0] = x5_z * c6 + z4_z * s6
-    T[2, 1] = z4_z * c6 - x5_z * s6
-    T[2, 2] = z5_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 + z4_z * s6, z4_z * c6 - x5_z * s6, z5_z
     T[2, 3] = d1 + s2 * a2 + z3_z * d4 + z5_z * d6
     T[3, 3] = 1.0
     return T
@@ -204,84 +176,40 @@ def jacobian(q):
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v3 = c1 * s2
-    v4 = s1 * s2
-    p2_x = x2_x * a2
-    p2_y = x2_y * a2
-    p2_z = d1 + s2 * a2
-    v5 = q[2] + offset3
-    c3 = math.cos(v5)
-    s3 = math.sin(v5)
-    x3_x = x2_x * c3 - v3 * s3
-    x3_y = x2_y * c3 - v4 * s3
-    x3_z = s2 * c3 + c2 * s3
-    z3_x = v3 * c3 + x2_x * s3
-    z3_y = v4 * c3 + x2_y * s3
-    p3_x = p2_x + s1 * d3
-    p3_y = p2_y - c1 * d3
-    z3_z = s2 * s3 - c2 * c3
-    v6 = q[3] + offset4
-    c4 = math.cos(v6)
-    s4 = math.sin(v6)
-    z4_y = c1 * c4 + x3_y * s4
-    z4_z = x3_z * s4
-    p4_x = p3_x + z3_x * d4
-    p4_y = p3_y + z3_y * d4
-    p4_z = p2_z + z3_z * d4
-    z4_x = x3_x * s4 - s1 * c4
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, x2_y, v3 = c1 * c2, s1 * c2, c1 * s2
+    v4, p2_x, p2_y = s1 * s2, x2_x * a2, x2_y * a2
+    p2_z, v5 = d1 + s2 * a2, q[2] + offset3
+    c3, s3 = math.cos(v5), math.sin(v5)
+    x3_x, x3_y, x3_z = x2_x * c3 - v3 * s3, x2_y * c3 - v4 * s3, s2 * c3 + c2 * s3
+    z3_x, z3_y, p3_x = v3 * c3 + x2_x * s3, v4 * c3 + x2_y * s3, p2_x + s1 * d3
+    p3_y, z3_z, v6 = p2_y - c1 * d3, s2 * s3 - c2 * c3, q[3] + offset4
+    c4, s4 = math.cos(v6), math.sin(v6)
+    z4_y, z4_z, p4_x = c1 * c4 + x3_y * s4, x3_z * s4, p3_x + z3_x * d4
+    p4_y, p4_z, z4_x = p3_y + z3_y * d4, p2_z + z3_z * d4, x3_x * s4 - s1 * c4
     v7 = q[4] + offset5
-    c5 = math.cos(v7)
-    s5 = math.sin(v7)
-    z5_x = (x3_x * c4 + s1 * s4) * s5 - z3_x * c5
-    z5_y = (x3_y * c4 - c1 * s4) * s5 - z3_y * c5
-    z5_z = x3_z * c4 * s5 - z3_z * c5
-    p6_x = p4_x + z5_x * d6
-    p6_y = p4_y + z5_y * d6
+    c5, s5 = math.cos(v7), math.sin(v7)
+    z5_x, z5_y = (x3_x * c4 + s1 * s4) * s5 - z3_x * c5, (x3_y * c4 - c1 * s4) * s5 - z3_y * c5
+    z5_z, p6_x, p6_y = x3_z * c4 * s5 - z3_z * c5, p4_x + z5_x * d6, p4_y + z5_y * d6
     p6_z = p4_z + z5_z * d6
-    v8 = p6_z - d1
-    v9 = p6_z - p2_z
-    v10 = p6_x - p3_x
-    v11 = p6_y - p3_y
-    v12 = p6_x - p4_x
-    v13 = p6_y - p4_y
+    v8, v9, v10 = p6_z - d1, p6_z - p2_z, p6_x - p3_x
+    v11, v12, v13 = p6_y - p3_y, p6_x - p4_x, p6_y - p4_y
     v14 = p6_z - p4_z
-    J[0, 0] = -p6_y
-    J[0, 1] = -(c1 * v8)
-    J[0, 2] = -(c1 * v9)
-    J[0, 3] = z3_y * v9 - z3_z * v11
-    J[0, 4] = z4_y * v14 - z4_z * v13
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, -(c1 * v8), -(c1 * v9)
+    J[0, 3], J[0, 4] = z3_y * v9 - z3_z * v11, z4_y * v14 - z4_z * v13
     J[0, 5] = z5_y * v14 - z5_z * v13
-    J[1, 0] = p6_x
-    J[1, 1] = -(s1 * v8)
-    J[1, 2] = -(s1 * v9)
-    J[1, 3] = z3_z * v10 - z3_x * v9
-    J[1, 4] = z4_z * v12 - z4_x * v14
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, -(s1 * v8), -(s1 * v9)
+    J[1, 3], J[1, 4] = z3_z * v10 - z3_x * v9, z4_z * v12 - z4_x * v14
     J[1, 5] = z5_z * v12 - z5_x * v14
-    J[2, 1] = s1 * p6_y + c1 * p6_x
-    J[2, 2] = s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)
-    J[2, 3] = z3_x * v11 - z3_y * v10
-    J[2, 4] = z4_x * v13 - z4_y * v12
+    J[2, 1], J[2, 2] = s1 * p6_y + c1 * p6_x, s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)
+    J[2, 3], J[2, 4] = z3_x * v11 - z3_y * v10, z4_x * v13 - z4_y * v12
     J[2, 5] = z5_x * v13 - z5_y * v12
-    J[3, 1] = s1
-    J[3, 2] = s1
-    J[3, 3] = z3_x
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = -c1
-    J[4, 2] = -c1
-    J[4, 3] = z3_y
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 3] = z3_z
-    J[5, 4] = z4_z
+    J[3, 1], J[3, 2], J[3, 3] = s1, s1, z3_x
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = -c1, -c1, z3_y
+    J[4, 4], J[4, 5] = z4_y, z5_y
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, z3_z, z4_z
     J[5, 5] = z5_z
     return J
 
@@ -302,9 +230,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d3 * math.sqrt(N1)))
-    v1 = X1 * d3
-    v2 = wy * d3
-    v3 = seed[0] + offset1
+    v1, v2, v3 = X1 * d3, wy * d3, seed[0] + offset1
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     wz = T34 - d6 * T33
@@ -339,8 +265,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2
         X1_2 = a2 + d4 * s3
-        v7 = Z1_3 * X1_2
-        v8 = root1 * X1_2
+        v7, v8 = Z1_3 * X1_2, root1 * X1_2
 
         # theta4
         v11 = T13 * c1 + T23 * s1
@@ -348,9 +273,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v12 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v14 = T22 * c1 - T12 * s1
-        v15 = T12 * c1 + T22 * s1
-        v17 = T21 * c1 - T11 * s1
+        v14, v15, v17 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T21 * c1 - T11 * s1
         v18 = T11 * c1 + T21 * s1
 
         # joint values
@@ -382,8 +305,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             divisor4 = 1.0 if free4 else w4
 
             # theta6
-            v16 = T32 * s23 - v10 * v15
-            v19 = T31 * s23 - v10 * v18
+            v16, v19 = T32 * s23 - v10 * v15, T31 * s23 - v10 * v18
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -400,20 +322,15 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s5 = w4 * e4
 
                 # theta6
-                c6 = c4 * v14 + s4 * v16
-                s6 = c4 * v17 + s4 * v19
+                c6, s6 = c4 * v14 + s4 * v16, c4 * v17 + s4 * v19
                 q6 = _atan2(s6, c6)
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
                 q5 = _wrap(_atan2(s5, -(T33 * v10 + s23 * v11)) - offset5)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -425,99 +342,65 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        X1 = d6 * T13 - T14
-        wy = T24 - d6 * T23
+        X1, wy = d6 * T13 - T14, T24 - d6 * T23
         N1 = X1 * X1 + wy * wy
         D1 = N1 - k1
         w1 = math.sqrt(D1)
-        v1 = w1 - w1
-        inverse1 = 1.0 / N1
+        v1, inverse1 = w1 - w1, 1.0 / N1
         v2 = inverse1 * (d3 * wy)
-        v3 = v2 + w1 * (X1 * inverse1)
-        v4 = v2 + w1 * (inverse1 * -X1)
-        v5 = inverse1 * (d3 * X1)
-        s1_p = w1 * (wy * inverse1) - v5
-        s1_m = w1 * (inverse1 * -wy) - v5
+        v3, v4, v5 = v2 + w1 * (X1 * inverse1), v2 + w1 * (inverse1 * -X1), inverse1 * (d3 * X1)
+        s1_p, s1_m = w1 * (wy * inverse1) - v5, w1 * (inverse1 * -wy) - v5
 
         # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         Z1_3 = T34 - d6 * T33 - d1
         N3 = D1 + Z1_3 * Z1_3
         D3 = (longest3 - N3) * (N3 - shortest3)
         w3 = math.sqrt(D3)
-        v6 = w3 - w3
-        v7 = k5 * (N3 - k5)
+        v6, v7 = w3 - w3, k5 * (N3 - k5)
 
         # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        v8 = m3 * (Z1_3 * N3)
-        v9 = w3 * (m3 * w1)
-        S2_pp = v8 - v9
-        S2_pm = v8 + v9
-        v10 = w3 * (m3 * Z1_3)
-        v11 = w3 * (m3 * -Z1_3)
-        v12 = m3 * (w1 * N3)
-        C2_pp = v10 + v12
-        C2_pm = v11 + v12
-        C2_mp = v10 - v12
-        C2_mm = v11 - v12
-        v13 = S2_pp * S2_pp
-        v14 = v13 + C2_pp * C2_pp
-        v15 = S2_pm * S2_pm
-        v16 = v15 + C2_pm * C2_pm
-        v17 = v15 + C2_mp * C2_mp
-        v18 = v13 + C2_mm * C2_mm
-        factor2_pp = math.sqrt(v14) * (1.0 / v14)
-        factor2_pm = math.sqrt(v16) * (1.0 / v16)
-        factor2_mp = math.sqrt(v17) * (1.0 / v17)
-        factor2_mm = math.sqrt(v18) * (1.0 / v18)
+        v8, v9 = m3 * (Z1_3 * N3), w3 * (m3 * w1)
+        S2_pp, S2_pm, v10 = v8 - v9, v8 + v9, w3 * (m3 * Z1_3)
+        v11, v12 = w3 * (m3 * -Z1_3), m3 * (w1 * N3)
+        C2_pp, C2_pm, C2_mp = v10 + v12, v11 + v12, v10 - v12
+        C2_mm, v13 = v11 - v12, S2_pp * S2_pp
+        v14, v15 = v13 + C2_pp * C2_pp, S2_pm * S2_pm
+        v16, v17, v18 = v15 + C2_pm * C2_pm, v15 + C2_mp * C2_mp, v13 + C2_mm * C2_mm
+        factor2_pp, factor2_pm = math.sqrt(v14) * (1.0 / v14), math.sqrt(v16) * (1.0 / v16)
+        factor2_mp, factor2_mm = math.sqrt(v17) * (1.0 / v17), math.sqrt(v18) * (1.0 / v18)
 
         # theta4, type 2: U4[3, 3]
         v19 = m5 * N3
-        v20 = v19 - m3
-        v21 = m6 - v19
+        v20, v21 = v19 - m3, m6 - v19
         v22 = w1 * (N3 * (v20 + v21))
-        s23_pp = v22 - v10
-        s23_pm = v22 - v11
-        v23 = w1 * (N3 * (-v20 + -v21))
-        s23_mp = v23 - v10
-        s23_mm = v23 - v11
-        v24 = T23 * s1_p - T13 * v3
-        v25 = T23 * s1_m - T13 * v4
-        X4_pp = S2_pm * v24 - T33 * s23_pp
-        X4_pm = S2_pp * v24 - T33 * s23_pm
-        X4_mp = S2_pp * v25 - T33 * s23_mp
-        X4_mm = S2_pm * v25 - T33 * s23_mm
-        Y4_p = T13 * s1_p + T23 * v3
-        Y4_m = T13 * s1_m + T23 * v4
-        v26 = Y4_p * Y4_p
-        v27 = Y4_m * Y4_m
+        s23_pp, s23_pm, v23 = v22 - v10, v22 - v11, w1 * (N3 * (-v20 + -v21))
+        s23_mp, s23_mm, v24 = v23 - v10, v23 - v11, T23 * s1_p - T13 * v3
+        v25, X4_pp = T23 * s1_m - T13 * v4, S2_pm * v24 - T33 * s23_pp
+        X4_pm, X4_mp = S2_pp * v24 - T33 * s23_pm, S2_pp * v25 - T33 * s23_mp
+        X4_mm, Y4_p, Y4_m = S2_pm * v25 - T33 * s23_mm, T13 * s1_p + T23 * v3, T13 * s1_m + T23 * v4
+        v26, v27 = Y4_p * Y4_p, Y4_m * Y4_m
         v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
         v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
         v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
         v31 = v27 + factor2_mm * (X4_mm * (factor2_mm * X4_mm))
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v32 = v3 * T22 + s1_p * T12
-        v33 = v4 * T22 + s1_m * T12
-        v34 = s1_p * T22 - v3 * T12
-        v35 = s1_m * T22 - v4 * T12
-        v36 = v3 * T21 + s1_p * T11
-        v37 = v4 * T21 + s1_m * T11
-        v38 = s1_p * T21 - v3 * T11
-        v39 = s1_m * T21 - v4 * T11
+        v32, v33, v34 = v3 * T22 + s1_p * T12, v4 * T22 + s1_m * T12, s1_p * T22 - v3 * T12
+        v35, v36, v37 = s1_m * T22 - v4 * T12, v3 * T21 + s1_p * T11, v4 * T21 + s1_m * T11
+        v38, v39 = s1_p * T21 - v3 * T11, s1_m * T21 - v4 * T11
         s6_pp = Y4_p * (s23_pp * T31 - S2_pm * v38) - v36 * -X4_pp
         s6_pm = Y4_p * (s23_pm * T31 - S2_pp * v38) - v36 * -X4_pm
         s6_mp = Y4_m * (s23_mp * T31 - S2_pp * v39) - v37 * -X4_mp
         s6_mm = Y4_m * (s23_mm * T31 - S2_pm * v39) - v37 * -X4_mm
 
         # joint values
-        v48 = math.copysign(half_turn, Y4_p)
-        v49 = math.copysign(half_turn, Y4_m)
-        v58 = T33 * S2_pm
+        v48, v49, v58 = math.copysign(half_turn, Y4_p), math.copysign(half_turn, Y4_m), T33 * S2_pm
         v59 = T33 * S2_pp
 
         # a joint is free, or branches meet
@@ -525,16 +408,16 @@ def _formulas(kept, turns, rows, w):
             1.0 if v31 <= m7 or v18 <= m4 or v30 <= m7 or v17 <= m4 or v29 <= m7 or v16 <= m4 or v28
             <= m7 or abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v14 <= m4 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = v1, v6, v7, s6_pp
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = s6_pm, s6_mp, s6_mm
-        kept[24 * w + k], kept[25 * w + k], turns[0 * w + k] = v48, v49, s6_pp
-        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = s6_pm, s6_mp, s6_mm
-        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = s1_p, s1_m, S2_pp
-        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = S2_pm, S2_pm, S2_pp
-        turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = v7, Y4_p, Y4_p
-        turns[13 * w + k], turns[14 * w + k], turns[15 * w + k] = Y4_m, Y4_m, math.sqrt(v28)
-        turns[16 * w + k], turns[17 * w + k] = math.sqrt(v29), math.sqrt(v30)
-        turns[18 * w + k] = math.sqrt(v31)
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, v6, v7
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = s6_pp, s6_pm, s6_mp
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = s6_mm, v48, v49
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = s6_pp, s6_pm, s6_mp
+        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = s6_mm, s1_p, s1_m
+        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = S2_pp, S2_pm, S2_pm
+        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = S2_pp, v7, Y4_p
+        turns[12 * w + k], turns[13 * w + k], turns[14 * w + k] = Y4_p, Y4_m, Y4_m
+        turns[15 * w + k], turns[16 * w + k] = math.sqrt(v28), math.sqrt(v29)
+        turns[17 * w + k], turns[18 * w + k] = math.sqrt(v30), math.sqrt(v31)
         turns[24 * w + k] = Y4_p * (s23_pp * T32 - S2_pm * v34) - v32 * -X4_pp
         turns[25 * w + k] = Y4_p * (s23_pm * T32 - S2_pp * v34) - v32 * -X4_pm
         turns[26 * w + k] = Y4_m * (s23_mp * T32 - S2_pp * v35) - v33 * -X4_mp
@@ -557,15 +440,16 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        v1, v6, v7, s6_pp = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        s6_pm, s6_mp, s6_mm = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
-        v48, v49, angle1 = kept[24 * w + k], kept[25 * w + k], turns[0 * w + k]
-        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
-        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
-        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
-        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
-        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
-        angle17, angle18, angle19 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
+        v1, v6, v7 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        s6_pp, s6_pm, s6_mp = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        s6_mm, v48, v49 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        angle19 = turns[18 * w + k]
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
         q6_ppm = angle1 - math.copysign(half_turn, s6_pp)
@@ -574,26 +458,16 @@ def _formulas(kept, turns, rows, w):
         q6_mmm = angle4 - math.copysign(half_turn, s6_mm)
 
         # joint values
-        v40 = angle5 - offset1
-        v41 = angle6 - offset1
-        v42 = angle7 - offset2
-        v43 = angle8 - offset2
-        v44 = angle9 - offset2
-        v45 = angle10 - offset2
+        v40, v41, v42 = angle5 - offset1, angle6 - offset1, angle7 - offset2
+        v43, v44, v45 = angle8 - offset2, angle9 - offset2, angle10 - offset2
         q2_ppp = v42 + (turn if v42 <= -half_turn else 0.0)
         q2_pmp = v43 + (turn if v43 <= -half_turn else 0.0)
         q2_mpp = v44 + (turn if v44 <= -half_turn else 0.0)
         q2_mmp = v45 + (turn if v45 <= -half_turn else 0.0)
-        v46 = angle11 - offset3
-        v47 = math.copysign(half_turn, v7) - angle11 - offset3
-        v50 = angle12 - offset4
-        v51 = angle12 - v48 - offset4
-        v52 = angle13 - offset4
-        v53 = angle13 - v48 - offset4
-        v54 = angle14 - offset4
-        v55 = angle14 - v49 - offset4
-        v56 = angle15 - offset4
-        v57 = angle15 - v49 - offset4
+        v46, v47 = angle11 - offset3, math.copysign(half_turn, v7) - angle11 - offset3
+        v50, v51, v52 = angle12 - offset4, angle12 - v48 - offset4, angle13 - offset4
+        v53, v54, v55 = angle13 - v48 - offset4, angle14 - offset4, angle14 - v49 - offset4
+        v56, v57 = angle15 - offset4, angle15 - v49 - offset4
         q4_ppp = v50 + (turn if v50 <= -half_turn else 0.0)
         q4_ppm = v51 + (turn if v51 <= -half_turn else 0.0)
         q4_pmp = v52 + (turn if v52 <= -half_turn else 0.0)
@@ -602,14 +476,9 @@ def _formulas(kept, turns, rows, w):
         q4_mpm = v55 + (turn if v55 <= -half_turn else 0.0)
         q4_mmp = v56 + (turn if v56 <= -half_turn else 0.0)
         q4_mmm = v57 + (turn if v57 <= -half_turn else 0.0)
-        v60 = angle16 - offset5
-        v61 = offset5 + angle16
-        v62 = angle17 - offset5
-        v63 = offset5 + angle17
-        v64 = angle18 - offset5
-        v65 = offset5 + angle18
-        v66 = angle19 - offset5
-        v67 = offset5 + angle19
+        v60, v61, v62 = angle16 - offset5, offset5 + angle16, angle17 - offset5
+        v63, v64, v65 = offset5 + angle17, angle18 - offset5, offset5 + angle18
+        v66, v67 = angle19 - offset5, offset5 + angle19
         q5_ppp = v60 + (turn if v60 <= -half_turn else 0.0)
         q5_ppm = (turn if -v61 <= -half_turn else 0.0) - v61
         q5_pmp = v62 + (turn if v62 <= -half_turn else 0.0)
@@ -634,25 +503,16 @@ def _formulas(kept, turns, rows, w):
         rows[24 * w + k], rows[25 * w + k], rows[26 * w + k] = q6_mpm, q2_mmp, q4_mmp
         rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = q5_mmp, angle4, q4_mmm
         rows[30 * w + k], rows[31 * w + k] = q5_mmm, q6_mmm
-        rows[32 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[33 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[34 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[36 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[37 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[38 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[32 * w + k] = rows[33 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[34 * w + k] = rows[35 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[36 * w + k] = rows[37 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[38 * w + k] = rows[39 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 2, 19, 20, 21],
-    [17, 18, 2, 22, 23, 24],
-    [17, 25, 10, 26, 27, 28],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 2, 19, 20, 21], [17, 18, 2, 22, 23, 24], [17, 25, 10, 26, 27, 28],
     [17, 25, 10, 29, 30, 31],
 ])
 

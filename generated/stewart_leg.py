@@ -108,23 +108,14 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    z2_x = c1 * s2
-    z2_y = s1 * s2
-    T[0, 0] = c1 * c2
-    T[0, 1] = -s1
-    T[0, 2] = z2_x
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    z2_x, z2_y = c1 * s2, s1 * s2
+    T[0, 0], T[0, 1], T[0, 2] = c1 * c2, -s1, z2_x
     T[0, 3] = z2_x * q[2]
-    T[1, 0] = s1 * c2
-    T[1, 1] = c1
-    T[1, 2] = z2_y
+    T[1, 0], T[1, 1], T[1, 2] = s1 * c2, c1, z2_y
     T[1, 3] = z2_y * q[2]
-    T[2, 0] = -s2
-    T[2, 2] = c2
-    T[2, 3] = c2 * q[2]
+    T[2, 0], T[2, 2], T[2, 3] = -s2, c2, c2 * q[2]
     T[3, 3] = 1.0
     return T
 
@@ -135,23 +126,13 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    z2_x = c1 * s2
-    z2_y = s1 * s2
-    p3_x = z2_x * q[2]
-    p3_y = z2_y * q[2]
-    p3_z = c2 * q[2]
-    J[0, 0] = -p3_y
-    J[0, 1] = c1 * p3_z
-    J[0, 2] = z2_x
-    J[1, 0] = p3_x
-    J[1, 1] = s1 * p3_z
-    J[1, 2] = z2_y
-    J[2, 1] = -(s1 * p3_y + c1 * p3_x)
-    J[2, 2] = c2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    z2_x, z2_y = c1 * s2, s1 * s2
+    p3_x, p3_y, p3_z = z2_x * q[2], z2_y * q[2], c2 * q[2]
+    J[0, 0], J[0, 1], J[0, 2] = -p3_y, c1 * p3_z, z2_x
+    J[1, 0], J[1, 1], J[1, 2] = p3_x, s1 * p3_z, z2_y
+    J[2, 1], J[2, 2] = -(s1 * p3_y + c1 * p3_x), c2
     J[3, 1] = -s1
     J[4, 1] = c1
     J[5, 0] = 1.0
@@ -198,9 +179,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q2 = _atan2(s2, c2)
             r3 = w3 * e2
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = r3
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, r3
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
@@ -223,8 +202,7 @@ def _formulas(kept, turns, rows, w):
 
         # joint values
         excess_p = per_size * max(low3 - q3_pp, q3_pp - high3)
-        excess_m = per_size * max(low3 + q3_pp, -(high3 + q3_pp))
-        outside_pp = 0.0 < excess_p
+        excess_m, outside_pp = per_size * max(low3 + q3_pp, -(high3 + q3_pp)), 0.0 < excess_p
         outside_pm = 0.0 < excess_m
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
@@ -266,10 +244,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [0, 3, 4],
-    [5, 6, 2],
-    [5, 7, 4],
+    [0, 1, 2], [0, 3, 4], [5, 6, 2], [5, 7, 4],
 ])
 
 

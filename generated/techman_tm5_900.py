@@ -159,53 +159,26 @@ def fk(q):
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v3 = c1 * s2
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, x2_y, v3 = c1 * c2, s1 * c2, c1 * s2
     v4 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v3 * s3
-    x3_y = x2_y * c3 - v4 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v5 = v3 * c3 + x2_x * s3
-    v6 = v4 * c3 + x2_y * s3
-    y3_z = c2 * c3 - s2 * s3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 - v3 * s3, x2_y * c3 - v4 * s3, s2 * c3 + c2 * s3
+    v5, v6, y3_z = v3 * c3 + x2_x * s3, v4 * c3 + x2_y * s3, c2 * c3 - s2 * s3
     v7 = q[3] + offset4
-    c4 = math.cos(v7)
-    s4 = math.sin(v7)
-    x4_x = x3_x * c4 - v5 * s4
-    x4_y = x3_y * c4 - v6 * s4
-    x4_z = x3_z * c4 + y3_z * s4
-    z4_x = v5 * c4 + x3_x * s4
-    z4_y = v6 * c4 + x3_y * s4
-    z4_z = x3_z * s4 - y3_z * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + s1 * s5
-    x5_y = x4_y * c5 - c1 * s5
-    x5_z = x4_z * c5
-    z5_y = c1 * c5 + x4_y * s5
-    z5_z = x4_z * s5
-    z5_x = x4_x * s5 - s1 * c5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 + z4_x * s6
-    T[0, 1] = z4_x * c6 - x5_x * s6
-    T[0, 2] = z5_x
+    c4, s4 = math.cos(v7), math.sin(v7)
+    x4_x, x4_y, x4_z = x3_x * c4 - v5 * s4, x3_y * c4 - v6 * s4, x3_z * c4 + y3_z * s4
+    z4_x, z4_y, z4_z = v5 * c4 + x3_x * s4, v6 * c4 + x3_y * s4, x3_z * s4 - y3_z * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 + s1 * s5, x4_y * c5 - c1 * s5, x4_z * c5
+    z5_y, z5_z, z5_x = c1 * c5 + x4_y * s5, x4_z * s5, x4_x * s5 - s1 * c5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + z4_x * s6, z4_x * c6 - x5_x * s6, z5_x
     T[0, 3] = x2_x * a2 + x3_x * a3 - s1 * d3 + z4_x * d5 + z5_x * d6
-    T[1, 0] = x5_y * c6 + z4_y * s6
-    T[1, 1] = z4_y * c6 - x5_y * s6
-    T[1, 2] = z5_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + z4_y * s6, z4_y * c6 - x5_y * s6, z5_y
     T[1, 3] = x2_y * a2 + x3_y * a3 + c1 * d3 + z4_y * d5 + z5_y * d6
-    T[2, 0] = x5_z * c6 + z4_z * s6
-    T[2, 1] = z4_z * c6 - x5_z * s6
-    T[2, 2] = z5_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 + z4_z * s6, z4_z * c6 - x5_z * s6, z5_z
     T[2, 3] = d1 + s2 * a2 + x3_z * a3 + z4_z * d5 + z5_z * d6
     T[3, 3] = 1.0
     return T
@@ -218,84 +191,38 @@ def jacobian(q):
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v3 = c1 * s2
-    v4 = s1 * s2
-    p2_x = x2_x * a2
-    p2_y = x2_y * a2
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, x2_y, v3 = c1 * c2, s1 * c2, c1 * s2
+    v4, p2_x, p2_y = s1 * s2, x2_x * a2, x2_y * a2
     p2_z = d1 + s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v3 * s3
-    x3_y = x2_y * c3 - v4 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v5 = v3 * c3 + x2_x * s3
-    v6 = v4 * c3 + x2_y * s3
-    y3_z = c2 * c3 - s2 * s3
-    p3_z = p2_z + x3_z * a3
-    p3_x = p2_x + x3_x * a3 - s1 * d3
-    p3_y = p2_y + x3_y * a3 + c1 * d3
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 - v3 * s3, x2_y * c3 - v4 * s3, s2 * c3 + c2 * s3
+    v5, v6, y3_z = v3 * c3 + x2_x * s3, v4 * c3 + x2_y * s3, c2 * c3 - s2 * s3
+    p3_z, p3_x, p3_y = p2_z + x3_z * a3, p2_x + x3_x * a3 - s1 * d3, p2_y + x3_y * a3 + c1 * d3
     v7 = q[3] + offset4
-    c4 = math.cos(v7)
-    s4 = math.sin(v7)
-    z4_x = v5 * c4 + x3_x * s4
-    z4_y = v6 * c4 + x3_y * s4
-    z4_z = x3_z * s4 - y3_z * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    z5_y = c1 * c5 + (x3_y * c4 - v6 * s4) * s5
-    z5_z = (x3_z * c4 + y3_z * s4) * s5
-    p5_x = p3_x + z4_x * d5
-    p5_y = p3_y + z4_y * d5
-    p5_z = p3_z + z4_z * d5
+    c4, s4 = math.cos(v7), math.sin(v7)
+    z4_x, z4_y, z4_z = v5 * c4 + x3_x * s4, v6 * c4 + x3_y * s4, x3_z * s4 - y3_z * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    z5_y, z5_z = c1 * c5 + (x3_y * c4 - v6 * s4) * s5, (x3_z * c4 + y3_z * s4) * s5
+    p5_x, p5_y, p5_z = p3_x + z4_x * d5, p3_y + z4_y * d5, p3_z + z4_z * d5
     z5_x = (x3_x * c4 - v5 * s4) * s5 - s1 * c5
-    p6_x = p5_x + z5_x * d6
-    p6_y = p5_y + z5_y * d6
-    p6_z = p5_z + z5_z * d6
-    v8 = p6_z - d1
-    v9 = p6_z - p2_z
-    v10 = p6_x - p3_x
-    v11 = p6_y - p3_y
-    v12 = p6_z - p3_z
-    v13 = p6_x - p5_x
-    v14 = p6_y - p5_y
-    v15 = p6_z - p5_z
-    J[0, 0] = -p6_y
-    J[0, 1] = -(c1 * v8)
-    J[0, 2] = -(c1 * v9)
-    J[0, 3] = -(c1 * v12)
-    J[0, 4] = z4_y * v12 - z4_z * v11
-    J[0, 5] = z5_y * v15 - z5_z * v14
-    J[1, 0] = p6_x
-    J[1, 1] = -(s1 * v8)
-    J[1, 2] = -(s1 * v9)
-    J[1, 3] = -(s1 * v12)
-    J[1, 4] = z4_z * v10 - z4_x * v12
-    J[1, 5] = z5_z * v13 - z5_x * v15
-    J[2, 1] = s1 * p6_y + c1 * p6_x
-    J[2, 2] = s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)
-    J[2, 3] = s1 * v11 + c1 * v10
-    J[2, 4] = z4_x * v11 - z4_y * v10
+    p6_x, p6_y, p6_z = p5_x + z5_x * d6, p5_y + z5_y * d6, p5_z + z5_z * d6
+    v8, v9, v10 = p6_z - d1, p6_z - p2_z, p6_x - p3_x
+    v11, v12, v13 = p6_y - p3_y, p6_z - p3_z, p6_x - p5_x
+    v14, v15 = p6_y - p5_y, p6_z - p5_z
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, -(c1 * v8), -(c1 * v9)
+    J[0, 3], J[0, 4], J[0, 5] = -(c1 * v12), z4_y * v12 - z4_z * v11, z5_y * v15 - z5_z * v14
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, -(s1 * v8), -(s1 * v9)
+    J[1, 3], J[1, 4], J[1, 5] = -(s1 * v12), z4_z * v10 - z4_x * v12, z5_z * v13 - z5_x * v15
+    J[2, 1], J[2, 2] = s1 * p6_y + c1 * p6_x, s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)
+    J[2, 3], J[2, 4] = s1 * v11 + c1 * v10, z4_x * v11 - z4_y * v10
     J[2, 5] = z5_x * v14 - z5_y * v13
-    J[3, 1] = s1
-    J[3, 2] = s1
-    J[3, 3] = s1
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = -c1
-    J[4, 2] = -c1
-    J[4, 3] = -c1
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 4] = z4_z
-    J[5, 5] = z5_z
+    J[3, 1], J[3, 2], J[3, 3] = s1, s1, s1
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = -c1, -c1, -c1
+    J[4, 4], J[4, 5] = z4_y, z5_y
+    J[5, 0], J[5, 4], J[5, 5] = 1.0, z4_z, z5_z
     return J
 
 
@@ -316,9 +243,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     w1 = math.sqrt(D1 if apart1 else 0.0)
     v1 = (w1 if apart1 else least_root1) * k4
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d3 * math.sqrt(N1)))
-    v2 = X1 * d3
-    v3 = wy * d3
-    v4 = seed[0] + offset1
+    v2, v3, v4 = X1 * d3, wy * d3, seed[0] + offset1
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     v8 = T34 - d1
@@ -359,8 +284,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e6 < 0.0 and free6:
                 continue  # both signs give the same
             factor6 = e6 / divisor6
-            v5 = X6 * factor6
-            v6 = Y6 * factor6
+            v5, v6 = X6 * factor6, Y6 * factor6
             off6 = w6 * abs(v5 * math.sin(seed[5]) + v6 * math.cos(seed[5])) if near6 else 1.0
             ahead6 = v6 * math.sin(seed[5]) - v5 * math.cos(seed[5]) if near6 else -1.0
             same6 = near6 and 0.0 < ahead6 and off6 <= free_limit
@@ -403,8 +327,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
             # theta2
             X1_2 = a2 + a3 * c3
-            v11 = Z1_3 * X1_2
-            v12 = Z2_3 * X1_2
+            v11, v12 = Z1_3 * X1_2, Z2_3 * X1_2
 
             for i3 in range(2):  # +, -
                 e3 = 1.0 - 2.0 * i3
@@ -432,12 +355,8 @@ def _solve(pose, q_free, seed, moved, q, status):
                 q2 = _wrap(theta2 - offset2)
                 q4 = _wrap(theta234 - (q3 + theta2) - offset4)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free6 else OK
 
 
@@ -449,106 +368,62 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        X1 = d6 * T13 - T14
-        wy = T24 - d6 * T23
+        X1, wy = d6 * T13 - T14, T24 - d6 * T23
         N1 = X1 * X1 + wy * wy
         D1 = N1 - k1
         w1 = math.sqrt(D1)
-        v1 = k4 * w1
-        inverse1 = 1.0 / N1
+        v1, inverse1 = k4 * w1, 1.0 / N1
         v2 = inverse1 * (d3 * wy)
-        c1_p = v2 - w1 * (X1 * inverse1)
-        c1_m = v2 - w1 * (inverse1 * -X1)
-        v3 = inverse1 * (d3 * X1)
-        s1_p = v3 + w1 * (wy * inverse1)
-        s1_m = v3 + w1 * (inverse1 * -wy)
+        c1_p, c1_m, v3 = v2 - w1 * (X1 * inverse1), v2 - w1 * (inverse1 * -X1), inverse1 * (d3 * X1)
+        s1_p, s1_m = v3 + w1 * (wy * inverse1), v3 + w1 * (inverse1 * -wy)
 
         # theta6, type 2: U1 A6^-1 [3, 2]
-        X6_p = c1_p * T21 - s1_p * T11
-        X6_m = c1_m * T21 - s1_m * T11
-        Y6_p = c1_p * T22 - s1_p * T12
-        Y6_m = c1_m * T22 - s1_m * T12
-        v4 = X6_p * X6_p + Y6_p * Y6_p
-        v5 = X6_m * X6_m + Y6_m * Y6_m
-        w6_p = math.sqrt(v4)
-        w6_m = math.sqrt(v5)
-        v6 = 1.0 / v4
-        v7 = 1.0 / v5
+        X6_p, X6_m, Y6_p = c1_p * T21 - s1_p * T11, c1_m * T21 - s1_m * T11, c1_p * T22 - s1_p * T12
+        Y6_m, v4 = c1_m * T22 - s1_m * T12, X6_p * X6_p + Y6_p * Y6_p
+        v5, w6_p = X6_m * X6_m + Y6_m * Y6_m, math.sqrt(v4)
+        w6_m, v6, v7 = math.sqrt(v5), 1.0 / v4, 1.0 / v5
 
         # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
-        c5_p = T23 * c1_p - T13 * s1_p
-        c5_m = T23 * c1_m - T13 * s1_m
+        c5_p, c5_m = T23 * c1_p - T13 * s1_p, T23 * c1_m - T13 * s1_m
 
         # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-        v8 = v6 * (Y6_p * T31 - X6_p * T32)
-        v9 = v7 * (Y6_m * T31 - X6_m * T32)
-        Z1_234_p = w6_p * v8
-        Z1_234_m = w6_m * v9
+        v8, v9 = v6 * (Y6_p * T31 - X6_p * T32), v7 * (Y6_m * T31 - X6_m * T32)
+        Z1_234_p, Z1_234_m = w6_p * v8, w6_m * v9
         v10 = T33 - v6 * (c5_p * (X6_p * T31 + Y6_p * T32))
-        v11 = T33 - v7 * (c5_m * (X6_m * T31 + Y6_m * T32))
-        s234_p = w6_p * v10
+        v11, s234_p = T33 - v7 * (c5_m * (X6_m * T31 + Y6_m * T32)), w6_p * v10
         s234_m = w6_m * v11
 
         # theta3, type 8: U1[2, 4] and U1[1, 4]
-        v12 = d6 * w6_p
-        v13 = d6 * w6_m
-        v14 = T34 - d1
-        v15 = d5 * Z1_234_p
-        v16 = d5 * Z1_234_m
-        v17 = s234_p * v12
-        v18 = s234_m * v13
-        Z1_3_pp = v14 - (v15 + v17)
-        Z1_3_pm = v14 - (v17 - v15)
-        Z1_3_mp = v14 - (v16 + v18)
-        Z1_3_mm = v14 - (v18 - v16)
-        v19 = T14 * c1_p + T24 * s1_p
-        v20 = T14 * c1_m + T24 * s1_m
-        v21 = Z1_234_p * v12
-        v22 = Z1_234_m * v13
-        v23 = d5 * s234_p
-        v24 = d5 * s234_m
-        Z2_3_pp = v19 + (v21 - v23)
-        Z2_3_pm = v19 + (v21 + v23)
-        Z2_3_mp = v20 + (v22 - v24)
-        Z2_3_mm = v20 + (v22 + v24)
-        N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
-        N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
-        N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
+        v12, v13, v14 = d6 * w6_p, d6 * w6_m, T34 - d1
+        v15, v16, v17 = d5 * Z1_234_p, d5 * Z1_234_m, s234_p * v12
+        v18, Z1_3_pp, Z1_3_pm = s234_m * v13, v14 - (v15 + v17), v14 - (v17 - v15)
+        Z1_3_mp, Z1_3_mm, v19 = v14 - (v16 + v18), v14 - (v18 - v16), T14 * c1_p + T24 * s1_p
+        v20, v21, v22 = T14 * c1_m + T24 * s1_m, Z1_234_p * v12, Z1_234_m * v13
+        v23, v24 = d5 * s234_p, d5 * s234_m
+        Z2_3_pp, Z2_3_pm, Z2_3_mp = v19 + (v21 - v23), v19 + (v21 + v23), v20 + (v22 - v24)
+        Z2_3_mm, N3_pp = v20 + (v22 + v24), Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
+        N3_pm, N3_mp = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm, Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
         N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
         D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3)
         D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3)
         D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3)
-        D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3)
-        w3_pp = math.sqrt(D3_pp)
-        w3_pm = math.sqrt(D3_pm)
-        w3_mp = math.sqrt(D3_mp)
-        w3_mm = math.sqrt(D3_mm)
-        v25 = w3_pp - w3_pp
-        v26 = w3_pm - w3_pm
-        v27 = w3_mp - w3_mp
+        D3_mm, w3_pp = (longest3 - N3_mm) * (N3_mm - shortest3), math.sqrt(D3_pp)
+        w3_pm, w3_mp, w3_mm = math.sqrt(D3_pm), math.sqrt(D3_mp), math.sqrt(D3_mm)
+        v25, v26, v27 = w3_pp - w3_pp, w3_pm - w3_pm, w3_mp - w3_mp
         v28 = w3_mm - w3_mm
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
-        v29 = m6 + m5 * N3_pp
-        v30 = m6 + m5 * N3_pm
-        v31 = m6 + m5 * N3_mp
-        v32 = m6 + m5 * N3_mm
-        v33 = Z1_3_pp * v29
-        v34 = Z1_3_pm * v30
-        v35 = Z1_3_mp * v31
-        v36 = Z1_3_mm * v32
-        v37 = Z2_3_pp * v29
-        v38 = Z2_3_pm * v30
-        v39 = Z2_3_mp * v31
-        v40 = Z2_3_mm * v32
-        v41 = w3_pp * (m5 * Z2_3_pp)
-        v42 = w3_pm * (m5 * Z2_3_pm)
-        v43 = w3_mp * (m5 * Z2_3_mp)
+        v29, v30, v31 = m6 + m5 * N3_pp, m6 + m5 * N3_pm, m6 + m5 * N3_mp
+        v32, v33, v34 = m6 + m5 * N3_mm, Z1_3_pp * v29, Z1_3_pm * v30
+        v35, v36, v37 = Z1_3_mp * v31, Z1_3_mm * v32, Z2_3_pp * v29
+        v38, v39, v40 = Z2_3_pm * v30, Z2_3_mp * v31, Z2_3_mm * v32
+        v41, v42, v43 = w3_pp * (m5 * Z2_3_pp), w3_pm * (m5 * Z2_3_pm), w3_mp * (m5 * Z2_3_mp)
         v44 = w3_mm * (m5 * Z2_3_mm)
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
@@ -557,18 +432,19 @@ def _formulas(kept, turns, rows, w):
             * D3_pp) <= m4 or v5 <= m2 or abs(D1) <= m1 or v4 <= m2 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y6_p, Y6_m, v10
-        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = v11, v25, v26, v27
-        kept[24 * w + k], turns[0 * w + k], turns[1 * w + k] = v28, Y6_p, Y6_m
-        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = w6_p, w6_m, v10
-        turns[5 * w + k], turns[6 * w + k], turns[7 * w + k] = v11, w3_pp, w3_pm
-        turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = w3_mp, w3_mm, v33 - v41
-        turns[11 * w + k], turns[12 * w + k], turns[13 * w + k] = v33 + v41, v34 - v42, v34 + v42
-        turns[14 * w + k], turns[15 * w + k], turns[16 * w + k] = v35 - v43, v35 + v43, v36 - v44
-        turns[17 * w + k], turns[18 * w + k], turns[19 * w + k] = v36 + v44, s1_p, s1_m
-        turns[24 * w + k], turns[25 * w + k], turns[26 * w + k] = -X6_p, -X6_m, c5_p
-        turns[27 * w + k], turns[28 * w + k], turns[29 * w + k] = c5_m, -v8, -v9
-        turns[30 * w + k], turns[31 * w + k], turns[32 * w + k] = N3_pp - k5, N3_pm - k5, N3_mp - k5
-        turns[33 * w + k], turns[34 * w + k] = N3_mm - k5, v37 + w3_pp * (m5 * Z1_3_pp)
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v11, v25, v26
+        kept[23 * w + k], kept[24 * w + k], turns[0 * w + k] = v27, v28, Y6_p
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = Y6_m, w6_p, w6_m
+        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = v10, v11, w3_pp
+        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = w3_pm, w3_mp, w3_mm
+        turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = v33 - v41, v33 + v41, v34 - v42
+        turns[13 * w + k], turns[14 * w + k], turns[15 * w + k] = v34 + v42, v35 - v43, v35 + v43
+        turns[16 * w + k], turns[17 * w + k], turns[18 * w + k] = v36 - v44, v36 + v44, s1_p
+        turns[19 * w + k], turns[24 * w + k], turns[25 * w + k] = s1_m, -X6_p, -X6_m
+        turns[26 * w + k], turns[27 * w + k], turns[28 * w + k] = c5_p, c5_m, -v8
+        turns[29 * w + k], turns[30 * w + k], turns[31 * w + k] = -v9, N3_pp - k5, N3_pm - k5
+        turns[32 * w + k], turns[33 * w + k] = N3_mp - k5, N3_mm - k5
+        turns[34 * w + k] = v37 + w3_pp * (m5 * Z1_3_pp)
         turns[35 * w + k] = v37 + w3_pp * (m5 * -Z1_3_pp)
         turns[36 * w + k] = v38 + w3_pm * (m5 * Z1_3_pm)
         turns[37 * w + k] = v38 + w3_pm * (m5 * -Z1_3_pm)
@@ -587,32 +463,27 @@ def _formulas(kept, turns, rows, w):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
         Y6_p, Y6_m, v10 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
-        v11, v25, v26, v27 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
-        v28, angle1, angle2 = kept[24 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
-        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
-        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
-        angle18, angle19, angle20 = turns[17 * w + k], turns[18 * w + k], turns[19 * w + k]
+        v11, v25, v26 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v27, v28, angle1 = kept[23 * w + k], kept[24 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
+        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
+        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
+        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
+        angle17, angle18, angle19 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
+        angle20 = turns[19 * w + k]
 
         # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
         theta234_pm = angle5 - math.copysign(half_turn, v10)
         theta234_mm = angle6 - math.copysign(half_turn, v11)
 
         # joint values
-        v45 = angle19 - offset1
-        v46 = angle20 - offset1
+        v45, v46 = angle19 - offset1, angle20 - offset1
         q1__p = v45 + (turn if v45 <= -half_turn else 0.0)
         q1__m = v46 + (turn if v46 <= -half_turn else 0.0)
-        v47 = angle11 - offset2
-        v48 = angle12 - offset2
-        v49 = angle13 - offset2
-        v50 = angle14 - offset2
-        v51 = angle15 - offset2
-        v52 = angle16 - offset2
-        v53 = angle17 - offset2
-        v54 = angle18 - offset2
+        v47, v48, v49 = angle11 - offset2, angle12 - offset2, angle13 - offset2
+        v50, v51, v52 = angle14 - offset2, angle15 - offset2, angle16 - offset2
+        v53, v54 = angle17 - offset2, angle18 - offset2
         q2_ppp = v47 + (turn if v47 <= -half_turn else 0.0)
         q2_ppm = v48 + (turn if v48 <= -half_turn else 0.0)
         q2_pmp = v49 + (turn if v49 <= -half_turn else 0.0)
@@ -621,11 +492,9 @@ def _formulas(kept, turns, rows, w):
         q2_mpm = v52 + (turn if v52 <= -half_turn else 0.0)
         q2_mmp = v53 + (turn if v53 <= -half_turn else 0.0)
         q2_mmm = v54 + (turn if v54 <= -half_turn else 0.0)
-        v55 = angle5 - (angle7 + angle11) - offset4
-        v56 = angle5 - (angle12 - angle7) - offset4
+        v55, v56 = angle5 - (angle7 + angle11) - offset4, angle5 - (angle12 - angle7) - offset4
         v57 = theta234_pm - (angle8 + angle13) - offset4
-        v58 = theta234_pm - (angle14 - angle8) - offset4
-        v59 = angle6 - (angle9 + angle15) - offset4
+        v58, v59 = theta234_pm - (angle14 - angle8) - offset4, angle6 - (angle9 + angle15) - offset4
         v60 = angle6 - (angle16 - angle9) - offset4
         v61 = theta234_mm - (angle10 + angle17) - offset4
         v62 = theta234_mm - (angle18 - angle10) - offset4
@@ -645,26 +514,14 @@ def _formulas(kept, turns, rows, w):
         q4_mpm = v68 + (turn if v68 <= -half_turn else 0.0)
         q4_mmp = v69 + (turn if v69 <= -half_turn else 0.0)
         q4_mmm = v70 + (turn if v70 <= -half_turn else 0.0)
-        excess_pp = abs(angle7) - high3
-        excess_pm = abs(angle8) - high3
-        excess_mp = abs(angle9) - high3
-        excess_mm = abs(angle10) - high3
-        outside_ppp = 0.0 < excess_pp
-        outside_pmp = 0.0 < excess_pm
-        outside_mpp = 0.0 < excess_mp
-        outside_mmp = 0.0 < excess_mm
-        q1_ppp = v25 + q1__p
-        q1_pmp = v26 + q1__p
-        q1_mpp = v27 + q1__m
-        q1_mmp = v28 + q1__m
-        q5_ppp = angle3 + v25
-        q5_pmp = v26 - angle3
-        q5_mpp = angle4 + v27
-        q5_mmp = v28 - angle4
-        q6_ppp = angle1 + v25
-        q6_pmp = v26 + (angle1 - math.copysign(half_turn, Y6_p))
-        q6_mpp = angle2 + v27
-        q6_mmp = v28 + (angle2 - math.copysign(half_turn, Y6_m))
+        excess_pp, excess_pm = abs(angle7) - high3, abs(angle8) - high3
+        excess_mp, excess_mm = abs(angle9) - high3, abs(angle10) - high3
+        outside_ppp, outside_pmp, outside_mpp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
+        outside_mmp, q1_ppp, q1_pmp = 0.0 < excess_mm, v25 + q1__p, v26 + q1__p
+        q1_mpp, q1_mmp, q5_ppp = v27 + q1__m, v28 + q1__m, angle3 + v25
+        q5_pmp, q5_mpp, q5_mmp = v26 - angle3, angle4 + v27, v28 - angle4
+        q6_ppp, q6_pmp = angle1 + v25, v26 + (angle1 - math.copysign(half_turn, Y6_p))
+        q6_mpp, q6_mmp = angle2 + v27, v28 + (angle2 - math.copysign(half_turn, Y6_m))
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
@@ -712,13 +569,8 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 6, 7, 8, 4, 5],
-    [9, 10, 11, 12, 13, 14],
-    [9, 15, 16, 17, 13, 14],
-    [18, 19, 20, 21, 22, 23],
-    [18, 24, 25, 26, 22, 23],
-    [27, 28, 29, 30, 31, 32],
+    [0, 1, 2, 3, 4, 5], [0, 6, 7, 8, 4, 5], [9, 10, 11, 12, 13, 14], [9, 15, 16, 17, 13, 14],
+    [18, 19, 20, 21, 22, 23], [18, 24, 25, 26, 22, 23], [27, 28, 29, 30, 31, 32],
     [27, 33, 34, 35, 31, 32],
 ])
 

@@ -154,51 +154,25 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
     v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v3 = v1 * c3 + x2_x * s3
-    v4 = v2 * c3 + x2_y * s3
-    y3_z = c2 * c3 - s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - v3 * s4
-    x4_y = x3_y * c4 - v4 * s4
-    x4_z = x3_z * c4 + y3_z * s4
-    z4_x = v3 * c4 + x3_x * s4
-    z4_y = v4 * c4 + x3_y * s4
-    y5_z = y3_z * c4 - x3_z * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + s1 * s5
-    x5_y = x4_y * c5 - c1 * s5
-    x5_z = x4_z * c5
-    z5_x = s1 * c5 - x4_x * s5
-    v5 = c1 * c5 + x4_y * s5
-    v6 = x4_z * s5
-    c6 = math.cos(q[5])
-    s6 = math.sin(q[5])
-    T[0, 0] = x5_x * c6 - z4_x * s6
-    T[0, 1] = -(z4_x * c6 + x5_x * s6)
-    T[0, 2] = z5_x
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v3, v4, y3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, c2 * c3 - s2 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 - v3 * s4, x3_y * c4 - v4 * s4, x3_z * c4 + y3_z * s4
+    z4_x, z4_y, y5_z = v3 * c4 + x3_x * s4, v4 * c4 + x3_y * s4, y3_z * c4 - x3_z * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 + s1 * s5, x4_y * c5 - c1 * s5, x4_z * c5
+    z5_x, v5, v6 = s1 * c5 - x4_x * s5, c1 * c5 + x4_y * s5, x4_z * s5
+    c6, s6 = math.cos(q[5]), math.sin(q[5])
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 - z4_x * s6, -(z4_x * c6 + x5_x * s6), z5_x
     T[0, 3] = x2_x * a2 + x3_x * a3 + s1 * d4 + z4_x * d5 + z5_x * d6
-    T[1, 0] = x5_y * c6 - z4_y * s6
-    T[1, 1] = -(z4_y * c6 + x5_y * s6)
-    T[1, 2] = -v5
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 - z4_y * s6, -(z4_y * c6 + x5_y * s6), -v5
     T[1, 3] = x2_y * a2 + x3_y * a3 - c1 * d4 + z4_y * d5 - v5 * d6
-    T[2, 0] = x5_z * c6 + y5_z * s6
-    T[2, 1] = y5_z * c6 - x5_z * s6
-    T[2, 2] = -v6
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 + y5_z * s6, y5_z * c6 - x5_z * s6, -v6
     T[2, 3] = d1 + s2 * a2 + x3_z * a3 + -y5_z * d5 - v6 * d6
     T[3, 3] = 1.0
     return T
@@ -210,84 +184,38 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    p2_x = x2_x * a2
-    p2_y = x2_y * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
+    v2, p2_x, p2_y = s1 * s2, x2_x * a2, x2_y * a2
     p2_z = d1 + s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v3 = v1 * c3 + x2_x * s3
-    v4 = v2 * c3 + x2_y * s3
-    y3_z = c2 * c3 - s2 * s3
-    p3_x = p2_x + x3_x * a3
-    p3_y = p2_y + x3_y * a3
-    p3_z = p2_z + x3_z * a3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    z4_x = v3 * c4 + x3_x * s4
-    z4_y = v4 * c4 + x3_y * s4
-    p4_x = p3_x + s1 * d4
-    p4_y = p3_y - c1 * d4
-    z4_z = x3_z * s4 - y3_z * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    z5_x = s1 * c5 - (x3_x * c4 - v3 * s4) * s5
-    v5 = c1 * c5 + (x3_y * c4 - v4 * s4) * s5
-    v6 = (x3_z * c4 + y3_z * s4) * s5
-    p5_x = p4_x + z4_x * d5
-    p5_y = p4_y + z4_y * d5
-    p5_z = p3_z + z4_z * d5
-    p6_x = p5_x + z5_x * d6
-    p6_y = p5_y - v5 * d6
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v3, v4, y3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, c2 * c3 - s2 * s3
+    p3_x, p3_y, p3_z = p2_x + x3_x * a3, p2_y + x3_y * a3, p2_z + x3_z * a3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    z4_x, z4_y, p4_x = v3 * c4 + x3_x * s4, v4 * c4 + x3_y * s4, p3_x + s1 * d4
+    p4_y, z4_z = p3_y - c1 * d4, x3_z * s4 - y3_z * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    z5_x, v5 = s1 * c5 - (x3_x * c4 - v3 * s4) * s5, c1 * c5 + (x3_y * c4 - v4 * s4) * s5
+    v6, p5_x, p5_y = (x3_z * c4 + y3_z * s4) * s5, p4_x + z4_x * d5, p4_y + z4_y * d5
+    p5_z, p6_x, p6_y = p3_z + z4_z * d5, p5_x + z5_x * d6, p5_y - v5 * d6
     p6_z = p5_z - v6 * d6
-    v7 = p6_z - d1
-    v8 = p6_z - p2_z
-    v9 = p6_z - p3_z
-    v10 = p6_x - p4_x
-    v11 = p6_y - p4_y
-    v12 = p6_x - p5_x
-    v13 = p6_y - p5_y
-    v14 = p6_z - p5_z
-    J[0, 0] = -p6_y
-    J[0, 1] = -(c1 * v7)
-    J[0, 2] = -(c1 * v8)
-    J[0, 3] = -(c1 * v9)
-    J[0, 4] = z4_y * v9 - z4_z * v11
-    J[0, 5] = v6 * v13 - v5 * v14
-    J[1, 0] = p6_x
-    J[1, 1] = -(s1 * v7)
-    J[1, 2] = -(s1 * v8)
-    J[1, 3] = -(s1 * v9)
-    J[1, 4] = z4_z * v10 - z4_x * v9
-    J[1, 5] = -(v6 * v12 + z5_x * v14)
-    J[2, 1] = s1 * p6_y + c1 * p6_x
-    J[2, 2] = s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)
-    J[2, 3] = s1 * (p6_y - p3_y) + c1 * (p6_x - p3_x)
-    J[2, 4] = z4_x * v11 - z4_y * v10
+    v7, v8, v9 = p6_z - d1, p6_z - p2_z, p6_z - p3_z
+    v10, v11, v12 = p6_x - p4_x, p6_y - p4_y, p6_x - p5_x
+    v13, v14 = p6_y - p5_y, p6_z - p5_z
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, -(c1 * v7), -(c1 * v8)
+    J[0, 3], J[0, 4], J[0, 5] = -(c1 * v9), z4_y * v9 - z4_z * v11, v6 * v13 - v5 * v14
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, -(s1 * v7), -(s1 * v8)
+    J[1, 3], J[1, 4], J[1, 5] = -(s1 * v9), z4_z * v10 - z4_x * v9, -(v6 * v12 + z5_x * v14)
+    J[2, 1], J[2, 2] = s1 * p6_y + c1 * p6_x, s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)
+    J[2, 3], J[2, 4] = s1 * (p6_y - p3_y) + c1 * (p6_x - p3_x), z4_x * v11 - z4_y * v10
     J[2, 5] = z5_x * v13 + v5 * v12
-    J[3, 1] = s1
-    J[3, 2] = s1
-    J[3, 3] = s1
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = -c1
-    J[4, 2] = -c1
-    J[4, 3] = -c1
-    J[4, 4] = z4_y
-    J[4, 5] = -v5
-    J[5, 0] = 1.0
-    J[5, 4] = z4_z
-    J[5, 5] = -v6
+    J[3, 1], J[3, 2], J[3, 3] = s1, s1, s1
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = -c1, -c1, -c1
+    J[4, 4], J[4, 5] = z4_y, -v5
+    J[5, 0], J[5, 4], J[5, 5] = 1.0, z4_z, -v6
     return J
 
 
@@ -308,8 +236,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     w1 = math.sqrt(D1 if apart1 else 0.0)
     v1 = (w1 if apart1 else least_root1) * k4
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d4 * math.sqrt(N1)))
-    v2 = X1 * d4
-    v3 = wy * d4
+    v2, v3 = X1 * d4, wy * d4
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     v7 = T34 - d1
@@ -345,8 +272,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e6 < 0.0 and free6:
                 continue  # both signs give the same
             factor6 = e6 / divisor6
-            v4 = X6 * factor6
-            v5 = Y6 * factor6
+            v4, v5 = X6 * factor6, Y6 * factor6
             off6 = w6 * abs(v4 * math.sin(seed[5]) + v5 * math.cos(seed[5])) if near6 else 1.0
             ahead6 = v5 * math.sin(seed[5]) - v4 * math.cos(seed[5]) if near6 else -1.0
             same6 = near6 and 0.0 < ahead6 and off6 <= free_limit
@@ -360,8 +286,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             q5 = _atan2(s5, c5)
 
             # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-            c234 = c6 * T32 + s6 * T31
-            s234 = c5 * (c6 * T31 - s6 * T32) - s5 * T33
+            c234, s234 = c6 * T32 + s6 * T31, c5 * (c6 * T31 - s6 * T32) - s5 * T33
             theta234 = _atan2(s234, c234)
 
             # theta3
@@ -389,8 +314,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
             # theta2, type 3: U1[2, 4] and U1[1, 4]
             X1_2 = a2 + a3 * c3
-            v10 = Z1_3 * X1_2
-            v11 = Z2_3 * X1_2
+            v10, v11 = Z1_3 * X1_2, Z2_3 * X1_2
 
             for i3 in range(2):  # +, -
                 e3 = 1.0 - 2.0 * i3
@@ -417,12 +341,8 @@ def _solve(pose, q_free, seed, moved, q, status):
                 # joint values
                 q4 = _wrap(theta234 - (q3 + q2))
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free6 else OK
 
 
@@ -434,124 +354,77 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        X1 = d6 * T13 - T14
-        wy = T24 - d6 * T23
+        X1, wy = d6 * T13 - T14, T24 - d6 * T23
         N1 = X1 * X1 + wy * wy
         D1 = N1 - k1
         w1 = math.sqrt(D1)
-        v1 = k4 * w1
-        inverse1 = 1.0 / N1
+        v1, inverse1 = k4 * w1, 1.0 / N1
         v2 = inverse1 * (d4 * wy)
-        v3 = v2 + w1 * (X1 * inverse1)
-        v4 = v2 + w1 * (inverse1 * -X1)
-        v5 = inverse1 * (d4 * X1)
-        s1_p = w1 * (wy * inverse1) - v5
-        s1_m = w1 * (inverse1 * -wy) - v5
+        v3, v4, v5 = v2 + w1 * (X1 * inverse1), v2 + w1 * (inverse1 * -X1), inverse1 * (d4 * X1)
+        s1_p, s1_m = w1 * (wy * inverse1) - v5, w1 * (inverse1 * -wy) - v5
 
         # theta6, type 2: U1 A6^-1 [3, 2]
-        v6 = v3 * T21 + s1_p * T11
-        v7 = v4 * T21 + s1_m * T11
-        v8 = v3 * T22 + s1_p * T12
-        v9 = v4 * T22 + s1_m * T12
-        v10 = v6 * v6 + v8 * v8
-        v11 = v7 * v7 + v9 * v9
-        w6_p = math.sqrt(v10)
-        w6_m = math.sqrt(v11)
-        v12 = 1.0 / v10
-        v13 = 1.0 / v11
+        v6, v7, v8 = v3 * T21 + s1_p * T11, v4 * T21 + s1_m * T11, v3 * T22 + s1_p * T12
+        v9, v10 = v4 * T22 + s1_m * T12, v6 * v6 + v8 * v8
+        v11, w6_p = v7 * v7 + v9 * v9, math.sqrt(v10)
+        w6_m, v12, v13 = math.sqrt(v11), 1.0 / v10, 1.0 / v11
 
         # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
-        c5_p = T13 * s1_p + T23 * v3
-        c5_m = T13 * s1_m + T23 * v4
+        c5_p, c5_m = T13 * s1_p + T23 * v3, T13 * s1_m + T23 * v4
 
         # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-        v14 = v12 * (v6 * T32 - v8 * T31)
-        v15 = v13 * (v7 * T32 - v9 * T31)
-        c234_p = w6_p * v14
-        c234_m = w6_m * v15
-        v16 = v12 * (c5_p * (v6 * T31 + v8 * T32)) - T33
-        v17 = v13 * (c5_m * (v7 * T31 + v9 * T32)) - T33
-        s234_p = w6_p * v16
+        v14, v15 = v12 * (v6 * T32 - v8 * T31), v13 * (v7 * T32 - v9 * T31)
+        c234_p, c234_m, v16 = w6_p * v14, w6_m * v15, v12 * (c5_p * (v6 * T31 + v8 * T32)) - T33
+        v17, s234_p = v13 * (c5_m * (v7 * T31 + v9 * T32)) - T33, w6_p * v16
         s234_m = w6_m * v17
 
         # theta3, type 8: U1[2, 4] and U1[1, 4]
-        v18 = d6 * w6_p
-        v19 = d6 * w6_m
-        v20 = T34 - d1
-        v21 = d5 * c234_p
-        v22 = d5 * c234_m
-        v23 = s234_p * v18
-        v24 = s234_m * v19
-        Z1_3_pp = v20 + (v21 + v23)
-        Z1_3_pm = v20 + (v23 - v21)
-        Z1_3_mp = v20 + (v22 + v24)
-        Z1_3_mm = v20 + (v24 - v22)
-        v25 = T24 * s1_p - T14 * v3
-        v26 = T24 * s1_m - T14 * v4
-        v27 = c234_p * v18
-        v28 = c234_m * v19
-        v29 = d5 * s234_p
-        v30 = d5 * s234_m
-        Z2_3_pp = v25 + (v27 - v29)
-        Z2_3_pm = v25 + (v27 + v29)
-        Z2_3_mp = v26 + (v28 - v30)
-        Z2_3_mm = v26 + (v28 + v30)
-        N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
-        N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
-        N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
+        v18, v19, v20 = d6 * w6_p, d6 * w6_m, T34 - d1
+        v21, v22, v23 = d5 * c234_p, d5 * c234_m, s234_p * v18
+        v24, Z1_3_pp, Z1_3_pm = s234_m * v19, v20 + (v21 + v23), v20 + (v23 - v21)
+        Z1_3_mp, Z1_3_mm, v25 = v20 + (v22 + v24), v20 + (v24 - v22), T24 * s1_p - T14 * v3
+        v26, v27, v28 = T24 * s1_m - T14 * v4, c234_p * v18, c234_m * v19
+        v29, v30 = d5 * s234_p, d5 * s234_m
+        Z2_3_pp, Z2_3_pm, Z2_3_mp = v25 + (v27 - v29), v25 + (v27 + v29), v26 + (v28 - v30)
+        Z2_3_mm, N3_pp = v26 + (v28 + v30), Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
+        N3_pm, N3_mp = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm, Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
         N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
         D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3)
         D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3)
         D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3)
-        D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3)
-        w3_pp = math.sqrt(D3_pp)
-        w3_pm = math.sqrt(D3_pm)
-        w3_mp = math.sqrt(D3_mp)
-        w3_mm = math.sqrt(D3_mm)
-        v31 = w3_pp - w3_pp
-        v32 = w3_pm - w3_pm
-        v33 = w3_mp - w3_mp
+        D3_mm, w3_pp = (longest3 - N3_mm) * (N3_mm - shortest3), math.sqrt(D3_pp)
+        w3_pm, w3_mp, w3_mm = math.sqrt(D3_pm), math.sqrt(D3_mp), math.sqrt(D3_mm)
+        v31, v32, v33 = w3_pp - w3_pp, w3_pm - w3_pm, w3_mp - w3_mp
         v34 = w3_mm - w3_mm
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
-        v35 = m6 + m5 * N3_pp
-        v36 = m6 + m5 * N3_pm
-        v37 = m6 + m5 * N3_mp
-        v38 = m6 + m5 * N3_mm
-        v39 = Z1_3_pp * v35
-        v40 = Z1_3_pm * v36
-        v41 = Z1_3_mp * v37
-        v42 = Z1_3_mm * v38
-        v43 = Z2_3_pp * v35
-        v44 = Z2_3_pm * v36
-        v45 = Z2_3_mp * v37
-        v46 = Z2_3_mm * v38
-        v47 = w3_pp * (m5 * Z2_3_pp)
-        v48 = w3_pp * (m5 * Z1_3_pp)
-        v49 = w3_pm * (m5 * Z2_3_pm)
-        v50 = w3_pm * (m5 * Z1_3_pm)
-        v51 = w3_mp * (m5 * Z2_3_mp)
-        v52 = w3_mp * (m5 * Z1_3_mp)
-        v53 = w3_mm * (m5 * Z2_3_mm)
-        v54 = w3_mm * (m5 * Z1_3_mm)
+        v35, v36, v37 = m6 + m5 * N3_pp, m6 + m5 * N3_pm, m6 + m5 * N3_mp
+        v38, v39, v40 = m6 + m5 * N3_mm, Z1_3_pp * v35, Z1_3_pm * v36
+        v41, v42, v43 = Z1_3_mp * v37, Z1_3_mm * v38, Z2_3_pp * v35
+        v44, v45, v46 = Z2_3_pm * v36, Z2_3_mp * v37, Z2_3_mm * v38
+        v47, v48, v49 = w3_pp * (m5 * Z2_3_pp), w3_pp * (m5 * Z1_3_pp), w3_pm * (m5 * Z2_3_pm)
+        v50, v51, v52 = w3_pm * (m5 * Z1_3_pm), w3_mp * (m5 * Z2_3_mp), w3_mp * (m5 * Z1_3_mp)
+        v53, v54 = w3_mm * (m5 * Z2_3_mm), w3_mm * (m5 * Z1_3_mm)
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
             1.0 if abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or abs(v1
             * D3_pp) <= m4 or v11 <= m2 or abs(D1) <= m1 or v10 <= m2 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = v8, v9, v16, v17
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v31, v32, v33, v34
-        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = s1_p, s1_m, -v8
-        turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = -v9, w6_p, w6_m
-        turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = v16, v17, w3_pp
-        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = w3_pm, w3_mp, w3_mm
-        turns[12 * w + k], turns[13 * w + k], turns[14 * w + k] = v47 - v39, -(v39 + v47), v49 - v40
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v8, v9, v16
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v17, v31, v32
+        kept[23 * w + k], kept[24 * w + k], turns[0 * w + k] = v33, v34, s1_p
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = s1_m, -v8, -v9
+        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = w6_p, w6_m, v16
+        turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = v17, w3_pp, w3_pm
+        turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = w3_mp, w3_mm, v47 - v39
+        turns[13 * w + k], turns[14 * w + k] = -(v39 + v47), v49 - v40
         turns[15 * w + k], turns[16 * w + k] = -(v40 + v49), v51 - v41
         turns[17 * w + k], turns[18 * w + k] = -(v41 + v51), v53 - v42
         turns[19 * w + k], turns[24 * w + k], turns[25 * w + k] = -(v42 + v53), -v3, -v4
@@ -571,29 +444,26 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        v8, v9, v16, v17 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v31, v32, v33, v34 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
-        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
-        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
-        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
-        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
-        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
-        angle19, angle20 = turns[18 * w + k], turns[19 * w + k]
+        v8, v9, v16 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v17, v31, v32 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v33, v34, angle1 = kept[23 * w + k], kept[24 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
+        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle8, angle9, angle10 = turns[7 * w + k], turns[8 * w + k], turns[9 * w + k]
+        angle11, angle12, angle13 = turns[10 * w + k], turns[11 * w + k], turns[12 * w + k]
+        angle14, angle15, angle16 = turns[13 * w + k], turns[14 * w + k], turns[15 * w + k]
+        angle17, angle18, angle19 = turns[16 * w + k], turns[17 * w + k], turns[18 * w + k]
+        angle20 = turns[19 * w + k]
 
         # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
         theta234_pm = angle7 - math.copysign(half_turn, v16)
         theta234_mm = angle8 - math.copysign(half_turn, v17)
 
         # joint values
-        v55 = angle7 - (angle9 + angle13)
-        v56 = angle7 - (angle14 - angle9)
-        v57 = theta234_pm - (angle10 + angle15)
-        v58 = theta234_pm - (angle16 - angle10)
-        v59 = angle8 - (angle11 + angle17)
-        v60 = angle8 - (angle18 - angle11)
-        v61 = theta234_mm - (angle12 + angle19)
-        v62 = theta234_mm - (angle20 - angle12)
+        v55, v56 = angle7 - (angle9 + angle13), angle7 - (angle14 - angle9)
+        v57, v58 = theta234_pm - (angle10 + angle15), theta234_pm - (angle16 - angle10)
+        v59, v60 = angle8 - (angle11 + angle17), angle8 - (angle18 - angle11)
+        v61, v62 = theta234_mm - (angle12 + angle19), theta234_mm - (angle20 - angle12)
         q4_ppp = v55 + (turn if v55 <= -half_turn else (-turn if half_turn < v55 else 0.0))
         q4_ppm = v56 + (turn if v56 <= -half_turn else (-turn if half_turn < v56 else 0.0))
         q4_pmp = v57 + (turn if v57 <= -half_turn else (-turn if half_turn < v57 else 0.0))
@@ -602,17 +472,10 @@ def _formulas(kept, turns, rows, w):
         q4_mpm = v60 + (turn if v60 <= -half_turn else (-turn if half_turn < v60 else 0.0))
         q4_mmp = v61 + (turn if v61 <= -half_turn else (-turn if half_turn < v61 else 0.0))
         q4_mmm = v62 + (turn if v62 <= -half_turn else (-turn if half_turn < v62 else 0.0))
-        q1_ppp = angle1 + v31
-        q1_pmp = angle1 + v32
-        q1_mpp = angle2 + v33
-        q1_mmp = angle2 + v34
-        q5_ppp = angle5 + v31
-        q5_pmp = v32 - angle5
-        q5_mpp = angle6 + v33
-        q5_mmp = v34 - angle6
-        q6_ppp = angle3 + v31
-        q6_pmp = v32 + (angle3 - math.copysign(half_turn, -v8))
-        q6_mpp = angle4 + v33
+        q1_ppp, q1_pmp, q1_mpp = angle1 + v31, angle1 + v32, angle2 + v33
+        q1_mmp, q5_ppp, q5_pmp = angle2 + v34, angle5 + v31, v32 - angle5
+        q5_mpp, q5_mmp, q6_ppp = angle6 + v33, v34 - angle6, angle3 + v31
+        q6_pmp, q6_mpp = v32 + (angle3 - math.copysign(half_turn, -v8)), angle4 + v33
         q6_mmp = v34 + (angle4 - math.copysign(half_turn, -v9))
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, angle13, angle9
@@ -627,25 +490,16 @@ def _formulas(kept, turns, rows, w):
         rows[27 * w + k], rows[28 * w + k], rows[29 * w + k] = q1_mmp, angle19, angle12
         rows[30 * w + k], rows[31 * w + k], rows[32 * w + k] = q4_mmp, q5_mmp, q6_mmp
         rows[33 * w + k], rows[34 * w + k], rows[35 * w + k] = angle20, -angle12, q4_mmm
-        rows[36 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
-        rows[38 * w + k] = UNREACHABLE if q1_pmp != q1_pmp else OK
-        rows[39 * w + k] = UNREACHABLE if q1_pmp != q1_pmp else OK
-        rows[40 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
-        rows[42 * w + k] = UNREACHABLE if q1_mmp != q1_mmp else OK
-        rows[43 * w + k] = UNREACHABLE if q1_mmp != q1_mmp else OK
+        rows[36 * w + k] = rows[37 * w + k] = UNREACHABLE if q1_ppp != q1_ppp else OK
+        rows[38 * w + k] = rows[39 * w + k] = UNREACHABLE if q1_pmp != q1_pmp else OK
+        rows[40 * w + k] = rows[41 * w + k] = UNREACHABLE if q1_mpp != q1_mpp else OK
+        rows[42 * w + k] = rows[43 * w + k] = UNREACHABLE if q1_mmp != q1_mmp else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 6, 7, 8, 4, 5],
-    [9, 10, 11, 12, 13, 14],
-    [9, 15, 16, 17, 13, 14],
-    [18, 19, 20, 21, 22, 23],
-    [18, 24, 25, 26, 22, 23],
-    [27, 28, 29, 30, 31, 32],
+    [0, 1, 2, 3, 4, 5], [0, 6, 7, 8, 4, 5], [9, 10, 11, 12, 13, 14], [9, 15, 16, 17, 13, 14],
+    [18, 19, 20, 21, 22, 23], [18, 24, 25, 26, 22, 23], [27, 28, 29, 30, 31, 32],
     [27, 33, 34, 35, 31, 32],
 ])
 

@@ -170,49 +170,24 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
     v2 = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v3 = v1 * c3 + x2_x * s3
-    v4 = v2 * c3 + x2_y * s3
-    y3_z = c2 * c3 - s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - v3 * s4
-    x4_y = x3_y * c4 - v4 * s4
-    x4_z = x3_z * c4 + y3_z * s4
-    z4_x = v3 * c4 + x3_x * s4
-    z4_y = v4 * c4 + x3_y * s4
-    z4_z = x3_z * s4 - y3_z * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    x5_x = x4_x * c5 + s1 * s5
-    x5_y = x4_y * c5 - c1 * s5
-    x5_z = x4_z * c5
-    z5_y = c1 * c5 + x4_y * s5
-    z5_z = x4_z * s5
-    z5_x = x4_x * s5 - s1 * c5
-    T[0, 0] = x5_x
-    T[0, 1] = z4_x
-    T[0, 2] = z5_x
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v3, v4, y3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, c2 * c3 - s2 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 - v3 * s4, x3_y * c4 - v4 * s4, x3_z * c4 + y3_z * s4
+    z4_x, z4_y, z4_z = v3 * c4 + x3_x * s4, v4 * c4 + x3_y * s4, x3_z * s4 - y3_z * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    x5_x, x5_y, x5_z = x4_x * c5 + s1 * s5, x4_y * c5 - c1 * s5, x4_z * c5
+    z5_y, z5_z, z5_x = c1 * c5 + x4_y * s5, x4_z * s5, x4_x * s5 - s1 * c5
+    T[0, 0], T[0, 1], T[0, 2] = x5_x, z4_x, z5_x
     T[0, 3] = c1 * a1 + x2_x * L2 + x3_x * L3 + s1 * d4 + z4_x * d5 + x5_x * ex + z5_x * ez
-    T[1, 0] = x5_y
-    T[1, 1] = z4_y
-    T[1, 2] = z5_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y, z4_y, z5_y
     T[1, 3] = s1 * a1 + x2_y * L2 + x3_y * L3 - c1 * d4 + z4_y * d5 + x5_y * ex + z5_y * ez
-    T[2, 0] = x5_z
-    T[2, 1] = z4_z
-    T[2, 2] = z5_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z, z4_z, z5_z
     T[2, 3] = d1 + s2 * L2 + x3_z * L3 + z4_z * d5 + x5_z * ex + z5_z * ez
     T[3, 3] = 1.0
     return T
@@ -224,74 +199,37 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 5 joint values")
     J = _zeros(6, 5)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v1 = c1 * s2
-    v2 = s1 * s2
-    p2_x = p1_x + x2_x * L2
-    p2_y = p1_y + x2_y * L2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y = c1 * a1, s1 * a1
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, v1 = c1 * c2, s1 * c2, c1 * s2
+    v2, p2_x, p2_y = s1 * s2, p1_x + x2_x * L2, p1_y + x2_y * L2
     p2_z = d1 + s2 * L2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 - v1 * s3
-    x3_y = x2_y * c3 - v2 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v3 = v1 * c3 + x2_x * s3
-    v4 = v2 * c3 + x2_y * s3
-    y3_z = c2 * c3 - s2 * s3
-    p3_x = p2_x + x3_x * L3
-    p3_y = p2_y + x3_y * L3
-    p3_z = p2_z + x3_z * L3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - v3 * s4
-    x4_y = x3_y * c4 - v4 * s4
-    x4_z = x3_z * c4 + y3_z * s4
-    z4_x = v3 * c4 + x3_x * s4
-    z4_y = v4 * c4 + x3_y * s4
-    p4_x = p3_x + s1 * d4
-    p4_y = p3_y - c1 * d4
-    z4_z = x3_z * s4 - y3_z * c4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 - v1 * s3, x2_y * c3 - v2 * s3, s2 * c3 + c2 * s3
+    v3, v4, y3_z = v1 * c3 + x2_x * s3, v2 * c3 + x2_y * s3, c2 * c3 - s2 * s3
+    p3_x, p3_y, p3_z = p2_x + x3_x * L3, p2_y + x3_y * L3, p2_z + x3_z * L3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 - v3 * s4, x3_y * c4 - v4 * s4, x3_z * c4 + y3_z * s4
+    z4_x, z4_y, p4_x = v3 * c4 + x3_x * s4, v4 * c4 + x3_y * s4, p3_x + s1 * d4
+    p4_y, z4_z = p3_y - c1 * d4, x3_z * s4 - y3_z * c4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
     J21 = p4_x + z4_x * d5 + (x4_x * c5 + s1 * s5) * ex + (x4_x * s5 - s1 * c5) * ez
     v5 = p4_y + z4_y * d5 + (x4_y * c5 - c1 * s5) * ex + (c1 * c5 + x4_y * s5) * ez
     v6 = p3_z + z4_z * d5 + x4_z * c5 * ex + x4_z * s5 * ez
-    v7 = v6 - d1
-    v8 = v6 - p2_z
-    v9 = v6 - p3_z
-    v10 = J21 - p4_x
-    v11 = v5 - p4_y
-    J[0, 0] = -v5
-    J[0, 1] = -(c1 * v7)
-    J[0, 2] = -(c1 * v8)
-    J[0, 3] = -(c1 * v9)
-    J[0, 4] = z4_y * v9 - z4_z * v11
-    J[1, 0] = J21
-    J[1, 1] = -(s1 * v7)
-    J[1, 2] = -(s1 * v8)
-    J[1, 3] = -(s1 * v9)
-    J[1, 4] = z4_z * v10 - z4_x * v9
-    J[2, 1] = s1 * (v5 - p1_y) + c1 * (J21 - p1_x)
-    J[2, 2] = s1 * (v5 - p2_y) + c1 * (J21 - p2_x)
-    J[2, 3] = s1 * (v5 - p3_y) + c1 * (J21 - p3_x)
-    J[2, 4] = z4_x * v11 - z4_y * v10
-    J[3, 1] = s1
-    J[3, 2] = s1
-    J[3, 3] = s1
+    v7, v8, v9 = v6 - d1, v6 - p2_z, v6 - p3_z
+    v10, v11 = J21 - p4_x, v5 - p4_y
+    J[0, 0], J[0, 1], J[0, 2] = -v5, -(c1 * v7), -(c1 * v8)
+    J[0, 3], J[0, 4] = -(c1 * v9), z4_y * v9 - z4_z * v11
+    J[1, 0], J[1, 1], J[1, 2] = J21, -(s1 * v7), -(s1 * v8)
+    J[1, 3], J[1, 4] = -(s1 * v9), z4_z * v10 - z4_x * v9
+    J[2, 1], J[2, 2] = s1 * (v5 - p1_y) + c1 * (J21 - p1_x), s1 * (v5 - p2_y) + c1 * (J21 - p2_x)
+    J[2, 3], J[2, 4] = s1 * (v5 - p3_y) + c1 * (J21 - p3_x), z4_x * v11 - z4_y * v10
+    J[3, 1], J[3, 2], J[3, 3] = s1, s1, s1
     J[3, 4] = z4_x
-    J[4, 1] = -c1
-    J[4, 2] = -c1
-    J[4, 3] = -c1
+    J[4, 1], J[4, 2], J[4, 3] = -c1, -c1, -c1
     J[4, 4] = z4_y
-    J[5, 0] = 1.0
-    J[5, 4] = z4_z
+    J[5, 0], J[5, 4] = 1.0, z4_z
     return J
 
 
@@ -301,29 +239,18 @@ def _solve(pose, q_free, seed, moved, q, status):
     _, _, T13, T14, _, _, T23, T24, _, _, T33, T34 = pose
 
     # theta1, type 9: U1[3, 4] and U1[3, 3]
-    v1 = ex * T23
-    v2 = ex * T13
-    v3 = ez * T23 - T24
-    v4 = T14 - ez * T13
-    v5 = v1 * v1
-    v6 = v2 * v2
-    v7 = v3 * v3
-    v8 = v4 * v4
-    v9 = v3 * k2
-    v10 = v4 * k2
-    v11 = k1 * (v5 + v6) + (k3 + k1 * (v7 + v8))
-    v12 = k1 * (v5 - v6) + k1 * (v7 - v8)
-    v13 = v3 * v4 - v1 * v2
-    v14 = v11 - k4
+    v1, v2, v3 = ex * T23, ex * T13, ez * T23 - T24
+    v4, v5, v6 = T14 - ez * T13, v1 * v1, v2 * v2
+    v7, v8, v9 = v3 * v3, v4 * v4, v3 * k2
+    v10, v11, v12 = v4 * k2, k1 * (v5 + v6) + (k3 + k1 * (v7 + v8)), k1 * (v5 - v6) + k1 * (v7 - v8)
+    v13, v14 = v3 * v4 - v1 * v2, v11 - k4
     v15 = abs(v14) + abs(v9) + abs(v10) + abs(v12) + abs(v13)
     free1 = v15 <= free_limit2
     v16 = square_rounding * (v11 + k4)
     x1_roots, x1_close = _circle_roots(1.0 if free1 else v14, -1.0 if free1 else -v9, 0.0 if free1
         else -v10, 0.0 if free1 else v12, 0.0 if free1 else v13, v16, moved)
     v19 = math.cos(seed[0]) * math.cos(seed[0]) - math.sin(seed[0]) * math.sin(seed[0])
-    v20 = 2.0 * (math.cos(seed[0]) * math.sin(seed[0]))
-    v21 = 2.0 * v13
-    v22 = 2.0 * v12
+    v20, v21, v22 = 2.0 * (math.cos(seed[0]) * math.sin(seed[0])), 2.0 * v13, 2.0 * v12
     v24 = v15 * near_limit
     v25 = v19 * v21 + (v9 * math.sin(seed[0]) - v10 * math.cos(seed[0])) - v20 * v22
     v26 = (
@@ -342,8 +269,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if not (x1 <= 4.0):
             continue  # out of reach
-        v17 = math.cos(x1)
-        v18 = math.sin(x1)
+        v17, v18 = math.cos(x1), math.sin(x1)
         v23 = (v17 * v17 - v18 * v18) * v21 + (v9 * v18 - v10 * v17) - 2.0 * (v17 * v18) * v22
         near1 = abs(v23) <= v24
         same1 = (
@@ -353,13 +279,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         )
         v27 = seed[0] if same1 else x1
         q1 = seed[0] if free1 else v27
-        c1 = math.cos(q1)
-        s1 = math.sin(q1)
+        c1, s1 = math.cos(q1), math.sin(q1)
 
         # theta5, type 3: U1[3, 4] and U1[3, 3]
         Z2_5 = T13 * s1 - T23 * c1
-        s5 = (d4 - (T14 * s1 - T24 * c1) + ez * Z2_5) * k5
-        c5 = ex * Z2_5 * k5
+        s5, c5 = (d4 - (T14 * s1 - T24 * c1) + ez * Z2_5) * k5, ex * Z2_5 * k5
         q5 = _atan2(s5, c5)
 
         # theta234
@@ -404,8 +328,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
         X1_2 = L2 + L3 * c3
-        v31 = Z1_3 * X1_2
-        v32 = Z2_3 * X1_2
+        v31, v32 = Z1_3 * X1_2, Z2_3 * X1_2
 
         for i2 in range(2):  # elbow+, elbow-
             e3 = 1.0 - 2.0 * i2
@@ -433,11 +356,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             # joint values
             q4 = _wrap(theta234 - (q3 + q2))
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
-            q[row, 3] = q4
-            q[row, 4] = q5
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+            q[row, 3], q[row, 4] = q4, q5
             status[row] = (
                 FREE_JOINT if free1 or free234 or free2 else _status.CLOSE if x1_close[i1] or near1
                 or near234 or near2 else OK

@@ -102,23 +102,13 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    v1 = c1 * s2
-    y2_z = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    T[0, 0] = c1 * c2
-    T[0, 1] = s1 * s3 - v1 * c3
-    T[0, 2] = s1 * c3 + v1 * s3
-    T[1, 0] = s2
-    T[1, 1] = c2 * c3
-    T[1, 2] = -(c2 * s3)
-    T[2, 0] = -(s1 * c2)
-    T[2, 1] = y2_z * c3 + c1 * s3
-    T[2, 2] = c1 * c3 - y2_z * s3
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    v1, y2_z = c1 * s2, s1 * s2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    T[0, 0], T[0, 1], T[0, 2] = c1 * c2, s1 * s3 - v1 * c3, s1 * c3 + v1 * s3
+    T[1, 0], T[1, 1], T[1, 2] = s2, c2 * c3, -(c2 * s3)
+    T[2, 0], T[2, 1], T[2, 2] = -(s1 * c2), y2_z * c3 + c1 * s3, c1 * c3 - y2_z * s3
     T[3, 3] = 1.0
     return T
 
@@ -129,16 +119,11 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    J[3, 1] = s1
-    J[3, 2] = c1 * c2
-    J[4, 0] = 1.0
-    J[4, 2] = s2
-    J[5, 1] = c1
-    J[5, 2] = -(s1 * c2)
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    J[3, 1], J[3, 2] = s1, c1 * c2
+    J[4, 0], J[4, 2] = 1.0, s2
+    J[5, 1], J[5, 2] = c1, -(s1 * c2)
     return J
 
 
@@ -167,13 +152,10 @@ def _solve(pose, q_free, seed, moved, q, status):
         q2 = _atan2(T21, c2)
 
         # theta3, type 3: U1[1, 2] and U1[1, 1]
-        s3 = T32 * c1 + T12 * s1
-        c3 = T33 * c1 + T13 * s1
+        s3, c3 = T32 * c1 + T12 * s1, T33 * c1 + T13 * s1
         q3 = _atan2(s3, c3)
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
+        q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
         status[row] = FREE_JOINT if free1 else OK
 
 
@@ -185,8 +167,9 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T21 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[4 * w + k]
-        T31, T32, T33 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T21, T31, T32 = kept[4 * w + k], kept[8 * w + k], kept[9 * w + k]
+        T33 = kept[10 * w + k]
 
         # theta1, type 2: U1[1, 3]
         v1 = T11 * T11 + T31 * T31
@@ -196,8 +179,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = 1.0 if v1 <= m1 else kept[16 * w + k]
-        kept[17 * w + k], turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = s3, -T31, T21, s3
-        turns[8 * w + k], turns[9 * w + k] = T11, math.sqrt(v1)
+        kept[17 * w + k], turns[0 * w + k], turns[1 * w + k] = s3, -T31, T21
+        turns[2 * w + k], turns[8 * w + k], turns[9 * w + k] = s3, T11, math.sqrt(v1)
         turns[10 * w + k] = T11 * T33 - T31 * T13
     if w == 1 and kept[16] != 0.0:
         return
@@ -208,8 +191,8 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 8 * w])
     for k in range(w):
-        T21, T31, s3, angle1 = kept[4 * w + k], kept[8 * w + k], kept[17 * w + k], turns[0 * w + k]
-        angle2, angle3 = turns[1 * w + k], turns[2 * w + k]
+        T21, T31, s3 = kept[4 * w + k], kept[8 * w + k], kept[17 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
 
         # theta1, type 2: U1[1, 3]
         q1_m = angle1 - math.copysign(half_turn, -T31)
@@ -228,8 +211,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [3, 4, 5],
+    [0, 1, 2], [3, 4, 5],
 ])
 
 

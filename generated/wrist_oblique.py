@@ -128,39 +128,20 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = s1 * k1
-    y1_y = c1 * k1
-    z1_x = s1 * f2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    v1, y1_y, z1_x = s1 * k1, c1 * k1, s1 * f2
     v2 = c1 * f2
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - v1 * s2
-    x2_y = s1 * c2 + y1_y * s2
-    x2_z = f2 * s2
-    v3 = v1 * c2 + c1 * s2
-    v4 = y1_y * c2 - s1 * s2
-    v5 = f2 * c2
-    v6 = v3 * ca2 + z1_x * sa2
-    y2_y = v4 * ca2 + v2 * sa2
-    y2_z = v5 * ca2 - f3
-    z2_x = z1_x * ca2 - v3 * sa2
-    z2_y = v4 * sa2 - v2 * ca2
-    z2_z = v5 * sa2 + f4
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    T[0, 0] = x2_x * c3 - v6 * s3
-    T[0, 1] = -(v6 * c3 + x2_x * s3)
-    T[0, 2] = z2_x
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    x2_x, x2_y, x2_z = c1 * c2 - v1 * s2, s1 * c2 + y1_y * s2, f2 * s2
+    v3, v4, v5 = v1 * c2 + c1 * s2, y1_y * c2 - s1 * s2, f2 * c2
+    v6, y2_y, y2_z = v3 * ca2 + z1_x * sa2, v4 * ca2 + v2 * sa2, v5 * ca2 - f3
+    z2_x, z2_y, z2_z = z1_x * ca2 - v3 * sa2, v4 * sa2 - v2 * ca2, v5 * sa2 + f4
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    T[0, 0], T[0, 1], T[0, 2] = x2_x * c3 - v6 * s3, -(v6 * c3 + x2_x * s3), z2_x
     T[0, 3] = z2_x * d3
-    T[1, 0] = x2_y * c3 + y2_y * s3
-    T[1, 1] = y2_y * c3 - x2_y * s3
-    T[1, 2] = z2_y
+    T[1, 0], T[1, 1], T[1, 2] = x2_y * c3 + y2_y * s3, y2_y * c3 - x2_y * s3, z2_y
     T[1, 3] = z2_y * d3
-    T[2, 0] = x2_z * c3 + y2_z * s3
-    T[2, 1] = y2_z * c3 - x2_z * s3
-    T[2, 2] = z2_z
+    T[2, 0], T[2, 1], T[2, 2] = x2_z * c3 + y2_z * s3, y2_z * c3 - x2_z * s3, z2_z
     T[2, 3] = z2_z * d3
     T[3, 3] = 1.0
     return T
@@ -172,33 +153,18 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    z1_x = s1 * f2
-    v1 = c1 * f2
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    z1_x, v1 = s1 * f2, c1 * f2
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
     z2_x = z1_x * ca2 - (s1 * k1 * c2 + c1 * s2) * sa2
-    z2_y = (c1 * k1 * c2 - s1 * s2) * sa2 - v1 * ca2
-    z2_z = f2 * c2 * sa2 + f4
-    p3_x = z2_x * d3
-    p3_y = z2_y * d3
-    p3_z = z2_z * d3
-    J[0, 0] = -p3_y
-    J[0, 1] = -(v1 * p3_z + k1 * p3_y)
-    J[0, 2] = z2_y * p3_z - z2_z * p3_y
-    J[1, 0] = p3_x
-    J[1, 1] = k1 * p3_x - z1_x * p3_z
-    J[1, 2] = z2_z * p3_x - z2_x * p3_z
-    J[2, 1] = z1_x * p3_y + v1 * p3_x
-    J[2, 2] = z2_x * p3_y - z2_y * p3_x
-    J[3, 1] = z1_x
-    J[3, 2] = z2_x
-    J[4, 1] = -v1
-    J[4, 2] = z2_y
-    J[5, 0] = 1.0
-    J[5, 1] = k1
-    J[5, 2] = z2_z
+    z2_y, z2_z, p3_x = (c1 * k1 * c2 - s1 * s2) * sa2 - v1 * ca2, f2 * c2 * sa2 + f4, z2_x * d3
+    p3_y, p3_z = z2_y * d3, z2_z * d3
+    J[0, 0], J[0, 1], J[0, 2] = -p3_y, -(v1 * p3_z + k1 * p3_y), z2_y * p3_z - z2_z * p3_y
+    J[1, 0], J[1, 1], J[1, 2] = p3_x, k1 * p3_x - z1_x * p3_z, z2_z * p3_x - z2_x * p3_z
+    J[2, 1], J[2, 2] = z1_x * p3_y + v1 * p3_x, z2_x * p3_y - z2_y * p3_x
+    J[3, 1], J[3, 2] = z1_x, z2_x
+    J[4, 1], J[4, 2] = -v1, z2_y
+    J[5, 0], J[5, 1], J[5, 2] = 1.0, k1, z2_z
     return J
 
 
@@ -221,13 +187,10 @@ def _solve(pose, q_free, seed, moved, q, status):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v2 * math.sqrt(N1)))
-    v4 = v1 * Z1
-    v5 = Y1 * Z1
+    v4, v5 = v1 * Z1, Y1 * Z1
 
     # theta3, type 3: U1[3, 2] and U1[3, 1]
-    v6 = sqrt3 * T22
-    v7 = T12 * sqrt3
-    v8 = sqrt3 * T21
+    v6, v7, v8 = sqrt3 * T22, T12 * sqrt3, sqrt3 * T21
     v9 = T11 * sqrt3
 
     # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
@@ -235,12 +198,8 @@ def _solve(pose, q_free, seed, moved, q, status):
     v15 = v14 * v14
 
     # is the pose one that the arm can take?
-    v21 = T31 * k5
-    v22 = T33 * k5
-    v24 = T34 * k5
-    v27 = k1 * T31
-    v28 = k1 * T33
-    v29 = k1 * T34
+    v21, v22, v24 = T31 * k5, T33 * k5, T34 * k5
+    v27, v28, v29 = k1 * T31, k1 * T33, k1 * T34
 
     for i1 in range(2):  # shoulder+, shoulder-
         e1 = 1.0 - 2.0 * i1
@@ -258,8 +217,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         w3 = math.sqrt(S3 * S3 + C3 * C3)
         short3 = w3 <= free_limit
         v10 = 1.0 / (1.0 if short3 else w3)
-        v11 = C3 * v10
-        v12 = S3 * v10
+        v11, v12 = C3 * v10, S3 * v10
         q3 = _atan2(-v12, -v11)
 
         # theta2
@@ -267,17 +225,12 @@ def _solve(pose, q_free, seed, moved, q, status):
         w2 = math.sqrt(v13 * v13 + v15)
         short2 = w2 <= free_limit
         v16 = 1.0 / (1.0 if short2 else w2)
-        c2 = v14 * v16
-        s2 = v13 * v16
+        c2, s2 = v14 * v16, v13 * v16
         q2 = _atan2(s2, c2)
 
         # is the pose one that the arm can take?
-        v17 = ca2 * v12
-        v18 = sa2 * s2
-        v19 = k1 * s1
-        v20 = k1 * c1
-        v23 = sa2 * c2
-        v25 = k1 * (sqrt3 * s1)
+        v17, v18, v19 = ca2 * v12, sa2 * s2, k1 * s1
+        v20, v23, v25 = k1 * c1, sa2 * c2, k1 * (sqrt3 * s1)
         v26 = k1 * (sqrt3 * c1)
         if (
             not (abs(T14 * v25 - T24 * v26 + v29 - k2) <= pose_slack1 and abs(T13 * v25 - T23 * v26
@@ -290,9 +243,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         ):
             continue  # the arm can't take this pose
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
+        q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
         status[row] = FREE_JOINT if free1 else OK
 
 
@@ -304,92 +255,53 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[3, 4]
-        v1 = k1 * (sqrt3 * T14)
-        Y1 = k1 * (sqrt3 * T24)
-        N1 = v1 * v1 + Y1 * Y1
-        Z1 = k1 * (T34 - k3)
+        v1, Y1 = k1 * (sqrt3 * T14), k1 * (sqrt3 * T24)
+        N1, Z1 = v1 * v1 + Y1 * Y1, k1 * (T34 - k3)
         D1 = N1 - Z1 * Z1
-        w1 = math.sqrt(D1)
-        inverse1 = 1.0 / N1
-        v2 = v1 * Z1
-        v3 = Y1 * Z1
-        v4 = v1 * w1
-        c1_p = v3 + v4
-        c1_m = v3 - v4
-        v5 = Y1 * w1
-        s1_p = v5 - v2
-        v6 = v2 + v5
+        w1, inverse1, v2 = math.sqrt(D1), 1.0 / N1, v1 * Z1
+        v3, v4 = Y1 * Z1, v1 * w1
+        c1_p, c1_m, v5 = v3 + v4, v3 - v4, Y1 * w1
+        s1_p, v6 = v5 - v2, v2 + v5
 
         # theta3, type 3: U1[3, 2] and U1[3, 1]
-        v7 = sqrt3 * T22
-        v8 = sqrt3 * T12
-        v9 = sqrt3 * T21
+        v7, v8, v9 = sqrt3 * T22, sqrt3 * T12, sqrt3 * T21
         v10 = sqrt3 * T11
-        v11 = Y1 * v10 - v1 * v9
-        v12 = m2 * (T31 - inverse1 * (v2 * v10 + v3 * v9))
-        S3_p = v12 + w1 * (m2 * (inverse1 * v11))
-        S3_m = v12 + w1 * (m2 * (inverse1 * -v11))
-        v13 = Y1 * v8 - v1 * v7
-        v14 = m2 * (T32 - inverse1 * (v2 * v8 + v3 * v7))
-        C3_p = v14 + w1 * (m2 * (inverse1 * v13))
-        C3_m = v14 + w1 * (m2 * (inverse1 * -v13))
-        v15 = S3_p * S3_p + C3_p * C3_p
-        v16 = S3_m * S3_m + C3_m * C3_m
-        v17 = math.sqrt(v15) * (1.0 / v15)
-        v18 = math.sqrt(v16) * (1.0 / v16)
-        v19 = C3_p * v17
-        v20 = C3_m * v18
-        v21 = S3_p * v17
+        v11, v12 = Y1 * v10 - v1 * v9, m2 * (T31 - inverse1 * (v2 * v10 + v3 * v9))
+        S3_p, S3_m = v12 + w1 * (m2 * (inverse1 * v11)), v12 + w1 * (m2 * (inverse1 * -v11))
+        v13, v14 = Y1 * v8 - v1 * v7, m2 * (T32 - inverse1 * (v2 * v8 + v3 * v7))
+        C3_p, C3_m = v14 + w1 * (m2 * (inverse1 * v13)), v14 + w1 * (m2 * (inverse1 * -v13))
+        v15, v16 = S3_p * S3_p + C3_p * C3_p, S3_m * S3_m + C3_m * C3_m
+        v17, v18 = math.sqrt(v15) * (1.0 / v15), math.sqrt(v16) * (1.0 / v16)
+        v19, v20, v21 = C3_p * v17, C3_m * v18, S3_p * v17
         v22 = S3_m * v18
 
         # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
-        v23 = k4 * (T32 * v21 - T31 * v19)
-        v24 = k4 * (T32 * v22 - T31 * v20)
+        v23, v24 = k4 * (T32 * v21 - T31 * v19), k4 * (T32 * v22 - T31 * v20)
         v25 = k5 * (k1 * (2.0 * T33 - ca2))
         v26 = v25 * v25
-        v27 = v26 + v23 * v23
-        v28 = v26 + v24 * v24
-        v29 = math.sqrt(v27) * (1.0 / v27)
-        v30 = math.sqrt(v28) * (1.0 / v28)
-        c2_p = v25 * v29
-        c2_m = v25 * v30
-        s2_p = v23 * v29
+        v27, v28 = v26 + v23 * v23, v26 + v24 * v24
+        v29, v30 = math.sqrt(v27) * (1.0 / v27), math.sqrt(v28) * (1.0 / v28)
+        c2_p, c2_m, s2_p = v25 * v29, v25 * v30, v23 * v29
         s2_m = v24 * v30
 
         # is the pose one that the arm can take?
-        v31 = ca2 * v21
-        v32 = ca2 * v22
-        v33 = sa2 * s2_p
-        v34 = sa2 * s2_m
-        v35 = m4 * v2
-        v36 = w1 * (m4 * Y1)
-        v37 = v36 - v35
-        v38 = v35 + v36
-        v39 = m4 * v3
+        v31, v32, v33 = ca2 * v21, ca2 * v22, sa2 * s2_p
+        v34, v35, v36 = sa2 * s2_m, m4 * v2, w1 * (m4 * Y1)
+        v37, v38, v39 = v36 - v35, v35 + v36, m4 * v3
         v40 = w1 * (m4 * v1)
-        v41 = v39 + v40
-        v42 = v39 - v40
-        v43 = k5 * T31
-        v44 = k5 * T33
-        v45 = sa2 * c2_p
-        v46 = sa2 * c2_m
-        v47 = k5 * T34
-        v48 = m5 * v2
-        v49 = w1 * (m5 * Y1)
-        v50 = v49 - v48
-        v51 = v48 + v49
-        v52 = m5 * v3
+        v41, v42, v43 = v39 + v40, v39 - v40, k5 * T31
+        v44, v45, v46 = k5 * T33, sa2 * c2_p, sa2 * c2_m
+        v47, v48, v49 = k5 * T34, m5 * v2, w1 * (m5 * Y1)
+        v50, v51, v52 = v49 - v48, v48 + v49, m5 * v3
         v53 = w1 * (m5 * v1)
-        v54 = v52 + v53
-        v55 = v52 - v53
-        v56 = k1 * T31
-        v57 = k1 * T33
-        v58 = k1 * T34
+        v54, v55, v56 = v52 + v53, v52 - v53, k1 * T31
+        v57, v58 = k1 * T33, k1 * T34
         v59 = v58 + inverse1 * (T14 * v50 - T24 * v54) - k2
         v60 = v58 - inverse1 * (T14 * v51 + T24 * v55) - k2
         v61 = v57 + inverse1 * (v50 * T13 - v54 * T23) - ca2
@@ -407,8 +319,7 @@ def _formulas(kept, turns, rows, w):
         v73 = inverse1 * (c1_p * T11 + s1_p * T21) - (s2_p * v31 - v19 * c2_p)
         v74 = inverse1 * (c1_m * T11 - v6 * T21) - (s2_m * v32 - v20 * c2_m)
         v75 = v33 + inverse1 * (c1_p * T13 + s1_p * T23)
-        v76 = v34 + inverse1 * (c1_m * T13 - v6 * T23)
-        v77 = v59 * v59 + v65 * v65 + v71 * v71
+        v76, v77 = v34 + inverse1 * (c1_m * T13 - v6 * T23), v59 * v59 + v65 * v65 + v71 * v71
         v78 = v60 * v60 + v66 * v66 + v72 * v72
         v79 = v61 * v61 + v63 * v63 + v67 * v67 + v69 * v69 + v73 * v73 + v75 * v75
         v80 = v62 * v62 + v64 * v64 + v68 * v68 + v70 * v70 + v74 * v74 + v76 * v76
@@ -425,11 +336,11 @@ def _formulas(kept, turns, rows, w):
             abs(D1) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or (m8 < v79 and v79 <= m9) else kept[16
             * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k], turns[1 * w + k] = v82, v83, s1_p, -v6
-        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = v23, v24, -S3_p
-        turns[5 * w + k], turns[8 * w + k], turns[9 * w + k] = -S3_m, c1_p, c1_m
-        turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = v25, v25, -C3_p
-        turns[13 * w + k] = -C3_m
+        kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = v82, v83, s1_p
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -v6, v23, v24
+        turns[4 * w + k], turns[5 * w + k], turns[8 * w + k] = -S3_p, -S3_m, c1_p
+        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = c1_m, v25, v25
+        turns[12 * w + k], turns[13 * w + k] = -C3_p, -C3_m
     if w == 1 and kept[16] != 0.0:
         return
     end = 8 if w == 1 else 6 * w
@@ -444,23 +355,18 @@ def _formulas(kept, turns, rows, w):
         angle5, angle6 = turns[4 * w + k], turns[5 * w + k]
 
         # joint values
-        q1_p = v82 + angle1
-        q1_m = v83 + angle2
-        q2_p = v82 + angle3
-        q2_m = v83 + angle4
-        q3_p = v82 + angle5
-        q3_m = v83 + angle6
+        q1_p, q1_m, q2_p = v82 + angle1, v83 + angle2, v82 + angle3
+        q2_m, q3_p, q3_m = v83 + angle4, v82 + angle5, v83 + angle6
 
-        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k], rows[3 * w + k] = q1_p, q2_p, q3_p, q1_m
-        rows[4 * w + k], rows[5 * w + k] = q2_m, q3_m
+        rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_p, q2_p, q3_p
+        rows[3 * w + k], rows[4 * w + k], rows[5 * w + k] = q1_m, q2_m, q3_m
         rows[6 * w + k] = UNREACHABLE if q1_p != q1_p else OK
         rows[7 * w + k] = UNREACHABLE if q1_m != q1_m else OK
 
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [3, 4, 5],
+    [0, 1, 2], [3, 4, 5],
 ])
 
 

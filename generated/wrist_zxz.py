@@ -101,23 +101,13 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    y2_x = s1 * c2
-    v1 = c1 * c2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    T[0, 0] = c1 * c3 - y2_x * s3
-    T[0, 1] = -(y2_x * c3 + c1 * s3)
-    T[0, 2] = s1 * s2
-    T[1, 0] = s1 * c3 + v1 * s3
-    T[1, 1] = v1 * c3 - s1 * s3
-    T[1, 2] = -(c1 * s2)
-    T[2, 0] = s2 * s3
-    T[2, 1] = s2 * c3
-    T[2, 2] = c2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    y2_x, v1 = s1 * c2, c1 * c2
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    T[0, 0], T[0, 1], T[0, 2] = c1 * c3 - y2_x * s3, -(y2_x * c3 + c1 * s3), s1 * s2
+    T[1, 0], T[1, 1], T[1, 2] = s1 * c3 + v1 * s3, v1 * c3 - s1 * s3, -(c1 * s2)
+    T[2, 0], T[2, 1], T[2, 2] = s2 * s3, s2 * c3, c2
     T[3, 3] = 1.0
     return T
 
@@ -128,16 +118,11 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    J[3, 1] = c1
-    J[3, 2] = s1 * s2
-    J[4, 1] = s1
-    J[4, 2] = -(c1 * s2)
-    J[5, 0] = 1.0
-    J[5, 2] = c2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    c2, s2 = math.cos(q[1]), math.sin(q[1])
+    J[3, 1], J[3, 2] = c1, s1 * s2
+    J[4, 1], J[4, 2] = s1, -(c1 * s2)
+    J[5, 0], J[5, 2] = 1.0, c2
     return J
 
 
@@ -168,9 +153,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         c3 = T11 * c1 + T21 * s1
         q3 = _atan2(-(T12 * c1 + T22 * s1), c3)
         row = i1
-        q[row, 0] = q1
-        q[row, 1] = q2
-        q[row, 2] = q3
+        q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
         status[row] = FREE_JOINT if free1 else OK
 
 
@@ -182,8 +165,9 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T21 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[4 * w + k]
-        T22, T23, T33 = kept[5 * w + k], kept[6 * w + k], kept[10 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T21, T22, T23 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k]
+        T33 = kept[10 * w + k]
 
         # theta1, type 2: U1[1, 3]
         v1 = T23 * T23 + T13 * T13
@@ -222,8 +206,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2],
-    [3, 4, 5],
+    [0, 1, 2], [3, 4, 5],
 ])
 
 

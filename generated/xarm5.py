@@ -146,46 +146,23 @@ def fk(q):
         raise ValueError("q must hold 5 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v3 = c1 * s2
-    v4 = s1 * s2
-    v5 = q[2] + offset3
-    c3 = math.cos(v5)
-    s3 = math.sin(v5)
-    x3_x = x2_x * c3 - v3 * s3
-    x3_y = x2_y * c3 - v4 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v6 = v3 * c3 + x2_x * s3
-    v7 = v4 * c3 + x2_y * s3
-    y3_z = c2 * c3 - s2 * s3
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, x2_y, v3 = c1 * c2, s1 * c2, c1 * s2
+    v4, v5 = s1 * s2, q[2] + offset3
+    c3, s3 = math.cos(v5), math.sin(v5)
+    x3_x, x3_y, x3_z = x2_x * c3 - v3 * s3, x2_y * c3 - v4 * s3, s2 * c3 + c2 * s3
+    v6, v7, y3_z = v3 * c3 + x2_x * s3, v4 * c3 + x2_y * s3, c2 * c3 - s2 * s3
     v8 = q[3] + offset4
-    c4 = math.cos(v8)
-    s4 = math.sin(v8)
-    x4_x = x3_x * c4 - v6 * s4
-    x4_y = x3_y * c4 - v7 * s4
-    x4_z = x3_z * c4 + y3_z * s4
-    v9 = v6 * c4 + x3_x * s4
-    v10 = v7 * c4 + x3_y * s4
-    z4_z = y3_z * c4 - x3_z * s4
-    c5 = math.cos(q[4])
-    s5 = math.sin(q[4])
-    T[0, 0] = x4_x * c5 - s1 * s5
-    T[0, 1] = -(s1 * c5 + x4_x * s5)
-    T[0, 2] = -v9
+    c4, s4 = math.cos(v8), math.sin(v8)
+    x4_x, x4_y, x4_z = x3_x * c4 - v6 * s4, x3_y * c4 - v7 * s4, x3_z * c4 + y3_z * s4
+    v9, v10, z4_z = v6 * c4 + x3_x * s4, v7 * c4 + x3_y * s4, y3_z * c4 - x3_z * s4
+    c5, s5 = math.cos(q[4]), math.sin(q[4])
+    T[0, 0], T[0, 1], T[0, 2] = x4_x * c5 - s1 * s5, -(s1 * c5 + x4_x * s5), -v9
     T[0, 3] = x2_x * a2 + x3_x * a3 + x4_x * a4 - v9 * d5
-    T[1, 0] = x4_y * c5 + c1 * s5
-    T[1, 1] = c1 * c5 - x4_y * s5
-    T[1, 2] = -v10
+    T[1, 0], T[1, 1], T[1, 2] = x4_y * c5 + c1 * s5, c1 * c5 - x4_y * s5, -v10
     T[1, 3] = x2_y * a2 + x3_y * a3 + x4_y * a4 - v10 * d5
-    T[2, 0] = x4_z * c5
-    T[2, 1] = -(x4_z * s5)
-    T[2, 2] = z4_z
+    T[2, 0], T[2, 1], T[2, 2] = x4_z * c5, -(x4_z * s5), z4_z
     T[2, 3] = d1 + s2 * a2 + x3_z * a3 + x4_z * a4 + z4_z * d5
     T[3, 3] = 1.0
     return T
@@ -198,72 +175,34 @@ def jacobian(q):
         raise ValueError("q must hold 5 joint values")
     J = _zeros(6, 5)
     v1 = q[0] + offset1
-    c1 = math.cos(v1)
-    s1 = math.sin(v1)
-    v2 = q[1] + offset2
-    c2 = math.cos(v2)
-    s2 = math.sin(v2)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    v3 = c1 * s2
-    v4 = s1 * s2
-    p2_x = x2_x * a2
-    p2_y = x2_y * a2
-    p2_z = d1 + s2 * a2
-    v5 = q[2] + offset3
-    c3 = math.cos(v5)
-    s3 = math.sin(v5)
-    x3_x = x2_x * c3 - v3 * s3
-    x3_y = x2_y * c3 - v4 * s3
-    x3_z = s2 * c3 + c2 * s3
-    v6 = v3 * c3 + x2_x * s3
-    v7 = v4 * c3 + x2_y * s3
-    y3_z = c2 * c3 - s2 * s3
-    p3_x = p2_x + x3_x * a3
-    p3_y = p2_y + x3_y * a3
-    p3_z = p2_z + x3_z * a3
+    c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
+    c2, s2 = math.cos(v2), math.sin(v2)
+    x2_x, x2_y, v3 = c1 * c2, s1 * c2, c1 * s2
+    v4, p2_x, p2_y = s1 * s2, x2_x * a2, x2_y * a2
+    p2_z, v5 = d1 + s2 * a2, q[2] + offset3
+    c3, s3 = math.cos(v5), math.sin(v5)
+    x3_x, x3_y, x3_z = x2_x * c3 - v3 * s3, x2_y * c3 - v4 * s3, s2 * c3 + c2 * s3
+    v6, v7, y3_z = v3 * c3 + x2_x * s3, v4 * c3 + x2_y * s3, c2 * c3 - s2 * s3
+    p3_x, p3_y, p3_z = p2_x + x3_x * a3, p2_y + x3_y * a3, p2_z + x3_z * a3
     v8 = q[3] + offset4
-    c4 = math.cos(v8)
-    s4 = math.sin(v8)
-    v9 = v6 * c4 + x3_x * s4
-    v10 = v7 * c4 + x3_y * s4
-    z4_z = y3_z * c4 - x3_z * s4
-    p4_x = p3_x + (x3_x * c4 - v6 * s4) * a4
-    p4_y = p3_y + (x3_y * c4 - v7 * s4) * a4
-    p4_z = p3_z + (x3_z * c4 + y3_z * s4) * a4
-    p5_x = p4_x - v9 * d5
-    p5_y = p4_y - v10 * d5
+    c4, s4 = math.cos(v8), math.sin(v8)
+    v9, v10, z4_z = v6 * c4 + x3_x * s4, v7 * c4 + x3_y * s4, y3_z * c4 - x3_z * s4
+    p4_x, p4_y = p3_x + (x3_x * c4 - v6 * s4) * a4, p3_y + (x3_y * c4 - v7 * s4) * a4
+    p4_z, p5_x, p5_y = p3_z + (x3_z * c4 + y3_z * s4) * a4, p4_x - v9 * d5, p4_y - v10 * d5
     p5_z = p4_z + z4_z * d5
-    v11 = p5_z - d1
-    v12 = p5_z - p2_z
-    v13 = p5_z - p3_z
-    v14 = p5_x - p4_x
-    v15 = p5_y - p4_y
-    v16 = p5_z - p4_z
-    J[0, 0] = -p5_y
-    J[0, 1] = -(c1 * v11)
-    J[0, 2] = -(c1 * v12)
-    J[0, 3] = -(c1 * v13)
-    J[0, 4] = -(v10 * v16 + z4_z * v15)
-    J[1, 0] = p5_x
-    J[1, 1] = -(s1 * v11)
-    J[1, 2] = -(s1 * v12)
-    J[1, 3] = -(s1 * v13)
-    J[1, 4] = z4_z * v14 + v9 * v16
-    J[2, 1] = s1 * p5_y + c1 * p5_x
-    J[2, 2] = s1 * (p5_y - p2_y) + c1 * (p5_x - p2_x)
-    J[2, 3] = s1 * (p5_y - p3_y) + c1 * (p5_x - p3_x)
-    J[2, 4] = v10 * v14 - v9 * v15
-    J[3, 1] = s1
-    J[3, 2] = s1
-    J[3, 3] = s1
+    v11, v12, v13 = p5_z - d1, p5_z - p2_z, p5_z - p3_z
+    v14, v15, v16 = p5_x - p4_x, p5_y - p4_y, p5_z - p4_z
+    J[0, 0], J[0, 1], J[0, 2] = -p5_y, -(c1 * v11), -(c1 * v12)
+    J[0, 3], J[0, 4] = -(c1 * v13), -(v10 * v16 + z4_z * v15)
+    J[1, 0], J[1, 1], J[1, 2] = p5_x, -(s1 * v11), -(s1 * v12)
+    J[1, 3], J[1, 4] = -(s1 * v13), z4_z * v14 + v9 * v16
+    J[2, 1], J[2, 2] = s1 * p5_y + c1 * p5_x, s1 * (p5_y - p2_y) + c1 * (p5_x - p2_x)
+    J[2, 3], J[2, 4] = s1 * (p5_y - p3_y) + c1 * (p5_x - p3_x), v10 * v14 - v9 * v15
+    J[3, 1], J[3, 2], J[3, 3] = s1, s1, s1
     J[3, 4] = -v9
-    J[4, 1] = -c1
-    J[4, 2] = -c1
-    J[4, 3] = -c1
+    J[4, 1], J[4, 2], J[4, 3] = -c1, -c1, -c1
     J[4, 4] = -v10
-    J[5, 0] = 1.0
-    J[5, 4] = z4_z
+    J[5, 0], J[5, 4] = 1.0, z4_z
     return J
 
 
@@ -305,8 +244,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         w234 = math.sqrt(Z2_234 * Z2_234 + v2)
         short234 = w234 <= free_limit
         factor234 = 1.0 / (1.0 if short234 else w234)
-        c234 = T33 * factor234
-        v3 = Z2_234 * factor234
+        c234, v3 = T33 * factor234, Z2_234 * factor234
         theta234 = _atan2(-v3, c234)
 
         # theta5, type 3: U1[3, 2] and U1[3, 1]
@@ -315,8 +253,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         w5 = math.sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5)
         short5 = w5 <= free_limit
         v4 = 1.0 / (1.0 if short5 else w5)
-        v5 = Z1_5 * v4
-        v6 = Z2_5 * v4
+        v5, v6 = Z1_5 * v4, Z2_5 * v4
         q5 = _atan2(-v6, -v5)
 
         # theta3
@@ -338,8 +275,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta2
         X1_2 = a2 + a3 * c3
-        v10 = Z1_3 * X1_2
-        v11 = Z2_3 * X1_2
+        v10, v11 = Z1_3 * X1_2, Z2_3 * X1_2
 
         # is the pose one that the arm can take?
         v14 = d1 + -v7
@@ -374,8 +310,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             theta2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
-            c23 = c3 * c2 - s3 * s2
-            s23 = c3 * s2 + s3 * c2
+            c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
             v13 = a3 * c23 + (v9 + a2 * c2)
             if (
                 not (abs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 and abs(T14 - c1 * v13)
@@ -388,11 +323,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             q3 = _wrap(theta3 - offset3)
             q4 = _wrap(theta234 - (theta3 + theta2) - offset4)
             row = 2 * i1 + i2
-            q[row, 0] = q1
-            q[row, 1] = q2
-            q[row, 2] = q3
-            q[row, 3] = q4
-            q[row, 4] = q5
+            q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+            q[row, 3], q[row, 4] = q4, q5
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
@@ -404,21 +336,19 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T33, T34 = kept[8 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T33, T34 = kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[3, 4], so theta1 = atan2(T24, T14) or half a turn from it. Where both
         # are small, U1[3, 3] says more: its vector, along the same line, is added
         sigma1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
-        Xhat1 = T14 + T13 * sigma1
-        Yhat1 = T24 + T23 * sigma1
+        Xhat1, Yhat1 = T14 + T13 * sigma1, T24 + T23 * sigma1
         v1 = Xhat1 * Xhat1 + Yhat1 * Yhat1
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
         factor1 = w1 * v2
-        c1 = Xhat1 * factor1
-        s1 = Yhat1 * factor1
+        c1, s1 = Xhat1 * factor1, Yhat1 * factor1
 
         # theta234, type 3: U1[2, 3] and U1[1, 3]
         v3 = v2 * (T13 * Xhat1 + T23 * Yhat1)
@@ -431,62 +361,36 @@ def _formulas(kept, turns, rows, w):
         Z2_5 = w1 * (v2 * (Yhat1 * T11 - Xhat1 * T21))
         v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5
         v6 = math.sqrt(v5) * (1.0 / v5)
-        v7 = Z1_5 * v6
-        v8 = Z2_5 * v6
+        v7, v8 = Z1_5 * v6, Z2_5 * v6
 
         # theta3, type 8: U1[2, 4] and U1[1, 4]
-        v9 = d5 * T33
-        v10 = w1 * (m4 * v3)
-        v11 = v10 - v9
-        v12 = T34 - d1
-        Z1_3_p = v12 + factor234 * v11
-        v13 = factor234 * (v9 + v10)
-        Z1_3_m = v12 - v13
-        v14 = a4 * T33
-        v15 = T14 * c1 + T24 * s1
+        v9, v10 = d5 * T33, w1 * (m4 * v3)
+        v11, v12 = v10 - v9, T34 - d1
+        Z1_3_p, v13 = v12 + factor234 * v11, factor234 * (v9 + v10)
+        Z1_3_m, v14, v15 = v12 - v13, a4 * T33, T14 * c1 + T24 * s1
         v16 = w1 * (m5 * v3)
-        v17 = factor234 * (v14 + v16)
-        v18 = factor234 * (v14 - v16)
-        Z2_3_p = v15 - v17
-        v19 = v15 + v18
-        N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
-        N3_m = Z1_3_m * Z1_3_m + v19 * v19
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
-        v20 = w3_p - w3_p
-        v21 = w3_m - w3_m
+        v17, v18 = factor234 * (v14 + v16), factor234 * (v14 - v16)
+        Z2_3_p, v19 = v15 - v17, v15 + v18
+        N3_p, N3_m = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p, Z1_3_m * Z1_3_m + v19 * v19
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
+        v20, v21 = w3_p - w3_p, w3_m - w3_m
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
-        v22 = m7 * N3_p - m8
-        v23 = m7 * N3_m - m8
-        v24 = Z1_3_p * v22
-        v25 = Z1_3_m * v23
-        S2_pp = v24 - w3_p * (m7 * Z2_3_p)
-        S2_pm = v24 - w3_p * (m7 * -Z2_3_p)
+        v22, v23 = m7 * N3_p - m8, m7 * N3_m - m8
+        v24, v25 = Z1_3_p * v22, Z1_3_m * v23
+        S2_pp, S2_pm = v24 - w3_p * (m7 * Z2_3_p), v24 - w3_p * (m7 * -Z2_3_p)
         v26 = w3_m * (m7 * v19)
-        S2_mp = v25 + v26
-        S2_mm = v25 - v26
-        v27 = Z2_3_p * v22
-        v28 = v19 * v23
-        factor2_p = 1.0 / N3_p
-        factor2_m = 1.0 / N3_m
+        S2_mp, S2_mm, v27 = v25 + v26, v25 - v26, Z2_3_p * v22
+        v28, factor2_p, factor2_m = v19 * v23, 1.0 / N3_p, 1.0 / N3_m
         v29 = w3_p * (m7 * Z1_3_p)
 
         # is the pose one that the arm can take?
-        v30 = Z1_3_p * (m9 + m10 * factor2_p)
-        v31 = Z1_3_m * (m9 + m10 * factor2_m)
-        v32 = v17 + Z2_3_p
-        v33 = v18 - v19
-        v34 = d1 + factor234 * -v11
-        v35 = d1 + v13
-        v36 = T33 - T33 * factor234
-        v37 = T31 - factor234 * (Z2_234 * v7)
-        v38 = T23 - factor234 * (s1 * Z2_234)
-        v39 = T21 + (c1 * v8 + factor234 * (v7 * (s1 * T33)))
-        v40 = T11 - (s1 * v8 - factor234 * (v7 * (c1 * T33)))
-        v41 = T13 - factor234 * (c1 * Z2_234)
+        v30, v31 = Z1_3_p * (m9 + m10 * factor2_p), Z1_3_m * (m9 + m10 * factor2_m)
+        v32, v33, v34 = v17 + Z2_3_p, v18 - v19, d1 + factor234 * -v11
+        v35, v36, v37 = d1 + v13, T33 - T33 * factor234, T31 - factor234 * (Z2_234 * v7)
+        v38, v39 = T23 - factor234 * (s1 * Z2_234), T21 + (c1 * v8 + factor234 * (v7 * (s1 * T33)))
+        v40, v41 = T11 - (s1 * v8 - factor234 * (v7 * (c1 * T33))), T13 - factor234 * (c1 * Z2_234)
         v42 = (
             T34 - (a3 * (v30 + w3_p * (m9 * (Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pp *
             factor2_p)))
@@ -497,19 +401,11 @@ def _formulas(kept, turns, rows, w):
         )
         v44 = w3_m * (m9 * (v19 * factor2_m))
         v45 = T34 - (a3 * (v31 - v44) + (v35 + a2 * (S2_mp * factor2_m)))
-        v46 = T34 - (a3 * (v31 + v44) + (v35 + a2 * (S2_mm * factor2_m)))
-        v47 = T14 - c1 * v32
-        v48 = T14 + c1 * v33
-        v49 = T24 - s1 * v32
-        v50 = T24 + s1 * v33
-        v51 = v47 * v47
-        v52 = v48 * v48
-        v53 = v49 * v49
-        v54 = v50 * v50
-        v55 = v53 + (v51 + v42 * v42)
-        v56 = v53 + (v51 + v43 * v43)
-        v57 = v54 + (v52 + v45 * v45)
-        v58 = v54 + (v52 + v46 * v46)
+        v46, v47 = T34 - (a3 * (v31 + v44) + (v35 + a2 * (S2_mm * factor2_m))), T14 - c1 * v32
+        v48, v49, v50 = T14 + c1 * v33, T24 - s1 * v32, T24 + s1 * v33
+        v51, v52, v53 = v47 * v47, v48 * v48, v49 * v49
+        v54, v55, v56 = v50 * v50, v53 + (v51 + v42 * v42), v53 + (v51 + v43 * v43)
+        v57, v58 = v54 + (v52 + v45 * v45), v54 + (v52 + v46 * v46)
 
         # joint values
         v77 = math.sqrt(-1.0)
@@ -526,13 +422,14 @@ def _formulas(kept, turns, rows, w):
             abs(D3_m) <= m6 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Yhat1, Z2_5, v20
-        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = v21, v78, v79, v80
-        kept[24 * w + k], turns[0 * w + k], turns[1 * w + k] = v81, -Z2_234, -Z2_5
-        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = w3_p, w3_m, S2_pp
-        turns[5 * w + k], turns[6 * w + k], turns[7 * w + k] = S2_pm, S2_mp, S2_mm
-        turns[8 * w + k], turns[16 * w + k], turns[17 * w + k] = Yhat1, T33, -Z1_5
-        turns[18 * w + k], turns[19 * w + k], turns[20 * w + k] = N3_p - k1, N3_m - k1, v27 + v29
-        turns[21 * w + k], turns[22 * w + k] = v27 - v29, w3_m * (m7 * Z1_3_m) - v28
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v21, v78, v79
+        kept[23 * w + k], kept[24 * w + k], turns[0 * w + k] = v80, v81, -Z2_234
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -Z2_5, w3_p, w3_m
+        turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = S2_pp, S2_pm, S2_mp
+        turns[7 * w + k], turns[8 * w + k], turns[16 * w + k] = S2_mm, Yhat1, T33
+        turns[17 * w + k], turns[18 * w + k], turns[19 * w + k] = -Z1_5, N3_p - k1, N3_m - k1
+        turns[20 * w + k], turns[21 * w + k] = v27 + v29, v27 - v29
+        turns[22 * w + k] = w3_m * (m7 * Z1_3_m) - v28
         turns[23 * w + k], turns[24 * w + k] = w3_m * (m7 * -Z1_3_m) - v28, Xhat1
     if w == 1 and kept[16] != 0.0:
         return
@@ -544,26 +441,18 @@ def _formulas(kept, turns, rows, w):
         turns[k] = _atan2(turns[k], turns[k + 16 * w])
     for k in range(w):
         Yhat1, Z2_5, v20 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
-        v21, v78, v79, v80 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
-        v81, angle1, angle2 = kept[24 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle9 = turns[8 * w + k]
+        v21, v78, v79 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v80, v81, angle1 = kept[23 * w + k], kept[24 * w + k], turns[0 * w + k]
+        angle2, angle3, angle4 = turns[1 * w + k], turns[2 * w + k], turns[3 * w + k]
+        angle5, angle6, angle7 = turns[4 * w + k], turns[5 * w + k], turns[6 * w + k]
+        angle8, angle9 = turns[7 * w + k], turns[8 * w + k]
 
         # joint values
-        v59 = angle9 - offset1
-        v60 = angle9 - math.copysign(half_turn, Yhat1) - offset1
-        v61 = angle5 - offset2
-        v62 = angle6 - offset2
-        v63 = angle7 - offset2
-        v64 = angle8 - offset2
-        v65 = angle3 - offset3
-        v66 = offset3 + angle3
-        v67 = angle4 - offset3
-        v68 = offset3 + angle4
-        v69 = angle1 - (angle3 + angle5) - offset4
-        v70 = angle1 - (angle6 - angle3) - offset4
-        v71 = offset4 + (angle1 + (angle4 + angle7))
+        v59, v60 = angle9 - offset1, angle9 - math.copysign(half_turn, Yhat1) - offset1
+        v61, v62, v63 = angle5 - offset2, angle6 - offset2, angle7 - offset2
+        v64, v65, v66 = angle8 - offset2, angle3 - offset3, offset3 + angle3
+        v67, v68, v69 = angle4 - offset3, offset3 + angle4, angle1 - (angle3 + angle5) - offset4
+        v70, v71 = angle1 - (angle6 - angle3) - offset4, offset4 + (angle1 + (angle4 + angle7))
         v72 = offset4 + (angle1 + (angle8 - angle4))
         v73 = v69 + (turn if v69 <= -half_turn else (-turn if half_turn < v69 else 0.0))
         v74 = v70 + (turn if v70 <= -half_turn else (-turn if half_turn < v70 else 0.0))
@@ -571,9 +460,7 @@ def _formulas(kept, turns, rows, w):
         v76 = (turn if -v72 <= -half_turn else (-turn if half_turn < -v72 else 0.0)) - v72
         v82 = v20 + (v59 + (turn if v59 <= -half_turn else 0.0))
         v83 = v21 + (v60 + (turn if v60 <= -half_turn else 0.0))
-        q1_pp = v78 + v82
-        q1_pm = v79 + v82
-        q1_mp = v80 + v83
+        q1_pp, q1_pm, q1_mp = v78 + v82, v79 + v82, v80 + v83
         q1_mm = v81 + v83
         q2_pp = v78 + (v61 + (turn if v61 <= -half_turn else 0.0))
         q2_pm = v79 + (v62 + (turn if v62 <= -half_turn else 0.0))
@@ -587,11 +474,8 @@ def _formulas(kept, turns, rows, w):
         q4_pm = v79 + (v74 + (-turn if half_turn < v74 else 0.0))
         q4_mp = v80 + (v75 + (-turn if half_turn < v75 else 0.0))
         q4_mm = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
-        v84 = angle2 + v20
-        v85 = v21 + (angle2 - math.copysign(half_turn, -Z2_5))
-        q5_pp = v78 + v84
-        q5_pm = v79 + v84
-        q5_mp = v80 + v85
+        v84, v85 = angle2 + v20, v21 + (angle2 - math.copysign(half_turn, -Z2_5))
+        q5_pp, q5_pm, q5_mp = v78 + v84, v79 + v84, v80 + v85
         q5_mm = v81 + v85
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_pp, q2_pp, q3_pp
@@ -609,10 +493,7 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4],
-    [5, 6, 7, 8, 9],
-    [10, 11, 12, 13, 14],
-    [15, 16, 17, 18, 19],
+    [0, 1, 2, 3, 4], [5, 6, 7, 8, 9], [10, 11, 12, 13, 14], [15, 16, 17, 18, 19],
 ])
 
 

@@ -157,54 +157,27 @@ def fk(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    y2_x = c1 * s2
+    c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, y2_x = c1 * c2, s1 * c2, c1 * s2
     y2_y = s1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = c2 * s3 - s2 * c3
-    z3_x = y2_x * c3 - x2_x * s3
-    z3_y = y2_y * c3 - x2_y * s3
-    z3_z = c2 * c3 + s2 * s3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    x4_x = x3_x * c4 - s1 * s4
-    x4_y = x3_y * c4 + c1 * s4
-    x4_z = x3_z * c4
-    z4_x = s1 * c4 + x3_x * s4
-    z4_z = x3_z * s4
-    z4_y = x3_y * s4 - c1 * c4
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, c2 * s3 - s2 * c3
+    z3_x, z3_y, z3_z = y2_x * c3 - x2_x * s3, y2_y * c3 - x2_y * s3, c2 * c3 + s2 * s3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    x4_x, x4_y, x4_z = x3_x * c4 - s1 * s4, x3_y * c4 + c1 * s4, x3_z * c4
+    z4_x, z4_z, z4_y = s1 * c4 + x3_x * s4, x3_z * s4, x3_y * s4 - c1 * c4
     v2 = q[4] + offset5
-    c5 = math.cos(v2)
-    s5 = math.sin(v2)
-    x5_x = x4_x * c5 + z3_x * s5
-    x5_y = x4_y * c5 + z3_y * s5
-    x5_z = x4_z * c5 + z3_z * s5
-    z6_x = z3_x * c5 - x4_x * s5
-    z6_y = z3_y * c5 - x4_y * s5
-    z6_z = z3_z * c5 - x4_z * s5
+    c5, s5 = math.cos(v2), math.sin(v2)
+    x5_x, x5_y, x5_z = x4_x * c5 + z3_x * s5, x4_y * c5 + z3_y * s5, x4_z * c5 + z3_z * s5
+    z6_x, z6_y, z6_z = z3_x * c5 - x4_x * s5, z3_y * c5 - x4_y * s5, z3_z * c5 - x4_z * s5
     v3 = q[5] + offset6
-    c6 = math.cos(v3)
-    s6 = math.sin(v3)
-    T[0, 0] = x5_x * c6 + z4_x * s6
-    T[0, 1] = x5_x * s6 - z4_x * c6
-    T[0, 2] = z6_x
+    c6, s6 = math.cos(v3), math.sin(v3)
+    T[0, 0], T[0, 1], T[0, 2] = x5_x * c6 + z4_x * s6, x5_x * s6 - z4_x * c6, z6_x
     T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 - z3_x * d4 - -z6_x * d6
-    T[1, 0] = x5_y * c6 + z4_y * s6
-    T[1, 1] = x5_y * s6 - z4_y * c6
-    T[1, 2] = z6_y
+    T[1, 0], T[1, 1], T[1, 2] = x5_y * c6 + z4_y * s6, x5_y * s6 - z4_y * c6, z6_y
     T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 - z3_y * d4 - -z6_y * d6
-    T[2, 0] = x5_z * c6 + z4_z * s6
-    T[2, 1] = x5_z * s6 - z4_z * c6
-    T[2, 2] = z6_z
+    T[2, 0], T[2, 1], T[2, 2] = x5_z * c6 + z4_z * s6, x5_z * s6 - z4_z * c6, z6_z
     T[2, 3] = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -z6_z * d6
     T[3, 3] = 1.0
     return T
@@ -216,86 +189,41 @@ def jacobian(q):
     if len(q) != DOF:
         raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    p1_x = c1 * a1
-    p1_y = s1 * a1
-    v1 = q[1] + offset2
-    c2 = math.cos(v1)
-    s2 = math.sin(v1)
-    x2_x = c1 * c2
-    x2_y = s1 * c2
-    y2_x = c1 * s2
-    y2_y = s1 * s2
-    p2_x = p1_x + x2_x * a2
-    p2_y = p1_y + x2_y * a2
+    c1, s1 = math.cos(q[0]), math.sin(q[0])
+    p1_x, p1_y, v1 = c1 * a1, s1 * a1, q[1] + offset2
+    c2, s2 = math.cos(v1), math.sin(v1)
+    x2_x, x2_y, y2_x = c1 * c2, s1 * c2, c1 * s2
+    y2_y, p2_x, p2_y = s1 * s2, p1_x + x2_x * a2, p1_y + x2_y * a2
     p2_z = d1 - s2 * a2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    x3_x = x2_x * c3 + y2_x * s3
-    x3_y = x2_y * c3 + y2_y * s3
-    x3_z = c2 * s3 - s2 * c3
-    z3_x = y2_x * c3 - x2_x * s3
-    z3_y = y2_y * c3 - x2_y * s3
-    z3_z = c2 * c3 + s2 * s3
-    p3_x = p2_x + x3_x * a3
-    p3_y = p2_y + x3_y * a3
-    p3_z = p2_z + x3_z * a3
-    c4 = math.cos(q[3])
-    s4 = math.sin(q[3])
-    z4_x = s1 * c4 + x3_x * s4
-    z4_z = x3_z * s4
-    p4_x = p3_x - z3_x * d4
-    p4_y = p3_y - z3_y * d4
-    p4_z = p3_z - z3_z * d4
-    z4_y = x3_y * s4 - c1 * c4
+    c3, s3 = math.cos(q[2]), math.sin(q[2])
+    x3_x, x3_y, x3_z = x2_x * c3 + y2_x * s3, x2_y * c3 + y2_y * s3, c2 * s3 - s2 * c3
+    z3_x, z3_y, z3_z = y2_x * c3 - x2_x * s3, y2_y * c3 - x2_y * s3, c2 * c3 + s2 * s3
+    p3_x, p3_y, p3_z = p2_x + x3_x * a3, p2_y + x3_y * a3, p2_z + x3_z * a3
+    c4, s4 = math.cos(q[3]), math.sin(q[3])
+    z4_x, z4_z, p4_x = s1 * c4 + x3_x * s4, x3_z * s4, p3_x - z3_x * d4
+    p4_y, p4_z, z4_y = p3_y - z3_y * d4, p3_z - z3_z * d4, x3_y * s4 - c1 * c4
     v2 = q[4] + offset5
-    c5 = math.cos(v2)
-    s5 = math.sin(v2)
-    z5_x = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5
-    z5_y = (x3_y * c4 + c1 * s4) * s5 - z3_y * c5
-    z5_z = x3_z * c4 * s5 - z3_z * c5
-    p6_x = p4_x - z5_x * d6
-    p6_y = p4_y - z5_y * d6
+    c5, s5 = math.cos(v2), math.sin(v2)
+    z5_x, z5_y = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5, (x3_y * c4 + c1 * s4) * s5 - z3_y * c5
+    z5_z, p6_x, p6_y = x3_z * c4 * s5 - z3_z * c5, p4_x - z5_x * d6, p4_y - z5_y * d6
     p6_z = p4_z - z5_z * d6
-    v3 = p6_z - d1
-    v4 = p6_z - p2_z
-    v5 = p6_x - p3_x
-    v6 = p6_y - p3_y
-    v7 = p6_z - p3_z
-    v8 = p6_x - p4_x
-    v9 = p6_y - p4_y
-    v10 = p6_z - p4_z
-    J[0, 0] = -p6_y
-    J[0, 1] = c1 * v3
-    J[0, 2] = -(c1 * v4)
-    J[0, 3] = z3_y * v7 - z3_z * v6
-    J[0, 4] = z4_y * v10 - z4_z * v9
+    v3, v4, v5 = p6_z - d1, p6_z - p2_z, p6_x - p3_x
+    v6, v7, v8 = p6_y - p3_y, p6_z - p3_z, p6_x - p4_x
+    v9, v10 = p6_y - p4_y, p6_z - p4_z
+    J[0, 0], J[0, 1], J[0, 2] = -p6_y, c1 * v3, -(c1 * v4)
+    J[0, 3], J[0, 4] = z3_y * v7 - z3_z * v6, z4_y * v10 - z4_z * v9
     J[0, 5] = z5_y * v10 - z5_z * v9
-    J[1, 0] = p6_x
-    J[1, 1] = s1 * v3
-    J[1, 2] = -(s1 * v4)
-    J[1, 3] = z3_z * v5 - z3_x * v7
-    J[1, 4] = z4_z * v8 - z4_x * v10
+    J[1, 0], J[1, 1], J[1, 2] = p6_x, s1 * v3, -(s1 * v4)
+    J[1, 3], J[1, 4] = z3_z * v5 - z3_x * v7, z4_z * v8 - z4_x * v10
     J[1, 5] = z5_z * v8 - z5_x * v10
     J[2, 1] = -(s1 * (p6_y - p1_y) + c1 * (p6_x - p1_x))
-    J[2, 2] = s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)
-    J[2, 3] = z3_x * v6 - z3_y * v5
-    J[2, 4] = z4_x * v9 - z4_y * v8
-    J[2, 5] = z5_x * v9 - z5_y * v8
-    J[3, 1] = -s1
-    J[3, 2] = s1
-    J[3, 3] = z3_x
-    J[3, 4] = z4_x
-    J[3, 5] = z5_x
-    J[4, 1] = c1
-    J[4, 2] = -c1
-    J[4, 3] = z3_y
-    J[4, 4] = z4_y
-    J[4, 5] = z5_y
-    J[5, 0] = 1.0
-    J[5, 3] = z3_z
-    J[5, 4] = z4_z
+    J[2, 2], J[2, 3] = s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x), z3_x * v6 - z3_y * v5
+    J[2, 4], J[2, 5] = z4_x * v9 - z4_y * v8, z5_x * v9 - z5_y * v8
+    J[3, 1], J[3, 2], J[3, 3] = -s1, s1, z3_x
+    J[3, 4], J[3, 5] = z4_x, z5_x
+    J[4, 1], J[4, 2], J[4, 3] = c1, -c1, z3_y
+    J[4, 4], J[4, 5] = z4_y, z5_y
+    J[5, 0], J[5, 3], J[5, 4] = 1.0, z3_z, z4_z
     J[5, 5] = z5_z
     return J
 
@@ -339,8 +267,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v3 = k1 * K3
-        v4 = k2 * K3
+        v3, v4 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[3, 3]
         v7 = T13 * c1 + T23 * s1
@@ -348,9 +275,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v8 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v9 = T12 * s1 - T22 * c1
-        v10 = T12 * c1 + T22 * s1
-        v12 = T11 * s1 - T21 * c1
+        v9, v10, v12 = T12 * s1 - T22 * c1, T12 * c1 + T22 * s1, T11 * s1 - T21 * c1
         v13 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
@@ -359,8 +284,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e3
-            s3 = (v3 + k2 * root3) * k4
-            c3 = k4 * (v4 - k1 * root3)
+            s3, c3 = (v3 + k2 * root3) * k4, k4 * (v4 - k1 * root3)
             q3 = _atan2(s3, c3)
 
             # theta2
@@ -386,8 +310,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             c5 = T33 * c2m3 + s2m3 * v7
 
             # theta6
-            v11 = c2m3 * v10 - T32 * s2m3
-            v14 = c2m3 * v13 - T31 * s2m3
+            v11, v14 = c2m3 * v10 - T32 * s2m3, c2m3 * v13 - T31 * s2m3
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -409,12 +332,8 @@ def _solve(pose, q_free, seed, moved, q, status):
                 q5 = _wrap(_atan2(-(w4 * e4), c5) - offset5)
                 q6 = _wrap(_atan2(s6, -(c4 * v9 + s4 * v11)) - offset6)
                 row = 4 * i1 + 2 * i2 + i3
-                q[row, 0] = q1
-                q[row, 1] = q2
-                q[row, 2] = q3
-                q[row, 3] = q4
-                q[row, 4] = q5
-                q[row, 5] = q6
+                q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
+                q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
@@ -426,87 +345,54 @@ def _formulas(kept, turns, rows, w):
     itself: it has the root of a negative number in it.
     """
     for k in range(w):
-        T11, T12, T13, T14 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k], kept[3 * w + k]
-        T21, T22, T23, T24 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k], kept[7 * w + k]
-        T31, T32, T33, T34 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
+        T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
+        T14, T21, T22 = kept[3 * w + k], kept[4 * w + k], kept[5 * w + k]
+        T23, T24, T31 = kept[6 * w + k], kept[7 * w + k], kept[8 * w + k]
+        T32, T33, T34 = kept[9 * w + k], kept[10 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
-        wx = T14 - d6 * T13
-        Y1 = d6 * T23 - T24
+        wx, Y1 = T14 - d6 * T13, d6 * T23 - T24
         v1 = wx * wx + Y1 * Y1
-        w1 = math.sqrt(v1)
-        v2 = 1.0 / v1
+        w1, v2 = math.sqrt(v1), 1.0 / v1
 
         # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        Z1_3 = T34 - d6 * T33 - d1
-        v3 = a1 + w1
-        v4 = a1 - w1
+        Z1_3, v3, v4 = T34 - d6 * T33 - d1, a1 + w1, a1 - w1
         v5 = Z1_3 * Z1_3
-        N3_p = v5 + v3 * v3
-        N3_m = v5 + v4 * v4
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p = math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
+        N3_p, N3_m = v5 + v3 * v3, v5 + v4 * v4
+        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
+        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
 
         # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-        Y1_2_p = m5 + m4 * N3_p
-        Y1_2_m = m5 + m4 * N3_m
-        v8 = Z1_3 * Y1_2_p
-        v9 = Z1_3 * Y1_2_m
-        v10 = v3 * Y1_2_p
-        v11 = v4 * Y1_2_m
-        v12 = m4 * Z1_3
-        v13 = m4 * -Z1_3
-        factor2_p = 1.0 / N3_p
-        factor2_m = 1.0 / N3_m
+        Y1_2_p, Y1_2_m = m5 + m4 * N3_p, m5 + m4 * N3_m
+        v8, v9, v10 = Z1_3 * Y1_2_p, Z1_3 * Y1_2_m, v3 * Y1_2_p
+        v11, v12, v13 = v4 * Y1_2_m, m4 * Z1_3, m4 * -Z1_3
+        factor2_p, factor2_m = 1.0 / N3_p, 1.0 / N3_m
 
         # theta4, type 2: U4[3, 3]
         v14 = m6 * Z1_3
-        v15 = m7 * v3 - v14
-        v16 = m7 * v4 - v14
-        v17 = m8 * factor2_p - m7
-        v18 = m8 * factor2_m - m7
-        v19 = m9 * factor2_p - m6
-        v20 = m9 * factor2_m - m6
-        v21 = Z1_3 * v17 + v3 * v19
-        v22 = Z1_3 * v18 + v4 * v20
-        c2m3_pp = v21 + w3_p * (factor2_p * v15)
-        c2m3_pm = v21 + w3_p * (factor2_p * -v15)
-        c2m3_mp = v22 + w3_m * (factor2_m * v16)
-        c2m3_mm = v22 + w3_m * (factor2_m * -v16)
-        v23 = m7 * Z1_3
-        v24 = Z1_3 * v19 + v3 * -v17
-        v25 = Z1_3 * v20 + v4 * -v18
+        v15, v16, v17 = m7 * v3 - v14, m7 * v4 - v14, m8 * factor2_p - m7
+        v18, v19, v20 = m8 * factor2_m - m7, m9 * factor2_p - m6, m9 * factor2_m - m6
+        v21, v22 = Z1_3 * v17 + v3 * v19, Z1_3 * v18 + v4 * v20
+        c2m3_pp, c2m3_pm = v21 + w3_p * (factor2_p * v15), v21 + w3_p * (factor2_p * -v15)
+        c2m3_mp, c2m3_mm = v22 + w3_m * (factor2_m * v16), v22 + w3_m * (factor2_m * -v16)
+        v23, v24, v25 = m7 * Z1_3, Z1_3 * v19 + v3 * -v17, Z1_3 * v20 + v4 * -v18
         v26 = w3_p * (factor2_p * (v23 + m6 * v3))
-        s2m3_pp = v24 + v26
-        s2m3_pm = v24 - v26
-        v27 = w3_m * (factor2_m * (v23 + m6 * v4))
-        s2m3_mp = v25 + v27
-        s2m3_mm = v25 - v27
-        v28 = w1 * (v2 * (T23 * Y1 - T13 * wx))
-        X4_pp = T33 * s2m3_pp - c2m3_pp * v28
-        X4_pm = T33 * s2m3_pm - c2m3_pm * v28
-        X4_mp = T33 * s2m3_mp + c2m3_mp * v28
-        X4_mm = T33 * s2m3_mm + c2m3_mm * v28
+        s2m3_pp, s2m3_pm, v27 = v24 + v26, v24 - v26, w3_m * (factor2_m * (v23 + m6 * v4))
+        s2m3_mp, s2m3_mm, v28 = v25 + v27, v25 - v27, w1 * (v2 * (T23 * Y1 - T13 * wx))
+        X4_pp, X4_pm = T33 * s2m3_pp - c2m3_pp * v28, T33 * s2m3_pm - c2m3_pm * v28
+        X4_mp, X4_mm = T33 * s2m3_mp + c2m3_mp * v28, T33 * s2m3_mm + c2m3_mm * v28
         v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
         v30 = v29 * v29
-        v31 = v30 + X4_pp * X4_pp
-        v32 = v30 + X4_pm * X4_pm
-        v33 = v30 + X4_mp * X4_mp
-        v34 = v30 + X4_mm * X4_mm
-        v35 = math.copysign(half_turn, -v29)
+        v31, v32, v33 = v30 + X4_pp * X4_pp, v30 + X4_pm * X4_pm, v30 + X4_mp * X4_mp
+        v34, v35 = v30 + X4_mm * X4_mm, math.copysign(half_turn, -v29)
         v36 = math.copysign(half_turn, v29)
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v37 = w1 * (v2 * (wx * T22 + Y1 * T12))
-        v38 = w1 * (v2 * (Y1 * T22 - wx * T12))
-        v39 = w1 * (v2 * (wx * T21 + Y1 * T11))
-        v40 = w1 * (v2 * (Y1 * T21 - wx * T11))
+        v37, v38 = w1 * (v2 * (wx * T22 + Y1 * T12)), w1 * (v2 * (Y1 * T22 - wx * T12))
+        v39, v40 = w1 * (v2 * (wx * T21 + Y1 * T11)), w1 * (v2 * (Y1 * T21 - wx * T11))
 
         # joint values
-        v41 = w3_p * (m4 * v3)
-        v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31)
+        v41, v54 = w3_p * (m4 * v3), -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31)
         v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31)
         v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
         v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
@@ -516,9 +402,10 @@ def _formulas(kept, turns, rows, w):
             1.0 if v34 <= m10 or v33 <= m10 or v32 <= m10 or v31 <= m10 or abs(D3_m) <= m3 or v1 <=
             m1 or abs(D3_p) <= m3 else kept[16 * w + k]
         )
-        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Y1, w3_p, w3_m, v35
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v36, v54, v55, v56
-        kept[25 * w + k], turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = v57, Y1, w3_p, w3_m
+        kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y1, w3_p, w3_m
+        kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v35, v36, v54
+        kept[23 * w + k], kept[24 * w + k], kept[25 * w + k] = v55, v56, v57
+        turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = Y1, w3_p, w3_m
         turns[3 * w + k], turns[4 * w + k], turns[5 * w + k] = -v29, -v29, v29
         turns[6 * w + k], turns[7 * w + k], turns[8 * w + k] = v29, -(v8 + v41), v41 - v8
         turns[9 * w + k], turns[10 * w + k] = -(v9 + w3_m * (m4 * v4)), -(v9 + w3_m * (m4 * -v4))
@@ -546,48 +433,38 @@ def _formulas(kept, turns, rows, w):
     for k in range(0 * w, end):
         turns[k] = _atan2(turns[k], turns[k + 24 * w])
     for k in range(w):
-        Y1, w3_p, w3_m, v35 = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
-        v36, v54, v55, v56 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k], kept[24 * w + k]
-        v57, angle1, angle2 = kept[25 * w + k], turns[0 * w + k], turns[1 * w + k]
-        angle3, angle4, angle5 = turns[2 * w + k], turns[3 * w + k], turns[4 * w + k]
-        angle6, angle7, angle8 = turns[5 * w + k], turns[6 * w + k], turns[7 * w + k]
-        angle9, angle10, angle11 = turns[8 * w + k], turns[9 * w + k], turns[10 * w + k]
-        angle12, angle13, angle14 = turns[11 * w + k], turns[12 * w + k], turns[13 * w + k]
-        angle15, angle16, angle17 = turns[14 * w + k], turns[15 * w + k], turns[16 * w + k]
-        angle18, angle19 = turns[17 * w + k], turns[18 * w + k]
+        Y1, w3_p, w3_m = kept[17 * w + k], kept[18 * w + k], kept[19 * w + k]
+        v35, v36, v54 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        v55, v56, v57 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
+        angle1, angle2, angle3 = turns[0 * w + k], turns[1 * w + k], turns[2 * w + k]
+        angle4, angle5, angle6 = turns[3 * w + k], turns[4 * w + k], turns[5 * w + k]
+        angle7, angle8, angle9 = turns[6 * w + k], turns[7 * w + k], turns[8 * w + k]
+        angle10, angle11, angle12 = turns[9 * w + k], turns[10 * w + k], turns[11 * w + k]
+        angle13, angle14, angle15 = turns[12 * w + k], turns[13 * w + k], turns[14 * w + k]
+        angle16, angle17, angle18 = turns[15 * w + k], turns[16 * w + k], turns[17 * w + k]
+        angle19 = turns[18 * w + k]
 
         # theta1, type 2: U1 A6^-1 [3, 4]
         q1__m = angle1 - math.copysign(half_turn, Y1)
 
         # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        q3__pp = angle2 - turn1
-        v6 = turn1 + angle2
-        q3__mp = angle3 - turn1
+        q3__pp, v6, q3__mp = angle2 - turn1, turn1 + angle2, angle3 - turn1
         v7 = turn1 + angle3
 
         # theta4, type 2: U4[3, 3]
-        q4_ppm = angle4 - v35
-        q4_pmm = angle5 - v35
-        q4_mpm = angle6 - v36
+        q4_ppm, q4_pmm, q4_mpm = angle4 - v35, angle5 - v35, angle6 - v36
         q4_mmm = angle7 - v36
 
         # joint values
-        v42 = angle8 - offset2
-        v43 = angle9 - offset2
-        v44 = angle10 - offset2
+        v42, v43, v44 = angle8 - offset2, angle9 - offset2, angle10 - offset2
         v45 = angle11 - offset2
         q2_ppp = v42 + (-turn if half_turn < v42 else 0.0)
         q2_pmp = v43 + (-turn if half_turn < v43 else 0.0)
         q2_mpp = v44 + (-turn if half_turn < v44 else 0.0)
         q2_mmp = v45 + (-turn if half_turn < v45 else 0.0)
-        v46 = angle12 - offset5
-        v47 = offset5 + angle12
-        v48 = angle13 - offset5
-        v49 = offset5 + angle13
-        v50 = angle14 - offset5
-        v51 = offset5 + angle14
-        v52 = angle15 - offset5
-        v53 = offset5 + angle15
+        v46, v47, v48 = angle12 - offset5, offset5 + angle12, angle13 - offset5
+        v49, v50, v51 = offset5 + angle13, angle14 - offset5, offset5 + angle14
+        v52, v53 = angle15 - offset5, offset5 + angle15
         q5_ppp = v46 + (turn if v46 <= -half_turn else 0.0)
         q5_ppm = (turn if -v47 <= -half_turn else 0.0) - v47
         q5_pmp = v48 + (turn if v48 <= -half_turn else 0.0)
@@ -596,14 +473,10 @@ def _formulas(kept, turns, rows, w):
         q5_mpm = (turn if -v51 <= -half_turn else 0.0) - v51
         q5_mmp = v52 + (turn if v52 <= -half_turn else 0.0)
         q5_mmm = (turn if -v53 <= -half_turn else 0.0) - v53
-        v58 = angle16 - offset6
-        v59 = angle16 - math.copysign(half_turn, v54) - offset6
-        v60 = angle17 - offset6
-        v61 = angle17 - math.copysign(half_turn, v55) - offset6
-        v62 = angle18 - offset6
-        v63 = angle18 - math.copysign(half_turn, v56) - offset6
-        v64 = angle19 - offset6
-        v65 = angle19 - math.copysign(half_turn, v57) - offset6
+        v58, v59 = angle16 - offset6, angle16 - math.copysign(half_turn, v54) - offset6
+        v60, v61 = angle17 - offset6, angle17 - math.copysign(half_turn, v55) - offset6
+        v62, v63 = angle18 - offset6, angle18 - math.copysign(half_turn, v56) - offset6
+        v64, v65 = angle19 - offset6, angle19 - math.copysign(half_turn, v57) - offset6
         q6_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
         q6_ppm = v59 + (turn if v59 <= -half_turn else 0.0)
         q6_pmp = v60 + (turn if v60 <= -half_turn else 0.0)
@@ -616,20 +489,14 @@ def _formulas(kept, turns, rows, w):
         v67 = (-turn if half_turn < -v6 else 0.0) - v6
         v68 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
         v69 = (-turn if half_turn < -v7 else 0.0) - v7
-        v70 = abs(angle1) - high1
-        v71 = abs(q1__m) - high1
+        v70, v71 = abs(angle1) - high1, abs(q1__m) - high1
         v72 = v66 + (turn if v66 < low3 else 0.0)
         v73 = v67 + (turn if v67 < low3 else 0.0)
         v74 = v68 + (turn if v68 < low3 else 0.0)
         v75 = v69 + (turn if v69 < low3 else 0.0)
-        v76 = max(low3 - v72, v72 - high3)
-        v77 = max(low3 - v73, v73 - high3)
-        v78 = max(low3 - v74, v74 - high3)
-        v79 = max(low3 - v75, v75 - high3)
-        v80 = low3 - v66
-        v81 = low3 - v67
-        v82 = low3 - v68
-        v83 = low3 - v69
+        v76, v77 = max(low3 - v72, v72 - high3), max(low3 - v73, v73 - high3)
+        v78, v79, v80 = max(low3 - v74, v74 - high3), max(low3 - v75, v75 - high3), low3 - v66
+        v81, v82, v83 = low3 - v67, low3 - v68, low3 - v69
         v84 = v80 if v80 < v76 else v76
         v85 = v81 if v81 < v77 else v77
         v86 = v82 if v82 < v78 else v78
@@ -638,28 +505,18 @@ def _formulas(kept, turns, rows, w):
         q3_pmp = v67 if 0.0 < v85 else v73
         q3_mpp = v68 if 0.0 < v86 else v74
         q3_mmp = v69 if 0.0 < v87 else v75
-        q1_ppp = angle1 + (w3_p - w3_p)
-        q1_mpp = q1__m + (w3_m - w3_m)
+        q1_ppp, q1_mpp = angle1 + (w3_p - w3_p), q1__m + (w3_m - w3_m)
         v88 = max(v84, max(v70, max(low2 - q2_ppp, q2_ppp - high2)))
         v89 = max(v85, max(v70, max(low2 - q2_pmp, q2_pmp - high2)))
         v90 = max(v86, max(v71, max(low2 - q2_mpp, q2_mpp - high2)))
         v91 = max(v87, max(v71, max(low2 - q2_mmp, q2_mmp - high2)))
-        excess_ppp = max(v88, abs(q5_ppp) - high5)
-        excess_ppm = max(v88, abs(q5_ppm) - high5)
-        excess_pmp = max(v89, abs(q5_pmp) - high5)
-        excess_pmm = max(v89, abs(q5_pmm) - high5)
-        excess_mpp = max(v90, abs(q5_mpp) - high5)
-        excess_mpm = max(v90, abs(q5_mpm) - high5)
-        excess_mmp = max(v91, abs(q5_mmp) - high5)
-        excess_mmm = max(v91, abs(q5_mmm) - high5)
-        outside_ppp = 0.0 < excess_ppp
-        outside_ppm = 0.0 < excess_ppm
-        outside_pmp = 0.0 < excess_pmp
-        outside_pmm = 0.0 < excess_pmm
-        outside_mpp = 0.0 < excess_mpp
-        outside_mpm = 0.0 < excess_mpm
-        outside_mmp = 0.0 < excess_mmp
-        outside_mmm = 0.0 < excess_mmm
+        excess_ppp, excess_ppm = max(v88, abs(q5_ppp) - high5), max(v88, abs(q5_ppm) - high5)
+        excess_pmp, excess_pmm = max(v89, abs(q5_pmp) - high5), max(v89, abs(q5_pmm) - high5)
+        excess_mpp, excess_mpm = max(v90, abs(q5_mpp) - high5), max(v90, abs(q5_mpm) - high5)
+        excess_mmp, excess_mmm = max(v91, abs(q5_mmp) - high5), max(v91, abs(q5_mmm) - high5)
+        outside_ppp, outside_ppm, outside_pmp = 0.0 < excess_ppp, 0.0 < excess_ppm, 0.0 < excess_pmp
+        outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
+        outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
         # a joint is free, branches meet, or rounding tells what is beyond a limit
         kept[16 * w + k] = (
@@ -709,13 +566,8 @@ def _formulas(kept, turns, rows, w):
 
 # Where in rows the joint values of each row are.
 _PLACES = np.array([
-    [0, 1, 2, 3, 4, 5],
-    [0, 1, 2, 6, 7, 8],
-    [0, 9, 10, 11, 12, 13],
-    [0, 9, 10, 14, 15, 16],
-    [17, 18, 19, 20, 21, 22],
-    [17, 18, 19, 23, 24, 25],
-    [17, 26, 27, 28, 29, 30],
+    [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
+    [17, 18, 19, 20, 21, 22], [17, 18, 19, 23, 24, 25], [17, 26, 27, 28, 29, 30],
     [17, 26, 27, 31, 32, 33],
 ])
 

@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.targets.families import follows
 from dhgen.targets.layout import WIDTH, wrapped
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
-
-# Values without a name of the derivation's, entries of a matrix, and columns of frames.
-_NUMBERED = re.compile(r"(?:v|angle|packed|[JTpxyz])\d+")
-_COSINE_OR_SINE = re.compile(r"[cs](\d+)")
-_COMPONENT = re.compile(r"(w\d+)[xyz]")
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,40 +20,27 @@ class Declaration:
     name: str
     value: str
 
-    @property
-    def family(self) -> str:
-        """Branches of a value, cosine and sine, a vector ...; empty without a name of its own."""
-        stem = self.name.partition("_")[0]
-        if _NUMBERED.fullmatch(stem):
-            return ""
-        part = _COSINE_OR_SINE.fullmatch(stem) or _COMPONENT.fullmatch(stem)
-        return part[1] if part else stem
-
-    def follows(self, before: Declaration) -> bool:
-        """Whether it may share another's statement: what has no name, that of an angle too."""
-        turned = not self.family and _COSINE_OR_SINE.fullmatch(before.name)
-        return self.kind == before.kind and (self.family == before.family or bool(turned))
-
 
 def declared(declarations: Iterable[Declaration], indent: str) -> list[str]:
     """Statements, one for each family of values."""
-    return _listed(declarations, indent, Declaration.follows)
+    return _listed(declarations, indent, follows)
 
 
 def dense(declarations: Iterable[Declaration], indent: str, width: int = WIDTH) -> list[str]:
     """Statements, one for all values of one type that follow each other."""
-    return _listed(declarations, indent, lambda each, before: each.kind == before.kind, width)
+    return _listed(declarations, indent, lambda _name, _before: True, width)
 
 
 def _listed(
     declarations: Iterable[Declaration],
     indent: str,
-    follows: Callable[[Declaration, Declaration], bool],
+    shares: Callable[[str, str], bool],
     width: int = WIDTH,
 ) -> list[str]:
     statements: list[list[Declaration]] = []
     for each in declarations:
-        if statements and follows(each, statements[-1][-1]):
+        before = statements[-1][-1] if statements else None
+        if before and each.kind == before.kind and shares(each.name, before.name):
             statements[-1].append(each)
         else:
             statements.append([each])

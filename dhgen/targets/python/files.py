@@ -11,6 +11,7 @@ from dhgen.program.walk import finds_roots, uses, whole_arm
 from dhgen.runtime.python import INTERFACE
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import regular_solver
+from dhgen.targets.python.assignments import side_by_side
 from dhgen.targets.python.formulas import Formulas, formulas_of
 from dhgen.targets.python.language import Python
 from dhgen.targets.python.nearest import PythonNearest, python_nearest
@@ -122,9 +123,13 @@ def _entries(program: Program) -> list[str]:
 
 def _assignments(array: str, entries: list[str], columns: int) -> list[str]:
     """A matrix of zeros, its other entries one after another."""
-    places = [divmod(place, columns) for place in range(len(entries))]
-    return [
-        f"{INDENT}{array}[{row}, {column}] = {entry}"
-        for (row, column), entry in zip(places, entries, strict=True)
-        if entry != "0.0"
-    ]
+    lines: list[str] = []
+    for first in range(0, len(entries), columns):
+        row = enumerate(entries[first : first + columns])
+        named = [
+            (f"{array}[{first // columns}, {place}]", entry)
+            for place, entry in row
+            if entry != "0.0"
+        ]
+        lines += side_by_side(named, INDENT)
+    return lines

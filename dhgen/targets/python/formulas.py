@@ -9,12 +9,14 @@ kept stays in registers.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import groupby
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Heading, Joint, Let, Pose, Variable
 from dhgen.program.walk import names_in, parts
 from dhgen.targets.dialect import expression_text
-from dhgen.targets.layout import INDENT, WIDTH, paragraph
+from dhgen.targets.layout import INDENT, listed, paragraph
+from dhgen.targets.python.assignments import Assignment, alike, side_by_side
 from dhgen.targets.python.language import Python
 from dhgen.targets.stages import staged
 
@@ -29,8 +31,6 @@ LANES = 8  # of the widest vectors: what is left over after whole ones is taken 
 LOOP = INDENT * 2  # inside a loop over the poses
 SIDE_BY_SIDE = "atan2"  # sine and cosine are libm's, which has no vectors
 ENTRIES = tuple(f"T{row}{column}" for row in (1, 2, 3, 4) for column in (1, 2, 3, 4))
-
-Assignment = tuple[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,29 +117,30 @@ class _Printing:
             lines += self._stage(number, stage)
         places, filling = self._filled()
         rows, dof = len(self._flat.choices), self._flat.joints
-        table = [f"{INDENT}{places[row * dof : (row + 1) * dof]}," for row in range(rows)]
+        table = listed([str(places[row * dof : (row + 1) * dof]) for row in range(rows)], INDENT)
         return Formulas([*lines, *filling], len(self._kept), max(self._size, 1), table)
 
     def _stage(self, number: int, stage: Stage) -> list[str]:
         """The arithmetic of a stage, and the loops of its functions."""
         needed, later = self._needed[number], set[str]().union(*self._needed[number + 1 :])
         early = [name for name in self._known if name in needed and self._known[name] < number]
-        lines = [f"{INDENT}for k in range(w):", *_side_by_side(map(self._read, early))]
-        title = ""
-        for let in stage.lets:
-            if self._titles.get(let.name, title) != title:
-                title = self._titles[let.name]
-                lines += ["", f"{LOOP}# {paragraph(title, f'{LOOP}# ')}"]
-            lines += _assigned(let.name, expression_text(let.expression, self._language))
+        lines = [f"{INDENT}for k in range(w):", *side_by_side(map(self._read, early), LOOP)]
+        for title, lets in groupby(stage.lets, lambda let: self._titles[let.name]):
+            lines += ["", f"{LOOP}# {paragraph(title, f'{LOOP}# ')}"] if title else []
+            lines += side_by_side(map(self._named, lets), LOOP)
         if self._doubts[number]:
             lines += ["", f"{LOOP}# {self._reason()}"]
         for doubt in self._doubts[number]:
             text = expression_text(doubt, self._language)
-            lines += _assigned(self._doubt, f"1.0 if {text} else {self._doubt}")
+            lines += side_by_side([(self._doubt, f"1.0 if {text} else {self._doubt}")], LOOP)
         kept = [(self._keep(let.name), let.name) for let in stage.lets if let.name in later]
         loops, arguments = self._functions(stage)
         leave = self._leave() if self._doubts[number] and loops else []
-        return [*lines, *_side_by_side([*kept, *arguments]), *leave, *loops]
+        return [*lines, *side_by_side([*kept, *arguments], LOOP), *leave, *loops]
+
+    def _named(self, let: Let) -> Assignment:
+        """A value, computed."""
+        return let.name, expression_text(let.expression, self._language)
 
     def _leave(self) -> list[str]:
         """Ends where one pose is left to the whole program, before functions take their time."""
@@ -202,46 +203,29 @@ class _Printing:
         places: dict[Expression, int] = {}
         values: list[Assignment] = []
         firsts: list[str] = []  # the name of the first value of each row
-        named: list[str] = []
+        named: list[Assignment] = []
         for number, value in enumerate(self._values):
             place = places.setdefault(value, len(places))
             text = expression_text(value, self._language)
             if number % self._flat.joints == 0 and not isinstance(value, Variable):
-                named += _assigned(f"_{place}", text)
+                named.append((f"_{place}", text))
                 text = f"_{place}"
             if number % self._flat.joints == 0:
                 firsts.append(text)
             if place == len(values):
                 values.append((f"rows[{place} * w + k]", text))
-        statuses: list[str] = []
+        statuses: list[Assignment] = []
         for row, first in enumerate(firsts):
             beyond = expression_text(self._rest[row], self._language) if self._flat.limited else ""
             held = f"(OUT_OF_LIMITS if {beyond} else OK)" if beyond else "OK"
             target = f"rows[{len(places) + row} * w + k]"
-            statuses += _assigned(target, f"UNREACHABLE if {first} != {first} else {held}")
-        lines = ["", *named, *_side_by_side(values), *statuses]
+            statuses.append((target, f"UNREACHABLE if {first} != {first} else {held}"))
+        lines = [
+            "",
+            *side_by_side(named, LOOP),
+            *side_by_side([*values, *alike(statuses, LOOP)], LOOP),
+        ]
         return [places[value] for value in self._values], lines
-
-
-def _assigned(target: str, value: str) -> list[str]:
-    """An assignment, in as many lines as it takes."""
-    line = f"{LOOP}{target} = {value}"
-    return [line] if len(line) <= WIDTH else Python().broken(line, LOOP)
-
-
-def _side_by_side(assignments: Iterable[Assignment]) -> list[str]:
-    """Assignments that are independent of one another, as many in a line as fit."""
-    lines: list[str] = []
-    targets: list[str] = []
-    values: list[str] = []
-    for target, value in (*assignments, ("", "")):
-        line = f"{LOOP}{', '.join([*targets, target])} = {', '.join([*values, value])}"
-        if targets and (not target or len(line) > WIDTH):
-            lines += _assigned(", ".join(targets), ", ".join(values))
-            targets, values = [], []
-        targets.append(target)
-        values.append(value)
-    return lines
 
 
 def _loop(first: str, end: str) -> list[str]:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.targets.families import follows
 from dhgen.targets.layout import WIDTH, paragraph, wrapped
+from dhgen.targets.python.assignments import broken, side_by_side
 from dhgen.targets.scalar import close_name, close_texts, output_texts, row_text
 
 if TYPE_CHECKING:
@@ -65,9 +67,8 @@ class Python:
 
     def lets(self, values: list[NamedText], indent: str) -> list[str]:
         """Assignments."""
-        lines = [f"{indent}{each.name} = {each.value}" for each in values]
-        fitting = ([line] if len(line) <= WIDTH else self.broken(line, indent) for line in lines)
-        return [part for parts in fitting for part in parts]
+        values_by_name = ((each.name, each.value) for each in values)
+        return side_by_side(values_by_name, indent, follows=follows)
 
     def leave(self, condition: str, why: str, depth: int, losses: list[str]) -> list[str]:
         """Leaves the loop body, or the function outside of loops."""
@@ -113,9 +114,8 @@ class Python:
     def store(self, program: Program) -> list[str]:
         """One row of results."""
         lines = [f"row = {row_text(program, len(program.axes))}"]
-        lines += [
-            f"q[row, {place}] = {value}" for place, value in enumerate(output_texts(program, self))
-        ]
+        values = enumerate(output_texts(program, self))
+        lines += side_by_side(((f"q[row, {place}]", value) for place, value in values), "")
         flags = " or ".join(dict.fromkeys(name for _, name in program.free))
         close = " or ".join(close_texts(program))
         solved = f"_status.CLOSE if {close} else OK" if close else "OK"
@@ -124,6 +124,4 @@ class Python:
 
     def broken(self, line: str, indent: str) -> list[str]:
         """Python may be broken inside parentheses."""
-        name, value = line.strip().split(" = ", 1)
-        inner = wrapped(f"{indent}    {value}", indent, "    ")
-        return [f"{indent}{name} = (", *inner, f"{indent})"]
+        return broken(line, indent)
