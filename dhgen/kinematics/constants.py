@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import operator as arithmetic
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -124,6 +124,7 @@ class ConstantTable:
         self.parameters = dict(parameters)
         self.constants: dict[str, Constant] = {}
         self._opaque: dict[tuple[Expression, str], str] = {}
+        self._sizes: dict[tuple[Fraction, str], str] = {}
         self._twists: list[tuple[float, str]] = []
         self._ring: PolyRing | None = None
 
@@ -136,13 +137,17 @@ class ConstantTable:
         """A length cell as a polynomial; a parameter keeps its name.
 
         A number gets `name`, and so does what is written as a sum, a nominal length and what
-        calibration added: of its fraction no reader learns anything.
+        calibration added: of its fraction no reader learns anything. A number that is added to
+        parameters gets it, too, or that of another one of its size along such an axis.
         """
         if value := rational_number(expression):
             expression = Number(value)
         cell = _Cell(expression, name, meaning)
-        known = is_polynomial(expression) or has_parameters(expression)
-        if value or not known:
+        if has_parameters(expression):
+            return self._sum(expression, cell)
+        if value:
+            self._sizes.setdefault((value, _kind(name)), name)
+        if value or not is_polynomial(expression):
             return self._named(expression, cell)
         return self._polynomial(expression, cell)
 
@@ -245,6 +250,20 @@ class ConstantTable:
             self.constants[unique] = Constant(unique, value, meaning, is_length=cell.is_length)
         return self._generator(self._opaque[key])
 
+    def _sum(self, expression: Expression, cell: _Cell) -> Polynomial:
+        """A length whose terms are lengths; numbers of one size share a name, so they cancel."""
+        if value := rational_number(expression):
+            size = Number(abs(value))
+            name = self._sizes.setdefault((size.value, _kind(cell.name)), cell.name)
+            return self._named(size, replace(cell, name=name)) * (1 if value > 0 else -1)
+        match expression:
+            case Negate(operand):
+                return -self._sum(operand, cell)
+            case Binary("+" | "-" as operator, left, right):
+                return _ARITHMETIC[operator](self._sum(left, cell), self._sum(right, cell))
+            case _:
+                return self._polynomial(expression, cell)
+
     def _polynomial(self, expression: Expression, cell: _Cell) -> Polynomial:
         match expression:
             case Number(value):
@@ -268,6 +287,11 @@ class ConstantTable:
             case _:
                 result = self._named(expression, cell)
         return result
+
+
+def _kind(name: str) -> str:
+    """What lengths that can cancel share of their names: d of d1, z of p2z and of ez."""
+    return name.rstrip("0123456789_")[-1:]
 
 
 def _angle(argument: Expression, cell: _Cell) -> str:

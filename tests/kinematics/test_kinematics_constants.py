@@ -146,7 +146,7 @@ def test_a_length_of_several_numbers_is_one_number(cell: str, value: float) -> N
 
 def test_roots_and_parameters_stay_what_they_are() -> None:
     table = ConstantTable({"p": 0.5})
-    for cell in ("sqrt(2)/4 + 0.1", "p + 0.1", "0.4 - 0.2*2"):
+    for cell in ("sqrt(2)/4 + 0.1", "2*p", "0.4 - 0.2*2"):
         table.length(parse(cell, {"p": 0.5}), "a1", "link length 1")
     assert set(table.constants) == {"sqrt2", "p"}
 
@@ -216,3 +216,23 @@ def test_a_number_never_takes_the_name_of_a_parameter() -> None:
     table = ConstantTable({"a1": 0.5})
     table.length(Number(Fraction(1, 5)), "a1", "link length 1")
     assert table.constants["a1_"].value == 0.2
+
+
+def test_numbers_of_one_size_that_are_added_to_parameters_cancel() -> None:
+    """Heights 0.4, 0.4 + b and 0.4 + b + g are b and g apart; -0.4 - b takes the second back."""
+    values = {"b": 0.3, "g": 0.2}
+    cells = "0.4", "0.4 + b", "0.4 + b + g", "-0.4 - b"
+    table = ConstantTable(values)
+    for close in (True, False):
+        first, second, third, back = (
+            table.length(parse(cell, values), f"p{place}z", f"z of axis {place}")
+            for place, cell in enumerate(cells, start=1)
+        )
+        link = table.length(parse("g + 0.4", values), "a1", "link length 1")
+        scaled = table.length(parse("0.4*(b + g)", values), "a2", "link length 2")
+        if close:
+            ring = table.close()
+    p1z, b, g, a1 = ring.gens
+    assert [first, second - first, third - second, second + back] == [p1z, b, g, ring.zero]
+    assert link == g + a1
+    assert scaled == (b + g) * ring.domain(2, 5)

@@ -199,7 +199,8 @@ def constant_symbol(constant: Constant, constants: tuple[Constant, ...]) -> Symb
     if any(other.cosine == name for other in constants):
         return _function("cos", reference_angle(constant, constants), name)
     made = _MADE.fullmatch(name)
-    if made is not None and constant.meaning.split()[0] in {"x", "y", "z", "tool", "base", "home"}:
+    whole = constant.meaning.removeprefix("part of ")
+    if made is not None and whole.split()[0] in {"x", "y", "z", "tool", "base", "home"}:
         return letter(made[1], made[1], made[2], name)
     return parameter(name)
 

@@ -182,20 +182,18 @@ class Writer:
     def _squares(
         self, inside: Polynomial
     ) -> tuple[list[tuple[tuple[int, ...], Formula]], Polynomial]:
-        """The squares of sums of two constants, x^2 + 2 x y + y^2, and the terms that are left."""
+        """The squares of sums of constants, x^2 + 2 x y + y^2, and the terms that are left."""
         found = []
-        for pair in _crossed(inside, self.alphabet):
-            first, second = (inside.ring.gens[place] for place in pair)
-            (whole,) = (m for m in inside if all(m[place] == 1 for place in pair) and sum(m) == 2)
-            half = inside[whole] / 2
-            for sum_ in (first + second, first - second):
-                square_ = sum_**2 * (half if sum_ == first + second else -half)
-                if all(inside.get(m) == c for m, c in square_.items()):
-                    power = times(_as_number(Fraction(str(abs(half)))), square(self.write(sum_)))
-                    negative = square_[_squared(pair[0], whole)] < 0
-                    found.append((self._place_of(square_), minus(power) if negative else power))
-                    inside = inside - square_
-                    break
+        for places in _crossed(inside, self.alphabet):
+            first, *others = (inside.ring.gens[place] for place in places)
+            factor = inside.coeff(first**2)
+            signs = [1 if inside.coeff(first * each) * factor > 0 else -1 for each in others]
+            sum_ = first + sum(sign * each for sign, each in zip(signs, others, strict=True))
+            square_ = factor * sum_**2
+            if factor and all(inside.get(m) == c for m, c in square_.items()):
+                power = times(_as_number(Fraction(str(abs(factor)))), square(self.write(sum_)))
+                found.append((self._place_of(square_), minus(power) if factor < 0 else power))
+                inside = inside - square_
         return found, inside
 
     def _place_of(self, polynomial: Polynomial) -> tuple[int, ...]:
@@ -217,20 +215,16 @@ class Writer:
         return self.alphabet.pairs.get(best, frozenset({best}))
 
 
-def _crossed(polynomial: Polynomial, alphabet: Alphabet) -> list[tuple[int, int]]:
-    """The pairs of constants that are in one product of two, and in no other."""
-    pairs = [
-        tuple(place for place, power in enumerate(m) if power)
-        for m in polynomial
-        if sum(m) == 2 and max(m) == 1
-    ]
-    constants = [p for p in pairs if all(alphabet.orders[place][0] == 0 for place in p)]
-    every = [place for pair in constants for place in pair]
-    return sorted((a, b) for a, b in constants if every.count(a) == every.count(b) == 1)
-
-
-def _squared(place: int, like: tuple[int, ...]) -> tuple[int, ...]:
-    return tuple(2 if each == place else 0 for each in range(len(like)))
+def _crossed(polynomial: Polynomial, alphabet: Alphabet) -> list[list[int]]:
+    """The constants that are in products of two, with those beside them there."""
+    groups: list[set[int]] = []
+    for monomial in polynomial:
+        pair = {place for place, power in enumerate(monomial) if power}
+        constant = all(alphabet.orders[place][0] == 0 for place in pair)
+        if constant and sum(monomial) == len(pair) == 2:
+            joined = [group for group in groups if group & pair]
+            groups = [group for group in groups if not group & pair] + [pair.union(*joined)]
+    return sorted(map(sorted, groups))
 
 
 def _terms_of(polynomial: Polynomial) -> list[Polynomial]:

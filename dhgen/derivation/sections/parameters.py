@@ -35,6 +35,7 @@ CELLS = ("twist", "the angle")
 ANGLES = (*CELLS, "the parameter")
 TURNED = ("cosine of", "sine of")
 EXACT = 1e-12  # of a length: rounding
+DIGITS = 15  # that arithmetic of floating-point numbers leaves right, as a rule
 
 
 def constant_blocks(story: Story) -> list[Block]:
@@ -96,7 +97,6 @@ def _written(chain: Chain) -> list[Constant]:
 
 
 def _parameter(each: Parameter, constant: Constant | None, story: Story) -> Prose:
-    value = number_symbol(each.value)
     written = each.expression
     plain = isinstance(written, Number) or (
         isinstance(written, Negate) and isinstance(written.operand, Number)
@@ -104,7 +104,8 @@ def _parameter(each: Parameter, constant: Constant | None, story: Story) -> Pros
     shown = expression_symbol(written)
     if shown.text.endswith("°"):
         return say("{}", equal(parameter(each.name), shown))
-    sides = [parameter(each.name), *([] if plain else [shown]), value]
+    value = each.value if plain else float(f"{each.value:.{DIGITS}g}")
+    sides = [parameter(each.name), *([] if plain else [shown]), number_symbol(value)]
     is_length = constant is not None and constant.is_length
     is_length = is_length or each.name in _lengths_that_make_others(story)
     unit = say(" {}", Given(story.robot.length_unit)) if is_length else say("")

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.conditions import are_never_zero, unsigned
 from dhgen.derivation.notation.matrices import expanded
-from dhgen.derivation.text.formula import ZERO, equal
+from dhgen.derivation.text.formula import ZERO, equal, number, times
 from dhgen.derivation.velocity.determinant import Determinant, Factor
 from dhgen.derivation.velocity.wrist import approach, velocity_columns
 from dhgen.kinematics.ring import primitive
@@ -68,7 +68,10 @@ def worked_out(
             size = -size
         never = are_never_zero(algebra, form)
         moving.append(Factor(written, power, _place_of(written, places), never))
-    return Determinant(story.write_forward(size), tuple(moving), count)
+    # of a sum the number is in front, and not divided among its terms
+    scale, still = primitive(size) if len(size) > 1 else (1, size)
+    constant = times(number(scale), story.write_forward(still))
+    return Determinant(constant, tuple(moving), count)
 
 
 def _length(factored: Factored) -> tuple[int, str]:
