@@ -53,13 +53,16 @@ class SumLeft:
         known = [self.combination(sign) for sign in (1, -1)]
         where = [equal(self.between, one) for one in (ONE, minus(ONE))]
         text = f"{axes}, and only {{}} ({{}}) or {{}} ({{}}) is determined"
-        if any(len(angle.terms) > 1 for angle in self.pair):
+        (*_, (before, _)), ((behind, _), *_) = (angle.terms for angle in self.pair)
+        if behind - before > 2 or any(len(angle.terms) > 1 for angle in self.pair):
             text = f"{axes}, and the orientation gives only {{}} ({{}}) or {{}} ({{}})"
         return say(text, known[0], where[0], known[1], where[1])
 
 
 def sum_left(algebra: Algebra, joints: Polynomial | None) -> SumLeft | None:
     """The angles about the axes before and behind a joint that makes these parallel.
+
+    Slides may be between: they turn nothing.
 
     Args:
         algebra: The arm's ring.
@@ -74,9 +77,13 @@ def sum_left(algebra: Algebra, joints: Polynomial | None) -> SumLeft | None:
     k = turning[0].terms[0][0]
     elements = [e for link in algebra.chain.links for e in algebra.lifted(link)]
     turns = {e.joint: (place, e) for place, e in enumerate(elements) if isinstance(e, Turn)}
-    if not {k - 1, k, k + 1} <= set(turns):
+    beside = (
+        max((j for j in turns if j < k), default=0),
+        min((j for j in turns if j > k), default=0),
+    )
+    if not all(beside):
         return None
-    (start, before), (end, behind) = turns[k - 1], turns[k + 1]
+    (start, before), (end, behind) = (turns[joint] for joint in beside)
     lean = product(elements[start + 1 : end], algebra).rotation[2][2]
     by_sine = used == {algebra.index[single(k).sine]}
     straight = algebra.generator(single(k).cosine if by_sine else single(k).sine)
@@ -84,9 +91,9 @@ def sum_left(algebra: Algebra, joints: Polynomial | None) -> SumLeft | None:
         return None
     runs = [
         next(run for run in parallel_groups(algebra.chain) if joint in dict(run))
-        for joint in (k - 1, k + 1)
+        for joint in beside
     ]
-    facing = before.sign * behind.sign * dict(runs[0])[k - 1] * dict(runs[1])[k + 1]
+    facing = before.sign * behind.sign * dict(runs[0])[beside[0]] * dict(runs[1])[beside[1]]
     return SumLeft(
         tuple(joint for run in runs for joint, _ in run),
         (AngleSum(runs[0]), AngleSum(runs[1])),

@@ -247,25 +247,32 @@ def singular_blocks(story: Story, places: Sequence[Singularity]) -> list[Block]:
     found = None if example is None else find_singular(story, example, places)
     if example is None or found is None or found.place.joints is None:
         return []
-    solved, before = (~np.isnan(each.rows).any(axis=1) for each in (found, example))
+    before = int((~np.isnan(example.rows).any(axis=1)).sum())
     text = "For instance the example's joint values, but {}, meet {} (step {}). The tool is then at"
     moved = equal(joint_symbol(found.joint), shown(story, found.joint, found.q[found.joint - 1]))
-    counted = f"{numeral(int(solved.sum()))} of the rows, where the example has "
-    counted += numeral(int(before.sum()))
-    kept = found.free & found.inside
-    if (kept == solved).all():
-        counted += (
-            ", and in each a joint took the seed's value, zero here: its status is FREE_JOINT"
-        )
-    elif kept.any():
-        rows = many("row", [str(row) for row in np.flatnonzero(kept)])
-        counted += f". In {rows} the seed's value, zero here, is taken: the status is FREE_JOINT"
     return [
         paragraph(text, moved, found.place.joints, Given(str(found.place.step))),
         display(equal(POSE, _matrix(found.T, story))),
-        paragraph(f"Solutions stand in {counted}."),
+        paragraph(" ".join(_statuses(found, before))),
         *all_rows(story, found, _sums_left(story, found)),
     ]
+
+
+def _statuses(found: SingularExample, before: int) -> Iterable[str]:
+    """How many rows hold a solution, and which took the seed's value, within limits or not."""
+    solved = int((~np.isnan(found.rows).any(axis=1)).sum())
+    holding = "row holds a solution" if solved == 1 else "rows hold solutions"
+    yield f"Here {numeral(solved)} {holding}, in the example {numeral(before)}."
+    if found.free.any():
+        rows = many("row", [str(row) for row in np.flatnonzero(found.free)])
+        yield f"In {rows} the seed's value, zero here, is taken: the status is FREE_JOINT."
+    beyond = found.free & ~found.inside
+    if beyond.any():
+        rows = many("row", [str(row) for row in np.flatnonzero(beyond)])
+        yield (
+            f"In {rows} it puts a joint beyond its limits: the nearest value that works takes its "
+            "place, and where there is none the status is OUT_OF_LIMITS."
+        )
 
 
 def _sums_left(story: Story, found: SingularExample) -> dict[int, Formula]:

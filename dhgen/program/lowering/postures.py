@@ -115,20 +115,29 @@ def _joint(step: Step) -> int:
 
 
 def _told_apart(axes: list[Axis], steps: list[Step]) -> Iterator[Axis]:
-    """Words that two axes have in common get the number of a joint."""
+    """Words that two axes have in common get the number of a joint, or those of a sum's joints."""
     words = [axis.meaning for axis in axes]
+    joints = [(a.meaning, _joint(step)) for a, step in zip(axes, steps, strict=True)]
     for axis, step in zip(axes, steps, strict=True):
         if axis.count == 2 and words.count(axis.meaning) > 1:
-            yield replace(
-                axis, meaning=tuple(_numbered(word, _joint(step)) for word in axis.meaning)
-            )
+            joint = _joint(step)
+            alone = joints.count((axis.meaning, joint)) == 1
+            number = str(joint) if alone else _joints(step)
+            yield replace(axis, meaning=tuple(_numbered(word, number) for word in axis.meaning))
         else:
             yield axis
 
 
-def _numbered(word: str, joint: int) -> str:
+def _joints(step: Step) -> str:
+    """The joints of a step's angle: 23 of a sum of two."""
+    unknown = step.unknowns[0]
+    terms = unknown.terms if isinstance(unknown, AngleSum) else ((unknown.joint, 1),)
+    return "".join(str(joint) for joint, _ in terms)
+
+
+def _numbered(word: str, number: str) -> str:
     sign = word[-1] if word[-1] in "+-" else ""
-    return f"{word.removesuffix(sign)}{joint}{sign}"
+    return f"{word.removesuffix(sign)}{number}{sign}"
 
 
 # ------------------------------------------------------------------------------- sample poses
