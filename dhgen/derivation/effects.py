@@ -101,12 +101,15 @@ def point_name(context: StepContext) -> Prose:
         for kind in "cs"
         if a.terms[-1][0] > max(joint for joint, _ in context.angle.terms) + 1
     ]
-    if set(later) & set(used):
+    if set(later) & set(used) and not _is_about_first_axis(context):
         return say("the far end of the two links")
     if story.wrist is not None:
         return say("the wrist centre")
     chain = story.algebra.chain
-    if story.derivation.problem.tool_left and chain.tool != identity(chain.ring):
+    moved, still = story.derivation.problem.tool_left, identity(story.algebra.ring)
+    if moved != still and not chain.task.names_rotation:
+        return say("the point of axis {} on the tool's axis", Given(str(chain.dof)))
+    if moved != still:
         return say("the origin of frame {}", Given(str(chain.dof)))
     return say("the tool's origin")
 

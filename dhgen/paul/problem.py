@@ -2,7 +2,8 @@
 
 For a pose, base and tool are taken to the left: U_0 = Z^-1 POS E^-1 (document 002). For partial
 tasks E (and for a list Z too) remains in the chain, because moving it would mix
-entries that the caller gives with entries that are ignored.
+entries that the caller gives with entries that are ignored; all but a way along the tool's z axis,
+of a task that gives that axis.
 """
 
 from __future__ import annotations
@@ -15,7 +16,8 @@ from dhgen.kinematics.algebra import POSE_NAMES, POSE_PLACES
 from dhgen.kinematics.chain import Fixed
 from dhgen.kinematics.product import Spans
 from dhgen.kinematics.task import task_entries
-from dhgen.kinematics.transform import Transform, identity
+from dhgen.kinematics.transform import Transform, compose, identity, inverse
+from dhgen.paul.tool_axis import way_from_the_last_axis
 from dhgen.robot.task import Directions, TaskKind
 
 if TYPE_CHECKING:
@@ -34,7 +36,7 @@ class Problem:
         target: U_0: known pose entries as generators or as what they equal for this arm.
         known: Names of the pose entries that the task gives and that are independent.
         base_left: Whether Z has been moved to the left.
-        tool_left: Whether E has been moved to the left.
+        tool_left: What of E has been moved to the left: all, its last part, or nothing.
     """
 
     algebra: Algebra
@@ -42,7 +44,7 @@ class Problem:
     target: Transform
     known: frozenset[str]
     base_left: bool
-    tool_left: bool
+    tool_left: Transform
 
     @property
     def overdetermined(self) -> bool:
@@ -65,13 +67,15 @@ def build_problem(algebra: Algebra) -> Problem:
     chain = algebra.chain
     task = chain.task
     base_left = task.kind is not TaskKind.LIST
-    tool_left = task.names_rotation
     links = [algebra.lifted(link) for link in chain.links]
     still = identity(algebra.ring)
     if not base_left and algebra.lift(chain.base) != still:
         links[0] = (Fixed(algebra.lift(chain.base)), *links[0])
-    if not tool_left and algebra.lift(chain.tool) != still:
-        links[-1] = (*links[-1], Fixed(algebra.lift(chain.tool)))
+    tool_left = tool = algebra.lift(chain.tool)
+    if not task.names_rotation:
+        tool_left = way_from_the_last_axis(algebra, (*links[-1], Fixed(tool)))
+        rest = compose(tool, inverse(tool_left, algebra.normal), algebra.normal)
+        links[-1] = (*links[-1], *([Fixed(rest)] if rest != still else []))
     spans = Spans(tuple(links), algebra)
     given = task_entries(task)
     if task.directions is Directions.YAW:

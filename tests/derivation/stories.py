@@ -30,12 +30,13 @@ WHOLE = sorted(CHOSEN.intersection(ALL_WHOLE))
 NAMES = sorted(CHOSEN.intersection(WITH_STEPS))
 # Two of them take as long as the others together; what their steps are made of, the others have.
 EACH = those_in(set(NAMES) - {"franka_panda", "spherical_wrist_general_arm"}, NAMES)
-# What no arm of robots/ needs: types 10 and 11, and type 3 with a second equation that is
-# stretched.
+# What no arm of robots/ needs: types 10 and 11, type 3 with a second equation that is stretched,
+# and a pose that is moved along the tool's z axis.
 OWN = {
     "tilted_slide": Path(__file__).parent,
     "upright_shoulder": Path(__file__).parents[1] / "targets/robots",
     "coupled_slides": Path(__file__).parents[1] / "targets/robots",
+    "tilted_tool": Path(__file__).parents[1] / "targets/robots",
 }
 
 

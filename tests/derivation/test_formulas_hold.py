@@ -142,7 +142,7 @@ def test_jacobian(name: str) -> None:
         np.testing.assert_allclose(found, jacobian(of.robot, q), atol=1e-9 * of.algebra.chain.size)
 
 
-@pytest.mark.parametrize("name", EACH)
+@pytest.mark.parametrize("name", [*EACH, *OWN])
 def test_matrices_of_the_inverse(name: str) -> None:
     of = story(name)
     printed = given_to_steps(of)

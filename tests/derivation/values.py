@@ -136,8 +136,7 @@ def _matrices(story: Story, inner: dict[int, float], values: dict[str, float]) -
     moved = list(links)
     if not problem.base_left:
         moved[0] = base @ moved[0]
-    if not problem.tool_left:
-        moved[-1] = moved[-1] @ tool
+    moved[-1] = moved[-1] @ tool @ np.linalg.inv(matrix(problem.tool_left, values))
     target = np.eye(4)
     for link in moved:
         target = target @ link

@@ -49,8 +49,7 @@ def values_of(arm: Robot, pool: Pool, q: FloatArray) -> Values:
     target = forward(arm, q).astype(float)
     if problem.base_left:
         target = np.linalg.inv(matrix(chain.base, constants)) @ target
-    if problem.tool_left:
-        target = target @ np.linalg.inv(matrix(chain.tool, constants))
+    target = target @ np.linalg.inv(matrix(problem.tool_left, constants))
     values = joint_values(problem.algebra, q)
     values |= {f"t{i + 1}{j + 1}": float(target[i, j]) for i in range(3) for j in range(4)}
     for point in pool.points:

@@ -23,6 +23,7 @@ from dhgen.derivation.sections.transforms import (
 )
 from dhgen.derivation.text.blocks import Display, Folded, Heading, display, paragraph, say
 from dhgen.derivation.text.formula import (
+    Call,
     Element,
     Listing,
     Symbol,
@@ -200,11 +201,19 @@ def moved_left(story: Story) -> tuple[bool, bool]:
     problem, algebra = story.derivation.problem, story.algebra
     still, chain = identity(algebra.ring), algebra.chain
     base = problem.base_left and algebra.lift(chain.base) != still
-    return base, problem.tool_left and algebra.lift(chain.tool) != still
+    return base, problem.tool_left != still
 
 
 def given_pose(story: Story) -> Relation:
     """U_0 = Z^-1 POS E^-1 = (t_ij), without what does not move."""
     base, tool = moved_left(story)
-    left, right = [inverse(BASE)] * base, [inverse(TOOL)] * tool
+    left, right = [inverse(BASE)] * base, [tool_back(story)] * tool
     return equal(target(0), times(*left, POSE, *right), Symbol("(t_{ij})", "(tᵢⱼ)"))
+
+
+def tool_back(story: Story) -> Formula:
+    """E^-1, or the way back along the tool's z axis."""
+    if story.algebra.chain.task.names_rotation:
+        return inverse(TOOL)
+    length = story.derivation.problem.tool_left.translation[2]
+    return Call("T_z", (story.write(-length),))

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.notation.names import BASE, POSE, TOOL, letter, link, pose_letter, target
 from dhgen.derivation.notation.names import inverse as inverse_name
 from dhgen.derivation.notation.polynomial import Writer, alphabet
-from dhgen.derivation.sections.forward import given_pose, moved_left
+from dhgen.derivation.sections.forward import given_pose, moved_left, tool_back
 from dhgen.derivation.sections.shoulder import shoulder_blocks
 from dhgen.derivation.sections.types_table import types_table
 from dhgen.derivation.steps import leaves_a_joint_free
 from dhgen.derivation.text.blocks import (
+    Given,
     Heading,
     Paragraph,
     display,
@@ -75,6 +76,15 @@ def _given(story: Story) -> list[Block]:
         *_other_forms(story),
         *([paragraph(SEED)] if leaves_a_joint_free(story) else []),
     ]
+    if right and not story.algebra.chain.task.names_rotation:
+        blocks.append(
+            paragraph(
+                "The tool's z axis meets axis {}. The task gives that axis, and with it the point "
+                "where they meet, which joint {} does not move: {} puts the tool's origin there.",
+                *[Given(str(story.dof))] * 2,
+                tool_back(story),
+            )
+        )
     if left or right:
         blocks += _entries(story, left=left, right=right)
     return blocks
@@ -136,7 +146,7 @@ def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
         back = inverse(algebra.lift(algebra.chain.base), algebra.normal)
         given = compose(back, given, algebra.normal)
     if right:
-        back = inverse(algebra.lift(algebra.chain.tool), algebra.normal)
+        back = inverse(problem.tool_left, algebra.normal)
         given = compose(given, back, algebra.normal)
     letters = dict(story.letters)
     named = pose_letter(letters)
@@ -167,8 +177,10 @@ def _stay(story: Story) -> list[Block]:
     stays: list[Prose] = []
     if not problem.base_left and chain.base != still:
         stays.append(say("{} stands for {}", link(1), times(BASE, link(1))))
-    if not problem.tool_left and chain.tool != still:
-        stays.append(say("{} stands for {}", link(chain.dof), times(link(chain.dof), TOOL)))
+    if not chain.task.names_rotation and chain.tool != still:
+        behind = [tool_back(story)] if moved_left(story)[1] else []
+        all_of_it = times(link(chain.dof), TOOL, *behind)
+        stays.append(say("{} stands for {}", link(chain.dof), all_of_it))
     if not stays:
         return []
     text = (

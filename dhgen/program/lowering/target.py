@@ -1,4 +1,4 @@
-"""Entries of U_0 = Z^-1 POS E^-1 from the entries of the given pose."""
+"""Entries of U_0 = Z^-1 POS E^-1, with what of E is on that side, from those of the given pose."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ class Target:
 
     def entry(self, row: int, column: int) -> Node:
         """An entry of U_0, from 0."""
-        chain, builder = self._problem.algebra.chain, self._builder
-        right = self._inverse(chain.tool) if self._problem.tool_left else None
-        left = self._inverse(chain.base) if self._problem.base_left else None
+        algebra, builder = self._problem.algebra, self._builder
+        right = self._inverse(self._problem.tool_left)
+        left = self._inverse(algebra.lift(algebra.chain.base)) if self._problem.base_left else None
         if left is None:
             return self._turned(row, column, right)
         total = left[row][3] if column == 3 else builder.integer(0)
@@ -46,11 +46,9 @@ class Target:
                 total = builder.add(total, builder.mul(left[row][i], part))
         return total
 
-    def _turned(self, row: int, column: int, right: Rows | None) -> Node:
+    def _turned(self, row: int, column: int, right: Rows) -> Node:
         """An entry of POS E^-1."""
         builder = self._builder
-        if right is None:
-            return builder.pose(row + 1, column + 1)
         total = builder.pose(row + 1, 4) if column == 3 else builder.integer(0)
         for j in range(3):
             part = builder.mul(builder.pose(row + 1, j + 1), right[j][column])
@@ -60,8 +58,7 @@ class Target:
     def _inverse(self, transform: Transform) -> Rows:
         """The inverse of a constant rigid transform."""
         builder = self._builder
-        lifted = self._problem.algebra.lift(transform)
-        rows = [[self._number(lifted.entry(i, j)) for j in range(4)] for i in range(3)]
+        rows = [[self._number(transform.entry(i, j)) for j in range(4)] for i in range(3)]
         inverse = [[rows[j][i] for j in range(3)] for i in range(3)]
         for row in inverse:
             total = builder.integer(0)
