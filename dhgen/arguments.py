@@ -14,7 +14,8 @@ from dhgen.robot.task import ARM_ANGLE
 
 OUT = Path("generated")
 FORMATS = ("text", "markdown", "latex", "html")  # of derivations
-ENDINGS = {".md": "markdown", ".tex": "latex", ".html": "html", ".htm": "html"}
+HTML = dict.fromkeys((".html", ".htm"), "html")
+ENDINGS = {"": "text", ".txt": "text", ".md": "markdown", ".tex": "latex"} | HTML
 LANGUAGES = ("en", "fr")  # of derivations
 MOST_POSES = 100_000  # of one arm: the search takes up to an hour, and all are in memory at once
 MOST_RECALLED = 10_000_000  # of one arm: minutes where a pose takes microseconds

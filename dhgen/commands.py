@@ -204,12 +204,19 @@ def _format(options: argparse.Namespace) -> str:
     """The format of what is explained: as is said, else as the file's ending says.
 
     Raises:
-        CommandError: It is something else than the derivation, which has no other format.
+        CommandError: It is something else than the derivation, which has no other format, or the
+            file has an ending of none.
     """
     what = _other_than_derivation(options)
     if what is None:
         ending = "" if options.out is None else options.out.suffix.lower()
-        return str(options.format or ENDINGS.get(ending, FORMATS[0]))
+        if options.format is None and ending not in ENDINGS:
+            *endings, last = filter(None, ENDINGS)
+            raise CommandError(
+                f"dhgen: {options.out}: no format has the ending {ending}: write to "
+                f"{', '.join(endings)} or {last}, or say --format"
+            )
+        return str(options.format or ENDINGS[ending])
     if options.format not in {None, FORMATS[0]}:
         raise CommandError(f"dhgen: {what} is printed as text alone, not with --format")
     if options.language != LANGUAGES[0]:
@@ -232,13 +239,13 @@ def explain(options: argparse.Namespace) -> int:
     from dhgen.robot_files import ParallelFile, read_file  # noqa: PLC0415
     from dhgen.solved import solved  # noqa: PLC0415
 
-    wished = _format(options)
     file = read_file(options.file)
     if options.out is None:
         _refuse_mute()
     else:
         _refuse_what_was_read(options.out, [options.file])
         _refuse_occupied([options.out])
+    wished = _format(options)
     file = file.with_numerical() if options.numerical else file
     _tell_notes(file.robot.notices)
     if isinstance(file, ParallelFile):

@@ -129,6 +129,27 @@ def _pitch_is_a_sum(chain: Chain) -> bool:
 
 def determining_tasks(chain: Chain) -> dict[str, Task]:
     """Other tasks that fix every joint, as the file writes them; first those that ask for least."""
+    return {
+        task.text: task
+        for task in _tasks(chain)
+        if task != chain.task
+        and task.dimension >= chain.dof - chain.given
+        and not surplus(replace(chain, task=task)).count
+    }
+
+
+def tasks_of_what_moves(chain: Chain, spare: Surplus) -> list[Task]:
+    """Tasks of an arm with spare joints that ask for all that its joints can choose, no more."""
+    return [
+        task
+        for task in _tasks(chain)
+        if task.dimension == chain.dof - chain.given - spare.count
+        and surplus(replace(chain, task=task)).count == spare.count
+    ]
+
+
+def _tasks(chain: Chain) -> list[Task]:
+    """Tasks that make sense for an arm, first those that ask for least."""
     moving = moving_coordinates(chain)
     tasks = [Task(kind) for kind in PLAIN_TASKS]
     if len(moving) < 3:
@@ -137,14 +158,7 @@ def determining_tasks(chain: Chain) -> dict[str, Task]:
         tasks.append(Task(TaskKind.LIST, moving, ("yaw",)))
     elif _pitch_is_a_sum(chain):
         tasks.append(Task(TaskKind.LIST, moving, ("pitch",)))
-    tasks.sort(key=lambda task: task.dimension)
-    return {
-        task.text: task
-        for task in tasks
-        if task != chain.task
-        and task.dimension >= chain.dof - chain.given
-        and not surplus(replace(chain, task=task)).count
-    }
+    return sorted(tasks, key=lambda task: task.dimension)
 
 
 def crowded_axes(chain: Chain) -> list[str]:

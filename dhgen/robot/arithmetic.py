@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import difflib
+import keyword
 import math
 import re
 from dataclasses import dataclass
@@ -86,6 +87,11 @@ def parse(text: str, values: Mapping[str, float]) -> Expression:
     try:
         tree = ast.parse(multiply_degrees(body), mode="eval")
     except SyntaxError as error:
+        for word in filter(keyword.iskeyword, re.findall(r"[A-Za-z]+", text)):
+            if word in values:  # as a parameter's name it is refused already
+                return Name(word)
+            message = f"{quoted(word)} is a keyword of Python, no name"
+            raise CellError(message, Span(text.find(word), len(word))) from None
         if (unit := no_unit(text, values)) is not None:
             raise unit from None
         # Python gives 0 for the end of the text.

@@ -44,7 +44,10 @@ def why_no_joint_name(name: str) -> str | None:
     if len(name) > MAX_JOINT_NAME:
         return f"it has {len(name)} characters; at most {MAX_JOINT_NAME} are allowed"
     if not re.fullmatch(JOINT_NAME, name, re.ASCII) or name.endswith(" "):
-        return "it must be plain: letters, digits and _ / : . + - with blanks between them"
+        return (
+            "it must be plain: letters from a to z without accents, digits and _ / : . + - with "
+            "blanks between them"
+        )
     return None
 
 

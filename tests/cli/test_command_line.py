@@ -182,7 +182,7 @@ def test_explain_says_first_that_a_task_asks_for_too_much(run: Run, tmp_path: Pa
         ("latex", "% planar", "my.tex"),
         ("html", "<!DOCTYPE html>", "my.HTML"),
         ("markdown", "<!-- planar", "my.md"),
-        ("text", "", "my.file"),
+        ("text", "", "my.txt"),
     ],
 )
 def test_explain_writes_a_handout(
@@ -222,6 +222,16 @@ def test_explain_says_what_does_not_go_together(run: Run, tmp_path: Path) -> Non
     done = run("explain", PLANAR, "--out", ".", folder=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == "dhgen: can't write .: it is a folder\n"
+
+
+def test_explain_refuses_endings_of_no_format(run: Run, tmp_path: Path) -> None:
+    done = run("explain", PLANAR, "--out", "x.docx", folder=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    endings = ".txt, .md, .tex, .html or .htm"
+    told = f"dhgen: x.docx: no format has the ending .docx: write to {endings}, or say --format\n"
+    assert done.stderr == told
+    done = run("explain", PLANAR, "--format", "markdown", "--out", "x.docx", folder=tmp_path)
+    assert done.returncode == 0
 
 
 def test_html_without_its_package(tmp_path: Path) -> None:

@@ -104,6 +104,14 @@ def test_a_tool_that_points_along_the_axis_of_the_last_joint() -> None:
     assert derive(build_chain(table(*rows, task="pose"))).method is Method.CLOSED_FORM
 
 
+def test_a_planar_arm_asked_for_a_pose_hears_of_the_task_of_a_plane() -> None:
+    lines = refused(*["theta: q, a: 0.3"] * 6, task="pose")
+    assert lines[0] == f"{FEW}3 independent motions are left, and the task asks for 6"
+    assert "`task: [x, y, yaw]` asks for what they move, and no more" in lines
+    enough = refused(*["theta: q, a: 1"] * 3, task="[x, y]")
+    assert not any("asks for what" in line for line in enough)
+
+
 LEVEL = ("theta: q, alpha: pi/2", "theta: q, a: 0.3", "theta: q, a: 0.2", "theta: q, a: 0.1")
 
 

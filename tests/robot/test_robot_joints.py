@@ -99,6 +99,7 @@ def test_a_prismatic_joint() -> None:
         ("theta: q, a 1", "a 1", "unknown key 'a 1': write 'a: 1', with a colon"),
         ("theta: q, b 1", "b 1", "unknown key 'b 1'; valid: theta, d"),
         ("theta: q, alpha: PI", "PI", "unknown name 'PI'; did you mean 'pi'? valid: pi, deg"),
+        ("theta: q, a: 2*lambda", "lambda", "'lambda' is a keyword of Python, no name"),
         ("theta: q1", "q1", "the variable of this row is called q here: write q for q1"),
         ("d: 0.1 - q_2", "q_2", "unknown name 'q_2': in every row the joint's own variable is"),
         ("theta: q - q2", "q2", "unknown name 'q2': there is no joint 2"),

@@ -132,3 +132,9 @@ def test_control_characters_can_stand_nowhere_in_a_file(character: str) -> None:
 
 def test_a_text_has_an_end() -> None:
     assert "it has 2001 characters; at most 2000" in mistake(f"{MINIMAL}title: {'x' * 2001}\n")
+
+
+def test_a_parameter_that_is_a_keyword_is_refused_once() -> None:
+    """Where it is defined, not in every cell that holds it."""
+    text = "name: r\nparameters: {lambda: 0.3}\njoints:\n  - {theta: q, a: 2*lambda}\n"
+    assert mistake(text) == "'lambda' can't be a parameter: it is a keyword of Python"

@@ -12,6 +12,7 @@ from dhgen.paul.mobility import (
     determining_tasks,
     still_coordinates,
     surplus,
+    tasks_of_what_moves,
 )
 from dhgen.paul.refusal.free_joint_advice import choices_text
 from dhgen.paul.refusal.size_limits import MOST_GIVEN, are_too_many_given
@@ -38,6 +39,7 @@ def redundant(
     if whole.count == len(start.solved):
         lines.append("no joint is left to solve for: `task` must name something that the arm moves")
         return "\n".join(lines)
+    lines += _task_of_what_moves(chain, spare)
     ways = [_given(chain, before, choices), _other_task(chain)]
     for way in reversed(ways) if still_coordinates(chain) else ways:
         lines += way
@@ -124,6 +126,14 @@ def _other_task(chain: Chain) -> list[str]:
         + " of poses that the arm can take" * (task.dimension > chain.dof - chain.given)
         for text, task in islice(determining_tasks(chain).items(), 1)
     ]
+
+
+def _task_of_what_moves(chain: Chain, spare: Surplus) -> list[str]:
+    """A task of as many numbers as there are motions, where more are asked for."""
+    if chain.dof - chain.given - spare.count == chain.task.dimension or _other_task(chain):
+        return []
+    found = tasks_of_what_moves(chain, spare)[:1]
+    return [f"`task: {task.text}` asks for what they move, and no more" for task in found]
 
 
 def _elbow_choice(chain: Chain) -> list[str]:
