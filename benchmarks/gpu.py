@@ -269,7 +269,8 @@ def _run_check(robot: Any, T: Memory, out: Any, tally: Memory, kind: str, n: int
     """Runs the kernel that checks, by what the solver launches kernels with."""
     cuda = importlib.import_module("dhgen_cuda")
     names = {"T": T, "q": out[0], "status": out[1], "left": tally}
-    arrays = {name: cuda.Array.of(each, name) for name, each in names.items()}
+    call = cuda.Call(T, None)
+    arrays = {name: call.read(each, name) for name, each in names.items()}
     batch = cuda.Batch(n=n, **{name: array.pointer for name, array in arrays.items()})
     checks = cuda.Solver(_with_check(robot.program), cuda.driver())
     number = cuda.KINDS[kind][1]

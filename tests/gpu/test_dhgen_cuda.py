@@ -1,16 +1,10 @@
-"""dhgen_cuda without a GPU: its sentences, what it compiles, and what it asks of the driver.
-
-In place of NVIDIA's driver there is one that writes down how it is called, driver.c.txt, and arrays
-are addresses of memory that is not there.
-"""
+"""dhgen_cuda without a GPU: its sentences, what it compiles, and what it asks of the driver."""
 
 from __future__ import annotations
 
 import ctypes
 import math
-import subprocess
 import sys
-from pathlib import Path
 from types import ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
@@ -18,94 +12,19 @@ import numpy as np
 import pytest
 
 from dhgen.runtime.helpers import dhgen_cuda
-from dhgen.verify.native import c_compiler
 from tests.gpu.nvrtc import GENERATED
+from tests.gpu.solvers import (
+    ON_GPU,
+    TYPES,
+    Tensor,
+    calls,
+    launches,
+    poses,
+    robot,
+)
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-DRIVER = Path(__file__).with_name("driver.c.txt")
-ON_GPU = 1 << 40
-STREAM = 77
-TYPES = {"float64": "<f8", "float32": "<f4", "uint8": "|u1"}
-
-
-class Tensor:
-    """An array of what calls itself torch."""
-
-    def __init__(self, place: int, shape: tuple[int, ...], kind: str = "<f8") -> None:
-        self.device, self.place, self.shape, self.kind = "cuda:0", place, shape, kind
-        self.strides: tuple[int, ...] | None = None
-
-    @property
-    def __cuda_array_interface__(self) -> dict[str, Any]:
-        told = {"typestr": self.kind, "strides": self.strides, "data": (self.place, False)}
-        return told | {"shape": self.shape}
-
-
-@pytest.fixture(scope="module")
-def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    found = tmp_path_factory.mktemp("driver") / "driver.so"
-    command = [str(c_compiler()), "-shared", "-fPIC", "-x", "c", str(DRIVER), "-o", str(found)]
-    subprocess.run(command, check=True)
-    return found
-
-
-@pytest.fixture
-def driver(library: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[ctypes.CDLL]:
-    """The driver, and a library torch whose arrays lie one after another."""
-    monkeypatch.setattr(dhgen_cuda, "DRIVER", str(library))
-    dhgen_cuda.driver.cache_clear()
-    made: list[Tensor] = []
-
-    def empty(shape: tuple[int, ...], *, dtype: str, device: str) -> Tensor:
-        assert device == "cuda:0"
-        made.append(Tensor(ON_GPU + 0x1000 * (16 + len(made)), shape, TYPES[dtype]))
-        return made[-1]
-
-    stream = SimpleNamespace(current_stream=lambda _: SimpleNamespace(cuda_stream=STREAM))
-    torch = SimpleNamespace(empty=empty, cuda=stream, **{name: name for name in TYPES})
-    monkeypatch.setitem(sys.modules, "torch", torch)
-    monkeypatch.setattr(Tensor, "__module__", "torch")
-    found = ctypes.CDLL(str(library))
-    found.calls_so_far.restype = ctypes.c_char_p
-    found.forget_calls()
-    yield found
-    dhgen_cuda.driver.cache_clear()
-
-
-def robot(name: str = "scara") -> ModuleType:
-    """What is asked of a robot's module."""
-    rows, dof, given = {"scara": (2, 4, ()), "franka_panda": (8, 7, (7,)), "xarm6": (16, 6, ())}[
-        name
-    ]
-    found = ModuleType(name)
-    found.__file__ = str(GENERATED / f"{name}.py")
-    vars(found).update(NAME=name, DOF=dof, BRANCHES=("",) * rows, ik_all=None)
-    if given:
-        vars(found).update(FREE_JOINTS=given)
-    return found
-
-
-def poses(n: int, kind: str = "<f8", rows: int = 4) -> Tensor:
-    return Tensor(ON_GPU + 0x1000, (n, rows, 4), kind)
-
-
-@pytest.fixture
-def solver(driver: ctypes.CDLL, monkeypatch: pytest.MonkeyPatch) -> dhgen_cuda.Solver:
-    """One whose kernels are their names."""
-    assert driver
-    code = b"\x7fELF"
-    monkeypatch.setattr(dhgen_cuda, "nvrtc", lambda: None)
-    kernel = lambda _, name, architecture: (f"{name} {architecture}".encode(), code)  # noqa: E731
-    monkeypatch.setattr(dhgen_cuda.Program, "kernel", kernel)
-    return dhgen_cuda.cuda(robot())
-
-
-def calls(driver: ctypes.CDLL) -> list[str]:
-    found: list[str] = driver.calls_so_far().decode().splitlines()
-    driver.forget_calls()
-    return found
+    from pathlib import Path
 
 
 def test_all_rows_are_two_kernels_on_the_library_s_stream(
@@ -130,14 +49,6 @@ def test_all_rows_are_two_kernels_on_the_library_s_stream(
     ]
     solver.ik_batch(poses(n))
     assert not [call for call in calls(driver) if call.startswith(("load", "function"))]
-
-
-def launches(driver: ctypes.CDLL) -> list[str]:
-    """Kernels by their names, and what they were given."""
-    found = calls(driver)
-    names = dict(call.split(" ", 2)[1:] for call in found if call.startswith("function"))
-    told = [call.split(" ", 2)[1:] for call in found if call.startswith("launch")]
-    return [f"{names[number]} {rest}" for number, rest in told]
 
 
 def test_without_care_there_is_no_list(solver: dhgen_cuda.Solver, driver: ctypes.CDLL) -> None:
@@ -252,15 +163,37 @@ def test_only_contiguous_arrays(solver: dhgen_cuda.Solver) -> None:
         solver.ik_batch(strided)
 
 
+def test_warp_names_its_stream(
+    solver: dhgen_cuda.Solver, driver: ctypes.CDLL, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made: list[Tensor] = []
+
+    def empty(shape: tuple[int, ...], *, dtype: str, device: str) -> Tensor:
+        assert device == "cuda:0"
+        made.append(Tensor(ON_GPU + 0x4000 * len(made), shape, TYPES[dtype]))
+        return made[-1]
+
+    streams = {"cuda:0": SimpleNamespace(cuda_stream=5)}
+    warp = SimpleNamespace(empty=empty, get_stream=streams.get, **{name: name for name in TYPES})
+    monkeypatch.setitem(sys.modules, "warp", warp)
+    monkeypatch.setattr(Tensor, "__module__", "warp._src.types")
+    assert solver.ik_batch(poses(64), careful=False) == tuple(made)
+    assert " on 5: " in launches(driver)[0]
+
+
 def test_other_libraries_bring_the_arrays(
     solver: dhgen_cuda.Solver, driver: ctypes.CDLL, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(Tensor, "__module__", "warp.types")
-    with pytest.raises(TypeError, match=r"arrays of warp can't be made here: .*, out="):
+    monkeypatch.setattr(Tensor, "__module__", "numba.cuda")
+    with pytest.raises(TypeError, match=r"arrays of numba can't be made here: .*, out="):
         solver.ik_batch(poses(64))
     out = Tensor(ON_GPU, (64, 2, 4)), Tensor(ON_GPU, (64, 2), "|u1")
     solver.ik_batch(poses(64), out=out, careful=False)
     assert " on 1: " in launches(driver)[0]  # the stream that all others wait for
+    told = poses(64)
+    told.stream = 5
+    solver.ik_batch(told, out=out, careful=False)
+    assert " on 5: " in calls(driver)[-2]
 
 
 def test_errors_of_the_driver_are_told(
@@ -305,6 +238,24 @@ def test_no_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
     told = "NVRTC is not installed: pip install nvidia-cuda-nvrtc"
     with pytest.raises(dhgen_cuda.NoCompiler, match=told):
         dhgen_cuda.nvrtc()
+
+
+def test_what_the_compiler_opens_by_name_is_there(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """PyTorch's NVRTC 13.0 does not look beside itself."""
+    folder = tmp_path / "nvidia/cu13/lib"
+    folder.mkdir(parents=True)
+    names = [folder / "libnvrtc-builtins.so.13.0", folder / "libnvrtc.so.13"]
+    for name in names:
+        name.touch()
+    dhgen_cuda.nvrtc.cache_clear()
+    monkeypatch.setattr(sys, "path", [str(tmp_path)])
+    opened: list[str] = []
+    monkeypatch.setattr(ctypes, "CDLL", opened.append)
+    dhgen_cuda.nvrtc()
+    dhgen_cuda.nvrtc.cache_clear()
+    assert opened == [str(name) for name in names]
 
 
 def test_kernels_are_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -5,11 +5,13 @@ Part of dhgen, which puts a copy of this file beside the robots that it generate
 
     import dhgen_cuda, scara
     robot = dhgen_cuda.cuda(scara)  # scara.c and scara.h are next to scara.py
-    q, status = robot.ik_batch(T)  # T: (n, 4, 4) or (n, 3, 4), of PyTorch or CuPy
+    q, status = robot.ik_batch(T)  # T: (n, 4, 4) or (n, 3, 4), of PyTorch, CuPy, JAX or Warp
 
-Arrays are any with `__cuda_array_interface__`, float64 or float32. Results are arrays of PyTorch or
-CuPy, as the poses are; other libraries give the arrays that are written to, `out=`. Kernels go to
-the stream that is current in the library, or to `stream=`; nothing waits for them.
+Results are arrays of the library that the poses are of, float64 or float32 as these. Kernels go to
+the stream that is current in PyTorch, CuPy or Warp, or to `stream=`; JAX's wait for them by DLPack,
+as do those of any library with `__dlpack__` and the array standard's `__array_namespace__`. Others,
+whose arrays have `__cuda_array_interface__`, give those that are written to, `out=`. Nothing waits
+on this side.
 
 It needs NVIDIA's driver, and NVRTC, which comes with PyTorch and CuPy or by `pip install
 nvidia-cuda-nvrtc`. What that compiles is kept in $DHGEN_CACHE_DIR, or dhgen/ in the user's cache
@@ -21,34 +23,38 @@ from __future__ import annotations
 
 import ctypes
 import hashlib
-import importlib
-import math
 import os
 import sys
 import tempfile
+from collections import deque
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING or __package__:
+    from .dhgen_arrays import KINDS, Array, Call
+else:
+    from dhgen_arrays import KINDS, Array, Call
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
     from types import ModuleType
 
+    from .dhgen_arrays import GPUArray
+
 Pointer = ctypes.c_void_p
-GPUArray: TypeAlias = Any  # of a library that is not known here
 DRIVER = "libcuda.so.1"
 WRITABLE = "set DHGEN_CACHE_DIR to a writable folder"
 SKIPPED = 5  # NaN: the pose needs the careful functions, and these were not asked for
-KINDS = {"<f8": ("float64", "double", 8), "<f4": ("float32", "float", 4)}
 ARRAYS = ("T", "free_joints", "values", "q", "status", "left")  # of a batch
 OPTIONS = ("-std=c++17",)
 MOST = 2**31 - 1  # poses of a batch
-_LEGACY = 1  # the stream of a library that names none
-_ALIGNED = 16  # bytes that kernels read at once
 _MULTIPROCESSORS, _MAJOR, _MINOR = 16, 75, 76  # attributes of a device
 _ORDINAL = 9  # attribute of a pointer: its device
+_NO_TIMING = 2  # flag of an event
+_NOT_READY = 600  # error: work before an event has not come to its end
 
 
 class NoDriver(RuntimeError):  # noqa: N818
@@ -143,41 +149,6 @@ class Batch(ctypes.Structure):
     _fields_ = (("n", ctypes.c_ulonglong), *((name, Pointer) for name in ARRAYS))
 
 
-@dataclass(frozen=True, slots=True)
-class Array:
-    """What is asked of a caller's array."""
-
-    name: str  # in messages
-    owner: GPUArray
-    pointer: int
-    shape: tuple[int, ...]
-    kind: str  # of its numbers: <f8
-
-    @staticmethod
-    def of(owner: GPUArray, name: str) -> Array:
-        """An array by its interface."""
-        told = getattr(owner, "__cuda_array_interface__", None)
-        if not isinstance(told, dict):
-            what = f"{type(owner).__module__}.{type(owner).__name__}"
-            raise TypeError(f"{name} must be an array on a GPU, not {what}")
-        shape, kind = tuple(told["shape"]), told["typestr"]
-        strides, size = told.get("strides"), int(kind[2:])
-        dense = tuple(size * math.prod(shape[k + 1 :]) for k in range(len(shape)))
-        if strides is not None and tuple(strides) != dense and 0 not in shape:
-            raise TypeError(f"{name} must be contiguous")
-        return Array(name, owner, told["data"][0] or 0, shape, kind)
-
-    def demand(self, kind: str, *shape: int) -> None:
-        """Raises what is wrong with the type of its numbers, its shape, or where it begins."""
-        if self.kind != kind:
-            wanted = KINDS[kind][0] if kind in KINDS else "uint8"
-            raise TypeError(f"{self.name} must be {wanted}, not {self.kind}")
-        if self.shape != shape:
-            raise ValueError(f"{self.name} must be of shape {shape}, not {self.shape}")
-        if self.pointer % _ALIGNED:
-            raise ValueError(f"{self.name} must begin at a multiple of {_ALIGNED} bytes")
-
-
 class Solver:
     """A robot's functions for arrays on a GPU: see `cuda`."""
 
@@ -185,6 +156,7 @@ class Solver:
         self.program, self._cu = program, cu
         self._contexts: dict[int, Pointer] = {}
         self._loaded: dict[tuple[str, int], Pointer] = {}
+        self._running: deque[tuple[Pointer, list[GPUArray]]] = deque()  # what kernels read or write
 
     def ik_batch(
         self,
@@ -208,23 +180,19 @@ class Solver:
         Returns:
             Joint values (n, rows, dof) and statuses (n, rows); with seeds (n, dof) and (n,).
         """
-        poses = Array.of(T, "T")
-        n, kind = self._poses(poses)
-        one = nearest is not None
+        call, one = Call(T, stream), nearest is not None
+        poses = call.read(T, "T")
+        n, kind = _poses(poses)
         rows = () if one else (self.program.rows,)
-        shapes = (n, *rows, self.program.dof), (n, *rows)
-        kinds = kind, "|u1"
-        made = out or tuple(map(_new, (T, T), shapes, kinds))
-        q, status = (Array.of(*each) for each in zip(made, ("q", "status"), strict=True))
-        q.demand(kind, *shapes[0])
-        status.demand("|u1", *shapes[1])
-        arrays = {"T": poses, "q": q, "status": status, **self._given(q_free, n, kind)}
+        wanted = ("q", (n, *rows, self.program.dof), kind), ("status", (n, *rows), "|u1")
+        made, results = call.results(out, *wanted)
+        arrays = {"T": poses, **results, **self._given(call, q_free, n, kind)}
         if one:
-            arrays["values"] = Array.of(nearest, "nearest")
+            arrays["values"] = call.read(nearest, "nearest")
             arrays["values"].demand(kind, n, self.program.dof)
         names = ("nearest_to_seeds", "careful_nearest") if one else ("all_rows", "careful_rows")
-        self._solve(names, arrays, n, stream, careful=careful)
-        return made[0], made[1]
+        q, status = self._solve(names, call, arrays, made, careful=careful)
+        return q, status
 
     def count(
         self,
@@ -235,15 +203,15 @@ class Solver:
         stream: int | None = None,
     ) -> GPUArray:
         """How many solutions inside limits poses have, (n,): 255 where careful=False skips one."""
-        poses = Array.of(T, "T")
-        n, kind = self._poses(poses)
-        made = _new(T, (n,), "|u1") if out is None else out
-        status = Array.of(made, "out")
-        status.demand("|u1", n)
-        arrays = {"T": poses, "status": status, **self._given(q_free, n, kind)}
+        call = Call(T, stream)
+        poses = call.read(T, "T")
+        n, kind = _poses(poses)
+        made, results = call.results(None if out is None else (out,), ("out", (n,), "|u1"))
+        given = self._given(call, q_free, n, kind)
+        arrays = {"T": poses, "status": results["out"], **given}
         names = ("count_rows", "careful_count")
-        self._solve(names, arrays, n, stream, careful=careful)
-        return made
+        (counts,) = self._solve(names, call, arrays, made, careful=careful)
+        return counts
 
     def fk(self, q: GPUArray, *, out: GPUArray = None, stream: int | None = None) -> GPUArray:
         """The poses (n, 4, 4) of joint values (n, dof)."""
@@ -261,31 +229,21 @@ class Solver:
         out: GPUArray,
         stream: int | None,
     ) -> GPUArray:
-        values = Array.of(q, "q")
-        kind = _number(values)
+        call = Call(q, stream)
+        values = call.read(q, "q")
+        kind = values.number()
         n = values.shape[0] if values.shape else 0
         values.demand(kind, n, self.program.dof)
-        made = _new(q, (n, *shape), kind) if out is None else out
-        result = Array.of(made, "out")
-        result.demand(kind, n, *shape)
-        arrays = {"values": values, "q": result}
-        if n:
-            with self.at(arrays) as device:
-                kernel = self.kernel(_instance(name, kind, 16), device)
-                self.launch(kernel, (_over(n, 128), 128), _batch(n, arrays), _stream(q, stream))
-        return made
+        made, results = call.results(None if out is None else (out,), ("out", (n, *shape), kind))
+        arrays = {"values": values, "q": results["out"]}
+        if not n:
+            return made[0]
+        with self.at(arrays) as device:
+            kernel = self.kernel(_instance(name, kind, 16), device)
+            self.launch(kernel, (_over(n, 128), 128), _batch(n, arrays), Pointer(call.stream))
+            return self._handed(call, made)[0]
 
-    def _poses(self, poses: Array) -> tuple[int, str]:
-        """How many there are, and the type of their numbers."""
-        kind, shape = _number(poses), poses.shape
-        if len(shape) != 3 or shape[1:] not in ((4, 4), (3, 4)):
-            raise ValueError(f"T must be of shape (n, 4, 4) or (n, 3, 4), not {shape}")
-        if shape[0] > MOST:
-            raise ValueError(f"T has more than {MOST} poses: give them in parts")
-        poses.demand(kind, *shape)
-        return shape[0], kind
-
-    def _given(self, q_free: Sequence[GPUArray], n: int, kind: str) -> dict[str, Array]:
+    def _given(self, call: Call, q_free: Sequence[GPUArray], n: int, kind: str) -> dict[str, Array]:
         """What the caller gives besides poses."""
         given = self.program.given
         if len(q_free) != (given > 0):
@@ -293,33 +251,34 @@ class Solver:
             raise TypeError(f"{self.program.name} takes {takes}")
         if not given:
             return {}
-        values = Array.of(q_free[0], "q_free")
+        values = call.read(q_free[0], "q_free")
         values.demand(kind, n, given)
         return {"free_joints": values}
 
     def _solve(
         self,
         names: tuple[str, str],
+        call: Call,
         arrays: dict[str, Array],
-        n: int,
-        stream: int | None,
+        made: tuple[GPUArray, ...],
         *,
         careful: bool,
-    ) -> None:
-        """Both kernels, on one stream."""
+    ) -> tuple[GPUArray, ...]:
+        """Both kernels, on one stream, and the results."""
         if not careful and not self.program.regular:
             raise ValueError(f"{self.program.name} has no regular poses: all need careful=True")
-        if n == 0:
-            return
         poses = arrays["T"]
+        n = poses.shape[0]
+        if n == 0:
+            return made
         asked = [_instance(name, poses.kind, 4 * poses.shape[1]) for name in names]
-        at, batch = _stream(poses.owner, stream), _batch(n, arrays)
+        at, batch = Pointer(call.stream), _batch(n, arrays)
         with self.at(arrays) as device:
             processors = self._attribute(_MULTIPROCESSORS, device)
             last = self.kernel(asked[1], device) if careful else Pointer()
             if not self.program.regular:
                 self.launch(last, (min(_over(n, 128), 2 * processors), 128), batch, at)
-                return
+                return self._handed(call, made)
             first, left = self.kernel(asked[0], device), Pointer()
             if careful:
                 self._call("cuMemAllocAsync", ctypes.byref(left), ctypes.c_size_t(4 * n + 4), at)
@@ -334,6 +293,31 @@ class Solver:
             finally:
                 if careful:
                     self._call("cuMemFreeAsync", left, at)
+            return self._handed(call, made)
+
+    def _handed(self, call: Call, made: tuple[GPUArray, ...]) -> tuple[GPUArray, ...]:
+        """The results of what was launched, as the library may read them at any time from now on.
+
+        Where it waits by DLPack, an event stands behind the kernels: streams that read the results
+        wait for it, and what kernels read and write lives until it has come.
+        """
+        if not call.handed_over:
+            return made
+        for _ in range(len(self._running)):
+            before, kept = self._running.popleft()
+            if self._cu.cuEventQuery(before) == _NOT_READY:
+                self._running.append((before, kept))
+            else:
+                self._call("cuEventDestroy_v2", before)
+        event = Pointer()
+        self._call("cuEventCreate", ctypes.byref(event), _NO_TIMING)
+        self._call("cuEventRecord", event, Pointer(call.stream))
+        self._running.append((event, call.kept))
+
+        def order(stream: int) -> None:
+            self._call("cuStreamWaitEvent", Pointer(stream), event, 0)
+
+        return tuple(call.taken_over(each, order) for each in made)
 
     @contextmanager
     def at(self, arrays: dict[str, Array]) -> Iterator[int]:
@@ -402,40 +386,15 @@ def _over(n: int, size: int) -> int:
     return -(-n // size)
 
 
-def _number(array: Array) -> str:
-    if array.kind not in KINDS:
-        raise TypeError(f"{array.name} must be float32 or float64, not {array.kind}")
-    return array.kind
-
-
-def _library(array: GPUArray) -> str:
-    return type(array).__module__.partition(".")[0]
-
-
-def _new(like: GPUArray, shape: tuple[int, ...], kind: str) -> GPUArray:
-    """An array of the library and on the GPU of another."""
-    library = _library(like)
-    name = KINDS[kind][0] if kind in KINDS else "uint8"
-    if library == "torch":
-        torch = importlib.import_module("torch")
-        return torch.empty(shape, dtype=getattr(torch, name), device=like.device)
-    if library == "cupy":
-        with like.device:
-            return importlib.import_module("cupy").empty(shape, name)
-    raise TypeError(f"arrays of {library} can't be made here: give those to be written to, out=")
-
-
-def _stream(array: GPUArray, chosen: int | None) -> Pointer:
-    """A stream: the caller's, or the one that is current in the array's library."""
-    library = _library(array)
-    if chosen is None and library == "torch":
-        found = importlib.import_module("torch").cuda.current_stream(array.device)
-        chosen = found.cuda_stream
-    elif chosen is None and library == "cupy":
-        chosen = importlib.import_module("cupy").cuda.get_current_stream().ptr
-    elif chosen is None:
-        chosen = array.__cuda_array_interface__.get("stream") or _LEGACY
-    return Pointer(chosen)
+def _poses(poses: Array) -> tuple[int, str]:
+    """How many there are, and the type of their numbers."""
+    kind, shape = poses.number(), poses.shape
+    if len(shape) != 3 or shape[1:] not in ((4, 4), (3, 4)):
+        raise ValueError(f"T must be of shape (n, 4, 4) or (n, 3, 4), not {shape}")
+    if shape[0] > MOST:
+        raise ValueError(f"T has more than {MOST} poses: give them in parts")
+    poses.demand(kind, *shape)
+    return shape[0], kind
 
 
 @cache
@@ -458,7 +417,10 @@ def nvrtc() -> ctypes.CDLL:
     found = [path for folder in wheels for path in sorted(folder.glob("libnvrtc.so.*"))]
     others = ("libnvrtc.so.13", "libnvrtc.so.12", "/usr/local/cuda/lib64/libnvrtc.so")
     for name in [*map(str, found), *others]:
+        beside = Path(name).parent.glob("libnvrtc-builtins.so.*") if "/" in name else ()
         try:
+            for part in beside:
+                ctypes.CDLL(str(part))  # NVRTC opens it by name alone, and may not find it
             return ctypes.CDLL(name)
         except OSError:
             continue
