@@ -326,12 +326,14 @@ static const double
         v77 = s3 * T31, v79 = c3 * T11, v81 = c3 * T21, v86 = c3 * T31; \
     /* joint values */ \
     const dhgen_##number v88 = free_joints[0] + (w4 - w4), v89 = dhgen_abs_##number(Z4), \
-        v90 = near_merge_slack2 + 2.0 * v89, v91 = T14 * free_joints[2], \
-        v92 = dhgen_abs_##number(T14), v93 = dhgen_abs_##number(free_joints[2]), v94 = v91 + v91, \
-        v95 = v93 * v93, v96 = T24 * free_joints[2], v97 = dhgen_abs_##number(T24), \
-        v98 = v96 + v96, v99 = T34 * free_joints[2], v100 = dhgen_abs_##number(T34), \
-        v101 = v99 + v99, v102 = v95 + v95, v103 = v95 + v102, v104 = Z4 * v94, v105 = Z4 * v98, \
-        v106 = Z4 * v101, v107 = v89 * v103, v108 = v94 * v94 + v98 * v98, \
+        v90 = near_merge_slack2 + 2.0 * v89; \
+    /* by how much these differ at poses so near: slopes and rests */ \
+    const dhgen_##number v91 = T14 * free_joints[2], v92 = dhgen_abs_##number(T14), \
+        v93 = dhgen_abs_##number(free_joints[2]), v94 = v91 + v91, v95 = v93 * v93, \
+        v96 = T24 * free_joints[2], v97 = dhgen_abs_##number(T24), v98 = v96 + v96, \
+        v99 = T34 * free_joints[2], v100 = dhgen_abs_##number(T34), v101 = v99 + v99, \
+        v102 = v95 + v95, v103 = v95 + v102, v104 = Z4 * v94, v105 = Z4 * v98, v106 = Z4 * v101, \
+        v107 = v89 * v103, v108 = v94 * v94 + v98 * v98, \
         v109 = v103 + dhgen_sqrt_##number(v108 + v101 * v101), v110 = v104 + v104, \
         v111 = v105 + v105, v112 = v106 + v106, v113 = v107 + v107 + v109 * v109, \
         v114 = v113 + dhgen_sqrt_##number(v110 * v110 + v111 * v111 + v112 * v112), \
@@ -395,7 +397,9 @@ static const double
         v74 = s4 * T22, v76 = v9 * v75, v80 = v9 * v79, v82 = v9 * v81, v83 = s4 * T31, \
         v84 = s4 * T11, v85 = s4 * T21, v87 = v9 * v86; \
     /* joint values */ \
-    const dhgen_##number q3_p = v13 + v88, v132 = v119 + v6 * v125, v133 = v120 + v6 * v126, \
+    const dhgen_##number q3_p = v13 + v88; \
+    /* by how much these differ at poses so near: slopes and rests */ \
+    const dhgen_##number v132 = v119 + v6 * v125, v133 = v120 + v6 * v126, \
         v134 = v121 + v6 * v127, v135 = v123 + v130 * dhgen_abs_##number(v6), v136 = v10 * v132, \
         v137 = v10 * v133, v138 = v10 * v134, v140 = v135 * v139, \
         v141 = v135 + dhgen_sqrt_##number(v132 * v132 + v133 * v133 + v134 * v134), \
@@ -484,7 +488,7 @@ static const double
         s7 = c5 * (c3 * v78 - factor2 * (C2 * (s3 * (c1 * T11 + s1 * T21)) + S2 * v77)) + Y5 * \
             (factor2 * (S2 * (c1 * v84 + s1 * v85 - v87) - C2 * (v83 + (c1 * v80 + s1 * v82))) - \
             v9 * (s3 * v78)); \
-    /* joint values */ \
+    /* by how much these differ at poses so near: slopes and rests */ \
     const dhgen_##number v191 = v162 + e1 * v188, v192 = v163 + e1 * v189, \
         v193 = v164 + e1 * v190, \
         v195 = v194 + dhgen_sqrt_##number(v191 * v191 + v192 * v192 + v193 * v193), \

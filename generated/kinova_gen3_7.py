@@ -370,7 +370,7 @@ def _formulas(kept, turns, rows, w):
         # theta5, type 2: U5[3, 3]
         v85 = T24 * T13 - T14 * T23
 
-        # joint values
+        # by how much these differ at poses so near: slopes and rests
         v178, v179, v180 = T14 * given3, abs(T14), abs(given3)
         v181, v182, v183 = v178 + v178, v180 * v180, T24 * given3
         v184, v185, v186 = abs(T24), v183 + v183, T34 * given3
@@ -555,9 +555,12 @@ def _formulas(kept, turns, rows, w):
         # joint values
         v175 = given1 + (w4 - w4)
         q3_ppp, q3_mpp, v176 = v16 + v175, v17 + v175, abs(Z4)
-        v177, v191, v192 = near_merge_slack2 + 2.0 * v176, Z4 * v181, Z4 * v185
-        v193, v194, v197 = Z4 * v188, v176 * v190, v191 + v191
-        v198, v199, v200 = v192 + v192, v193 + v193, v194 + v194 + v196 * v196
+        v177 = near_merge_slack2 + 2.0 * v176
+
+        # by how much these differ at poses so near: slopes and rests
+        v191, v192, v193 = Z4 * v181, Z4 * v185, Z4 * v188
+        v194, v197, v198 = v176 * v190, v191 + v191, v192 + v192
+        v199, v200 = v193 + v193, v194 + v194 + v196 * v196
         v201, v202 = v200 + math.sqrt(v197 * v197 + v198 * v198 + v199 * v199), X4 * v181
         v203, v204, v205 = X4 * v185, X4 * v188, v190 * abs(X4)
         v206, v207, v208 = inverse4 * v202, inverse4 * v203, inverse4 * v204

@@ -353,7 +353,7 @@ static const double
     const dhgen_##number v30 = w1 * (v2 * (T14 * T22 - T24 * T12)), \
         v31 = w1 * (v2 * (T14 * T12 + T24 * T22)), v32 = w1 * (v2 * (T14 * T21 - T24 * T11)), \
         v33 = w1 * (v2 * (T14 * T11 + T24 * T21)); \
-    /* joint values */ \
+    /* by how much these differ at poses so near: slopes and rests */ \
     const dhgen_##number v35 = T34 * free_joints[1], v36 = dhgen_abs_##number(T34), \
         v37 = dhgen_abs_##number(free_joints[1]), v38 = v35 + v35, v39 = v37 * v37, \
         v40 = T14 * free_joints[1], v41 = v40 + v40, v42 = T24 * free_joints[1], v43 = v42 + v42, \
@@ -406,7 +406,7 @@ static const double
         v13 = near_m9 * factor2 - near_m6, v14 = Z2_3 * v12 + T34 * v13, \
         v18 = v17 + near_m7 * Z2_3, v19 = Z2_3 * -v13 + T34 * v12, v28 = e1 * Y4, \
         v29 = dhgen_signed_##number(DHGEN_HALF_TURN, v28); \
-    /* joint values */ \
+    /* by how much these differ at poses so near: slopes and rests */ \
     const dhgen_##number v49 = e1 * v46, v50 = e1 * v47, v52 = Z2_3 * v49, v53 = Z2_3 * v50, \
         v54 = dhgen_abs_##number(Z2_3), v55 = v48 * v54, \
         v56 = v48 + dhgen_sqrt_##number(v49 * v49 + v50 * v50), v57 = v52 + v52, v58 = v53 + v53, \
@@ -449,7 +449,7 @@ static const double
         c4 = s23 * T33 + e1 * (c23 * v24), v27 = v26 + c4 * c4; \
     /* theta6 */ \
     const dhgen_##number v34 = e1 * (c4 * v32 + Y4 * (s23 * T31 + e1 * (c23 * v33))); \
-    /* joint values */ \
+    /* by how much these differ at poses so near: slopes and rests */ \
     const dhgen_##number v139 = e3 * v136, v140 = e3 * v137, v141 = e3 * v135, v142 = v141 * v141, \
         v143 = factor2 * v139 - v20 * v107, v144 = factor2 * v140 - v20 * v108, \
         v145 = factor2 * v141 - v20 * v109, \

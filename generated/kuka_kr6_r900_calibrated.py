@@ -470,7 +470,7 @@ def _formulas(kept, turns, rows, w):
         v56 = c4_pp * v54 + Y4 * (s23_pp * T31 + c23_pp * v55)
         v57 = c4_pm * v54 + Y4 * (s23_pm * T31 + c23_pm * v55)
 
-        # joint values
+        # by how much these differ at poses so near: slopes and rests
         v58, v59, v60 = T34 * given2, abs(T34), abs(given2)
         v61, v62, v63 = v58 + v58, v60 * v60, T14 * given2
         v64, v65 = v63 + v63, T24 * given2

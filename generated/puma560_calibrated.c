@@ -351,7 +351,7 @@ static const double
     /* theta2 */ \
     const dhgen_##number X1_2 = near_m7 * N3 - near_m8, v17 = T34 * X1_2, \
         factor2 = DHGEN_QUOTIENT(1.0, N3); \
-    /* joint values */ \
+    /* by how much these differ at poses so near: slopes and rests */ \
     const dhgen_##number v33 = T14 * free_joints[1], v34 = dhgen_abs_##number(free_joints[1]), \
         v35 = v33 + v33, v36 = v34 * v34, v37 = T24 * free_joints[1], v38 = v37 + v37, \
         v39 = v36 + v36, v40 = v35 * v35 + v38 * v38, v41 = v39 + dhgen_sqrt_##number(v40), \
@@ -409,7 +409,7 @@ static const double
     /* theta6 */ \
     const dhgen_##number v29 = c1 * T22 - s1 * T12, v30 = c1 * T12 + s1 * T22, \
         v31 = c1 * T21 - s1 * T11, v32 = c1 * T11 + s1 * T21; \
-    /* joint values */ \
+    /* by how much these differ at poses so near: slopes and rests */ \
     const dhgen_##number v71 = inverse1 * (e1 * free_joints[1]), v72 = v8 * v53, \
         v73 = v71 - v8 * v54, v79 = v62 + (v9 * v66 - w1 * v72), v80 = w1 * v73 + v9 * v67 - v60, \
         v81 = v64 + (v77 + v70 * dhgen_abs_##number(v9) + v78 * (v75 + dhgen_sqrt_##number(v72 * \
@@ -447,7 +447,7 @@ static const double
         c4 = c23 * v24 + s23 * T33, v26 = factor2 * c4, v27 = v25 + factor2 * (c4 * v26); \
     /* theta6 */ \
     const dhgen_##number s6 = c4 * v31 + Y4 * (c23 * v32 + s23 * T31); \
-    /* joint values */ \
+    /* by how much these differ at poses so near: slopes and rests */ \
     const dhgen_##number v131 = v120 + v16 * v124, v132 = v121 + v16 * v125, \
         v133 = v122 + v16 * v126, v135 = near_m7 * (e3 * free_joints[1]), v137 = v20 * v124, \
         v138 = v20 * v125, v139 = w3 * v135 + v20 * v126, \
@@ -517,8 +517,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             const dhgen_wide angle5 = dhgen_atan2_wide(s6, c4 * v29 + Y4 * (c23 * v30 + s23 * T32));
 
             /* joint values */
-            const dhgen_wide q3_p = v1 + dhgen_lowered_wide(q3_), v174 = near_m7 * (v70 * fabs(e3)),
-                v175 = v136 * v174,
+            const dhgen_wide q3_p = v1 + dhgen_lowered_wide(q3_);
+
+            /* by how much these differ at poses so near: slopes and rests */
+            const dhgen_wide v174 = near_m7 * (v70 * fabs(e3)), v175 = v136 * v174,
                 v179 = v171 + (v175 + v129 * dhgen_abs_wide(v19) + v130 * (v174 +
                     dhgen_sqrt_wide(v172 * v172 + v173 * v173))),
                 v183 = v179 + dhgen_sqrt_wide(v176 * v176 + v177 * v177 + v178 * v178),
@@ -562,7 +564,7 @@ DHGEN_INLINE int solve_regular(
     SIGNED(four, four);
     SIGNED_TWICE(four, four);
 
-    /* joint values */
+    /* by how much these differ at poses so near: slopes and rests */
     const dhgen_four v174 = near_m7 * (v70 * dhgen_abs_four(e3)), v175 = v136 * v174,
         v179 = v171 + (v175 + v129 * dhgen_abs_four(v19) + v130 * (v174 + dhgen_sqrt_four(v172 *
             v172 + v173 * v173))),

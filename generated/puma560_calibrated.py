@@ -472,7 +472,7 @@ def _formulas(kept, turns, rows, w):
         s6_mp = Y4_m * (c23_mp * v47 + s23_mp * T31) - c4_mp * v45
         s6_mm = Y4_m * (c23_mm * v47 + s23_mm * T31) - c4_mm * v45
 
-        # joint values
+        # by how much these differ at poses so near: slopes and rests
         v48, v49 = T14 * given2, abs(given2)
         v50, v51, v52 = v48 + v48, v49 * v49, T24 * given2
         v53, v54 = v52 + v52, v51 + v51

@@ -181,7 +181,7 @@ static const double
         v3 = inverse1 * v2, v7 = near_d4 * X1, v8 = inverse1 * v7; \
     /* theta3 */ \
     const dhgen_##number v24 = T34 - near_d1; \
-    /* joint values */ \
+    /* by how much these differ at poses so near: slopes and rests */ \
     const dhgen_##number v40 = T33 * free_joints[0], v41 = T23 * free_joints[0], \
         v42 = near1 * (free_joints[0] * free_joints[0]), v43 = near_d6 * v40, v44 = near_d6 * v41, \
         v45 = near_d6 * v42, v46 = v40 * v40, v47 = v42 + dhgen_sqrt_##number(v46 + v41 * v41), \
@@ -249,7 +249,7 @@ static const double
     /* theta3 */ \
     const dhgen_##number v23 = near_d6 * w6, v25 = near_d5 * c234, v26 = s234 * v23, \
         v27 = T24 * s1 - T14 * v6, v28 = c234 * v23, v29 = near_d5 * s234; \
-    /* joint values */ \
+    /* by how much these differ at poses so near: slopes and rests */ \
     const dhgen_##number v109 = e1 * v43, v110 = e1 * v44, v111 = inverse1 * v109, \
         v112 = inverse1 * (e1 * free_joints[1]), v114 = v4 * v75, v115 = v4 * v79, \
         v116 = v109 * v109, v117 = v111 - v4 * v76, v118 = v4 * v77 - inverse1 * v110, \
@@ -384,7 +384,7 @@ static const double
     /* theta2 */ \
     const dhgen_##number v33 = near_m6 + near_m5 * N3, v34 = Z1_3 * v33, v35 = Z2_3 * v33, \
         v36 = w3 * (near_m5 * Z2_3), v37 = w3 * (near_m5 * Z1_3); \
-    /* joint values */ \
+    /* by how much these differ at poses so near: slopes and rests */ \
     const dhgen_##number v305 = v277 + e6 * v300, v306 = v278 + e6 * v301, \
         v307 = v279 + e6 * v302, v308 = v280 + e6 * v303, v309 = v281 + e6 * v304, \
         v311 = Z1_3 * v305, v312 = Z1_3 * v306, v313 = Z1_3 * v307, v314 = Z1_3 * v308, \

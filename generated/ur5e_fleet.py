@@ -206,7 +206,7 @@ def _formulas(kept, turns, rows, w):
         v71, v72 = w3_mp * (near_m5 * Z2_3_mp), w3_mp * (near_m5 * Z1_3_mp)
         v73, v74 = w3_mm * (near_m5 * Z2_3_mm), w3_mm * (near_m5 * Z1_3_mm)
 
-        # joint values
+        # by how much these differ at poses so near: slopes and rests
         v83, v84, v85 = T33 * given1, T23 * given1, near1 * (given1 * given1)
         v86, v87, v88 = near_d6 * v83, near_d6 * v84, near_d6 * v85
         v89 = v83 * v83

@@ -101,6 +101,7 @@ class _Certificate:
                         builder.hint(self._values[name], name)
         joints = [self._value(joint) for joint in self._solver.joints]
         told = [self._value(doubt) for doubt in self._solver.doubts]
+        builder.heading("by how much these differ at poses so near: slopes and rests")
         doubts = builder.disjunctions([*told, *self._near(joints, told)])
         results = {f"q{place + 1}": node for place, node in enumerate(joints)}
         results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
