@@ -71,8 +71,9 @@ def _is_about_first_axis(context: StepContext) -> bool:
         return False
     names = {
         context.story.algebra.ring.symbols[place].name
-        for name in "XY"
-        for place in used_places(context.polynomial(name))
+        for letter, polynomial in context.step.coefficients
+        if letter in ("X", "Y")
+        for place in used_places(polynomial)
     }
     points = context.story.derivation.pool.points
     return names in [{"t14", "t24"}, *({p.names[0], p.names[1]} for p in points)]
