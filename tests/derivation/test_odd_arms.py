@@ -124,3 +124,15 @@ def test_a_pitch_of_a_right_angle_is_no_edge_of_the_reach() -> None:
     )
     told = section(text, "Singular configurations")
     assert "$c_{234} = 0$ | the tool's direction is at the edge of what the joints can give" in told
+
+
+def test_a_point_of_two_links_has_a_name_whatever_letters_its_equation_has() -> None:
+    """Four turns that cross each other, of which the last two have no length between them."""
+    text = made_of(
+        "theta: q, alpha: pi/2",
+        "theta: q, a: l2, alpha: -pi/2",
+        "theta: q, a: l3, d: d3, alpha: -pi/2",
+        "theta: q, alpha: -pi/2",
+        parameters="{l2: 0.27, l3: 0.36, d3: 0.1}",
+    )
+    assert "the far end of the two links" in text
