@@ -8,8 +8,14 @@ import numpy as np
 import pytest
 
 from dhgen.derivation.document import document_blocks
+from dhgen.derivation.french.notation import french_symbol
+from dhgen.derivation.french.sentences import french
 from dhgen.derivation.sections.general import near_blocks
+from dhgen.derivation.sections.roots import sum_of_powers
+from dhgen.derivation.text.formula import Symbol
 from dhgen.derivation.text.markdown import markdown
+from dhgen.derivation.text.show import show
+from dhgen.derivation.text.style import PLAIN
 from dhgen.kinematics.numeric import numeric_arm
 from tests.derivation.made import made_of
 from tests.derivation.stories import EACH, WHOLE, story
@@ -103,3 +109,28 @@ def test_general_arms_say_where_they_are_singular(name: str, where: str) -> None
     text = text_of(name)
     assert where in text.split("## Singular configurations")[1]
     assert text.count("FREE_JOINT") == 1
+
+
+def test_polynomials_in_numbers_descend_whatever_their_signs() -> None:
+    shown = show(sum_of_powers([-0.5, 0.0, 2.0, -1.5, -0.25], 2.0), PLAIN)
+    assert shown == "−0.5 x⁴ + 2 x² − 1.5 x − 0.25"
+    assert show(sum_of_powers([0.0, 0.0, 0.0, 0.0, -3.0], 3.0), PLAIN) == "−3"
+
+
+def test_two_rows_are_no_range() -> None:
+    assert "returned in rows 0 and 1, each" in text_of("scara")
+    assert "returned in rows 0 to 7, each" in text_of("ur5")
+    assert "données aux lignes 0 et 1, chacune" in (french(returned(text_of("scara"))) or "")
+
+
+def returned(text: str) -> str:
+    """The sentence on how many solutions there are."""
+    (found,) = re.findall(r"The inverse has at most .*?\.", text)
+    return str(found)
+
+
+def test_coordinates_of_points_are_apart_in_french() -> None:
+    """A comma is that of a decimal number there."""
+    assert french_symbol(Symbol("(0, -d_6, 0.5)", "(0, −d₆, 0.5)")) == Symbol(
+        "(0 ; -d_6 ; 0{,}5)", "(0 ; −d₆ ; 0,5)"
+    )

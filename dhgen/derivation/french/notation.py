@@ -45,13 +45,13 @@ def french_formula(formula: Formula) -> Formula:
 @cache
 def french_symbol(symbol: Symbol) -> Symbol:
     """A letter, or a number that is written as one."""
-    latex = _written(symbol.latex, _LATEX, r"\,;\ ")
-    return replace(symbol, latex=latex, text=_written(symbol.text, _PLAIN, " ; "))
+    latex, text = _written(symbol.latex, _LATEX), _written(symbol.text, _PLAIN)
+    return replace(symbol, latex=latex, text=text)
 
 
-def _written(text: str, changes: tuple[tuple[re.Pattern[str], str], ...], apart: str) -> str:
-    if text.startswith("(") and _POINT.search(text):
-        text = text.replace(", ", apart)  # the coordinates of a point
+def _written(text: str, changes: tuple[tuple[re.Pattern[str], str], ...]) -> str:
+    if text.startswith("(") and text.endswith(")"):
+        text = text.replace(", ", " ; ")  # the coordinates of a point
     for before, after in changes:
         text = before.sub(after, text)
     return text

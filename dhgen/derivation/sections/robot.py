@@ -126,7 +126,8 @@ def _solutions(story: Story) -> str:
     if story.derivation.whole is not None:
         order = "ascending joint values" if story.nominal is None else "posture"
         return f"At most {count}, in rows by {order}."
-    returned = f"The inverse has at most {count}, returned in rows 0 to {rows - 1}"
+    where = "rows 0 and 1" if rows == 2 else f"rows 0 to {rows - 1}"
+    returned = f"The inverse has at most {count}, returned in {where}"
     if not story.has_branch_words:
         return f"{returned}, each always in the same one; the tree below has the signs of each row."
     if story.derivation.method is Method.QUARTIC:

@@ -12,6 +12,7 @@ from dhgen.derivation.text.formula import (
     ZERO,
     Listing,
     Power,
+    Sum,
     Symbol,
     add,
     equal,
@@ -57,7 +58,7 @@ def quartic_blocks(taken: Polynomial, row: int, angle: AngleSum) -> list[Block]:
         paragraph("The coefficients of the polynomial in {} are", theta(angle)),
         display(Listing(tuple(shown))),
         paragraph("and the equation in {} is", HALF),
-        display(equal(_sum_of_powers(in_tangent(own), size), ZERO)),
+        display(equal(sum_of_powers(in_tangent(own), size), ZERO)),
         paragraph(
             f"Its real roots are {{}}, and with them {{}}. The row takes the {place}.",
             alternatives(HALF, [figures(float(each)) for each in tangents]),
@@ -72,8 +73,8 @@ def in_tangent(circle: FloatArray) -> list[float]:
     return [a0 - a1 + a2, 2 * (b1 - 2 * b2), 2 * (a0 - 3 * a2), 2 * (b1 + 2 * b2), a0 + a1 + a2]
 
 
-def _sum_of_powers(coefficients: Sequence[float], size: float) -> Formula:
-    """A polynomial in numbers, without its zeros."""
+def sum_of_powers(coefficients: Sequence[float], size: float) -> Formula:
+    """A polynomial in numbers by descending powers, without its zeros."""
     terms: list[Formula] = []
     for power, value in enumerate(reversed(coefficients)):
         shown = figures(abs(value), size)
@@ -81,7 +82,7 @@ def _sum_of_powers(coefficients: Sequence[float], size: float) -> Formula:
             factors = (Power(HALF, power),) if power > 1 else (HALF,) * power
             term = times(shown, *factors)
             terms.insert(0, minus(term) if value < 0 else term)
-    return add(*terms)
+    return Sum(tuple(terms)) if terms[1:] else add(*terms)
 
 
 def alternatives(name: Symbol, values: Iterable[Symbol]) -> Prose:
