@@ -120,7 +120,7 @@ def test_every_robot_has_its_files() -> None:
     wanted |= {f"{each}.{end}" for each in parts for end in ("py", "c", "h", "md")}
     wanted |= {f"dhgen_pose.{end}" for end in ("py", "c", "h")}
     wanted |= {f"dhgen_native.{end}" for end in ("py", "c")}
-    wanted |= {"dhgen_arrays.py", "dhgen_cuda.py", "dhgen_kernels.cuh"}
+    wanted |= {f"dhgen_{name}.py" for name in ("arrays", "cuda", "grad")} | {"dhgen_kernels.cuh"}
     assert {path.name for path in GENERATED.iterdir() if path.is_file()} == wanted
 
 

@@ -2,7 +2,8 @@
 
 `dhgen_pose` has poses in other notations, `dhgen_native` puts the C behind the functions of a
 robot's module, `dhgen_kernels` makes CUDA kernels of it, and `dhgen_cuda` calls these for
-arrays on a GPU, which `dhgen_arrays` reads and makes; they are here and in ../c.
+arrays on a GPU, which `dhgen_arrays` reads and makes; `dhgen_grad` has derivatives for PyTorch and
+JAX. They are here and in ../c.
 """
 
 from __future__ import annotations
@@ -17,7 +18,10 @@ if TYPE_CHECKING:
 
 HERE = Path(__file__).resolve().parent
 FILES = (
-    *(HERE / f"{name}.py" for name in ("dhgen_arrays", "dhgen_cuda", "dhgen_native", "dhgen_pose")),
+    *(
+        HERE / f"{name}.py"
+        for name in ("dhgen_arrays", "dhgen_cuda", "dhgen_grad", "dhgen_native", "dhgen_pose")
+    ),
     *(
         HERE.parent / "c" / f"dhgen_{name}"
         for name in ("native.c", "pose.h", "pose.c", "kernels.cuh")

@@ -246,10 +246,10 @@ class _Solver:
         velocities(self._joints(q).ctypes.data, given.ctypes.data, found.ctypes.data)
         return found
 
-    def arm_angle(self, q: Any) -> float:  # noqa: ANN401
-        """The arm angle of joint values (n,), in (-pi, pi]."""
+    def arm_angle(self, q: Any) -> Any:  # noqa: ANN401
+        """The arm angle of joint values (n,), in (-pi, pi], or of each in a stack of them."""
         angle = self._function("arm_angle", 1, ctypes.c_double)
-        return float(angle(self._joints(q).ctypes.data))
+        return self._called["of_each"](lambda each: angle(each.ctypes.data), q, self._dof)
 
     def any_fk(self, q: Any, T: NDArray[np.float64]) -> NDArray[np.float64]:  # noqa: ANN401
         """The pose of joint values of any type, or the poses of a stack."""
