@@ -17,7 +17,7 @@ from dhgen.derivation.text.formula import ZERO, equal, number, times
 from dhgen.derivation.velocity.determinant import Determinant, Factor
 from dhgen.derivation.velocity.wrist import approach, velocity_columns
 from dhgen.kinematics.ring import primitive
-from dhgen.kinematics.transform import identity
+from dhgen.kinematics.transform import identity, turn_between
 from dhgen.robot.task import Directions
 
 if TYPE_CHECKING:
@@ -42,7 +42,8 @@ def worked_out(
 ) -> Determinant | None:
     """In the frame in which it has most factors; None where no frame leaves it short.
 
-    Rows of a plane are those of the base's frame.
+    Rows of a plane are those of a frame that lies in it as the base does; columns are those of the
+    joints that are solved for.
 
     Args:
         story: The derivation.
@@ -51,12 +52,17 @@ def worked_out(
     """
     algebra, chain = story.algebra, story.algebra.chain
     named = Directions.NONE if by_position else chain.task.directions
-    count = len(chain.task.position_rows) + named.dimension
-    plain = not (chain.given or chain.passive) and count == chain.dof
-    flat = len(chain.task.position_rows) == 2
-    if not plain or not story.steps or (flat and chain.base != identity(chain.ring)):
+    solved = len(chain.solved)
+    level = len(chain.task.position_rows) + named.dimension > solved  # some rows are zero
+    flat = level or len(chain.task.position_rows) == 2
+    if chain.passive or not story.steps or (flat and chain.base != identity(chain.ring)):
         return None
-    frames = range(1) if flat else range(chain.dof + 1)
+    spans = story.derivation.problem.spans
+    frames = [
+        frame
+        for frame in range(chain.dof + 1)
+        if not flat or turn_between(spans.product(0, frame).rotation) == 1
+    ]
     found = [each for frame in frames if (each := _in_factors(story, named, frame)) is not None]
     if not found:
         return None
@@ -71,7 +77,7 @@ def worked_out(
     # of a sum the number is in front, and not divided among its terms
     scale, still = primitive(size) if len(size) > 1 else (1, size)
     constant = times(number(scale), story.write_forward(still))
-    return Determinant(constant, tuple(moving), count)
+    return Determinant(constant, tuple(moving), solved)
 
 
 def _length(factored: Factored) -> tuple[int, str]:
@@ -89,7 +95,9 @@ def _in_factors(story: Story, named: Directions, frame: int) -> Factored | None:
     """What does not move, and the other factors, of the determinant of velocities in a frame."""
     algebra = story.algebra
     rows = _rows(story, named, frame)
-    size = None if rows is None else determinant(algebra, rows)
+    moving_rows = tuple(filter(any, rows or ()))
+    square = all(len(row) == len(moving_rows) for row in moving_rows)
+    size = determinant(algebra, moving_rows) if square else None
     if not size:
         return None
     scale, factors = size.factor_list()
@@ -110,7 +118,8 @@ def _in_factors(story: Story, named: Directions, frame: int) -> Factored | None:
 def _rows(story: Story, named: Directions, frame: int) -> Rows | None:
     """What the task names of joints' velocities, in a frame; None for a part of the rotation."""
     algebra, chain = story.algebra, story.algebra.chain
-    columns = list(velocity_columns(algebra, frame, None, chain.dof))
+    every = list(velocity_columns(algebra, frame, None, chain.dof))
+    columns = [every[joint.number - 1] for joint in chain.solved]
     match named:
         case Directions.NONE:
             return tuple(
