@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -34,6 +34,59 @@ def test_rows_move_as_their_derivatives_say(name: str) -> None:
     found = dhgen_grad.solved(status)[..., 0]
     assert found.sum() >= 2 * len(status)
     np.testing.assert_allclose(expected[found], moved.joints[found], atol=1e-8)
+
+
+def rolled(T: Any) -> Any:
+    """Poses whose tool is turned about its z axis."""
+    turn = np.eye(4)
+    turn[:3, :3] = rotation(np.array([0.0, 0.0, 0.7]))
+    return T @ turn
+
+
+def pitched(T: Any) -> Any:
+    """Poses of the same place and yaw, whose tool is not level, one more than another."""
+    turned = T.copy()
+    for pose in turned:
+        yaw, (x, y) = np.arctan2(pose[1, 0], pose[0, 0]), pose[:2, 3]
+        turns = np.diag([0.3 + x, 0.4 + y, yaw])
+        pose[:3, :3] = rotation(turns[2]) @ rotation(turns[1]) @ rotation(turns[0])
+    return turned
+
+
+def yawed(T: Any) -> Any:
+    """Poses of the same place, roll and pitch, whose tool faces elsewhere."""
+    turned = T.copy()
+    for pose in turned:
+        pose[:3, :3] = rotation(np.array([0.0, 0.0, 0.5 + pose[0, 3]])) @ pose[:3, :3]
+    return turned
+
+
+@pytest.mark.parametrize(("name", "other"), [("welding_5r", rolled), ("abb_irb460", pitched)])
+def test_what_the_task_leaves_open_may_be_anything(name: str, other: Callable[[Any], Any]) -> None:
+    moved, h = move(name), 1e-5
+    (T,), (rates,) = moved.given, moved.rates
+    by_pose, *_, status = derivatives(moved.robot, other(T))
+    change = (other(T + h * rates) - other(T - h * rates)) / (2 * h)
+    expected = np.einsum("nrjab,nab->nrj", by_pose, change[:, :3])
+    found = dhgen_grad.solved(status)[..., 0]
+    assert (status == moved.status).all()
+    np.testing.assert_allclose(expected[found], moved.joints[found], atol=1e-7)
+
+
+def test_roll_and_pitch_where_the_yaw_is_left_open() -> None:
+    """Of an arm's own joints on the move, as if its task were x, y, z, roll and pitch."""
+    arm, h = robot("welding_5r"), 1e-5
+    numbers, places = arm._ARM.copy(), arm._runtime("places")
+    numbers[places.DIRECTIONS], numbers[places.MISS_WEIGHTS + 5] = places.TILT, 0.0
+    tilting = dhgen_grad.Arm(SimpleNamespace(**vars(arm) | {"_ARM": numbers}))  # type: ignore[arg-type]
+    random = np.random.default_rng(8)
+    q = np.array([0.2, 0.9, 0.6, 0.5, 1.1]) + random.uniform(-0.1, 0.1, (20, 5))
+    velocities = random.normal(size=q.shape)
+    before, now, after = (yawed(arm.fk(q + s * velocities)) for s in (-h, 0.0, h))
+    rows = q[:, None], np.zeros((20, 1), np.uint8)
+    (by_pose,) = tilting.derivatives(HERE, arm, now, *rows)
+    found = np.einsum("nrjab,nab->nrj", by_pose, (after - before)[:, :3] / (2 * h))
+    np.testing.assert_allclose(found[:, 0], velocities, atol=1e-7)
 
 
 @pytest.mark.parametrize("name", ["kuka_iiwa14", "kuka_iiwa14_arm_angle"])

@@ -80,7 +80,6 @@ def torch_ik(robot: ModuleType) -> Callable[..., tuple[Array, Array]]:
                 found = arm.solve(robot, *map(np.from_dlpack, plain))
                 q, status = map(torch.from_dlpack, found)
             ctx.save_for_backward(*given, q, status)
-            ctx.mark_non_differentiable(status)
             return q.to(T.dtype), status
 
         @staticmethod
