@@ -118,14 +118,22 @@ DHGEN_FN void dhgen_to_nominal_rows(
     dhgen_place_rows(posture, kind->nearest_rows, q, status);
 }
 
-/* All rows of a calibrated arm, as a robot's solver fills them. */
+/* All rows of a calibrated arm, as a robot's solver fills them: those of the nominal arm also where
+ * one of them may be moved to a limit, which is for the caller to do. */
 DHGEN_FN void dhgen_calibrated_rows(const dhgen_kind *kind, const dhgen_calibration *of,
     const double *T, const double *seed, double *q, unsigned char *status)
 {
     const dhgen_general_arm general = dhgen_general_arm_of(kind, of);
+    double rows[DHGEN_ROWS][6];
+    int own[DHGEN_ROWS];
     struct dhgen_calibrated_descents descents;
     descents.arm = *kind->descents;
     descents.calibration = of;
+    const int count = dhgen_solved_from_nominal(kind, of, &general, T, rows, own);
+    if (count >= 0) {
+        dhgen_keep_certain(rows, own, count, q, status);
+        return;
+    }
     dhgen_general_rows(&general, &descents.arm, T, NULL, seed, q, status);
     if (kind->nearest)
         dhgen_to_nominal_rows(kind, of, q, status);
