@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/scara_wrist.yaml. The formulas and where they come from:
  * scara_wrist.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 22c378b09b9421b7
+ * dhgen 0.1.0; SHA-256 of the robot file: 9b101989d7ce50a0
  * SPDX-License-Identifier: MIT
  */
 #include "scara_wrist.h"
