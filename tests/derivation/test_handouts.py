@@ -183,6 +183,27 @@ def test_latex_compiles_without_a_warning(name: str, engine: str, tmp_path: Path
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("name", ["arm_6r", "ur5"])
+def test_what_a_paragraph_announces_stands_on_its_page(name: str, tmp_path: Path) -> None:
+    if "pdflatex" not in ENGINES or shutil.which("pdftotext") is None:
+        pytest.skip("no pdflatex, or no pdftotext")
+    compiled("pdflatex", handout(name, "latex"), tmp_path)
+    done = subprocess.run(
+        ["pdftotext", "-layout", "handout.pdf", "-"],  # noqa: S607
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    *pages, _, _ = done.stdout.split("\f")
+    assert len(pages) > 5
+    for page in pages:
+        last = page.split()[-2]  # the number of the page is behind it
+        assert last[-1] != ":"
+        assert last not in {"with", "are", "is", "at"}
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("engine", ["pdflatex", "xelatex"])
 def test_french_latex_compiles_without_a_warning(engine: str, tmp_path: Path) -> None:
     """With the packages for French where there are any: points, colons and figures among them."""

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 TITLE = "The steps as an algorithm"
 SAID = "The letters in the order in which they become known, with the branches:"
+TOO_WIDE = "As an algorithm the steps would have lines that are wider than a page."
+TOO_LONG = "As an algorithm the steps would fill more than a page."
 INDENT = "  "
 WIDE = 100  # characters of a line; longer ones are left to the steps
 MOST = 60  # lines, about a page
@@ -37,12 +39,14 @@ NONE_THERE = "No solution when"
 
 
 def listing_blocks(story: Story) -> list[Block]:
-    """The algorithm, folded; nothing for arms whose steps take roots of a polynomial."""
+    """The algorithm, folded, or that it is too long; nothing with roots of a polynomial."""
     if any(step.kind is Kind.CIRCLE for step in story.steps) or story.algebra.chain.arm_angle:
         return []
     lines = list(_lines(story))
-    if len(lines) > MOST or max(map(len, lines)) > WIDE:
-        return []
+    if max(map(len, lines)) > WIDE:
+        return [paragraph(TOO_WIDE)]
+    if len(lines) > MOST:
+        return [paragraph(TOO_LONG)]
     return [Folded(TITLE, (paragraph(SAID), Drawing("\n".join(lines))))]
 
 

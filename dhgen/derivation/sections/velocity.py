@@ -36,7 +36,7 @@ DET_22 = Symbol(r"\det J_{22}", "det J₂₂")
 
 
 def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]:
-    """The section; nothing where no closed formula can be given.
+    """The section; nothing where no closed formula can be given, and none is asked for.
 
     Args:
         story: The derivation.
@@ -48,10 +48,12 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
     if found is None:
         found = worked_out(story, places)
     wrist = wrist_blocks(story)
-    if found is None and wrist is None and not redundant:
+    square = chain.dof == chain.task.dimension
+    if found is None and wrist is None and not redundant and not (square and story.steps):
         return []
     return blocks_of(
         "velocity",
+        unfactored=found is None and square,
         determinant=found and display(equal(DET_J, found.formula)),
         factors=_table(story, found) if found and found.factors else None,
         listed=found is not None and all(each.place for each in found.factors),
