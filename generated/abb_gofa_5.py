@@ -13,8 +13,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -36,12 +34,9 @@ DOF = 6
 JOINT_TYPES = "RRRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
-    (-3.141592653589793, 3.141592653589793),
-    (-3.141592653589793, 3.141592653589793),
-    (-3.9269908169872414, 1.4835298641951802),
-    (-3.141592653589793, 3.141592653589793),
-    (-3.141592653589793, 3.141592653589793),
-    (-3.141592653589793, 3.141592653589793),
+    (-3.141592653589793, 3.141592653589793), (-3.141592653589793, 3.141592653589793),
+    (-3.9269908169872414, 1.4835298641951802), (-3.141592653589793, 3.141592653589793),
+    (-3.141592653589793, 3.141592653589793), (-3.141592653589793, 3.141592653589793),
 )
 BRANCHES = (
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
@@ -49,12 +44,8 @@ BRANCHES = (
 )
 MAX_SOLUTIONS = 16
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 d1 = 0.265  # joint offset 1 [m]
 a2 = 0.444  # link length 2 [m]
@@ -64,28 +55,18 @@ a5 = 0.08  # link length 5 [m]
 d6 = 0.101  # z of the tool frame [m]
 offset1 = 3.141592653589793  # offset of joint 1 [rad]
 offset2 = 1.5707963267948966  # offset of joint 2 [rad]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
 _LINKS = _joints.Arm(
-    rows=16,
-    size=1.4700000000000002,
-    coordinates=(0, 1, 2),
-    directions='rotation',
+    rows=16, size=1.4700000000000002, coordinates=(0, 1, 2), directions="rotation",
     joints=(
         _joints.Joint(
-            place=0,
-            lowest=-3.141592653589793,
-            highest=3.141592653589793,
-            zero=3.141592653589793,
+            place=0, lowest=-3.141592653589793, highest=3.141592653589793, zero=3.141592653589793,
         ),
         _joints.Joint(
-            place=1,
-            lowest=-3.141592653589793,
-            highest=3.141592653589793,
-            zero=1.5707963267948966,
+            place=1, lowest=-3.141592653589793, highest=3.141592653589793, zero=1.5707963267948966,
         ),
         _joints.Joint(place=2, lowest=-3.9269908169872414, highest=1.4835298641951802),
         _joints.Joint(place=3, lowest=-3.141592653589793, highest=3.141592653589793),
@@ -108,24 +89,11 @@ _LINKS = _joints.Arm(
         _joints.ChainJoint((0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.101)),
     ),
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=16,
-        directions='rotation',
-        miss_weights=(0.6803, 0.6803, 0.6803, 1.0, 1.0, 1.0),
-        size=1.4700000000000002,
-        clamped=1e-14,
-        clamped_again=1e-10,
-        steps=('clamps', 'winds'),
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=16, directions="rotation",
+    miss_weights=(0.6803, 0.6803, 0.6803, 1.0, 1.0, 1.0), size=1.4700000000000002,
+    clamped_again=1e-10, steps=("clamps", "winds"),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -137,22 +105,14 @@ TABLE = (
     (0.0, 0.0, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
     tool=(0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.101),
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
     c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
@@ -182,8 +142,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     v1 = q[0] + offset1
     c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
@@ -228,8 +186,7 @@ def jacobian(q):
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
-    size=0.509235307591332,
-    reach=4.0000000039999986,
+    size=0.509235307591332, reach=4.0000000039999986,
     links=(
         _loops.Link((
             0.38461538461538464, -0.9230769230769231, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0,
@@ -267,19 +224,14 @@ _LOOP = _loops.Loop(
         _loops.Formulation(joints=(3, 2, 1, 0, 5, 4), sign=-1.0),
     ),
     wrist=_loops.Wrist(
-        shoulder=5.203881545049196e-10,
-        wrist=-0.0,
-        upper=0.8718955527653943,
-        lower=0.9478932985402113,
-        cosine=0.973688178796424,
-        sine=0.22788446737788648,
-        flip=1.0,
+        shoulder=5.203881545049196e-10, wrist=-0.0, upper=0.8718955527653943,
+        lower=0.9478932985402113, cosine=0.973688178796424, sine=0.22788446737788648, flip=1.0,
         sources=(0.0, -1.0, 0.8718955527653943, 0.0, 0.216010159468904, 0.9229524995489534, 0.0, -1.0),
     ),
 )
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
 _all_joints = _runtime("general.rows").all_joints
-_NO_FREE = np.zeros(0)
+_NO_FREE = _runtime("arrays").NONE_GIVEN
 
 
 @_HOW.apart(_arms.SOLVES)
@@ -288,25 +240,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     _all_joints(_NUMBERS, pose, _NO_FREE, seed, q, status)
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=None,
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(_whole.compile_apart,),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach",
-            "allocates": "at every pose",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "pose", apart=(_whole.compile_apart,), at_once=True,
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

@@ -13,8 +13,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -38,12 +36,8 @@ DOF = 6
 JOINT_TYPES = "RRRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
-    (-2.87979, 2.87979),
-    (-1.91986, 1.91986),
-    (-1.91986, 1.22173),
-    (-2.79253, 2.79253),
-    (-2.094395, 2.094395),
-    (-6.98132, 6.98132),
+    (-2.87979, 2.87979), (-1.91986, 1.91986), (-1.91986, 1.22173), (-2.79253, 2.79253),
+    (-2.094395, 2.094395), (-6.98132, 6.98132),
 )
 BRANCHES = (
     "back-down-noflip", "back-down-flip", "back-up-noflip", "back-up-flip", "front-up-noflip",
@@ -51,12 +45,8 @@ BRANCHES = (
 )
 MAX_SOLUTIONS = 8
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, doubt_limit1 = 0.00010040000000000001 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.29  # joint offset 1 [m]
@@ -98,32 +88,13 @@ m6 = 0.22796060440695423  # k2 * k3 * k4
 m7 = 1.8518518518518516  # k4 * (d4 * k1 + a3 * k2) [m^-1]
 m8 = 0.04297037037037035  # d4 * k1 * k3 * k4 + a3 * k2 * k3 * k4 - a2 [m]
 m9 = 9.999999999999999e-09  # doubt_limit^2
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(
-            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-            0.09817477042468103, 0.09817477042468103,
-        ),
-        rows=8,
-        directions='rotation',
-        miss_weights=(0.996, 0.996, 0.996, 1.0, 1.0, 1.0),
-        size=1.0040000000000002,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
-        choosable=(3, 1, 0),
-        cuts=52,
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
+    miss_weights=(0.996, 0.996, 0.996, 1.0, 1.0, 1.0), size=1.0040000000000002,
+    steps=("keeps limits", "clamps", "clamps far", "winds", "follows seed"), choosable=(3, 1, 0),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -135,22 +106,14 @@ TABLE = (
     (0.0, 0.0, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
     tool=(0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.072),
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
     c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
@@ -181,8 +144,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     v1 = q[0] + offset1
     c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
@@ -537,32 +498,12 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 25, 48, [
     [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
     [17, 18, 2, 19, 20, 21], [17, 18, 2, 22, 23, 24], [17, 25, 10, 26, 27, 28],
     [17, 25, 10, 29, 30, 31],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 25, 48, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose", _FORMULAS))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

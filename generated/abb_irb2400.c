@@ -51,12 +51,6 @@ static const double
     k3 = 1.085275, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 0.8550663955849673; /* 1 / (k1^2 + k2^2) [m^-4] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const abb_irb2400_branches[8] = {
     "back-down-noflip", "back-down-flip", "back-up-noflip", "back-up-flip", "front-up-noflip",
@@ -83,18 +77,13 @@ DHGEN_TABLE double table[6][4] = {
     { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.085, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void abb_irb2400_frames(const double q[6], double frames[8][16])
-{
-    static const double drives[36] = {
-        1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 0.0, 0.0,
-            0.0,
-        0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
+DHGEN_TABLE double drives[36] = {
+    1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
+};
+DHGEN_TABLE struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], drives, NULL, NULL
     };
-    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], drives, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+#define DHGEN_FRAMES 8
 
 DHGEN_PUBLIC void abb_irb2400_fk(const double q[6], double T[16])
 {
@@ -160,7 +149,7 @@ DHGEN_FN void solve(
     double (*const q)[6] = (double (*)[6])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1 A6^-1 [3, 4] */
     const double wx = T14 - T13 * d6;
@@ -293,7 +282,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
     const dhgen_wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1,
@@ -430,7 +419,7 @@ DHGEN_INLINE int solve_regular(
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1 */
     const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1),
@@ -507,13 +496,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -528,40 +512,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     abb_irb2400_fk, abb_irb2400_jacobian, solve,
-#ifdef ABB_IRB2400_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void abb_irb2400_joint_velocities(
-    const double q[6], const double twist[6], double velocities[6])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int abb_irb2400_ik(
-    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
-{
-#ifndef ABB_IRB2400_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int abb_irb2400_ik_nearest(const double T[16], const double q_seed[6], double q[6])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void abb_irb2400_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef ABB_IRB2400_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) abb_irb2400_##function
+#include "dhgen/functions.h"

@@ -38,12 +38,6 @@ static const double
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 0.024; /* a pose may be rounded by this [mm] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T32 = T[9], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const adept_branches[1] = {
     "only",
@@ -63,16 +57,11 @@ DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.0, 550.0, 3.141592653589793 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void adept_frames(const double q[3], double frames[5][16])
-{
-    static const double base[12] = { 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 500.0 };
-    static const double tool[12] = { 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 175.0
-        };
-    static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, base,
-        tool };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE double base[12] = { 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 500.0 };
+DHGEN_TABLE double tool[12] = { 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 175.0 };
+DHGEN_TABLE struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, base, tool
+    };
+#define DHGEN_FRAMES 5
 
 DHGEN_PUBLIC void adept_fk(const double q[3], double T[16])
 {
@@ -107,7 +96,7 @@ DHGEN_FN void solve(
     (void)free_joints;
     (void)seed;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* r3, type 1: U0[3, 4] */
     const double t34 = T14 - ez * T13;
@@ -161,7 +150,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* r3 */
     const dhgen_wide t34 = T14 - ez * T13, q3 = d1 - t34;
@@ -199,7 +188,7 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* r3 */
     const double t34 = T14 - ez * T13, q3 = d1 - t34;
@@ -237,13 +226,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 1);
     return __builtin_popcountll(0x1ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -258,40 +242,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     adept_fk, adept_jacobian, solve,
-#ifdef ADEPT_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void adept_joint_velocities(
-    const double q[3], const double twist[6], double velocities[3])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int adept_ik(
-    const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
-{
-#ifndef ADEPT_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int adept_ik_nearest(const double T[16], const double q_seed[3], double q[3])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void adept_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef ADEPT_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) adept_##function
+#include "dhgen/functions.h"

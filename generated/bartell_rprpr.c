@@ -35,12 +35,6 @@ static const double
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 2e-05; /* a pose may be rounded by this [m] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const bartell_rprpr_branches[2] = {
     "shoulder+", "shoulder-",
@@ -64,13 +58,9 @@ DHGEN_TABLE double table[5][4] = {
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void bartell_rprpr_frames(const double q[5], double frames[7][16])
-{
-    static const struct dhgen_links links = { 5, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 5, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 7
 
 DHGEN_PUBLIC void bartell_rprpr_fk(const double q[5], double T[16])
 {
@@ -109,7 +99,7 @@ DHGEN_FN void solve(
     double (*const q)[5] = (double (*)[5])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[2, 3], so theta1 = atan2(T23, T13) or half a turn from it. Where both are
      * small, U1[3] x U1[4], element 2 says more: its vector, along the same line, is added */
@@ -187,7 +177,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
     const dhgen_wide v1 = T34 - d1, X2_1 = v1 * T23 - T24 * T33, Y2_1 = v1 * T13 - T33 * T14,
@@ -242,7 +232,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1 */
     const double v1 = T34 - d1, X2_1 = v1 * T23 - T24 * T33, Y2_1 = v1 * T13 - T33 * T14,
@@ -298,13 +288,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -319,41 +304,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     bartell_rprpr_fk, bartell_rprpr_jacobian, solve,
-#ifdef BARTELL_RPRPR_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void bartell_rprpr_joint_velocities(
-    const double q[5], const double twist[6], double velocities[5])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int bartell_rprpr_ik(
-    const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
-{
-#ifndef BARTELL_RPRPR_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double q[5])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void bartell_rprpr_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef BARTELL_RPRPR_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) bartell_rprpr_##function
+#include "dhgen/functions.h"

@@ -28,12 +28,6 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T14 = T[3]; \
-    const number T24 = T[7]; \
-    const number T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const cartesian_branches[1] = {
     "only",
@@ -53,13 +47,9 @@ DHGEN_TABLE double table[3][4] = {
     { -1.5707963267948966, 0.0, 0.0, -1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void cartesian_frames(const double q[3], double frames[5][16])
-{
-    static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 5
 
 DHGEN_PUBLIC void cartesian_fk(const double q[3], double T[16])
 {
@@ -90,7 +80,7 @@ DHGEN_FN void solve(
     (void)free_joints;
     (void)seed;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     const int row = 0;
     q[row][0] = T34; q[row][1] = T24; q[row][2] = T14;
@@ -108,7 +98,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     q[0] = T34; q[1] = T24; q[2] = T14;
     kind[0] = dhgen_kind_within_wide(q[0], 0.0 < dhgen_maximum_wide(per_size *
@@ -126,7 +116,7 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* joint values */
     const int outside = 0.0 < dhgen_maximum_double(per_size * dhgen_maximum_double(dhgen_low(joints
@@ -150,13 +140,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 1);
     return __builtin_popcountll(0x1ull & ~(none1 | outside1));
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[3] = { 3, 7, 11 };
@@ -170,40 +155,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     cartesian_fk, cartesian_jacobian, solve,
-#ifdef CARTESIAN_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void cartesian_joint_velocities(
-    const double q[3], const double twist[6], double velocities[3])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int cartesian_ik(
-    const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
-{
-#ifndef CARTESIAN_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int cartesian_ik_nearest(const double T[16], const double q_seed[3], double q[3])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void cartesian_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef CARTESIAN_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) cartesian_##function
+#include "dhgen/functions.h"

@@ -13,8 +13,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -35,22 +33,12 @@ METHOD = "closed form"
 DOF = 3
 JOINT_TYPES = "PPP"
 JOINT_NAMES = ("joint1", "joint2", "joint3")
-JOINT_LIMITS = (
-    (0.0, 0.8),
-    (0.0, 0.6),
-    (0.0, 1.2),
-)
-BRANCHES = (
-    "only",
-)
+JOINT_LIMITS = ((0.0, 0.8), (0.0, 0.6), (0.0, 1.2))
+BRANCHES = ("only",)
 MAX_SOLUTIONS = 1
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 low1 = -1.2e-09
 high1 = 0.8000000012
@@ -60,23 +48,12 @@ high2 = 0.6000000012
 low3 = -1.2e-09
 high3 = 1.2000000012
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1.2e-09, 1.2e-09, 1.2e-09),
-        weights=(0.6944444444444444, 0.6944444444444444, 0.6944444444444444),
-        paces=(1.2, 1.2, 1.2),
-        fan_steps=(),
-        rows=1,
-        directions='none',
-        miss_weights=(0.8333, 0.8333, 0.8333, 0.0, 0.0, 0.0),
-        size=1.2,
-        clamped=1e-14,
-        clamped_again=1e-14,
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=1, directions="none",
+    miss_weights=(0.8333, 0.8333, 0.8333, 0.0, 0.0, 0.0), size=1.2,
+    slacks=(1.2e-09, 1.2e-09, 1.2e-09),
+    weights=(0.6944444444444444, 0.6944444444444444, 0.6944444444444444), paces=(1.2, 1.2, 1.2),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -85,21 +62,13 @@ TABLE = (
     (0.0, 0.0, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (3,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
     T[0, 2], T[0, 3] = 1.0, q[2]
     T[1, 1], T[1, 3] = -1.0, q[1]
@@ -111,8 +80,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
     J[0, 2] = 1.0
     J[1, 1] = 1.0
@@ -152,30 +119,10 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 17, 1, [
     [0, 1, 2],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="position",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 17, 1, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite or beyond 5e102",
-            "no_row": "the pose is out of reach",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "position", _FORMULAS))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

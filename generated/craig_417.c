@@ -46,12 +46,6 @@ static const double
     k6 = 2.0, /* d3 + d4 [m] */
     k7 = 2.8284271247461903; /* sqrt2 * k6 [m] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const craig_417_branches[2] = {
     "right", "left",
@@ -73,13 +67,9 @@ DHGEN_TABLE double table[4][4] = {
     { 0.0, 1.0, 0.0, 0.7853981633974483 },
     { 0.0, 1.0, 1.0, 0.0 },
 };
-
-DHGEN_PUBLIC void craig_417_frames(const double q[4], double frames[6][16])
-{
-    static const struct dhgen_links links = { 4, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 4, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 6
 
 DHGEN_PUBLIC void craig_417_fk(const double q[4], double T[16])
 {
@@ -127,7 +117,7 @@ DHGEN_FN void solve(
     double (*const q)[4] = (double (*)[4])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[2, 3] */
     const double N1 = T13 * T13 + T23 * T23;
@@ -221,7 +211,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
     const dhgen_wide N1 = T13 * T13 + T23 * T23, D1 = N1 - k3, w1 = dhgen_sqrt_wide(D1),
@@ -307,7 +297,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1 */
     const double N1 = T13 * T13 + T23 * T23, D1 = N1 - k3, w1 = sqrt(D1),
@@ -380,13 +370,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -401,40 +386,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     craig_417_fk, craig_417_jacobian, solve,
-#ifdef CRAIG_417_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void craig_417_joint_velocities(
-    const double q[4], const double twist[6], double velocities[4])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int craig_417_ik(
-    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
-{
-#ifndef CRAIG_417_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void craig_417_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef CRAIG_417_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) craig_417_##function
+#include "dhgen/functions.h"

@@ -91,13 +91,9 @@ DHGEN_TABLE double table[3][4] = {
     { 0.0, 1.0, 2.0, 1.5707963267948966 },
     { 0.0, 0.0, 1.5, 0.0 },
 };
-
-DHGEN_PUBLIC void cuspidal_3r_frames(const double q[3], double frames[5][16])
-{
-    static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 5
 
 DHGEN_PUBLIC void cuspidal_3r_fk(const double q[3], double T[16])
 {
@@ -138,9 +134,7 @@ DHGEN_FN void solve(
 {
     double (*const q)[3] = (double (*)[3])rows;
     (void)free_joints;
-    const double T14 = T[3];
-    const double T24 = T[7];
-    const double T34 = T[11];
+    DHGEN_ENTRIES(double);
 
     /* theta1, type 9: U1[3, 4] and the squared length of column 4 of U1 */
     const double v1 = T14 * T14 + (T24 * T24 + (T34 * T34 + k3));
@@ -202,24 +196,5 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL,
 };
 
-DHGEN_PUBLIC void cuspidal_3r_joint_velocities(
-    const double q[3], const double twist[6], double velocities[3])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int cuspidal_3r_ik(
-    const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
-{
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[3])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void cuspidal_3r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) cuspidal_3r_##function
+#include "dhgen/functions.h"

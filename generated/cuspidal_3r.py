@@ -14,8 +14,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -39,22 +37,12 @@ METHOD = "quartic"
 DOF = 3
 JOINT_TYPES = "RRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3")
-JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-)
-BRANCHES = (
-    "root1", "root2", "root3", "root4",
-)
+JOINT_LIMITS = ((-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf))
+BRANCHES = ("root1", "root2", "root3", "root4")
 MAX_SOLUTIONS = 4
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 a1 = 1.0  # link length 1 [m]
 d2 = 1.0  # joint offset 2 [m]
@@ -72,16 +60,12 @@ k5 = 12.0  # 2 * 2 * a3 * a2 [m^2]
 k6 = 36.0  # k2^2 [m^4]
 k7 = 81.0  # (a3 * 2 * a3 * a2)^2 [m^6]
 k8 = 0.1111111111111111  # 1 / (a3 * 2 * a3 * a2) [m^-3]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
 _LINKS = _joints.Arm(
-    rows=4,
-    size=5.5,
-    coordinates=(0, 1, 2),
-    directions='none',
+    rows=4, size=5.5, coordinates=(0, 1, 2), directions="none",
     joints=(_joints.Joint(place=0), _joints.Joint(place=1), _joints.Joint(place=2)),
     base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
     chain=(
@@ -90,27 +74,11 @@ _LINKS = _joints.Arm(
         _joints.ChainJoint((1.0, 0.0, 0.0, 1.5, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)),
     ),
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=4,
-        directions='none',
-        miss_weights=(0.1818, 0.1818, 0.1818, 0.0, 0.0, 0.0),
-        size=5.5,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        entries=(3, 7, 11),
-        steps=('completes', 'ascends', 'follows seed'),
-        root_turns=((0, 1.0),),
-    ),
-    _joints.arm_numbers(_LINKS),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=4, directions="none",
+    miss_weights=(0.1818, 0.1818, 0.1818, 0.0, 0.0, 0.0), size=5.5, entries=(3, 7, 11),
+    steps=("completes", "ascends", "follows seed"), root_turns=((0, 1.0),),
+), _joints.arm_numbers(_LINKS))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -119,21 +87,13 @@ TABLE = (
     (0.0, 0.0, 1.5, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (3,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -153,8 +113,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     p1_x, p1_y = c1 * a1, s1 * a1
@@ -226,25 +184,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         )
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="position",
-        counted=(True, True, True),
-        formulas=None,
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(_circle.OWN.compile_apart, _runtime("complete").compile_apart,),
-        words={
-            "no_pose": "not finite",
-            "no_row": "the pose is out of reach",
-            "allocates": "at every pose",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "position", apart=(_circle.OWN.compile_apart, _runtime("complete").compile_apart,),
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

@@ -34,12 +34,6 @@ static const double
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 3e-06; /* a pose may be rounded by this [m] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const cylindrical_branches[1] = {
     "only",
@@ -59,13 +53,9 @@ DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void cylindrical_frames(const double q[3], double frames[5][16])
-{
-    static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 5
 
 DHGEN_PUBLIC void cylindrical_fk(const double q[3], double T[16])
 {
@@ -97,7 +87,7 @@ DHGEN_FN void solve(
     (void)free_joints;
     (void)seed;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* r2, type 1: U0[3, 4] */
     const double r2 = T34 - d1;
@@ -136,7 +126,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* r2 */
     const dhgen_wide q2 = T34 - d1;
@@ -167,7 +157,7 @@ DHGEN_INLINE int solve_regular(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     (void)free_joints;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* r2 */
     const double q2 = T34 - d1;
@@ -199,13 +189,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 1);
     return __builtin_popcountll(0x1ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -219,40 +204,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     cylindrical_fk, cylindrical_jacobian, solve,
-#ifdef CYLINDRICAL_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void cylindrical_joint_velocities(
-    const double q[3], const double twist[6], double velocities[3])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int cylindrical_ik(
-    const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
-{
-#ifndef CYLINDRICAL_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int cylindrical_ik_nearest(const double T[16], const double q_seed[3], double q[3])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void cylindrical_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef CYLINDRICAL_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) cylindrical_##function
+#include "dhgen/functions.h"

@@ -51,9 +51,7 @@ DHGEN_INLINE dhgen_wide_mask delta_leg_drives(
         m3 = 3.125824e-08; /* doubt_limit1^2 [m^2] */
     static const double range_cosine3 = 0.49999999913397464, range_sine3 = 0.8660254042844386,
     near3 = 1e-06;
-    const dhgen_wide T14 = T[3];
-    const dhgen_wide T24 = T[7];
-    const dhgen_wide T34 = T[11];
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
     const dhgen_wide X1 = crank * T24 * 2.0, Y1 = 2.0 * (crank * T14), N1 = X1 * X1 + Y1 * Y1,

@@ -43,12 +43,6 @@ static const double
     k1 = 0.08125, /* a1^2 + a2^2 [m^2] */
     k2 = 12.6984126984127; /* 1 / (2 * a2 * a1) [m^-2] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const epson_t3_branches[2] = {
     "right", "left",
@@ -70,13 +64,9 @@ DHGEN_TABLE double table[4][4] = {
     { 0.0, 0.0, 0.0, 3.141592653589793 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void epson_t3_frames(const double q[4], double frames[6][16])
-{
-    static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 6
 
 DHGEN_PUBLIC void epson_t3_fk(const double q[4], double T[16])
 {
@@ -111,7 +101,7 @@ DHGEN_FN void solve(
     double (*const q)[4] = (double (*)[4])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta12m4, type 3: U0[2, 1] and U0[1, 1] */
     const double w12m4 = sqrt(T21 * T21 + T11 * T11);
@@ -189,7 +179,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta12m4 */
     const dhgen_wide angle1 = dhgen_atan2_wide(T21, T11);
@@ -233,7 +223,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta2 */
     const double N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
@@ -275,13 +265,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~(none1 | outside1));
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -296,40 +281,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     epson_t3_fk, epson_t3_jacobian, solve,
-#ifdef EPSON_T3_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void epson_t3_joint_velocities(
-    const double q[4], const double twist[6], double velocities[4])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int epson_t3_ik(
-    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
-{
-#ifndef EPSON_T3_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int epson_t3_ik_nearest(const double T[16], const double q_seed[4], double q[4])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void epson_t3_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef EPSON_T3_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) epson_t3_##function
+#include "dhgen/functions.h"

@@ -13,8 +13,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -38,22 +36,14 @@ DOF = 4
 JOINT_TYPES = "RRPR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4")
 JOINT_LIMITS = (
-    (-2.303834612632515, 2.303834612632515),
-    (-2.4609142453120048, 2.4609142453120048),
-    (-0.15, 0.0),
-    (-6.283185307179586, 6.283185307179586),
+    (-2.303834612632515, 2.303834612632515), (-2.4609142453120048, 2.4609142453120048),
+    (-0.15, 0.0), (-6.283185307179586, 6.283185307179586),
 )
-BRANCHES = (
-    "right", "left",
-)
+BRANCHES = ("right", "left")
 MAX_SOLUTIONS = 2
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 a1 = 0.225  # link length 1 [m]
 a2 = 0.175  # link length 2 [m]
@@ -79,29 +69,15 @@ m1 = 5.0709436649753e-13  # 1000 * (longest2 - longest2_apart) * (longest2_apart
 m2 = 2.2222222222222223  # a2 * k2 [m^-1]
 m3 = 0.04444444444444444  # a1 - a2 * k1 * k2 [m]
 m4 = 1.0000000000000002e-10  # pose_slack^2
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 4e-10, 1e-09),
-        weights=(1.0, 1.0, 6.249999999999999, 1.0),
-        paces=(1.0, 1.0, 0.4, 1.0),
-        fan_steps=(0.09817477042468103, 0.09817477042468103, 0.0046875, 0.09817477042468103),
-        rows=2,
-        directions='rotation',
-        miss_weights=(2.5, 2.5, 2.5, 1.0, 1.0, 1.0),
-        size=0.4,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
-        choosable=(0,),
-        cuts=52,
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=2, directions="rotation",
+    miss_weights=(2.5, 2.5, 2.5, 1.0, 1.0, 1.0), size=0.4, slacks=(1e-09, 1e-09, 4e-10, 1e-09),
+    weights=(1.0, 1.0, 6.249999999999999, 1.0), paces=(1.0, 1.0, 0.4, 1.0),
+    fan_steps=(0.09817477042468103, 0.09817477042468103, 0.0046875, 0.09817477042468103),
+    steps=("keeps limits", "clamps", "clamps far", "winds", "follows seed"), choosable=(0,),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -111,21 +87,13 @@ TABLE = (
     (0.0, 0.0, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (4,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -142,8 +110,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 4): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     p1_x, p1_y = c1 * a1, s1 * a1
@@ -296,30 +262,10 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 18, 16, [
     [0, 1, 2, 3], [4, 5, 2, 6],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 18, 16, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite or beyond 5e102, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach, or one that 4 joints can't take",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose", _FORMULAS))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

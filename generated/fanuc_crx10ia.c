@@ -166,15 +166,10 @@ DHGEN_TABLE double table[6][4] = {
     { 3.141592653589793, 0.15, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void fanuc_crx10ia_frames(const double q[6], double frames[8][16])
-{
-    static const double tool[12] = { 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -0.16
-        };
-    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        tool };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE double tool[12] = { 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -0.16 };
+DHGEN_TABLE struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, tool
+    };
+#define DHGEN_FRAMES 8
 
 DHGEN_PUBLIC void fanuc_crx10ia_fk(const double q[6], double T[16])
 {
@@ -257,25 +252,5 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL,
 };
 
-DHGEN_PUBLIC void fanuc_crx10ia_joint_velocities(
-    const double q[6], const double twist[6], double velocities[6])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int fanuc_crx10ia_ik(
-    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
-{
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int fanuc_crx10ia_ik_nearest(const double T[16], const double q_seed[6], double q[6])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void fanuc_crx10ia_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) fanuc_crx10ia_##function
+#include "dhgen/functions.h"

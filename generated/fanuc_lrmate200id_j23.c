@@ -70,20 +70,14 @@ DHGEN_TABLE double table[6][4] = {
     { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void fanuc_lrmate200id_j23_frames(const double q[6], double frames[8][16])
-{
-    static const double drives[36] = {
-        1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0,
-            0.0,
-        0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
+DHGEN_TABLE double drives[36] = {
+    1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
+};
+DHGEN_TABLE double tool[12] = { 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -0.08 };
+DHGEN_TABLE struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], drives, NULL, tool
     };
-    static const double tool[12] = { 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -0.08
-        };
-    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], drives, NULL,
-        tool };
-    dhgen_frames(&links, q, frames);
-}
+#define DHGEN_FRAMES 8
 
 DHGEN_PUBLIC void fanuc_lrmate200id_j23_fk(const double q[6], double T[16])
 {
@@ -150,9 +144,7 @@ DHGEN_FN void solve(
     double (*const q)[6] = (double (*)[6])rows;
     (void)free_joints;
     (void)moved;
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4] */
     const double t14 = T14 - d6 * T11;
@@ -294,26 +286,5 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL,
 };
 
-DHGEN_PUBLIC void fanuc_lrmate200id_j23_joint_velocities(
-    const double q[6], const double twist[6], double velocities[6])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int fanuc_lrmate200id_j23_ik(
-    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
-{
-    return dhgen_coupled_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int fanuc_lrmate200id_j23_ik_nearest(
-    const double T[16], const double q_seed[6], double q[6])
-{
-    return dhgen_coupled_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void fanuc_lrmate200id_j23_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_coupled_each(&arm, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) fanuc_lrmate200id_j23_##function
+#include "dhgen/functions.h"

@@ -15,8 +15,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -40,12 +38,9 @@ DOF = 6
 JOINT_TYPES = "RRRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
-    (-2.9670597283903604, 2.9670597283903604),
-    (-1.7453292519943295, 2.530727415391778),
-    (-math.inf, math.inf),
-    (-3.3161255787892263, 3.3161255787892263),
-    (-2.181661564992912, 2.181661564992912),
-    (-6.283185307179586, 6.283185307179586),
+    (-2.9670597283903604, 2.9670597283903604), (-1.7453292519943295, 2.530727415391778),
+    (-math.inf, math.inf), (-3.3161255787892263, 3.3161255787892263),
+    (-2.181661564992912, 2.181661564992912), (-6.283185307179586, 6.283185307179586),
 )
 BRANCHES = (
     "back-up-noflip", "back-up-flip", "back-down-noflip", "back-down-flip", "front-down-noflip",
@@ -53,12 +48,8 @@ BRANCHES = (
 )
 MAX_SOLUTIONS = 8
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 d1 = 0.33  # joint offset 1 [m]
 a1 = 0.05  # link length 1 [m]
@@ -81,8 +72,7 @@ k1 = 0.22110000000000002  # 2 * d4 * a2 [m^2]
 k2 = 0.023100000000000002  # 2 * a3 * a2 [m^2]
 k3 = 0.22235000000000002  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 20.235205939761407  # 1 / (k1^2 + k2^2) [m^-4]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 # The drives whose whole turns hang together, and sums of drives that have limits.
 _coupled = _runtime("coupled")
@@ -103,30 +93,11 @@ _COUPLING = _coupled.coupling_numbers(
         slacks=(1e-09,),
     )
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(
-            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-            0.09817477042468103, 0.09817477042468103,
-        ),
-        rows=8,
-        directions='rotation',
-        miss_weights=(0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0),
-        size=1.1600000000000001,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
-        choosable=(3, 1, 0),
-        cuts=52,
-    ),
-    coupling=_COUPLING,
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
+    miss_weights=(0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0), size=1.1600000000000001,
+    steps=("keeps limits", "clamps", "clamps far", "winds", "follows seed"), choosable=(3, 1, 0),
+), coupling=_COUPLING)
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -138,9 +109,7 @@ TABLE = (
     (0.0, 0.0, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
     drives=(
         (1.0, 0.0, 0.0, 0.0, 0.0, 0.0),
         (0.0, 1.0, 0.0, 0.0, 0.0, 0.0),
@@ -153,15 +122,9 @@ frames = _runtime("frames").frames_of(
 )
 
 
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
-
-
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
     c2, s2 = math.cos(v1), math.sin(v1)
@@ -191,8 +154,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     p1_x, p1_y, v1 = c1 * a1, s1 * a1, q[1] + offset2
@@ -344,25 +305,5 @@ def _solve(pose, q_free, seed, moved, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=None,
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach",
-            "allocates": "at every pose",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose"))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

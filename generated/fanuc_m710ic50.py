@@ -14,8 +14,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -39,11 +37,7 @@ DOF = 6
 JOINT_TYPES = "RRRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
-    (-3.1415, 3.1415),
-    (-1.5707, 2.3561),
-    (-2.7925, 4.8869),
-    (-6.283, 6.283),
-    (-2.1816, 2.1816),
+    (-3.1415, 3.1415), (-1.5707, 2.3561), (-2.7925, 4.8869), (-6.283, 6.283), (-2.1816, 2.1816),
     (-6.2831, 6.2831),
 )
 BRANCHES = (
@@ -52,12 +46,8 @@ BRANCHES = (
 )
 MAX_SOLUTIONS = 8
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, doubt_limit1 = 0.00029459999999999995 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.565  # joint offset 1 [m]
@@ -103,32 +93,13 @@ m8 = 0.14565440708058014
 # k4 - a3 * longest3 * shortest3 * k2 * k4) [m]
 m9 = 0.024371308271356914
 m10 = 9.999999999999999e-09  # doubt_limit^2
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(
-            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-            0.09817477042468103, 0.09817477042468103,
-        ),
-        rows=8,
-        directions='rotation',
-        miss_weights=(0.3394, 0.3394, 0.3394, 1.0, 1.0, 1.0),
-        size=2.9459999999999997,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
-        choosable=(3, 1, 0),
-        cuts=52,
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
+    miss_weights=(0.3394, 0.3394, 0.3394, 1.0, 1.0, 1.0), size=2.9459999999999997,
+    steps=("keeps limits", "clamps", "clamps far", "winds", "follows seed"), choosable=(3, 1, 0),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -140,22 +111,14 @@ TABLE = (
     (0.0, 0.0, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
     tool=(0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0, -0.175),
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
     c2, s2 = math.cos(v1), math.sin(v1)
@@ -185,8 +148,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     p1_x, p1_y, v1 = c1 * a1, s1 * a1, q[1] + offset2
@@ -560,32 +521,12 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 26, 48, [
     [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
     [17, 18, 19, 20, 21, 22], [17, 18, 19, 23, 24, 25], [17, 26, 27, 28, 29, 30],
     [17, 26, 27, 31, 32, 33],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 26, 48, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose", _FORMULAS))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

@@ -42,8 +42,7 @@ DHGEN_INLINE dhgen_wide_mask five_bar_leg_drives(
         m1 = 1.1990408665951442e-12,
         m2 = 2.5, /* rod * k2 [m^-1] */
         m3 = 0.125; /* rod * k1 * k2 - crank [m] */
-    const dhgen_wide T14 = T[3];
-    const dhgen_wide T24 = T[7];
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta2 */
     const dhgen_wide N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2),

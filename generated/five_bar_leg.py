@@ -14,8 +14,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -37,21 +35,12 @@ METHOD = "closed form"
 DOF = 2
 JOINT_TYPES = "RR"
 JOINT_NAMES = ("joint1", "joint2")
-JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-)
-BRANCHES = (
-    "right", "left",
-)
+JOINT_LIMITS = ((-math.inf, math.inf), (-math.inf, math.inf))
+BRANCHES = ("right", "left")
 MAX_SOLUTIONS = 2
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 crank = 0.2  # link length 1 [m]
 rod = 0.3  # link length 2 [m]
@@ -68,27 +57,12 @@ k2 = 8.333333333333334  # 1 / (2 * rod * crank) [m^-2]
 m1 = 1.1990408665951442e-12
 m2 = 2.5  # rod * k2 [m^-1]
 m3 = 0.125  # rod * k1 * k2 - crank [m]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09),
-        weights=(1.0, 1.0),
-        paces=(1.0, 1.0),
-        fan_steps=(),
-        rows=2,
-        directions='none',
-        miss_weights=(2.0, 2.0, 0.0, 0.0, 0.0, 0.0),
-        size=0.5,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('follows seed',),
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=2, directions="none",
+    miss_weights=(2.0, 2.0, 0.0, 0.0, 0.0, 0.0), size=0.5, steps=("follows seed",),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -96,21 +70,13 @@ TABLE = (
     (0.0, 0.0, 0.3, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (2,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 2 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -125,8 +91,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 2): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 2 joint values")
     J = _zeros(6, 2)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     p1_x, p1_y = c1 * crank, s1 * crank
@@ -222,30 +186,12 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 17, 16, [
     [0, 1], [2, 3],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="position",
-        counted=(True, True, False),
-        formulas=_functions.Formulas(_formulas, 17, 16, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite",
-            "no_row": "the pose is out of reach",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "position", _FORMULAS, counted=(True, True, False),
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

@@ -51,12 +51,6 @@ static const double
     k5 = 0.515344644461153, /* 1 / arm_size2 [m^-2] */
     k6 = 15.193911990243306; /* 1 / k3 [m^-4] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const franka_panda_branches[8] = {
     "elbow4+-noflip-elbow3+", "elbow4+-noflip-elbow3-", "elbow4+-flip-elbow3+",
@@ -100,14 +94,10 @@ DHGEN_TABLE double table[7][4] = {
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.088, 1.5707963267948966 },
 };
-
-DHGEN_PUBLIC void franka_panda_frames(const double q[7], double frames[9][16])
-{
-    static const double tool[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.107 };
-    static const struct dhgen_links links = { 7, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
-        tool };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE double tool[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.107 };
+DHGEN_TABLE struct dhgen_links links = { 7, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL, tool
+    };
+#define DHGEN_FRAMES 9
 
 DHGEN_PUBLIC void franka_panda_fk(const double q[7], double T[16])
 {
@@ -156,7 +146,7 @@ DHGEN_FN void solve(
 {
     double (*const q)[7] = (double (*)[7])rows;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     const double c7 = cos(free_joints[0]), s7 = sin(free_joints[0]);
 
@@ -367,7 +357,7 @@ static const double
 DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
     dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11] + free_joints[0])
         <= DHGEN_ORTHONORMAL) == 0;
     KNOWN(wide);
@@ -451,7 +441,7 @@ DHGEN_INLINE int solve_regular(
 {
     const dhgen_four e4 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e5 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
     KNOWN(double);
     SIGNED(four, four);
     SIGNED_TWICE(four, four);
@@ -507,13 +497,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int given_joints[1] = { 6 };
@@ -529,43 +514,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     franka_panda_fk, franka_panda_jacobian, solve,
-#ifdef FRANKA_PANDA_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void franka_panda_joint_velocities(
-    const double q[7], const double twist[6], double velocities[7])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int franka_panda_ik(
-    const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
-    unsigned char status[8])
-{
-#ifndef FRANKA_PANDA_PLAIN
-    const int count = solve_regular(T, free_joints, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int franka_panda_ik_nearest(
-    const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
-{
-    return dhgen_ik_nearest(&arm, T, free_joints, q_seed, q);
-}
-
-DHGEN_PUBLIC void franka_panda_ik_batch(
-    size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-#ifndef FRANKA_PANDA_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 1, n, T, free_joints, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, free_joints, q, status);
-#endif
-}
+#define DHGEN_CALLER_GIVES 1
+#define DHGEN_NAME(function) franka_panda_##function
+#include "dhgen/functions.h"

@@ -14,8 +14,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -41,13 +39,8 @@ JOINT_NAMES = (
     "panda_joint7",
 )
 JOINT_LIMITS = (
-    (-2.8973, 2.8973),
-    (-1.7628, 1.7628),
-    (-2.8973, 2.8973),
-    (-3.0718, -0.0698),
-    (-2.8973, 2.8973),
-    (-0.0175, 3.7525),
-    (-2.8973, 2.8973),
+    (-2.8973, 2.8973), (-1.7628, 1.7628), (-2.8973, 2.8973), (-3.0718, -0.0698), (-2.8973, 2.8973),
+    (-0.0175, 3.7525), (-2.8973, 2.8973),
 )
 BRANCHES = (
     "elbow4+-noflip-elbow3+", "elbow4+-noflip-elbow3-", "elbow4+-flip-elbow3+",
@@ -57,12 +50,8 @@ BRANCHES = (
 MAX_SOLUTIONS = 8
 FREE_JOINTS = (7,)  # from 1: the caller gives their values
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose, or a free joint's value is not finite
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, arm_size2 = 1.940449 [m^2], doubt_limit = 9.999999999999999e-05.
 d1 = 0.333  # joint offset 1 [m]
@@ -107,33 +96,15 @@ m7 = 1.393e-11  # 1000 * merge_slack1 [m]
 m9 = 0.384  # d5 [m]
 m10 = 3.765342321601e-16  # doubt_limit_squared2^2 [m^4]
 m11 = 9.999999999999999e-09  # doubt_limit^2
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0),
-        fan_steps=(
-            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-            0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-        ),
-        rows=8,
-        directions='rotation',
-        miss_weights=(0.7179, 0.7179, 0.7179, 1.0, 1.0, 1.0),
-        size=1.393,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('keeps limits', 'merges', 'refines', 'clamps', 'clamps far', 'follows seed'),
-        given=(6,),
-        choosable=(5, 4, 2),
-        cuts=52,
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
+    miss_weights=(0.7179, 0.7179, 0.7179, 1.0, 1.0, 1.0), size=1.393,
+    paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0),
+    steps=("keeps limits", "merges", "refines", "clamps", "clamps far", "follows seed"), given=(6,),
+    choosable=(5, 4, 2),
+))
 
 # The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -146,22 +117,14 @@ TABLE = (
     (0.0, 0.0, 0.088, 1.5707963267948966),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="modified",
+    types=JOINT_TYPES, table=TABLE, convention="modified",
     tool=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.107),
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (7,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 7 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -193,8 +156,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 7): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 7 joint values")
     J = _zeros(6, 7)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -679,33 +640,12 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 35, 50, [
     [0, 1, 2, 3, 4, 5, 6], [7, 8, 9, 3, 4, 5, 6], [10, 11, 12, 3, 13, 14, 6],
     [15, 16, 17, 3, 13, 14, 6], [18, 19, 20, 21, 22, 23, 24], [25, 26, 27, 21, 22, 23, 24],
     [28, 29, 30, 21, 31, 32, 24], [33, 34, 35, 21, 31, 32, 24],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 35, 50, _PLACES),
-        kinematics=(fk, jacobian),
-        given=1,
-        apart=(),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the value of a free joint not finite",
-            "no_row": "the pose is out of reach",
-            "allocates": "only where a pose is singular or rounded",
-            "given": "Values of the joints 7",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose", _FORMULAS, given=1))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

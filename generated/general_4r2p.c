@@ -176,13 +176,9 @@ DHGEN_TABLE double table[6][4] = {
     { -0.9, 0.0, 0.15, -1.1 },
     { 0.0, 0.17, 0.08, 0.6 },
 };
-
-DHGEN_PUBLIC void general_4r2p_frames(const double q[6], double frames[8][16])
-{
-    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 8
 
 DHGEN_PUBLIC void general_4r2p_fk(const double q[6], double T[16])
 {
@@ -294,25 +290,5 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL,
 };
 
-DHGEN_PUBLIC void general_4r2p_joint_velocities(
-    const double q[6], const double twist[6], double velocities[6])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int general_4r2p_ik(
-    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
-{
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int general_4r2p_ik_nearest(const double T[16], const double q_seed[6], double q[6])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void general_4r2p_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) general_4r2p_##function
+#include "dhgen/functions.h"

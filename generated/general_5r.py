@@ -13,8 +13,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -36,10 +34,8 @@ DOF = 5
 JOINT_TYPES = "RRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5")
 JOINT_LIMITS = (
-    (-2.9670597283903604, 2.9670597283903604),
-    (-2.0943951023931953, 2.0943951023931953),
-    (-2.443460952792061, 2.443460952792061),
-    (-3.141592653589793, 3.141592653589793),
+    (-2.9670597283903604, 2.9670597283903604), (-2.0943951023931953, 2.0943951023931953),
+    (-2.443460952792061, 2.443460952792061), (-3.141592653589793, 3.141592653589793),
     (-3.141592653589793, 3.141592653589793),
 )
 BRANCHES = (
@@ -48,12 +44,8 @@ BRANCHES = (
 )
 MAX_SOLUTIONS = 16
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 d1 = 0.32  # joint offset 1 [m]
 a1 = 0.09  # link length 1 [m]
@@ -82,16 +74,12 @@ ez = 0.14  # z of the tool frame [m]
 f1 = 0.03762221576582357  # d2 * ca1 [m]
 f2 = 0.14454395845259904  # sa2 * ca1
 f3 = 0.3099755192194448  # ca2 * ca1
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
 _LINKS = _joints.Arm(
-    rows=16,
-    size=1.7600000000000002,
-    coordinates=(0, 1, 2),
-    directions='rotation',
+    rows=16, size=1.7600000000000002, coordinates=(0, 1, 2), directions="rotation",
     joints=(
         _joints.Joint(place=0, lowest=-2.9670597283903604, highest=2.9670597283903604),
         _joints.Joint(place=1, lowest=-2.0943951023931953, highest=2.0943951023931953),
@@ -125,24 +113,11 @@ _LINKS = _joints.Arm(
     ),
     checked=True,
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=16,
-        directions='rotation',
-        miss_weights=(0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0),
-        size=1.7600000000000002,
-        clamped=1e-14,
-        clamped_again=1e-10,
-        steps=('clamps', 'winds'),
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=16, directions="rotation",
+    miss_weights=(0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0), size=1.7600000000000002,
+    clamped_again=1e-10, steps=("clamps", "winds"),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -153,9 +128,7 @@ TABLE = (
     (0.0, 0.1, 0.04, -0.6981317007977318),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
     tool=(
         0.955336489125606, 0.0, 0.29552020666133955, 0.03, 0.0, 1.0, 0.0, 0.0, -0.29552020666133955,
         0.0, 0.955336489125606, 0.14,
@@ -163,15 +136,9 @@ frames = _runtime("frames").frames_of(
 )
 
 
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
-
-
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (5,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 5 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     v1, y1_y, z1_x = s1 * ca1, c1 * ca1, s1 * sa1
@@ -220,8 +187,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 5): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 5 joint values")
     J = _zeros(6, 5)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     p1_x, p1_y, v1 = c1 * a1, s1 * a1, s1 * ca1
@@ -279,8 +244,7 @@ def jacobian(q):
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
-    size=0.8539731738520357,
-    reach=4.000000004,
+    size=0.8539731738520357, reach=4.000000004,
     links=(
         _loops.Link((
             0.38461538461538464, -0.9230769230769231, 0.0, 0.10538972740096156, 0.3157109015313867,
@@ -331,7 +295,7 @@ _LOOP = _loops.Loop(
 )
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
 _all_joints = _runtime("general.rows").all_joints
-_NO_FREE = np.zeros(0)
+_NO_FREE = _runtime("arrays").NONE_GIVEN
 
 
 @_HOW.apart(_arms.SOLVES)
@@ -340,25 +304,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     _all_joints(_NUMBERS, pose, _NO_FREE, seed, q, status)
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=None,
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(_whole.compile_apart,),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach, or one that 5 joints can't take",
-            "allocates": "at every pose",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "pose", apart=(_whole.compile_apart,), at_once=True,
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

@@ -338,13 +338,9 @@ DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.211, -0.398, -0.329 },
     { 0.0, 0.037, 0.357, 2.408 },
 };
-
-DHGEN_PUBLIC void general_5r1p_frames(const double q[6], double frames[8][16])
-{
-    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 8
 
 DHGEN_PUBLIC void general_5r1p_fk(const double q[6], double T[16])
 {
@@ -456,25 +452,5 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL,
 };
 
-DHGEN_PUBLIC void general_5r1p_joint_velocities(
-    const double q[6], const double twist[6], double velocities[6])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int general_5r1p_ik(
-    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
-{
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int general_5r1p_ik_nearest(const double T[16], const double q_seed[6], double q[6])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void general_5r1p_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) general_5r1p_##function
+#include "dhgen/functions.h"

@@ -341,18 +341,13 @@ DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.119, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.123, 0.7853981633974483 },
 };
-
-DHGEN_PUBLIC void general_5r1p_pair_frames(const double q[6], double frames[8][16])
-{
-    static const double drives[36] = {
-        1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
-            0.0,
-        0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
+DHGEN_TABLE double drives[36] = {
+    1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
+};
+DHGEN_TABLE struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], drives, NULL, NULL
     };
-    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], drives, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+#define DHGEN_FRAMES 8
 
 DHGEN_PUBLIC void general_5r1p_pair_fk(const double q[6], double T[16])
 {
@@ -438,26 +433,5 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL,
 };
 
-DHGEN_PUBLIC void general_5r1p_pair_joint_velocities(
-    const double q[6], const double twist[6], double velocities[6])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int general_5r1p_pair_ik(
-    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
-{
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int general_5r1p_pair_ik_nearest(
-    const double T[16], const double q_seed[6], double q[6])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void general_5r1p_pair_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) general_5r1p_pair_##function
+#include "dhgen/functions.h"

@@ -176,18 +176,13 @@ DHGEN_TABLE double table[5][4] = {
     { 0.0, 0.12, 0.06, 1.3962634015954636 },
     { 0.0, 0.09, 0.05, -1.2217304763960306 },
 };
-
-DHGEN_PUBLIC void general_5r_pointing_frames(const double q[5], double frames[7][16])
-{
-    static const double tool[12] = {
-        0.9210609940028851, 0.0, 0.3894183423086505, 0.02, 0.0, 1.0, 0.0, 0.0, -0.3894183423086505,
-            0.0,
-        0.9210609940028851, 0.15,
+DHGEN_TABLE double tool[12] = {
+    0.9210609940028851, 0.0, 0.3894183423086505, 0.02, 0.0, 1.0, 0.0, 0.0, -0.3894183423086505, 0.0,
+    0.9210609940028851, 0.15,
+};
+DHGEN_TABLE struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, tool
     };
-    static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        tool };
-    dhgen_frames(&links, q, frames);
-}
+#define DHGEN_FRAMES 7
 
 DHGEN_PUBLIC void general_5r_pointing_fk(const double q[5], double T[16])
 {
@@ -296,26 +291,5 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL,
 };
 
-DHGEN_PUBLIC void general_5r_pointing_joint_velocities(
-    const double q[5], const double twist[6], double velocities[5])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int general_5r_pointing_ik(
-    const double T[16], const double *q_seed, double q[16][5], unsigned char status[16])
-{
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int general_5r_pointing_ik_nearest(
-    const double T[16], const double q_seed[5], double q[5])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void general_5r_pointing_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) general_5r_pointing_##function
+#include "dhgen/functions.h"

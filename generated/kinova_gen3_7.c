@@ -49,12 +49,6 @@ static const double
     offset6 = 3.141592653589793, /* offset of joint 6 [rad] */
     offset7 = 3.141592653589793; /* offset of joint 7 [rad] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const kinova_gen3_7_branches[16] = {
 #ifdef KINOVA_GEN3_7_PLAIN
@@ -198,14 +192,10 @@ DHGEN_TABLE double table[7][4] = {
     { 3.141592653589793, -0.00035, 0.0, 1.5707963267948966 },
     { 3.141592653589793, -0.10593, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void kinova_gen3_7_frames(const double q[7], double frames[9][16])
-{
-    static const double base[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0 };
-    static const struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, base,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE double base[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0 };
+DHGEN_TABLE struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, base, NULL
+    };
+#define DHGEN_FRAMES 9
 
 DHGEN_PUBLIC void kinova_gen3_7_fk(const double q[7], double T[16])
 {
@@ -597,7 +587,7 @@ static const double
 DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
     dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11] + free_joints[0])
         <= DHGEN_ORTHONORMAL) == 0;
     KNOWN(wide);
@@ -662,7 +652,7 @@ DHGEN_INLINE int solve_regular(
 {
     const dhgen_four e4 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
     KNOWN(double);
     SIGNED(four, four);
     SIGNED_TWICE(four, four);
@@ -701,13 +691,9 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_branches(solve_wide, 8, T, free_joints, q, status);
-}
 #endif
+#define DHGEN_REGULAR_ROWS 8
+#include "dhgen/one_pose.h"
 
 /* Its links, and its angles as factors of joint values and what is added. */
 DHGEN_TABLE double nearest_links[8][12] = {
@@ -798,27 +784,6 @@ DHGEN_FN int solve_certain(
 }
 #endif
 
-DHGEN_PUBLIC void kinova_gen3_7_joint_velocities(
-    const double q[7], const double twist[6], double velocities[7])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int kinova_gen3_7_ik(
-    const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
-    unsigned char status[16])
-{
-    return dhgen_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int kinova_gen3_7_ik_nearest(
-    const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
-{
-    return dhgen_ik_nearest(&arm, T, free_joints, q_seed, q);
-}
-
-DHGEN_PUBLIC void kinova_gen3_7_ik_batch(
-    size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, free_joints, q, status);
-}
+#define DHGEN_CALLER_GIVES 1
+#define DHGEN_NAME(function) kinova_gen3_7_##function
+#include "dhgen/functions.h"

@@ -14,8 +14,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -38,13 +36,8 @@ DOF = 7
 JOINT_TYPES = "RRRRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6", "joint7")
 JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-2.24, 2.24),
-    (-math.inf, math.inf),
-    (-2.57, 2.57),
-    (-math.inf, math.inf),
-    (-2.09, 2.09),
-    (-math.inf, math.inf),
+    (-math.inf, math.inf), (-2.24, 2.24), (-math.inf, math.inf), (-2.57, 2.57),
+    (-math.inf, math.inf), (-2.09, 2.09), (-math.inf, math.inf),
 )
 BRANCHES = (
     "elbow+-shoulder+-noflip", "elbow+-shoulder+-flip", "elbow+-shoulder--noflip",
@@ -55,12 +48,8 @@ BRANCHES = (
 MAX_SOLUTIONS = 16
 FREE_JOINTS = (3,)  # from 1: the caller gives their values
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose, or a free joint's value is not finite
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, near_arm_size2 = 0.5770225443999999 [m^2],
 # near_doubt_limit = 9.999999999999999e-05.
@@ -98,16 +87,12 @@ near_m3 = 7.596199999999998e-11  # 10 * near_blur_slack1 [m]
 near_m4 = 3.3295501674584984e-17  # near_doubt_limit_squared2^2 [m^4]
 near_m5 = 9.999999999999999e-09  # near_doubt_limit^2
 near1 = 0.5  # 1 / 2
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
 _LINKS = _joints.Arm(
-    rows=16,
-    size=1.1507100000000001,
-    coordinates=(0, 1, 2),
-    directions='rotation',
+    rows=16, size=1.1507100000000001, coordinates=(0, 1, 2), directions="rotation",
     joints=(
         _joints.Joint(place=0),
         _joints.Joint(place=1, lowest=-2.24, highest=2.24, zero=3.141592653589793),
@@ -146,25 +131,11 @@ _LINKS = _joints.Arm(
     ),
     free=(2,),
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=16,
-        directions='rotation',
-        miss_weights=(0.869, 0.869, 0.869, 1.0, 1.0, 1.0),
-        size=1.1507100000000001,
-        clamped=1e-14,
-        clamped_again=1e-10,
-        steps=('clamps',),
-        given=(2,),
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=16, directions="rotation",
+    miss_weights=(0.869, 0.869, 0.869, 1.0, 1.0, 1.0), size=1.1507100000000001,
+    paces=(1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0), clamped_again=1e-10, steps=("clamps",), given=(2,),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -177,22 +148,14 @@ TABLE = (
     (3.141592653589793, -0.10593, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
     base=(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0),
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (7,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 7 joint values")
     T = _zeros(4, 4)
     c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
     c2, s2 = math.cos(v1), math.sin(v1)
@@ -228,8 +191,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 7): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 7 joint values")
     J = _zeros(6, 7)
     c1, s1, v1 = math.cos(q[0]), math.sin(q[0]), q[1] + offset2
     c2, s2 = math.cos(v1), math.sin(v1)
@@ -281,8 +242,7 @@ def jacobian(q):
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
-    size=0.3707388051002349,
-    reach=4.062224539232323,
+    size=0.3707388051002349, reach=4.062224539232323,
     links=(
         _loops.Link((
             0.38461538461538464, -0.9230769230769231, 0.0, 0.0, 0.0, 0.0, -1.0, 0.01584673608061403,
@@ -292,9 +252,7 @@ _LOOP = _loops.Loop(
             first=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -0.015846736084575715),
             inside=(
                 _loops.Inside(
-                    given=0,
-                    slides=False,
-                    factor=1.0,
+                    given=0, slides=False, factor=1.0,
                     after=(
                         0.47058823529411764, -0.8823529411764706, 0.0, 0.0, 0.0, 0.0, -1.0,
                         0.017195394470453523, 0.8823529411764706, 0.47058823529411764, 0.0,
@@ -1295,7 +1253,7 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 75, 50, [
     [0, 1, 2, 3, 4, 5, 6], [0, 1, 2, 3, 7, 8, 9], [10, 11, 2, 3, 12, 13, 14],
     [10, 11, 2, 3, 15, 16, 17], [18, 19, 20, 21, 22, 23, 24], [18, 19, 20, 21, 25, 26, 27],
     [28, 29, 20, 21, 30, 31, 32], [28, 29, 20, 21, 33, 34, 35],
@@ -1304,14 +1262,12 @@ _PLACES = np.array([
 _solve_from_nearest, _to_nearest_rows = _nearest.of_nearest(
     _HOW,
     _NUMBERS,
-    _functions.Formulas(_formulas, 75, 50, _PLACES),
+    _FORMULAS,
     _nearest.Nearest(
-        turned=1e-10,
-        moved=0.0003500001,
+        turned=1e-10, moved=0.0003500001,
         left=(1.0, 0.0, 0.0, -0.0, 0.0, -1.0, 0.0, -0.0, 0.0, 0.0, -1.0, 0.28481),
         right=(1.0, 0.0, 0.0, -0.0, -0.0, 1.0, 0.0, -0.0, 0.0, -0.0, 1.0, 0.10593),
-        offsets=(0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
-        solved=(0, 1, 3, 4, 5, 6),
+        offsets=(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), solved=(0, 1, 3, 4, 5, 6),
         links=(
             (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
             (
@@ -1363,26 +1319,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     _to_nearest_rows(q_free, q, status)
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=None,
-        kinematics=(fk, jacobian),
-        given=1,
-        apart=(_whole.compile_apart,),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the value of a free joint not finite",
-            "no_row": "the pose is out of reach",
-            "allocates": "at every pose",
-            "given": "Values of the joints 3",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "pose", given=1, apart=(_whole.compile_apart,), at_once=True,
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

@@ -54,12 +54,6 @@ static const double
     k3 = 0.5862915651405106, /* 1 / arm_size2 [m^-2] */
     k4 = 8.857709750566894; /* 1 / (k1^2) [m^-4] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const kuka_iiwa14_branches[8] = {
     "elbow+-shoulder+-noflip", "elbow+-shoulder+-flip", "elbow+-shoulder--noflip",
@@ -102,13 +96,9 @@ DHGEN_TABLE double table[7][4] = {
     { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.126, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void kuka_iiwa14_frames(const double q[7], double frames[9][16])
-{
-    static const struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 9
 
 DHGEN_PUBLIC void kuka_iiwa14_fk(const double q[7], double T[16])
 {
@@ -157,7 +147,7 @@ DHGEN_FN void solve(
 {
     double (*const q)[7] = (double (*)[7])rows;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     const double c3 = cos(free_joints[0]), s3 = sin(free_joints[0]);
 
@@ -371,7 +361,7 @@ static const double
 DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
     dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11] + free_joints[0])
         <= DHGEN_ORTHONORMAL) == 0;
     KNOWN(wide);
@@ -450,7 +440,7 @@ DHGEN_INLINE int solve_regular(
 {
     const dhgen_four e4 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
     KNOWN(double);
     SIGNED(four, four);
     SIGNED_TWICE(four, four);
@@ -510,13 +500,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int given_joints[1] = { 2 };
@@ -532,43 +517,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     kuka_iiwa14_fk, kuka_iiwa14_jacobian, solve,
-#ifdef KUKA_IIWA14_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void kuka_iiwa14_joint_velocities(
-    const double q[7], const double twist[6], double velocities[7])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int kuka_iiwa14_ik(
-    const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
-    unsigned char status[8])
-{
-#ifndef KUKA_IIWA14_PLAIN
-    const int count = solve_regular(T, free_joints, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int kuka_iiwa14_ik_nearest(
-    const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
-{
-    return dhgen_ik_nearest(&arm, T, free_joints, q_seed, q);
-}
-
-DHGEN_PUBLIC void kuka_iiwa14_ik_batch(
-    size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-#ifndef KUKA_IIWA14_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 1, n, T, free_joints, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, free_joints, q, status);
-#endif
-}
+#define DHGEN_CALLER_GIVES 1
+#define DHGEN_NAME(function) kuka_iiwa14_##function
+#include "dhgen/functions.h"

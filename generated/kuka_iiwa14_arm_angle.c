@@ -50,12 +50,6 @@ static const double
     k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
     k3 = 8.857709750566894; /* 1 / (k1^2) [m^-4] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const kuka_iiwa14_arm_angle_branches[8] = {
     "elbow+-back-noflip", "elbow+-back-flip", "elbow+-front-noflip", "elbow+-front-flip",
@@ -84,13 +78,9 @@ DHGEN_TABLE double table[7][4] = {
     { 3.141592653589793, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.126, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void kuka_iiwa14_arm_angle_frames(const double q[7], double frames[9][16])
-{
-    static const struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 9
 
 DHGEN_PUBLIC void kuka_iiwa14_arm_angle_fk(const double q[7], double T[16])
 {
@@ -186,7 +176,7 @@ DHGEN_FN void solve(
 {
     double (*const q)[7] = (double (*)[7])rows;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta4, type 2: the squared length of column 4 of U1 A7^-1 */
     const double wx = T14 - T13 * d7;
@@ -334,7 +324,7 @@ static const double
 DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta4 */
     const dhgen_wide wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = T34 - d7 * T33 - d1,
@@ -513,7 +503,7 @@ DHGEN_INLINE int solve_regular(
 {
     const dhgen_four e4 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta4 */
     const double wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = T34 - d7 * T33 - d1,
@@ -627,13 +617,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~(none1 | outside1));
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -648,43 +633,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     kuka_iiwa14_arm_angle_fk, kuka_iiwa14_arm_angle_jacobian, solve,
-#ifdef KUKA_IIWA14_ARM_ANGLE_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void kuka_iiwa14_arm_angle_joint_velocities(
-    const double q[7], const double twist[6], double velocities[7])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int kuka_iiwa14_arm_angle_ik(
-    const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
-    unsigned char status[8])
-{
-#ifndef KUKA_IIWA14_ARM_ANGLE_PLAIN
-    const int count = solve_regular(T, free_joints, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int kuka_iiwa14_arm_angle_ik_nearest(
-    const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
-{
-    return dhgen_ik_nearest(&arm, T, free_joints, q_seed, q);
-}
-
-DHGEN_PUBLIC void kuka_iiwa14_arm_angle_ik_batch(
-    size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-#ifndef KUKA_IIWA14_ARM_ANGLE_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 1, n, T, free_joints, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, free_joints, q, status);
-#endif
-}
+#define DHGEN_CALLER_GIVES 1
+#define DHGEN_NAME(function) kuka_iiwa14_arm_angle_##function
+#include "dhgen/functions.h"

@@ -15,8 +15,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -40,12 +38,9 @@ DOF = 7
 JOINT_TYPES = "RRRRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6", "joint7")
 JOINT_LIMITS = (
-    (-2.9670597283903604, 2.9670597283903604),
-    (-2.0943951023931953, 2.0943951023931953),
-    (-2.9670597283903604, 2.9670597283903604),
-    (-2.0943951023931953, 2.0943951023931953),
-    (-2.9670597283903604, 2.9670597283903604),
-    (-2.0943951023931953, 2.0943951023931953),
+    (-2.9670597283903604, 2.9670597283903604), (-2.0943951023931953, 2.0943951023931953),
+    (-2.9670597283903604, 2.9670597283903604), (-2.0943951023931953, 2.0943951023931953),
+    (-2.9670597283903604, 2.9670597283903604), (-2.0943951023931953, 2.0943951023931953),
     (-3.0543261909900767, 3.0543261909900767),
 )
 BRANCHES = (
@@ -54,12 +49,8 @@ BRANCHES = (
 )
 MAX_SOLUTIONS = 8
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose, or the arm angle is not finite
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, doubt_limit = 9.999999999999999e-05.
 d1 = 0.36  # joint offset 1 [m]
@@ -92,32 +83,13 @@ high7 = 3.054326191990077
 m1 = 1.4473755527432779e-11
 m2 = 1e-24  # free_limit^2
 m3 = 9.999999999999999e-09  # doubt_limit^2
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(
-            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-            0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-        ),
-        rows=8,
-        directions='rotation',
-        miss_weights=(0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0),
-        size=1.306,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('keeps limits',),
-        choosable=(4, 0),
-        cuts=52,
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
+    miss_weights=(0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0), size=1.306, steps=("keeps limits",),
+    choosable=(4, 0),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -130,21 +102,13 @@ TABLE = (
     (0.0, 0.126, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (7,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 7 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
     c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
@@ -179,8 +143,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 7): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 7 joint values")
     J = _zeros(6, 7)
     v1 = q[0] + offset1
     c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
@@ -230,8 +192,6 @@ def arm_angle(q):
     It turns the elbow about the line from shoulder to wrist; zero is where the elbow leans
     towards the direction of axis 1.
     """
-    if len(q) != DOF:
-        raise ValueError("q must hold 7 joint values")
     v1 = q[0] + offset1
     c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
     c2, s2 = math.cos(v2), math.sin(v2)
@@ -684,33 +644,12 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 58, 36, [
     [0, 1, 2, 3, 4, 5, 6], [0, 1, 2, 3, 7, 8, 9], [10, 11, 12, 3, 4, 5, 6],
     [10, 11, 12, 3, 7, 8, 9], [13, 14, 15, 16, 17, 18, 19], [13, 14, 15, 16, 20, 21, 22],
     [23, 24, 25, 16, 17, 18, 19], [23, 24, 25, 16, 20, 21, 22],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 58, 36, _PLACES),
-        kinematics=(fk, jacobian, arm_angle),
-        given=1,
-        apart=(),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the arm angle not finite",
-            "no_row": "the pose is out of reach",
-            "allocates": "only where a pose is singular or rounded",
-            "given": "The arm angle [rad]",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose", _FORMULAS, given=1))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

@@ -48,12 +48,6 @@ static const double
     k1 = 1.2800000000000002, /* 2 * a3 * a2 [m^2] */
     k2 = 0.7812499999999999; /* 1 / k1 [m^-2] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const kuka_kr40pa_branches[2] = {
     "elbow+", "elbow-",
@@ -112,13 +106,9 @@ DHGEN_TABLE double table[4][4] = {
     { 0.0, 0.0, 0.8, 0.0 },
     { 0.0, 0.0, 0.15, 1.5707963267948966 },
 };
-
-DHGEN_PUBLIC void kuka_kr40pa_frames(const double q[4], double frames[6][16])
-{
-    static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 6
 
 DHGEN_PUBLIC void kuka_kr40pa_fk(const double q[4], double T[16])
 {
@@ -171,7 +161,7 @@ DHGEN_FN void solve(
     double (*const q)[4] = (double (*)[4])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta234, type 3: U0[3, 3] and U0[3, 1] */
     const double w234 = sqrt(T31 * T31 + T33 * T33);
@@ -267,7 +257,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta234 */
     const dhgen_wide v1 = T31 * T31 + T33 * T33,
@@ -330,7 +320,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta234 */
     const double v1 = T31 * T31 + T33 * T33, factor234 = sqrt(v1) * DHGEN_QUOTIENT(1.0, v1);
@@ -389,13 +379,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -410,40 +395,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     &completion, dhgen_complete_rows,
     NULL, NULL,
     kuka_kr40pa_fk, kuka_kr40pa_jacobian, solve,
-#ifdef KUKA_KR40PA_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void kuka_kr40pa_joint_velocities(
-    const double q[4], const double twist[6], double velocities[4])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int kuka_kr40pa_ik(
-    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
-{
-#ifndef KUKA_KR40PA_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int kuka_kr40pa_ik_nearest(const double T[16], const double q_seed[4], double q[4])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void kuka_kr40pa_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef KUKA_KR40PA_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) kuka_kr40pa_##function
+#include "dhgen/functions.h"

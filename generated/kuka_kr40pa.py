@@ -14,8 +14,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -39,22 +37,13 @@ DOF = 4
 JOINT_TYPES = "RRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4")
 JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf),
 )
-BRANCHES = (
-    "elbow+", "elbow-",
-)
+BRANCHES = ("elbow+", "elbow-")
 MAX_SOLUTIONS = 2
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, doubt_limit = 9.999999999999999e-05, exact_slack = 1e-12,
 # exact_slack1 = 2.1999999999999995e-12 [m], pose_slack1 = 2.2e-05 [m].
@@ -85,16 +74,12 @@ m5 = 1e-24  # exact_slack^2
 m6 = 4.839999999999998e-24  # exact_slack1^2 [m^2]
 m7 = 1.452e-09  # 3 * pose_slack1^2 [m^2]
 m8 = 0.0014519999999999997  # 3 * doubtful_slack1^2 [m^2]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
 _LINKS = _joints.Arm(
-    rows=2,
-    size=2.1999999999999997,
-    coordinates=(0, 1, 2),
-    directions='rotation',
+    rows=2, size=2.1999999999999997, coordinates=(0, 1, 2), directions="rotation",
     joints=(
         _joints.Joint(place=0),
         _joints.Joint(place=1),
@@ -110,26 +95,11 @@ _LINKS = _joints.Arm(
     ),
     checked=True,
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=2,
-        directions='rotation',
-        miss_weights=(0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0),
-        size=2.1999999999999997,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
-        steps=('completes', 'equations end all', 'follows seed'),
-    ),
-    _joints.arm_numbers(_LINKS),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=2, directions="rotation",
+    miss_weights=(0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0), size=2.1999999999999997,
+    entries=(0, 2, 3, 4, 6, 7, 8, 10, 11), steps=("completes", "equations end all", "follows seed"),
+), _joints.arm_numbers(_LINKS))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -139,21 +109,13 @@ TABLE = (
     (0.0, 0.0, 0.15, 1.5707963267948966),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (4,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -176,8 +138,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 4): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     p1_x, p1_y = c1 * a1, s1 * a1
@@ -379,30 +339,12 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 20, 16, [
     [0, 1, 2, 3], [4, 5, 6, 7],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 20, 16, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(_runtime("complete").compile_apart,),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach, or one that 4 joints can't take",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "pose", _FORMULAS, apart=(_runtime("complete").compile_apart,),
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

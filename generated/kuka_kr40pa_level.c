@@ -50,12 +50,6 @@ static const double
     k3 = 1.4449999999999998, /* 2 * a3 * a2 [m^2] */
     k4 = 0.6920415224913495; /* 1 / k3 [m^-2] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T14 = T[3]; \
-    const number T21 = T[4], T24 = T[7]; \
-    const number T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const kuka_kr40pa_level_branches[4] = {
     "back-down", "back-up", "front-up", "front-down",
@@ -78,17 +72,17 @@ DHGEN_TABLE double table[5][4] = {
     { 0.0, 0.0, 0.2, -1.5707963267948966 },
     { 3.141592653589793, 0.19, 0.0, 0.0 },
 };
+DHGEN_TABLE struct dhgen_joint row_kinds[5] = {
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 },
+    { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 },
+};
+DHGEN_TABLE struct dhgen_links links = { 5, DHGEN_STANDARD, row_kinds, &table[0][0], NULL, NULL,
+    NULL };
 
 DHGEN_PUBLIC void kuka_kr40pa_level_frames(const double q[4], double frames[7][16])
 {
-    static const struct dhgen_joint rows[5] = {
-        { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 },
-        { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 },
-        { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1 },
-    };
     const double moved[5] = { -q[0], q[1], q[2], -q[1] - q[2], -q[3] };
-    static const struct dhgen_links links = { 5, DHGEN_STANDARD, rows, &table[0][0], NULL, NULL,
-        NULL };
     dhgen_frames(&links, moved, frames);
 }
 
@@ -149,7 +143,7 @@ DHGEN_FN void solve(
     double (*const q)[4] = (double (*)[4])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* the yaw's cosine and sine */
     const double level = sqrt(T11 * T11 + T21 * T21);
@@ -241,7 +235,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
     const dhgen_wide v1 = T14 * T14 + T24 * T24, w1 = dhgen_sqrt_wide(v1);
@@ -311,7 +305,7 @@ DHGEN_INLINE int solve_regular(
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1 */
     const double v1 = T14 * T14 + T24 * T24, w1 = sqrt(v1);
@@ -364,13 +358,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 4);
     return __builtin_popcountll(0x1010101ull & ~(none1 | outside1));
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[5] = { 0, 3, 4, 7, 11 };
@@ -385,42 +374,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     kuka_kr40pa_level_fk, kuka_kr40pa_level_jacobian, solve,
-#ifdef KUKA_KR40PA_LEVEL_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void kuka_kr40pa_level_joint_velocities(
-    const double q[4], const double twist[6], double velocities[4])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int kuka_kr40pa_level_ik(
-    const double T[16], const double *q_seed, double q[4][4], unsigned char status[4])
-{
-#ifndef KUKA_KR40PA_LEVEL_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int kuka_kr40pa_level_ik_nearest(
-    const double T[16], const double q_seed[4], double q[4])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void kuka_kr40pa_level_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef KUKA_KR40PA_LEVEL_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) kuka_kr40pa_level_##function
+#include "dhgen/functions.h"

@@ -16,8 +16,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -41,22 +39,14 @@ DOF = 4
 JOINT_TYPES = "RRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4")
 JOINT_LIMITS = (
-    (-2.705260340591211, 2.705260340591211),
-    (-2.0943951023931953, -0.2617993877991494),
-    (0.2617993877991494, 2.530727415391778),
-    (-6.1086523819801535, 6.1086523819801535),
+    (-2.705260340591211, 2.705260340591211), (-2.0943951023931953, -0.2617993877991494),
+    (0.2617993877991494, 2.530727415391778), (-6.1086523819801535, 6.1086523819801535),
 )
-BRANCHES = (
-    "back-down", "back-up", "front-up", "front-down",
-)
+BRANCHES = ("back-down", "back-up", "front-up", "front-down")
 MAX_SOLUTIONS = 4
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, doubt_limit1 = 0.000293 [m].
 d1 = 0.62  # joint offset 1 [m]
@@ -91,29 +81,13 @@ m2 = 8.584900000000002e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 2.874855908885266e-10
 m4 = 0.5882352941176471  # a3 * k4 [m^-1]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0),
-        fan_steps=(0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103),
-        rows=4,
-        directions='yaw',
-        miss_weights=(0.3413, 0.3413, 0.3413, 0.0, 0.0, 1.0),
-        size=2.93,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('keeps limits', 'clamps', 'clamps far', 'winds', 'follows seed'),
-        choosable=(3, 1, 0),
-        cuts=52,
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=4, directions="yaw",
+    miss_weights=(0.3413, 0.3413, 0.3413, 0.0, 0.0, 1.0), size=2.93,
+    steps=("keeps limits", "clamps", "clamps far", "winds", "follows seed"), choosable=(3, 1, 0),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -124,9 +98,7 @@ TABLE = (
     (3.141592653589793, 0.19, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types="RRRRR",
-    table=TABLE,
-    convention="standard",
+    types="RRRRR", table=TABLE, convention="standard",
     drives=(
         (-1.0, 0.0, 0.0, 0.0),
         (0.0, 1.0, 0.0, 0.0),
@@ -137,15 +109,9 @@ frames = _runtime("frames").frames_of(
 )
 
 
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
-
-
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (4,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(-q[0]), math.sin(-q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -173,8 +139,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 4): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
     c1, s1 = math.cos(-q[0]), math.sin(-q[0])
     p1_x, p1_y = c1 * a1, s1 * a1
@@ -378,30 +342,10 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 20, 16, [
     [0, 1, 2, 3], [0, 4, 5, 3], [6, 7, 8, 9], [6, 10, 11, 9],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="yaw",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 20, 16, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite",
-            "no_row": "the pose is out of reach",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "yaw", _FORMULAS))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

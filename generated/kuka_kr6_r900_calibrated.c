@@ -70,12 +70,6 @@ static const double
     f2 = 1.343999999379404e-09, /* ca1 * sa2 */
     f3 = 3.1999999966407905e-05; /* ca1 * ca2 */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const kuka_kr6_r900_calibrated_branches[16] = {
 #ifdef KUKA_KR6_R900_CALIBRATED_PLAIN
@@ -201,13 +195,9 @@ DHGEN_TABLE double table[6][4] = {
     { 3.141423653589793, -0.000174, -8.9e-05, 1.5707493267948966 },
     { 3.1e-05, 0.089995, 5.2e-05, -6.4e-05 },
 };
-
-DHGEN_PUBLIC void kuka_kr6_r900_calibrated_frames(const double q[6], double frames[8][16])
-{
-    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 8
 
 DHGEN_PUBLIC void kuka_kr6_r900_calibrated_fk(const double q[6], double T[16])
 {
@@ -480,7 +470,7 @@ static const double
 DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
     dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL) == 0;
     KNOWN(wide);
@@ -549,7 +539,7 @@ DHGEN_INLINE int solve_regular(
 {
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
     KNOWN(double);
     SIGNED(four, four);
     SIGNED_TWICE(four, four);
@@ -588,13 +578,9 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_branches(solve_wide, 8, T, free_joints, q, status);
-}
 #endif
+#define DHGEN_REGULAR_ROWS 8
+#include "dhgen/one_pose.h"
 
 /* Its links, and its angles as factors of joint values and what is added. */
 DHGEN_TABLE double nearest_links[7][12] = {
@@ -685,26 +671,5 @@ DHGEN_FN int solve_certain(
 }
 #endif
 
-DHGEN_PUBLIC void kuka_kr6_r900_calibrated_joint_velocities(
-    const double q[6], const double twist[6], double velocities[6])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int kuka_kr6_r900_calibrated_ik(
-    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
-{
-    return dhgen_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int kuka_kr6_r900_calibrated_ik_nearest(
-    const double T[16], const double q_seed[6], double q[6])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void kuka_kr6_r900_calibrated_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) kuka_kr6_r900_calibrated_##function
+#include "dhgen/functions.h"

@@ -41,12 +41,6 @@ static const double
     k1 = 16.0, /* a4^2 [m^2] */
     k2 = 0.0625; /* 1 / k1 [m^-2] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const olson_pprrrr_branches[4] = {
     "elbow3+-elbow4+", "elbow3+-elbow4-", "elbow3--elbow4+", "elbow3--elbow4-",
@@ -72,13 +66,9 @@ DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.0, 4.0, 0.0 },
     { 0.0, 2.0, 0.0, 1.5707963267948966 },
 };
-
-DHGEN_PUBLIC void olson_pprrrr_frames(const double q[6], double frames[8][16])
-{
-    static const struct dhgen_links links = { 6, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 6, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 8
 
 DHGEN_PUBLIC void olson_pprrrr_fk(const double q[6], double T[16])
 {
@@ -124,7 +114,7 @@ DHGEN_FN void solve(
     double (*const q)[6] = (double (*)[6])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta3, type 2: U3[2, 3] */
     const double w3 = sqrt(T23 * T23 + T13 * T13);
@@ -211,7 +201,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta3 */
     const dhgen_wide v1 = T23 * T23 + T13 * T13, w3 = dhgen_sqrt_wide(v1),
@@ -275,7 +265,7 @@ DHGEN_INLINE int solve_regular(
     (void)free_joints;
     const dhgen_four e3 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e4 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta3 */
     const double v1 = T23 * T23 + T13 * T13, w3 = sqrt(v1), factor3 = w3 * DHGEN_QUOTIENT(1.0, v1),
@@ -318,13 +308,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 4);
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -339,41 +324,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     olson_pprrrr_fk, olson_pprrrr_jacobian, solve,
-#ifdef OLSON_PPRRRR_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void olson_pprrrr_joint_velocities(
-    const double q[6], const double twist[6], double velocities[6])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int olson_pprrrr_ik(
-    const double T[16], const double *q_seed, double q[4][6], unsigned char status[4])
-{
-#ifndef OLSON_PPRRRR_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int olson_pprrrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void olson_pprrrr_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef OLSON_PPRRRR_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) olson_pprrrr_##function
+#include "dhgen/functions.h"

@@ -14,8 +14,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -39,24 +37,14 @@ DOF = 6
 JOINT_TYPES = "PPRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf),
 )
-BRANCHES = (
-    "elbow3+-elbow4+", "elbow3+-elbow4-", "elbow3--elbow4+", "elbow3--elbow4-",
-)
+BRANCHES = ("elbow3+-elbow4+", "elbow3+-elbow4-", "elbow3--elbow4+", "elbow3--elbow4-")
 MAX_SOLUTIONS = 4
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, doubt_limit = 9.999999999999999e-05.
 d3 = 1.0  # joint offset 3 [m]
@@ -72,27 +60,15 @@ k1 = 16.0  # a4^2 [m^2]
 k2 = 0.0625  # 1 / k1 [m^-2]
 m1 = 9.999999999999999e-09  # doubt_limit^2
 m3 = 6.999999999999999e-10  # 10 * blur_slack1 [m]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(7e-09, 7e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(0.02040816326530612, 0.02040816326530612, 1.0, 1.0, 1.0, 1.0),
-        paces=(7.0, 7.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=4,
-        directions='rotation',
-        miss_weights=(0.1429, 0.1429, 0.1429, 1.0, 1.0, 1.0),
-        size=7.0,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('follows seed',),
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=4, directions="rotation",
+    miss_weights=(0.1429, 0.1429, 0.1429, 1.0, 1.0, 1.0), size=7.0,
+    slacks=(7e-09, 7e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+    weights=(0.02040816326530612, 0.02040816326530612, 1.0, 1.0, 1.0, 1.0),
+    paces=(7.0, 7.0, 1.0, 1.0, 1.0, 1.0), steps=("follows seed",),
+))
 
 # The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -104,21 +80,13 @@ TABLE = (
     (0.0, 2.0, 0.0, 1.5707963267948966),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="modified",
+    types=JOINT_TYPES, table=TABLE, convention="modified",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     c3, s3 = math.cos(q[2]), math.sin(q[2])
     c4, s4 = math.cos(q[3]), math.sin(q[3])
@@ -141,8 +109,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     c3, s3 = math.cos(q[2]), math.sin(q[2])
     c4, s4 = math.cos(q[3]), math.sin(q[3])
@@ -325,30 +291,10 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 24, 16, [
     [0, 1, 2, 3, 4, 5], [6, 7, 2, 8, 9, 5], [6, 7, 10, 3, 11, 12], [0, 1, 10, 8, 13, 12],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 24, 16, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite or beyond 5e102, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose", _FORMULAS))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

@@ -141,13 +141,9 @@ DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.15, 0.12, 1.3962634015954636 },
     { 0.0, 0.1, 0.05, 0.0 },
 };
-
-DHGEN_PUBLIC void parallel_123_frames(const double q[6], double frames[8][16])
-{
-    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 8
 
 DHGEN_PUBLIC void parallel_123_fk(const double q[6], double T[16])
 {
@@ -218,9 +214,7 @@ DHGEN_FN void solve(
 {
     double (*const q)[6] = (double (*)[6])rows;
     (void)free_joints;
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    DHGEN_ENTRIES(double);
 
     /* theta6, type 9: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3] */
     const double R1_6 = T31 * a6 + (T33 * k3 + (k4 - T34));
@@ -379,25 +373,5 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL,
 };
 
-DHGEN_PUBLIC void parallel_123_joint_velocities(
-    const double q[6], const double twist[6], double velocities[6])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int parallel_123_ik(
-    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
-{
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int parallel_123_ik_nearest(const double T[16], const double q_seed[6], double q[6])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void parallel_123_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) parallel_123_##function
+#include "dhgen/functions.h"

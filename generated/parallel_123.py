@@ -14,8 +14,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -41,12 +39,8 @@ DOF = 6
 JOINT_TYPES = "RRRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf),
 )
 BRANCHES = (
     "root1-right", "root1-left", "root2-right", "root2-left", "root3-right", "root3-left",
@@ -54,12 +48,8 @@ BRANCHES = (
 )
 MAX_SOLUTIONS = 8
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, d1 = 0.1 [m], d2 = 0.05 [m], d3 = 0.08 [m].
 a1 = 0.3  # link length 1 [m]
@@ -112,16 +102,12 @@ k18 = 0.55  # d4 * 2 + d5 [m]
 k19 = 0.25980762113533157  # d5 * sqrt3 [m]
 f1 = 0.23  # d1 + d2 + d3 [m]
 g1 = 0.23  # d1 + d2 + d3 [m]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
 _LINKS = _joints.Arm(
-    rows=8,
-    size=1.5999999999999999,
-    coordinates=(0, 1, 2),
-    directions='rotation',
+    rows=8, size=1.5999999999999999, coordinates=(0, 1, 2), directions="rotation",
     joints=(
         _joints.Joint(place=0),
         _joints.Joint(place=1),
@@ -146,32 +132,12 @@ _LINKS = _joints.Arm(
         _joints.ChainJoint((1.0, 0.0, 0.0, 0.05, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.1)),
     ),
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(
-            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-            0.09817477042468103, 0.09817477042468103,
-        ),
-        rows=8,
-        directions='rotation',
-        miss_weights=(0.625, 0.625, 0.625, 1.0, 1.0, 1.0),
-        size=1.5999999999999999,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
-        steps=('retries', 'completes', 'merges', 'follows seed'),
-        choosable=(5, 2, 1, 0),
-        root_turns=((5, 1.0),),
-        cuts=52,
-    ),
-    _joints.arm_numbers(_LINKS),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
+    miss_weights=(0.625, 0.625, 0.625, 1.0, 1.0, 1.0), size=1.5999999999999999,
+    entries=(0, 2, 3, 4, 6, 7, 8, 10, 11), steps=("retries", "completes", "merges", "follows seed"),
+    choosable=(5, 2, 1, 0), root_turns=((5, 1.0),),
+), _joints.arm_numbers(_LINKS))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -183,21 +149,13 @@ TABLE = (
     (0.0, 0.1, 0.05, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -235,8 +193,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     p1_x, p1_y = c1 * a1, s1 * a1
@@ -451,25 +407,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             )
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=None,
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(_circle.OWN.compile_apart, _runtime("complete").compile_apart,),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach",
-            "allocates": "at every pose",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "pose", apart=(_circle.OWN.compile_apart, _runtime("complete").compile_apart,),
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

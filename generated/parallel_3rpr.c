@@ -41,8 +41,7 @@ DHGEN_INLINE dhgen_wide_mask parallel_3rpr_leg_drives(
     static const double
         m1 = 2.5600000000000004e-08; /* doubt_limit1^2 [m^2] */
     static const double per_size = 0.625;
-    const dhgen_wide T14 = T[3];
-    const dhgen_wide T24 = T[7];
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1, r2 */
     const dhgen_wide v1 = T14 * T14 + T24 * T24, q1_p = dhgen_sqrt_wide(v1);

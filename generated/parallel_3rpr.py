@@ -52,12 +52,8 @@ MAX_SOLUTIONS = 2  # of a leg
 DRIVES = ((0, 1), (1, 1), (2, 1))  # leg and joint, from 0
 ASSEMBLIES = 6  # poses of given drives at most; 0 where that is not known
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds: NaN where it is UNREACHABLE or INVALID_POSE, joint values else.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 
 class Unreachable(ValueError):  # noqa: N818

@@ -31,11 +31,6 @@
 static const double
     free_limit1 = 1.6e-12; /* a length that fixes no angle [m] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T14 = T[3]; \
-    const number T24 = T[7]
-
 #ifndef __CUDACC_RTC__
 const char *const parallel_3rpr_leg_branches[2] = {
     "forward", "backward",
@@ -53,13 +48,9 @@ DHGEN_TABLE double table[2][4] = {
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void parallel_3rpr_leg_frames(const double q[2], double frames[4][16])
-{
-    static const struct dhgen_links links = { 2, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 2, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 4
 
 DHGEN_PUBLIC void parallel_3rpr_leg_fk(const double q[2], double T[16])
 {
@@ -90,7 +81,7 @@ DHGEN_FN void solve(
     double (*const q)[2] = (double (*)[2])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1, r2, type 4: U0[1, 4] and U0[2, 4] */
     const double w2 = sqrt(T14 * T14 + T24 * T24);
@@ -126,7 +117,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1, r2 */
     const dhgen_wide v1 = T14 * T14 + T24 * T24, q2_p = dhgen_sqrt_wide(v1),
@@ -157,7 +148,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1, r2 */
     const double v1 = T14 * T14 + T24 * T24, w2 = sqrt(v1), v2 = copysign(DHGEN_HALF_TURN, T14);
@@ -184,13 +175,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~(none1 | outside1));
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[2] = { 3, 7 };
@@ -205,42 +191,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     parallel_3rpr_leg_fk, parallel_3rpr_leg_jacobian, solve,
-#ifdef PARALLEL_3RPR_LEG_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void parallel_3rpr_leg_joint_velocities(
-    const double q[2], const double twist[6], double velocities[2])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int parallel_3rpr_leg_ik(
-    const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
-{
-#ifndef PARALLEL_3RPR_LEG_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int parallel_3rpr_leg_ik_nearest(
-    const double T[16], const double q_seed[2], double q[2])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void parallel_3rpr_leg_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef PARALLEL_3RPR_LEG_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) parallel_3rpr_leg_##function
+#include "dhgen/functions.h"

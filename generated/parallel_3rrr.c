@@ -43,8 +43,7 @@ DHGEN_INLINE dhgen_wide_mask parallel_3rrr_leg_drives(
         /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
         m1 = 4.787281682183579e-12,
         m2 = 1.4285714285714286; /* rod * k2 [m^-1] */
-    const dhgen_wide T14 = T[3];
-    const dhgen_wide T24 = T[7];
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta2 */
     const dhgen_wide N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2),

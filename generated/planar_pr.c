@@ -42,11 +42,6 @@ static const double
     f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
     f3 = 0.9999999999999999; /* f1^2 + f2^2 */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T14 = T[3]; \
-    const number T24 = T[7]
-
 #ifndef __CUDACC_RTC__
 const char *const planar_pr_branches[2] = {
     "forward", "backward",
@@ -64,14 +59,9 @@ DHGEN_TABLE double table[2][6] = {
     { 0.8660254037844386, 0.5, 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void planar_pr_frames(const double q[2], double frames[4][16])
-{
-    static const double tool[12] = { 1.0, 0.0, 0.0, 0.3, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
-    static const struct dhgen_links links = { 2, DHGEN_AXES, joints, &table[0][0], NULL, NULL, tool
-        };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE double tool[12] = { 1.0, 0.0, 0.0, 0.3, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
+DHGEN_TABLE struct dhgen_links links = { 2, DHGEN_AXES, joints, &table[0][0], NULL, NULL, tool };
+#define DHGEN_FRAMES 4
 
 DHGEN_PUBLIC void planar_pr_fk(const double q[2], double T[16])
 {
@@ -104,7 +94,7 @@ DHGEN_FN void solve(
     (void)free_joints;
     (void)seed;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta2, r1, type 5: U0[2, 4] and U0[1, 4] */
     const double V1_2 = T24 * k1;
@@ -142,7 +132,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta2, r1 */
     const dhgen_wide V1_2 = k1 * T24, V2_2 = k1 * T14, v1 = k2 * V1_2 + k3 * V2_2,
@@ -167,7 +157,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e2 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta2, r1 */
     const double V1_2 = k1 * T24, V2_2 = k1 * T14, v1 = k2 * V1_2 + k3 * V2_2,
@@ -189,13 +179,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[2] = { 3, 7 };
@@ -209,40 +194,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     planar_pr_fk, planar_pr_jacobian, solve,
-#ifdef PLANAR_PR_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void planar_pr_joint_velocities(
-    const double q[2], const double twist[6], double velocities[2])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int planar_pr_ik(
-    const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
-{
-#ifndef PLANAR_PR_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int planar_pr_ik_nearest(const double T[16], const double q_seed[2], double q[2])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void planar_pr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef PLANAR_PR_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) planar_pr_##function
+#include "dhgen/functions.h"

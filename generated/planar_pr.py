@@ -13,8 +13,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -36,21 +34,12 @@ METHOD = "closed form"
 DOF = 2
 JOINT_TYPES = "PR"
 JOINT_NAMES = ("joint1", "joint2")
-JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-)
-BRANCHES = (
-    "forward", "backward",
-)
+JOINT_LIMITS = ((-math.inf, math.inf), (-math.inf, math.inf))
+BRANCHES = ("forward", "backward")
 MAX_SOLUTIONS = 2
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, sqrt3 = 1.7320508075688772, reach_slack = 1e-13, merge_slack = 1e-14.
 a = 0.3  # x of the home pose [m]
@@ -67,27 +56,13 @@ f3 = 0.9999999999999999  # f1^2 + f2^2
 m1 = 2.2222222222222221e-10  # 1000 * k6 [m^-2]
 m2 = 0.15  # k2 * k7 [m]
 m3 = 0.25980762113533157  # k3 * k7 [m]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(3e-10, 1e-09),
-        weights=(11.11111111111111, 1.0),
-        paces=(0.3, 1.0),
-        fan_steps=(),
-        rows=2,
-        directions='none',
-        miss_weights=(3.333, 3.333, 0.0, 0.0, 0.0, 0.0),
-        size=0.3,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('follows seed',),
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=2, directions="none",
+    miss_weights=(3.333, 3.333, 0.0, 0.0, 0.0, 0.0), size=0.3, slacks=(3e-10, 1e-09),
+    weights=(11.11111111111111, 1.0), paces=(0.3, 1.0), steps=("follows seed",),
+))
 
 # The axes at q = 0: a unit vector along each, and a point of it [m].
 AXES = (
@@ -95,22 +70,14 @@ AXES = (
     (0.0, 0.0, 1.0, 0.0, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=AXES,
-    convention="axes",
+    types=JOINT_TYPES, table=AXES, convention="axes",
     tool=(1.0, 0.0, 0.0, 0.3, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (2,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 2 joint values")
     T = _zeros(4, 4)
     c2, s2 = math.cos(q[1]), math.sin(q[1])
     x2_x, x2_y = f3 * c2, f3 * s2
@@ -124,8 +91,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 2): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 2 joint values")
     J = _zeros(6, 2)
     p1_x, p1_y = f2 * q[0], f1 * q[0]
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -204,30 +169,12 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 19, 16, [
     [0, 1], [2, 3],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="position",
-        counted=(True, True, False),
-        formulas=_functions.Formulas(_formulas, 19, 16, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite or beyond 5e102",
-            "no_row": "the pose is out of reach",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "position", _FORMULAS, counted=(True, True, False),
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

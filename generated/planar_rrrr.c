@@ -82,13 +82,9 @@ DHGEN_TABLE double table[4][4] = {
     { 0.0, 0.0, 0.25, 0.0 },
     { 0.0, 0.0, 0.25, 0.0 },
 };
-
-DHGEN_PUBLIC void planar_rrrr_frames(const double q[4], double frames[6][16])
-{
-    static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 6
 
 DHGEN_PUBLIC void planar_rrrr_fk(const double q[4], double T[16])
 {
@@ -146,24 +142,5 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL,
 };
 
-DHGEN_PUBLIC void planar_rrrr_joint_velocities(
-    const double q[4], const double twist[6], double velocities[4])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int planar_rrrr_ik(
-    const double T[16], const double *q_seed, double q[1][4], unsigned char status[1])
-{
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[4])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void planar_rrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) planar_rrrr_##function
+#include "dhgen/functions.h"

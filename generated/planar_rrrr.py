@@ -14,8 +14,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -37,34 +35,22 @@ DOF = 4
 JOINT_TYPES = "RRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4")
 JOINT_LIMITS = (
-    (-2.0943951023931953, 2.0943951023931953),
-    (-2.0943951023931953, 2.0943951023931953),
-    (-2.0943951023931953, 2.0943951023931953),
-    (-2.0943951023931953, 2.0943951023931953),
+    (-2.0943951023931953, 2.0943951023931953), (-2.0943951023931953, 2.0943951023931953),
+    (-2.0943951023931953, 2.0943951023931953), (-2.0943951023931953, 2.0943951023931953),
 )
-BRANCHES = (
-    "nearest",
-)
+BRANCHES = ("nearest",)
 MAX_SOLUTIONS = 1
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 a = 0.25  # link length 1 [m]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
 _LINKS = _joints.Arm(
-    rows=1,
-    size=1.0,
-    coordinates=(0, 1),
-    directions='none',
+    rows=1, size=1.0, coordinates=(0, 1), directions="none",
     joints=(
         _joints.Joint(place=0, lowest=-2.0943951023931953, highest=2.0943951023931953),
         _joints.Joint(place=1, lowest=-2.0943951023931953, highest=2.0943951023931953),
@@ -80,24 +66,10 @@ _LINKS = _joints.Arm(
     ),
     redundant=True,
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=1,
-        directions='none',
-        miss_weights=(1.0, 1.0, 0.0, 0.0, 0.0, 0.0),
-        size=1.0,
-        clamped=1e-14,
-        clamped_again=1e-10,
-        steps=('clamps',),
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=1, directions="none",
+    miss_weights=(1.0, 1.0, 0.0, 0.0, 0.0, 0.0), size=1.0, clamped_again=1e-10, steps=("clamps",),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -107,21 +79,13 @@ TABLE = (
     (0.0, 0.0, 0.25, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (4,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -140,8 +104,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 4): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     p1_x, p1_y = c1 * a, s1 * a
@@ -165,7 +127,7 @@ def jacobian(q):
 _whole = _runtime("numerical.compiled")
 _NUMBERS = _joints.arm_numbers(_LINKS)
 _all_joints = _runtime("numerical.search").all_joints
-_NO_FREE = np.zeros(0)
+_NO_FREE = _runtime("arrays").NONE_GIVEN
 
 
 @_HOW.apart(_arms.SOLVES)
@@ -174,25 +136,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     _all_joints(_NUMBERS, pose, _NO_FREE, seed, q, status)
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="position",
-        counted=(True, True, False),
-        formulas=None,
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(_whole.compile_apart,),
-        words={
-            "no_pose": "not finite",
-            "no_row": "the pose is out of reach",
-            "allocates": "at every pose",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "position", counted=(True, True, False), apart=(_whole.compile_apart,), at_once=True,
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

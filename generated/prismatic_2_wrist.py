@@ -15,8 +15,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -39,12 +37,8 @@ DOF = 6
 JOINT_TYPES = "RPRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf),
 )
 BRANCHES = (
     "shoulder+-elbow+-noflip", "shoulder+-elbow+-flip", "shoulder+-elbow--noflip",
@@ -53,12 +47,8 @@ BRANCHES = (
 )
 MAX_SOLUTIONS = 8
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, d1 = 0.3 [m], doubt_limit = 9.999999999999999e-05.
 a1 = 0.1  # link length 1 [m]
@@ -94,27 +84,15 @@ m4 = 0.7750600530519154  # k3 * k5 * k6
 m5 = 2.1049616508823186  # k3 * k6 [m^-1]
 m6 = 4.165947785154044  # k2 * k5 * k6
 m7 = 9.999999999999999e-09  # doubt_limit^2
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1.24e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 0.6503642039542143, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.24, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=8,
-        directions='rotation',
-        miss_weights=(0.8065, 0.8065, 0.8065, 1.0, 1.0, 1.0),
-        size=1.24,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('merges', 'follows seed'),
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
+    miss_weights=(0.8065, 0.8065, 0.8065, 1.0, 1.0, 1.0), size=1.24,
+    slacks=(1e-09, 1.24e-09, 1e-09, 1e-09, 1e-09, 1e-09),
+    weights=(1.0, 0.6503642039542143, 1.0, 1.0, 1.0, 1.0), paces=(1.0, 1.24, 1.0, 1.0, 1.0, 1.0),
+    steps=("merges", "follows seed"),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -126,21 +104,13 @@ TABLE = (
     (0.0, 0.08, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     x2_x, x2_y, z2_x = c1 * cat2, s1 * cat2, c1 * sat2
@@ -168,8 +138,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     x2_x, x2_y, z2_x = c1 * cat2, s1 * cat2, c1 * sat2
@@ -473,32 +441,12 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 30, 32, [
     [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
     [17, 18, 2, 19, 20, 21], [17, 18, 2, 22, 23, 24], [17, 25, 10, 26, 27, 28],
     [17, 25, 10, 29, 30, 31],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 30, 32, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite or beyond 5e102, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose", _FORMULAS))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

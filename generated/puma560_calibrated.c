@@ -69,12 +69,6 @@ static const double
     f2 = 1.7152850204059354e-06, /* sa2 * ca1 */
     f3 = 0.0016085433446793326; /* ca2 * ca1 */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const puma560_calibrated_branches[16] = {
 #ifdef PUMA560_CALIBRATED_PLAIN
@@ -203,13 +197,9 @@ DHGEN_TABLE double table[6][4] = {
     { 0.0009695294734, -0.00062817974, -6.29954602e-05, -1.5700654576903 },
     { -0.0022050175347, -0.0012011655652, -9.3840846e-05, -0.001546476069 },
 };
-
-DHGEN_PUBLIC void puma560_calibrated_frames(const double q[6], double frames[8][16])
-{
-    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 8
 
 DHGEN_PUBLIC void puma560_calibrated_fk(const double q[6], double T[16])
 {
@@ -478,7 +468,7 @@ static const double
 DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
     dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL) == 0;
     KNOWN(wide);
@@ -559,7 +549,7 @@ DHGEN_INLINE int solve_regular(
 {
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
     KNOWN(double);
     SIGNED(four, four);
     SIGNED_TWICE(four, four);
@@ -609,13 +599,9 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_branches(solve_wide, 8, T, free_joints, q, status);
-}
 #endif
+#define DHGEN_REGULAR_ROWS 8
+#include "dhgen/one_pose.h"
 
 /* Its links, and its angles as factors of joint values and what is added. */
 DHGEN_TABLE double nearest_links[7][12] = {
@@ -707,26 +693,5 @@ DHGEN_FN int solve_certain(
 }
 #endif
 
-DHGEN_PUBLIC void puma560_calibrated_joint_velocities(
-    const double q[6], const double twist[6], double velocities[6])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int puma560_calibrated_ik(
-    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
-{
-    return dhgen_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int puma560_calibrated_ik_nearest(
-    const double T[16], const double q_seed[6], double q[6])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void puma560_calibrated_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) puma560_calibrated_##function
+#include "dhgen/functions.h"

@@ -15,8 +15,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -39,12 +37,8 @@ DOF = 6
 JOINT_TYPES = "RRRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf),
 )
 BRANCHES = (
     "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
@@ -53,12 +47,8 @@ BRANCHES = (
 )
 MAX_SOLUTIONS = 16
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, near_arm_size1 = 1.0332489194603163 [m], near_a2 = 0.4314454936115 [m],
 # near_a3 = -0.020185839855499987 [m], near_d4 = 0.4326956882369999 [m],
@@ -119,16 +109,12 @@ near_m7 = 1.1588949413161114  # near_k8 * (near_d4 * near_k5 + near_a3 * near_k6
 near_m8 = 0.0017242187181490598
 near_m9 = 9.999999999999999e-09  # near_doubt_limit^2
 near1 = 0.5  # 1 / 2
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
 _LINKS = _joints.Arm(
-    rows=16,
-    size=1.7112988821471,
-    coordinates=(0, 1, 2),
-    directions='rotation',
+    rows=16, size=1.7112988821471, coordinates=(0, 1, 2), directions="rotation",
     joints=(
         _joints.Joint(place=0, zero=0.0004277699642),
         _joints.Joint(place=1, zero=0.0006617156617),
@@ -183,23 +169,10 @@ _LINKS = _joints.Arm(
         ),
     ),
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=16,
-        directions='rotation',
-        miss_weights=(0.5844, 0.5844, 0.5844, 1.0, 1.0, 1.0),
-        size=1.7112988821471,
-        clamped=1e-14,
-        clamped_again=1e-10,
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=16, directions="rotation",
+    miss_weights=(0.5844, 0.5844, 0.5844, 1.0, 1.0, 1.0), size=1.7112988821471, clamped_again=1e-10,
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -211,21 +184,13 @@ TABLE = (
     (-0.0022050175347, -0.0012011655652, -9.3840846e-05, -0.001546476069),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
     c1, s1 = math.cos(v1), math.sin(v1)
@@ -280,8 +245,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     v1 = q[0] + offset1
     c1, s1 = math.cos(v1), math.sin(v1)
@@ -345,8 +308,7 @@ def jacobian(q):
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
-    size=0.46180216162714816,
-    reach=4.0000000039999986,
+    size=0.46180216162714816, reach=4.0000000039999986,
     links=(
         _loops.Link((
             0.38461538461538464, -0.9230769230769231, 0.0, 0.005748047346394125,
@@ -399,7 +361,7 @@ _LOOP = _loops.Loop(
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
 _all_joints = _runtime("general.rows").all_joints
 _nearest = _runtime("general.near")
-_NO_FREE = np.zeros(0)
+_NO_FREE = _runtime("arrays").NONE_GIVEN
 
 
 # The nearest arm with a structure: what follows is its closed form.
@@ -774,7 +736,7 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 27, 48, [
     [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 13], [0, 9, 10, 14, 15, 16],
     [17, 18, 2, 19, 20, 21], [17, 18, 2, 22, 23, 24], [17, 25, 10, 26, 27, 28],
     [17, 25, 10, 29, 30, 31],
@@ -783,10 +745,9 @@ _PLACES = np.array([
 _solve_from_nearest, _to_nearest_rows = _nearest.of_nearest(
     _HOW,
     _NUMBERS,
-    _functions.Formulas(_formulas, 27, 48, _PLACES),
+    _FORMULAS,
     _nearest.Nearest(
-        turned=0.0063859344,
-        moved=0.0076985885,
+        turned=0.0063859344, moved=0.0076985885,
         left=(1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.6712591624),
         right=(
             -1.0, 0.0, 0.0, 9.38408e-05, -0.0, -0.999998804206049, -0.0015464755000093547,
@@ -849,25 +810,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     _to_nearest_rows(_NO_FREE, q, status)
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=None,
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(_whole.compile_apart,),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach",
-            "allocates": "at every pose",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "pose", apart=(_whole.compile_apart,), at_once=True,
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

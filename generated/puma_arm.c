@@ -51,12 +51,6 @@ static const double
     k7 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
     k8 = 7.175474885806929; /* 1 / (k5^2 + k6^2) [m^-4] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T14 = T[3]; \
-    const number T24 = T[7]; \
-    const number T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const puma_arm_branches[4] = {
     "right-down", "right-up", "left-up", "left-down",
@@ -76,15 +70,10 @@ DHGEN_TABLE double table[3][4] = {
     { 0.0, 0.0, 0.4318, 0.0 },
     { 0.0, 0.15005, 0.0203, -1.5707963267948966 },
 };
-
-DHGEN_PUBLIC void puma_arm_frames(const double q[3], double frames[5][16])
-{
-    static const double tool[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.4318
-        };
-    static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        tool };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE double tool[12] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.4318 };
+DHGEN_TABLE struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, tool
+    };
+#define DHGEN_FRAMES 5
 
 DHGEN_PUBLIC void puma_arm_fk(const double q[3], double T[16])
 {
@@ -127,7 +116,7 @@ DHGEN_FN void solve(
     double (*const q)[3] = (double (*)[3])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4] */
     const double N1 = T14 * T14 + T24 * T24;
@@ -204,7 +193,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
     const dhgen_wide D1 = T14 * T14 + T24 * T24 - k1, w1 = dhgen_sqrt_wide(D1), v1 = w1 - w1,
@@ -248,7 +237,7 @@ DHGEN_INLINE int solve_regular(
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1 */
     const double D1 = T14 * T14 + T24 * T24 - k1, w1 = sqrt(D1), v1 = w1 - w1, v2 = d3 * T14,
@@ -281,13 +270,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 4);
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[3] = { 3, 7, 11 };
@@ -302,40 +286,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     puma_arm_fk, puma_arm_jacobian, solve,
-#ifdef PUMA_ARM_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void puma_arm_joint_velocities(
-    const double q[3], const double twist[6], double velocities[3])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int puma_arm_ik(
-    const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
-{
-#ifndef PUMA_ARM_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int puma_arm_ik_nearest(const double T[16], const double q_seed[3], double q[3])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void puma_arm_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef PUMA_ARM_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) puma_arm_##function
+#include "dhgen/functions.h"

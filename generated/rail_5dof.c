@@ -38,12 +38,6 @@ static const double
     doubtful_slack = 0.01, /* a row may miss the pose by this before it is tightened */
     doubtful_slack1 = 0.06; /* a row may miss the pose by this before it is tightened [m] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const rail_5dof_branches[2] = {
     "noflip", "flip",
@@ -105,13 +99,9 @@ DHGEN_TABLE double table[5][4] = {
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 3.0, 0.0, -1.5707963267948966 },
 };
-
-DHGEN_PUBLIC void rail_5dof_frames(const double q[5], double frames[7][16])
-{
-    static const struct dhgen_links links = { 5, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 5, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 7
 
 DHGEN_PUBLIC void rail_5dof_fk(const double q[5], double T[16])
 {
@@ -154,7 +144,7 @@ DHGEN_FN void solve(
     double (*const q)[5] = (double (*)[5])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* r1, type 1: U0 A5^-1 [3, 4] */
     const double wz = T34 - T33 * d5;
@@ -242,7 +232,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* r1 */
     const dhgen_wide q1_p = T34 - d5 * T33;
@@ -299,7 +289,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* r1 */
     const double q1 = T34 - d5 * T33;
@@ -353,13 +343,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -374,40 +359,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     &completion, dhgen_complete_rows,
     NULL, NULL,
     rail_5dof_fk, rail_5dof_jacobian, solve,
-#ifdef RAIL_5DOF_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void rail_5dof_joint_velocities(
-    const double q[5], const double twist[6], double velocities[5])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int rail_5dof_ik(
-    const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
-{
-#ifndef RAIL_5DOF_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void rail_5dof_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef RAIL_5DOF_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) rail_5dof_##function
+#include "dhgen/functions.h"

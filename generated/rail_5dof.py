@@ -13,8 +13,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -37,23 +35,14 @@ DOF = 5
 JOINT_TYPES = "PRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5")
 JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf),
     (-math.inf, math.inf),
 )
-BRANCHES = (
-    "noflip", "flip",
-)
+BRANCHES = ("noflip", "flip")
 MAX_SOLUTIONS = 2
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, doubt_limit2 = 0.0036 [m^2], doubt_limit = 9.999999999999999e-05,
 # exact_slack1 = 6e-12 [m], exact_slack = 1e-12.
@@ -68,16 +57,12 @@ m1 = 1.296e-05  # doubt_limit2^2 [m^4]
 m2 = 9.999999999999999e-09  # doubt_limit^2
 m4 = 3.6000000000000004e-23  # exact_slack1^2 [m^2]
 m5 = 1e-24  # exact_slack^2
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
 _LINKS = _joints.Arm(
-    rows=2,
-    size=6.0,
-    coordinates=(0, 1, 2),
-    directions='rotation',
+    rows=2, size=6.0, coordinates=(0, 1, 2), directions="rotation",
     joints=(
         _joints.Joint(place=0, turns=False),
         _joints.Joint(place=1),
@@ -88,8 +73,7 @@ _LINKS = _joints.Arm(
     base=(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
     chain=(
         _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 2.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
-            turns=False,
+            after=(1.0, 0.0, 0.0, 2.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0), turns=False,
         ),
         _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, -1.0, 0.0, 1.0, 0.0, 0.0)),
         _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0)),
@@ -98,26 +82,13 @@ _LINKS = _joints.Arm(
     ),
     checked=True,
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(6e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(0.027777777777777776, 1.0, 1.0, 1.0, 1.0),
-        paces=(6.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=2,
-        directions='rotation',
-        miss_weights=(0.1667, 0.1667, 0.1667, 1.0, 1.0, 1.0),
-        size=6.0,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
-        steps=('completes', 'equations end all', 'follows seed'),
-    ),
-    _joints.arm_numbers(_LINKS),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=2, directions="rotation",
+    miss_weights=(0.1667, 0.1667, 0.1667, 1.0, 1.0, 1.0), size=6.0,
+    slacks=(6e-09, 1e-09, 1e-09, 1e-09, 1e-09), weights=(0.027777777777777776, 1.0, 1.0, 1.0, 1.0),
+    paces=(6.0, 1.0, 1.0, 1.0, 1.0), entries=(0, 2, 3, 4, 6, 7, 8, 10, 11),
+    steps=("completes", "equations end all", "follows seed"),
+), _joints.arm_numbers(_LINKS))
 
 # The table at q = 0, modified: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -128,21 +99,13 @@ TABLE = (
     (0.0, 3.0, 0.0, -1.5707963267948966),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="modified",
+    types=JOINT_TYPES, table=TABLE, convention="modified",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (5,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 5 joint values")
     T = _zeros(4, 4)
     c2, s2 = math.cos(q[1]), math.sin(q[1])
     c3, s3 = math.cos(q[2]), math.sin(q[2])
@@ -165,8 +128,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 5): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 5 joint values")
     J = _zeros(6, 5)
     c2, s2 = math.cos(q[1]), math.sin(q[1])
     p3_x, v1 = a1 + s2 * d3, c2 * d3
@@ -352,30 +313,12 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 20, 16, [
     [0, 1, 2, 3, 4], [0, 1, 5, 6, 7],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 20, 16, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(_runtime("complete").compile_apart,),
-        words={
-            "no_pose": "not finite or beyond 5e102, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach, or one that 5 joints can't take",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "pose", _FORMULAS, apart=(_runtime("complete").compile_apart,),
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

@@ -36,12 +36,6 @@ static const double
     k1 = 0.09, /* a3^2 [m^2] */
     k2 = 11.111111111111112; /* 1 / k1 [m^-2] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T14 = T[3]; \
-    const number T24 = T[7]; \
-    const number T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const rpr_branches[4] = {
     "shoulder+-elbow+", "shoulder+-elbow-", "shoulder--elbow+", "shoulder--elbow-",
@@ -61,13 +55,9 @@ DHGEN_TABLE double table[3][4] = {
     { 1.5707963267948966, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.0, 0.3, 0.0 },
 };
-
-DHGEN_PUBLIC void rpr_frames(const double q[3], double frames[5][16])
-{
-    static const struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 3, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 5
 
 DHGEN_PUBLIC void rpr_fk(const double q[3], double T[16])
 {
@@ -101,7 +91,7 @@ DHGEN_FN void solve(
     double (*const q)[3] = (double (*)[3])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[1, 4] */
     const double w1 = sqrt(T24 * T24 + T14 * T14);
@@ -157,7 +147,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
     const dhgen_wide v1 = T24 * T24 + T14 * T14, w1 = dhgen_sqrt_wide(v1),
@@ -200,7 +190,7 @@ DHGEN_INLINE int solve_regular(
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1 */
     const double v1 = T24 * T24 + T14 * T14, w1 = sqrt(v1), v2 = copysign(DHGEN_HALF_TURN, -T14);
@@ -230,13 +220,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 4);
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[3] = { 3, 7, 11 };
@@ -251,40 +236,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     rpr_fk, rpr_jacobian, solve,
-#ifdef RPR_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void rpr_joint_velocities(
-    const double q[3], const double twist[6], double velocities[3])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int rpr_ik(
-    const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
-{
-#ifndef RPR_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int rpr_ik_nearest(const double T[16], const double q_seed[3], double q[3])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void rpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef RPR_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) rpr_##function
+#include "dhgen/functions.h"

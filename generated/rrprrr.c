@@ -31,12 +31,6 @@ static const double
     free_limit1 = 1e-12, /* a length that fixes no angle [m] */
     free_limit = 1e-12; /* a length that fixes no angle */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const rrprrr_branches[8] = {
     "back-forward-noflip", "back-forward-flip", "back-backward-noflip", "back-backward-flip",
@@ -63,13 +57,9 @@ DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
 };
-
-DHGEN_PUBLIC void rrprrr_frames(const double q[6], double frames[8][16])
-{
-    static const struct dhgen_links links = { 6, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 6, DHGEN_MODIFIED, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 8
 
 DHGEN_PUBLIC void rrprrr_fk(const double q[6], double T[16])
 {
@@ -118,7 +108,7 @@ DHGEN_FN void solve(
     double (*const q)[6] = (double (*)[6])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[2, 4] */
     const double w1 = sqrt(T14 * T14 + T24 * T24);
@@ -210,7 +200,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
     const dhgen_wide v1 = T14 * T14 + T24 * T24, w1 = dhgen_sqrt_wide(v1),
@@ -279,7 +269,7 @@ DHGEN_INLINE int solve_regular(
     (void)free_joints;
     const dhgen_four e2 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e4 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1 */
     const double v1 = T14 * T14 + T24 * T24, w1 = sqrt(v1), factor1 = w1 * DHGEN_QUOTIENT(1.0, v1);
@@ -338,13 +328,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -359,40 +344,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     rrprrr_fk, rrprrr_jacobian, solve,
-#ifdef RRPRRR_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void rrprrr_joint_velocities(
-    const double q[6], const double twist[6], double velocities[6])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int rrprrr_ik(
-    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
-{
-#ifndef RRPRRR_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int rrprrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void rrprrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef RRPRRR_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) rrprrr_##function
+#include "dhgen/functions.h"

@@ -58,17 +58,13 @@ DHGEN_TABLE double table[4][4] = {
     { 0.0, 0.0, 0.0, 0.0 },
     { 0.0, 0.0, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void scara_ball_screw_frames(const double q[4], double frames[6][16])
-{
-    static const double drives[16] = {
-        1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0025464790894703256, 0.0, 0.0, 0.0,
-        1.0,
+DHGEN_TABLE double drives[16] = {
+    1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0025464790894703256, 0.0, 0.0, 0.0,
+    1.0,
+};
+DHGEN_TABLE struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], drives, NULL, NULL
     };
-    static const struct dhgen_links links = { 4, DHGEN_STANDARD, joints, &table[0][0], drives, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+#define DHGEN_FRAMES 6
 
 DHGEN_PUBLIC void scara_ball_screw_fk(const double q[4], double T[16])
 {
@@ -103,9 +99,7 @@ DHGEN_FN void solve(
     double (*const q)[4] = (double (*)[4])rows;
     (void)free_joints;
     (void)moved;
-    const double T11 = T[0], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T33 = T[10], T34 = T[11];
+    DHGEN_ENTRIES(double);
 
     /* theta124, type 3: U0[2, 1] and U0[1, 1] */
     const double w124 = sqrt(T21 * T21 + T11 * T11);
@@ -193,26 +187,5 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL,
 };
 
-DHGEN_PUBLIC void scara_ball_screw_joint_velocities(
-    const double q[4], const double twist[6], double velocities[4])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int scara_ball_screw_ik(
-    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
-{
-    return dhgen_coupled_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int scara_ball_screw_ik_nearest(
-    const double T[16], const double q_seed[4], double q[4])
-{
-    return dhgen_coupled_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void scara_ball_screw_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_coupled_each(&arm, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) scara_ball_screw_##function
+#include "dhgen/functions.h"

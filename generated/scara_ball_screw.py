@@ -15,8 +15,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -40,22 +38,14 @@ DOF = 4
 JOINT_TYPES = "RRPR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4")
 JOINT_LIMITS = (
-    (-2.2689280275926285, 2.2689280275926285),
-    (-2.530727415391778, 2.530727415391778),
-    (-0.2, 0.0),
+    (-2.2689280275926285, 2.2689280275926285), (-2.530727415391778, 2.530727415391778), (-0.2, 0.0),
     (-6.283185307179586, 6.283185307179586),
 )
-BRANCHES = (
-    "right", "left",
-)
+BRANCHES = ("right", "left")
 MAX_SOLUTIONS = 2
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 L1 = 0.4  # link length 1 [m]
 L2 = 0.3  # link length 2 [m]
@@ -72,8 +62,7 @@ pose_slack1 = 7e-06  # a pose may be rounded by this [m]
 factor34 = 0.0025464790894703256  # pitch/(2*pi): what q4 counts in joint 3
 k1 = 0.25  # L1^2 + L2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * L2 * L1) [m^-2]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 # The drives whose whole turns hang together, and sums of drives that have limits.
 _coupled = _runtime("coupled")
@@ -92,32 +81,20 @@ _COUPLING = _coupled.coupling_numbers(
         slacks=(),
     )
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=(
-            (-2.2689280275926285, 2.2689280275926285),
-            (-2.530727415391778, 2.530727415391778),
-            (-math.inf, math.inf),
-            (-math.inf, math.inf),
-        ),
-        slacks=(1e-09, 1e-09, 7e-10, 1e-09),
-        weights=(1.0, 1.0, 2.0408163265306127, 1.0),
-        paces=(1.0, 1.0, 0.7, 1.0),
-        fan_steps=(0.09817477042468103, 0.09817477042468103, 0.00625, 0.09817477042468103),
-        rows=2,
-        directions='rotation',
-        miss_weights=(1.429, 1.429, 1.429, 1.0, 1.0, 1.0),
-        size=0.7,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('keeps limits',),
-        choosable=(0,),
-        cuts=52,
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES,
+    limits=(
+        (-2.2689280275926285, 2.2689280275926285),
+        (-2.530727415391778, 2.530727415391778),
+        (-math.inf, math.inf),
+        (-math.inf, math.inf),
     ),
-    coupling=_COUPLING,
-)
-
+    rows=2, directions="rotation", miss_weights=(1.429, 1.429, 1.429, 1.0, 1.0, 1.0), size=0.7,
+    slacks=(1e-09, 1e-09, 7e-10, 1e-09), weights=(1.0, 1.0, 2.0408163265306127, 1.0),
+    paces=(1.0, 1.0, 0.7, 1.0),
+    fan_steps=(0.09817477042468103, 0.09817477042468103, 0.00625, 0.09817477042468103),
+    steps=("keeps limits",), choosable=(0,),
+), coupling=_COUPLING)
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -127,9 +104,7 @@ TABLE = (
     (0.0, 0.0, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
     drives=(
         (1.0, 0.0, 0.0, 0.0),
         (0.0, 1.0, 0.0, 0.0),
@@ -139,15 +114,9 @@ frames = _runtime("frames").frames_of(
 )
 
 
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
-
-
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (4,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -164,8 +133,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 4): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     p1_x, p1_y = c1 * L1, s1 * L1
@@ -247,25 +214,5 @@ def _solve(pose, q_free, seed, moved, q, status):
         status[row] = FREE_JOINT if free1 else OK
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=None,
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite or beyond 5e102, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach, or one that 4 joints can't take",
-            "allocates": "at every pose",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose"))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

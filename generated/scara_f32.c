@@ -259,6 +259,12 @@ struct dhgen_arm {
 #define DHGEN_RATES(arm, q, J) (arm)->jacobian(q, J)
 #endif
 
+/* Entries of a pose by their names. */
+#define DHGEN_ENTRIES(number) \
+    DHGEN_UNUSED const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
+    DHGEN_UNUSED const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    DHGEN_UNUSED const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
+
 /* Copies the joint values of a row. */
 DHGEN_FN void dhgen_copy_row(const struct dhgen_arm *arm, const float *from, float *to)
 {
@@ -279,6 +285,9 @@ DHGEN_FN int dhgen_moves(const struct dhgen_arm *arm, int joint)
 {
     return arm->joints[joint].pace > 0.0f;
 }
+
+/* A robot's function for regular poses: `tile.h` has another word. */
+#define DHGEN_SOLVE_REGULAR NULL
 
 /* All solutions of any pose: also of one that is rounded, singular or none. Returns how many rows
  * are inside limits, or -DHGEN_INVALID_POSE. */
@@ -1576,7 +1585,7 @@ DHGEN_INLINE float dhgen_maximum_double(float a, float b)
     return a > b ? a : b;
 }
 
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12)               \
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) \
     && !defined(DHGEN_SCALAR) && !defined(DHGEN_LIBM) && !defined(__CUDACC__)
 #else
 /* Lanes that are single numbers. */
@@ -1781,6 +1790,9 @@ DHGEN_INLINE dhgen_wide dhgen_tilt_misfit_wide(const dhgen_wide *T)
     return zz * zz;
 }
 
+#undef DHGEN_SOLVE_REGULAR
+#define DHGEN_SOLVE_REGULAR solve_regular
+
 /* Joint values, NaN without a solution, statuses, and whether a pose needs care. */
 typedef dhgen_wide_mask dhgen_solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind);
@@ -1877,14 +1889,6 @@ DHGEN_INLINE int dhgen_solve_branches(dhgen_solve_wide *solve_wide, int rows, co
     return count;
 }
 
-/* One regular pose. Returns how many rows are OK, or -1 if it needs care. */
-DHGEN_ALWAYS
-DHGEN_INLINE int dhgen_solve_one(dhgen_solve_wide *solve_wide, const float *T,
-    const float *free_joints, float *q, unsigned char *status)
-{
-    return dhgen_solve_branches(solve_wide, DHGEN_ROWS, T, free_joints, q, status);
-}
-
 /* All solutions of the poses of a batch. */
 DHGEN_INLINE void dhgen_ik_batch(const struct dhgen_arm *arm, dhgen_solve_wide *solve_wide,
     int given, size_t n, const float *T, const float *free_joints, float *q,
@@ -1896,10 +1900,6 @@ DHGEN_INLINE void dhgen_ik_batch(const struct dhgen_arm *arm, dhgen_solve_wide *
 }
 
 #endif
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const float
@@ -1918,12 +1918,6 @@ static const float
     pose_slack1 = 8e-06f, /* a pose may be rounded by this [m] */
     k1 = 0.25f, /* L1^2 + L2^2 [m^2] */
     k2 = 4.1666665f; /* 1 / (2 * L2 * L1) [m^-2] */
-
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T33 = T[10], T34 = T[11]
 
 #ifndef __CUDACC_RTC__
 const char *const scara_f32_branches[2] = {
@@ -1977,7 +1971,7 @@ DHGEN_FN void solve(
     float (*const q)[4] = (float (*)[4])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(float);
+    DHGEN_ENTRIES(float);
 
     /* r3, type 1: U0[3, 4] */
     const float t34 = T34 - L4 * T31;
@@ -2060,7 +2054,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* r3 */
     const dhgen_wide t34 = T34 - L4 * T31;
@@ -2099,11 +2093,21 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         * T13 + v5 * v5)) | (dhgen_grazes_wide(excess_p) | dhgen_grazes_wide(excess_m));
 }
 
+/* One regular pose where lanes are single numbers. */
+
+#if DHGEN_LANES == 1
+
+#ifndef DHGEN_REGULAR_ROWS
+#define DHGEN_REGULAR_ROWS DHGEN_ROWS
+#endif
+
 DHGEN_FN int solve_regular(
     const float *T, const float *free_joints, float *q, unsigned char *status)
 {
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
+    return dhgen_solve_branches(solve_wide, DHGEN_REGULAR_ROWS, T, free_joints, q, status);
 }
+
+#endif
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -2118,40 +2122,50 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     scara_f32_fk, scara_f32_jacobian, solve,
-#ifdef SCARA_F32_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void scara_f32_joint_velocities(
-    const float q[4], const float twist[6], float velocities[4])
+#define DHGEN_NAME(function) scara_f32_##function
+/* A robot's public functions, whose caller may give values beside the pose. */
+
+#ifndef DHGEN_DO /* coupled drives have others */
+#define DHGEN_DO(function) dhgen_##function
+#endif
+
+#define DHGEN_AND_GIVEN
+#define DHGEN_AND_MANY_GIVEN
+#define DHGEN_GIVEN_VALUES NULL
+DHGEN_PUBLIC void DHGEN_NAME(joint_velocities)(
+    const float q[DHGEN_DOF], const float twist[6], float velocities[DHGEN_DOF])
 {
     dhgen_joint_velocities(&arm, q, twist, velocities);
 }
 
-DHGEN_PUBLIC int scara_f32_ik(
-    const float T[16], const float *q_seed, float q[2][4], unsigned char status[2])
+DHGEN_PUBLIC int DHGEN_NAME(ik)(const float T[16] DHGEN_AND_GIVEN, const float *q_seed,
+    float q[DHGEN_ROWS][DHGEN_DOF], unsigned char status[DHGEN_ROWS])
 {
-#ifndef SCARA_F32_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
+#ifdef DHGEN_SOLVE_WIDE
+    const int count = solve_regular(T, DHGEN_GIVEN_VALUES, &q[0][0], status);
     if (count >= 0)
         return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void scara_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)
-{
-#ifndef SCARA_F32_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
+    return dhgen_careful_ik(&arm, T, DHGEN_GIVEN_VALUES, q_seed, &q[0][0], status);
 #else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
+    return DHGEN_DO(ik)(&arm, T, DHGEN_GIVEN_VALUES, q_seed, &q[0][0], status);
+#endif
+}
+
+DHGEN_PUBLIC int DHGEN_NAME(ik_nearest)(
+    const float T[16] DHGEN_AND_GIVEN, const float q_seed[DHGEN_DOF], float q[DHGEN_DOF])
+{
+    return DHGEN_DO(ik_nearest)(&arm, T, DHGEN_GIVEN_VALUES, q_seed, q);
+}
+
+DHGEN_PUBLIC void DHGEN_NAME(ik_batch)(
+    size_t n, const float *T DHGEN_AND_MANY_GIVEN, float *q, unsigned char *status)
+{
+#ifdef DHGEN_SOLVE_WIDE
+    dhgen_ik_batch(&arm, DHGEN_SOLVE_WIDE, arm.given, n, T, DHGEN_GIVEN_VALUES, q, status);
+#else
+    DHGEN_DO(ik_each)(&arm, 0, n, T, DHGEN_GIVEN_VALUES, q, status);
 #endif
 }

@@ -13,8 +13,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -38,22 +36,13 @@ DOF = 4
 JOINT_TYPES = "PRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4")
 JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf),
 )
-BRANCHES = (
-    "right", "left",
-)
+BRANCHES = ("right", "left")
 MAX_SOLUTIONS = 2
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 a2 = 0.3  # link length 2 [m]
 a3 = 0.25  # link length 3 [m]
@@ -74,27 +63,14 @@ m1 = 1.831867990631471e-12
 m2 = 1.6666666666666667  # a3 * k2 [m^-1]
 m3 = 0.045833333333333316  # a2 - a3 * k1 * k2 [m]
 m4 = 1.0000000000000002e-10  # pose_slack^2
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(5.5e-10, 1e-09, 1e-09, 1e-09),
-        weights=(3.305785123966942, 1.0, 1.0, 1.0),
-        paces=(0.55, 1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=2,
-        directions='rotation',
-        miss_weights=(1.818, 1.818, 1.818, 1.0, 1.0, 1.0),
-        size=0.55,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('follows seed',),
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=2, directions="rotation",
+    miss_weights=(1.818, 1.818, 1.818, 1.0, 1.0, 1.0), size=0.55,
+    slacks=(5.5e-10, 1e-09, 1e-09, 1e-09), weights=(3.305785123966942, 1.0, 1.0, 1.0),
+    paces=(0.55, 1.0, 1.0, 1.0), steps=("follows seed",),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -104,21 +80,13 @@ TABLE = (
     (0.0, 0.0, 0.0, 3.141592653589793),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (4,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 4 joint values")
     T = _zeros(4, 4)
     c2, s2 = math.cos(q[1]), math.sin(q[1])
     c3, s3 = math.cos(q[2]), math.sin(q[2])
@@ -135,8 +103,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 4): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 4 joint values")
     J = _zeros(6, 4)
     c2, s2 = math.cos(q[1]), math.sin(q[1])
     p2_x, p2_y = c2 * a2, s2 * a2
@@ -277,30 +243,10 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 18, 16, [
     [0, 1, 2, 3], [0, 4, 5, 6],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 18, 16, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite or beyond 5e102, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach, or one that 4 joints can't take",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose", _FORMULAS))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

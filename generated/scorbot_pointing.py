@@ -15,8 +15,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -40,24 +38,15 @@ DOF = 5
 JOINT_TYPES = "RRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5")
 JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf),
     (-math.inf, math.inf),
 )
-BRANCHES = (
-    "back-down", "back-up", "front-up", "front-down",
-)
+BRANCHES = ("back-down", "back-up", "front-up", "front-down")
 MAX_SOLUTIONS = 4
 FREE_JOINTS = (5,)  # from 1: the caller gives their values
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose, or a free joint's value is not finite
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, doubt_limit1 = 9.52e-05 [m], doubt_limit = 9.999999999999999e-05,
 # doubt_limit_squared2 = 9.063039999999998e-09 [m^2], exact_slack = 1e-12,
@@ -94,16 +83,12 @@ m9 = 1e-24  # exact_slack^2
 m10 = 9.063039999999996e-25  # exact_slack1^2 [m^2]
 m11 = 2.7189119999999995e-10  # 3 * pose_slack1^2 [m^2]
 m12 = 0.0002718911999999999  # 3 * doubtful_slack1^2 [m^2]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
 _LINKS = _joints.Arm(
-    rows=4,
-    size=0.952,
-    coordinates=(0, 1, 2),
-    directions='pointing',
+    rows=4, size=0.952, coordinates=(0, 1, 2), directions="pointing",
     joints=(
         _joints.Joint(place=0),
         _joints.Joint(place=1),
@@ -121,35 +106,15 @@ _LINKS = _joints.Arm(
         ),
         _joints.ChainJoint((1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.145)),
     ),
-    free=(4,),
-    checked=True,
+    free=(4,), checked=True,
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0, 0.0),
-        fan_steps=(
-            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-            0.09817477042468103,
-        ),
-        rows=4,
-        directions='pointing',
-        miss_weights=(1.05, 1.05, 1.05, 1.0, 1.0, 1.0),
-        size=0.952,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        entries=(2, 3, 6, 7, 10, 11),
-        steps=('retries', 'completes', 'equations end all', 'follows seed'),
-        given=(4,),
-        choosable=(1, 0),
-        cuts=52,
-    ),
-    _joints.arm_numbers(_LINKS),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=4, directions="pointing",
+    miss_weights=(1.05, 1.05, 1.05, 1.0, 1.0, 1.0), size=0.952, paces=(1.0, 1.0, 1.0, 1.0, 0.0),
+    entries=(2, 3, 6, 7, 10, 11),
+    steps=("retries", "completes", "equations end all", "follows seed"), given=(4,),
+    choosable=(1, 0),
+), _joints.arm_numbers(_LINKS))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -160,21 +125,13 @@ TABLE = (
     (0.0, 0.145, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (5,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 5 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -201,8 +158,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 5): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 5 joint values")
     J = _zeros(6, 5)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     p1_x, p1_y = c1 * a1, s1 * a1
@@ -495,31 +450,12 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 29, 16, [
     [0, 1, 2, 3, 4], [5, 6, 7, 8, 9], [10, 11, 12, 13, 14], [15, 16, 17, 18, 19],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pointing",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 29, 16, _PLACES),
-        kinematics=(fk, jacobian),
-        given=1,
-        apart=(_runtime("complete").compile_apart,),
-        words={
-            "no_pose": "not finite, or its z axis not of length one to six digits, or the value of a free joint not finite",
-            "no_row": "the pose is out of reach, or one that 4 joints can't take",
-            "allocates": "only where a pose is singular or rounded",
-            "given": "Values of the joints 5",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "pointing", _FORMULAS, given=1, apart=(_runtime("complete").compile_apart,),
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

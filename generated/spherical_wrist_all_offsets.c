@@ -58,12 +58,6 @@ static const double
     k8 = 0.3374, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k9 = 8.866112830151877; /* 1 / (k6^2 + k7^2) [m^-4] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const spherical_wrist_all_offsets_branches[8] = {
     "right-down-noflip", "right-down-flip", "right-up-noflip", "right-up-flip", "left-up-noflip",
@@ -90,13 +84,9 @@ DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.0, 0.0, 1.5707963267948966 },
     { 0.0, 0.07, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void spherical_wrist_all_offsets_frames(const double q[6], double frames[8][16])
-{
-    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 8
 
 DHGEN_PUBLIC void spherical_wrist_all_offsets_fk(const double q[6], double T[16])
 {
@@ -161,7 +151,7 @@ DHGEN_FN void solve(
     double (*const q)[6] = (double (*)[6])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1 A6^-1 [3, 4] */
     const double wx = T14 - T13 * d6;
@@ -291,7 +281,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
     const dhgen_wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1, D1 = N1 - k2,
@@ -411,7 +401,7 @@ DHGEN_INLINE int solve_regular(
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1 */
     const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1, D1 = N1 - k2,
@@ -476,13 +466,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -497,42 +482,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     spherical_wrist_all_offsets_fk, spherical_wrist_all_offsets_jacobian, solve,
-#ifdef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void spherical_wrist_all_offsets_joint_velocities(
-    const double q[6], const double twist[6], double velocities[6])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int spherical_wrist_all_offsets_ik(
-    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
-{
-#ifndef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int spherical_wrist_all_offsets_ik_nearest(
-    const double T[16], const double q_seed[6], double q[6])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void spherical_wrist_all_offsets_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) spherical_wrist_all_offsets_##function
+#include "dhgen/functions.h"

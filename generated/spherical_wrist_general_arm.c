@@ -143,13 +143,9 @@ DHGEN_TABLE double table[6][4] = {
     { 0.0, 0.0, 0.0, -1.5707963267948966 },
     { 0.0, 0.09, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void spherical_wrist_general_arm_frames(const double q[6], double frames[8][16])
-{
-    static const struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 6, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 8
 
 DHGEN_PUBLIC void spherical_wrist_general_arm_fk(const double q[6], double T[16])
 {
@@ -228,9 +224,7 @@ DHGEN_FN void solve(
 {
     double (*const q)[6] = (double (*)[6])rows;
     (void)free_joints;
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    DHGEN_ENTRIES(double);
 
     /* theta1, type 9: U1 A6^-1 [3, 4] and the squared length of column 4 of U1 A6^-1 */
     const double wz = T34 - T33 * d6;
@@ -373,26 +367,5 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL,
 };
 
-DHGEN_PUBLIC void spherical_wrist_general_arm_joint_velocities(
-    const double q[6], const double twist[6], double velocities[6])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int spherical_wrist_general_arm_ik(
-    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
-{
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int spherical_wrist_general_arm_ik_nearest(
-    const double T[16], const double q_seed[6], double q[6])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void spherical_wrist_general_arm_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) spherical_wrist_general_arm_##function
+#include "dhgen/functions.h"

@@ -13,8 +13,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -37,12 +35,9 @@ DOF = 6
 JOINT_TYPES = "RRPRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
-    (-2.9670597283903604, 2.9670597283903604),
-    (-2.9670597283903604, 2.9670597283903604),
-    (0.3048, 1.27),
-    (-2.9670597283903604, 2.9670597283903604),
-    (-1.5707963267948966, 1.5707963267948966),
-    (-2.9670597283903604, 2.9670597283903604),
+    (-2.9670597283903604, 2.9670597283903604), (-2.9670597283903604, 2.9670597283903604),
+    (0.3048, 1.27), (-2.9670597283903604, 2.9670597283903604),
+    (-1.5707963267948966, 1.5707963267948966), (-2.9670597283903604, 2.9670597283903604),
 )
 BRANCHES = (
     "right-forward-noflip", "right-forward-flip", "right-backward-noflip", "right-backward-flip",
@@ -50,12 +45,8 @@ BRANCHES = (
 )
 MAX_SOLUTIONS = 8
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, reach_slack1 = 1.2700000000000001e-13 [m], merge_slack1 = 1.27e-14 [m],
 # doubt_limit1 = 0.000127 [m], doubt_limit = 9.999999999999999e-05.
@@ -81,32 +72,19 @@ graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 3.3959800000001614e-12  # 1000 * k4 [m^2]
 m2 = 1.6129e-08  # doubt_limit1^2 [m^2]
 m4 = 9.999999999999999e-09  # doubt_limit^2
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1.27e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 0.62000124000248, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.27, 1.0, 1.0, 1.0),
-        fan_steps=(
-            0.09817477042468103, 0.09817477042468103, 0.030162500000000002, 0.09817477042468103,
-            0.09817477042468103, 0.09817477042468103,
-        ),
-        rows=8,
-        directions='rotation',
-        miss_weights=(0.7874, 0.7874, 0.7874, 1.0, 1.0, 1.0),
-        size=1.27,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('keeps limits', 'clamps', 'clamps far', 'follows seed'),
-        choosable=(3, 1, 0),
-        cuts=52,
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
+    miss_weights=(0.7874, 0.7874, 0.7874, 1.0, 1.0, 1.0), size=1.27,
+    slacks=(1e-09, 1e-09, 1.27e-09, 1e-09, 1e-09, 1e-09),
+    weights=(1.0, 1.0, 0.62000124000248, 1.0, 1.0, 1.0), paces=(1.0, 1.0, 1.27, 1.0, 1.0, 1.0),
+    fan_steps=(
+        0.09817477042468103, 0.09817477042468103, 0.030162500000000002, 0.09817477042468103,
+        0.09817477042468103, 0.09817477042468103,
     ),
-)
-
+    steps=("keeps limits", "clamps", "clamps far", "follows seed"), choosable=(3, 1, 0),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -118,21 +96,13 @@ TABLE = (
     (0.0, 0.0, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -157,8 +127,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -432,32 +400,12 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 28, 32, [
     [0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8], [0, 9, 10, 11, 12, 8], [0, 9, 10, 13, 14, 5],
     [15, 16, 2, 17, 18, 19], [15, 16, 2, 20, 21, 22], [15, 23, 10, 24, 25, 22],
     [15, 23, 10, 26, 27, 19],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 28, 32, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite or beyond 5e102, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose", _FORMULAS))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

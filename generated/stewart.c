@@ -41,9 +41,7 @@ DHGEN_INLINE dhgen_wide_mask stewart_leg_drives(
     static const double
         m1 = 5.625000000000001e-09; /* doubt_limit1^2 [m^2] */
     static const double per_size = 1.3333333333333333;
-    const dhgen_wide T14 = T[3];
-    const dhgen_wide T24 = T[7];
-    const dhgen_wide T34 = T[11];
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
     const dhgen_wide v1 = T14 * T14 + T24 * T24;

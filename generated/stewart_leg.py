@@ -14,8 +14,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -37,22 +35,12 @@ METHOD = "closed form"
 DOF = 3
 JOINT_TYPES = "RRP"
 JOINT_NAMES = ("joint1", "joint2", "joint3")
-JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (0.35, 0.75),
-)
-BRANCHES = (
-    "back-forward", "back-backward", "front-forward", "front-backward",
-)
+JOINT_LIMITS = ((-math.inf, math.inf), (-math.inf, math.inf), (0.35, 0.75))
+BRANCHES = ("back-forward", "back-backward", "front-forward", "front-backward")
 MAX_SOLUTIONS = 4
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, doubt_limit1 = 7.500000000000001e-05 [m].
 free_limit1 = 7.5e-13  # a length that fixes no angle [m]
@@ -61,29 +49,15 @@ high3 = 0.75000000075
 per_size = 1.3333333333333333
 graze = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 5.625000000000001e-09  # doubt_limit1^2 [m^2]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 7.5e-10),
-        weights=(1.0, 1.0, 1.7777777777777777),
-        paces=(1.0, 1.0, 0.75),
-        fan_steps=(0.09817477042468103, 0.09817477042468103, 0.0125),
-        rows=4,
-        directions='none',
-        miss_weights=(1.333, 1.333, 1.333, 0.0, 0.0, 0.0),
-        size=0.75,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('keeps limits', 'clamps', 'clamps far', 'follows seed'),
-        choosable=(1, 0),
-        cuts=52,
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=4, directions="none",
+    miss_weights=(1.333, 1.333, 1.333, 0.0, 0.0, 0.0), size=0.75, slacks=(1e-09, 1e-09, 7.5e-10),
+    weights=(1.0, 1.0, 1.7777777777777777), paces=(1.0, 1.0, 0.75),
+    fan_steps=(0.09817477042468103, 0.09817477042468103, 0.0125),
+    steps=("keeps limits", "clamps", "clamps far", "follows seed"), choosable=(1, 0),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -92,21 +66,13 @@ TABLE = (
     (0.0, 0.0, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (3,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -123,8 +89,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -243,30 +207,10 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 21, 16, [
     [0, 1, 2], [0, 3, 4], [5, 6, 2], [5, 7, 4],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="position",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 21, 16, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite or beyond 5e102",
-            "no_row": "the pose is out of reach",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "position", _FORMULAS))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

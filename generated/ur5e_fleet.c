@@ -34,12 +34,6 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
-
 #ifdef __CUDA_ARCH__
 __device__ static
 #endif
@@ -415,7 +409,7 @@ static const double
 DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
     dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL) == 0;
     KNOWN(wide);
@@ -480,7 +474,7 @@ DHGEN_INLINE int solve_regular(
 {
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e6 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
     KNOWN(double);
     SIGNED(four, four);
     SIGNED_TWICE(four, four);
@@ -518,13 +512,9 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 8);
     return __builtin_popcountll(0x101010101010101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_branches(solve_wide, 8, T, free_joints, q, status);
-}
 #endif
+#define DHGEN_REGULAR_ROWS 8
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,

@@ -13,8 +13,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -37,12 +35,9 @@ DOF = 6
 JOINT_TYPES = "RRRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
-    (-6.283185307179586, 6.283185307179586),
-    (-6.283185307179586, 6.283185307179586),
-    (-6.283185307179586, 6.283185307179586),
-    (-6.283185307179586, 6.283185307179586),
-    (-6.283185307179586, 6.283185307179586),
-    (-6.283185307179586, 6.283185307179586),
+    (-6.283185307179586, 6.283185307179586), (-6.283185307179586, 6.283185307179586),
+    (-6.283185307179586, 6.283185307179586), (-6.283185307179586, 6.283185307179586),
+    (-6.283185307179586, 6.283185307179586), (-6.283185307179586, 6.283185307179586),
 )
 BRANCHES = (
     "right-noflip-down", "right-noflip-up", "right-flip-down", "right-flip-up", "left-noflip-up",
@@ -51,12 +46,9 @@ BRANCHES = (
 )
 MAX_SOLUTIONS = 16
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
+
 
 # The table of the data sheet at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 NOMINAL = (
@@ -88,30 +80,17 @@ near_m4 = 1.4300283221564012e-10
 near_m5 = 1.1764705882352942  # -near_a3 * near_k6 [m^-1]
 near_m6 = 0.031534305882352925  # near_a3 * near_k5 * near_k6 - near_a2 [m]
 near1 = 0.5  # 1 / 2
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 # What arms of this kind have in common.
 _KIND = _calibrated.Kind(
     arm=_arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=16,
-        directions='rotation',
-        miss_weights=(0.762, 0.762, 0.762, 1.0, 1.0, 1.0),
-        size=1.3122999999999998,
-        clamped=1e-14,
-        clamped_again=1e-10,
-        steps=('clamps', 'winds'),
+        types=JOINT_TYPES, limits=JOINT_LIMITS, rows=16, directions="rotation",
+        miss_weights=(0.762, 0.762, 0.762, 1.0, 1.0, 1.0), size=1.3122999999999998,
+        clamped_again=1e-10, steps=("clamps", "winds"),
     ),
     table=NOMINAL,
-    convention='standard',
-    facing=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-    reach=4.000000004,
+    convention="standard", facing=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0), reach=4.000000004,
     advances=(
         (0.6, 0.8),
         (0.38461538461538464, 0.9230769230769231),
@@ -126,10 +105,6 @@ _KIND = _calibrated.Kind(
     ),
     parallel=(1,),
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 # The closed form of the nominal arm. A pose at which one of its branches may end by what the two
@@ -764,7 +739,7 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 27, 48, [
     [0, 1, 2, 3, 4, 5], [0, 6, 7, 8, 4, 5], [9, 10, 11, 12, 13, 14], [9, 15, 16, 17, 13, 14],
     [18, 19, 20, 21, 22, 23], [18, 24, 25, 26, 22, 23], [27, 28, 29, 30, 31, 32],
     [27, 33, 34, 35, 31, 32],
@@ -776,12 +751,9 @@ _CALLS = _calls.of_kind(
     _HOW,
     _calls.OwnKind(
         kind=_KIND,
-        formulas=_functions.Formulas(_formulas, 27, 48, _PLACES),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach",
-            "unit": "m",
-        },
+        formulas=_FORMULAS,
+        unit="m",
     ),
 )
 calibrated, ik_into, warm_up = _CALLS["calibrated"], _CALLS["ik_into"], _CALLS["warm_up"]
+Unreachable = _CALLS["Unreachable"]

@@ -121,14 +121,10 @@ DHGEN_TABLE double table[5][4] = {
     { 0.0, 0.03, 0.0, 1.5707963267948966 },
     { 0.0, 0.12, 0.0, 1.5707963267948966 },
 };
-
-DHGEN_PUBLIC void welding_5r_frames(const double q[5], double frames[7][16])
-{
-    static const double tool[12] = { 1.0, 0.0, 0.0, 0.02, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.1 };
-    static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        tool };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE double tool[12] = { 1.0, 0.0, 0.0, 0.02, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.1 };
+DHGEN_TABLE struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, tool
+    };
+#define DHGEN_FRAMES 7
 
 DHGEN_PUBLIC void welding_5r_fk(const double q[5], double T[16])
 {
@@ -191,9 +187,7 @@ DHGEN_FN void solve(
 {
     double (*const q)[5] = (double (*)[5])rows;
     (void)free_joints;
-    const double T13 = T[2], T14 = T[3];
-    const double T23 = T[6], T24 = T[7];
-    const double T33 = T[10], T34 = T[11];
+    DHGEN_ENTRIES(double);
 
     /* theta1, type 9: U1[3, 4] and U1[3, 3] */
     const double v1 = ex * T23, v2 = ex * T13, v3 = ez * T23 - T24, v4 = T14 - ez * T13,
@@ -319,24 +313,5 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL,
 };
 
-DHGEN_PUBLIC void welding_5r_joint_velocities(
-    const double q[5], const double twist[6], double velocities[5])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int welding_5r_ik(
-    const double T[16], const double *q_seed, double q[8][5], unsigned char status[8])
-{
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int welding_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void welding_5r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-}
+#define DHGEN_NAME(function) welding_5r_##function
+#include "dhgen/functions.h"

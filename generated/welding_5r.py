@@ -13,8 +13,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -40,11 +38,8 @@ DOF = 5
 JOINT_TYPES = "RRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5")
 JOINT_LIMITS = (
-    (-2.9670597283903604, 2.9670597283903604),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
+    (-2.9670597283903604, 2.9670597283903604), (-math.inf, math.inf), (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf),
 )
 BRANCHES = (
     "root1-elbow+", "root1-elbow-", "root2-elbow+", "root2-elbow-", "root3-elbow+", "root3-elbow-",
@@ -52,12 +47,8 @@ BRANCHES = (
 )
 MAX_SOLUTIONS = 8
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 d1 = 0.3  # joint offset 1 [m]
 a1 = 0.08  # link length 1 [m]
@@ -91,16 +82,12 @@ k4 = 0.0004  # ex^2 [m^2]
 k5 = -50.0  # -1 / ex [m^-1]
 k6 = 0.4525  # L2^2 + L3^2 [m^2]
 k7 = 2.2222222222222223  # 1 / (2 * L3 * L2) [m^-2]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
 _LINKS = _joints.Arm(
-    rows=8,
-    size=1.6,
-    coordinates=(0, 1, 2),
-    directions='pointing',
+    rows=8, size=1.6, coordinates=(0, 1, 2), directions="pointing",
     joints=(
         _joints.Joint(place=0, lowest=-2.9670597283903604, highest=2.9670597283903604),
         _joints.Joint(place=1),
@@ -117,32 +104,12 @@ _LINKS = _joints.Arm(
         _joints.ChainJoint((1.0, 0.0, 0.0, 0.02, 0.0, 0.0, -1.0, -0.1, 0.0, 1.0, 0.0, 0.12)),
     ),
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(
-            0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-            0.09817477042468103,
-        ),
-        rows=8,
-        directions='pointing',
-        miss_weights=(0.625, 0.625, 0.625, 1.0, 1.0, 1.0),
-        size=1.6,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        entries=(2, 3, 6, 7, 10, 11),
-        steps=('retries', 'keeps limits', 'completes', 'merges', 'clamps', 'follows seed'),
-        choosable=(3, 2, 1, 0),
-        root_turns=((0, 1.0),),
-        cuts=52,
-    ),
-    _joints.arm_numbers(_LINKS),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="pointing",
+    miss_weights=(0.625, 0.625, 0.625, 1.0, 1.0, 1.0), size=1.6, entries=(2, 3, 6, 7, 10, 11),
+    steps=("retries", "keeps limits", "completes", "merges", "clamps", "follows seed"),
+    choosable=(3, 2, 1, 0), root_turns=((0, 1.0),),
+), _joints.arm_numbers(_LINKS))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -153,22 +120,14 @@ TABLE = (
     (0.0, 0.12, 0.0, 1.5707963267948966),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
     tool=(1.0, 0.0, 0.0, 0.02, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.1),
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (5,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 5 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -196,8 +155,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 5): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 5 joint values")
     J = _zeros(6, 5)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     p1_x, p1_y = c1 * a1, s1 * a1
@@ -364,25 +321,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             )
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pointing",
-        counted=(True, True, True),
-        formulas=None,
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(_circle.OWN.compile_apart, _runtime("complete").compile_apart,),
-        words={
-            "no_pose": "not finite, or its z axis not of length one to six digits",
-            "no_row": "the pose is out of reach",
-            "allocates": "at every pose",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "pointing", apart=(_circle.OWN.compile_apart, _runtime("complete").compile_apart,),
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

@@ -31,12 +31,6 @@
 static const double
     free_limit = 1e-12; /* a length that fixes no angle */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2]; \
-    const number T21 = T[4]; \
-    const number T31 = T[8], T32 = T[9], T33 = T[10]
-
 #ifndef __CUDACC_RTC__
 const char *const wrist_cardan_branches[2] = {
     "noflip", "flip",
@@ -56,13 +50,8 @@ DHGEN_TABLE double table[3][6] = {
     { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 },
     { 1.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void wrist_cardan_frames(const double q[3], double frames[5][16])
-{
-    static const struct dhgen_links links = { 3, DHGEN_AXES, joints, &table[0][0], NULL, NULL, NULL
-        };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 3, DHGEN_AXES, joints, &table[0][0], NULL, NULL, NULL };
+#define DHGEN_FRAMES 5
 
 DHGEN_PUBLIC void wrist_cardan_fk(const double q[3], double T[16])
 {
@@ -96,7 +85,7 @@ DHGEN_FN void solve(
     double (*const q)[3] = (double (*)[3])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[1, 3] */
     const double w1 = sqrt(T11 * T11 + T31 * T31);
@@ -138,7 +127,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
     const dhgen_wide v1 = T11 * T11 + T31 * T31, angle1 = dhgen_atan2_wide(-T31, T11);
@@ -171,7 +160,7 @@ DHGEN_INLINE int solve_regular(
 {
     (void)free_joints;
     const dhgen_four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1 */
     const double v1 = T11 * T11 + T31 * T31, v2 = copysign(DHGEN_HALF_TURN, -T31);
@@ -202,13 +191,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 2);
     return __builtin_popcountll(0x101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[6] = { 0, 2, 4, 6, 8, 10 };
@@ -223,41 +207,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     wrist_cardan_fk, wrist_cardan_jacobian, solve,
-#ifdef WRIST_CARDAN_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void wrist_cardan_joint_velocities(
-    const double q[3], const double twist[6], double velocities[3])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int wrist_cardan_ik(
-    const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
-{
-#ifndef WRIST_CARDAN_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int wrist_cardan_ik_nearest(const double T[16], const double q_seed[3], double q[3])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void wrist_cardan_ik_batch(
-    size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef WRIST_CARDAN_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) wrist_cardan_##function
+#include "dhgen/functions.h"

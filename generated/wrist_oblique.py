@@ -14,8 +14,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -37,22 +35,12 @@ METHOD = "closed form"
 DOF = 3
 JOINT_TYPES = "RRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3")
-JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-)
-BRANCHES = (
-    "shoulder+", "shoulder-",
-)
+JOINT_LIMITS = ((-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf))
+BRANCHES = ("shoulder+", "shoulder-")
 MAX_SOLUTIONS = 2
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, doubt_limit = 9.999999999999999e-05.
 sqrt3 = 1.7320508075688772  # square root of 3
@@ -83,27 +71,12 @@ m6 = 1.0000000000000004e-12  # pose_slack1^2 [m^2]
 m7 = 3.000000000000001e-12  # 3 * pose_slack1^2 [m^2]
 m8 = 1.0000000000000002e-10  # pose_slack^2
 m9 = 6.000000000000001e-10  # 6 * pose_slack^2
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=2,
-        directions='rotation',
-        miss_weights=(10.0, 10.0, 10.0, 1.0, 1.0, 1.0),
-        size=0.1,
-        clamped=1e-14,
-        clamped_again=1e-14,
-        steps=('follows seed',),
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=2, directions="rotation",
+    miss_weights=(10.0, 10.0, 10.0, 1.0, 1.0, 1.0), size=0.1, steps=("follows seed",),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -112,21 +85,13 @@ TABLE = (
     (0.0, 0.1, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (3,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 3 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     v1, y1_y, z1_x = s1 * k1, c1 * k1, s1 * f2
@@ -150,8 +115,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 3 joint values")
     J = _zeros(6, 3)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     z1_x, v1 = s1 * f2, c1 * f2
@@ -365,30 +328,10 @@ def _formulas(kept, turns, rows, w):
 
 
 # Where in rows the joint values of each row are.
-_PLACES = np.array([
+_FORMULAS = _functions.Formulas(_formulas, 19, 16, [
     [0, 1, 2], [3, 4, 5],
 ])
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=_functions.Formulas(_formulas, 19, 16, _PLACES),
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach, or one that 3 joints can't take",
-            "allocates": "only where a pose is singular or rounded",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose", _FORMULAS))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

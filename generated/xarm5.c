@@ -52,12 +52,6 @@ static const double
     k1 = 0.20711584560000001, /* a2^2 + a3^2 [m^2] */
     k2 = 4.918543046385274; /* 1 / (2 * a3 * a2) [m^-2] */
 
-/* Entries of a pose by their names. */
-#define ENTRIES(number) \
-    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
-    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
-    const number T31 = T[8], T33 = T[10], T34 = T[11]
-
 #ifndef __CUDACC_RTC__
 const char *const xarm5_branches[4] = {
     "back-down", "back-up", "front-up", "front-down",
@@ -81,13 +75,9 @@ DHGEN_TABLE double table[5][4] = {
     { -1.3482663962455592, 0.0, 0.076, -1.5707963267948966 },
     { 0.0, 0.097, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void xarm5_frames(const double q[5], double frames[7][16])
-{
-    static const struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 5, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 7
 
 DHGEN_PUBLIC void xarm5_fk(const double q[5], double T[16])
 {
@@ -147,7 +137,7 @@ DHGEN_FN void solve(
     double (*const q)[5] = (double (*)[5])rows;
     (void)free_joints;
     (void)moved;
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4], so theta1 = atan2(T24, T14) or half a turn from it. Where both are
      * small, U1[3, 3] says more: its vector, along the same line, is added */
@@ -283,7 +273,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind)
 {
     (void)free_joints;
-    ENTRIES(dhgen_wide);
+    DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
     const dhgen_wide sigma1 = dhgen_signed_wide(second_weight, T14 * T13 + T24 * T23),
@@ -396,7 +386,7 @@ DHGEN_INLINE int solve_regular(
     (void)free_joints;
     const dhgen_four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const dhgen_four e3 = { 1.0, -1.0, 1.0, -1.0 };
-    ENTRIES(double);
+    DHGEN_ENTRIES(double);
 
     /* theta1 */
     const double sigma1 = copysign(second_weight, T14 * T13 + T24 * T23),
@@ -475,13 +465,8 @@ DHGEN_INLINE int solve_regular(
     __builtin_memcpy(status, &kind1, 4);
     return __builtin_popcountll(0x1010101ull & ~none1);
 }
-#else
-DHGEN_FN int solve_regular(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_one(solve_wide, T, free_joints, q, status);
-}
 #endif
+#include "dhgen/one_pose.h"
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
@@ -496,40 +481,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL, NULL,
     NULL, NULL,
     xarm5_fk, xarm5_jacobian, solve,
-#ifdef XARM5_PLAIN
-    NULL,
-#else
-    solve_regular,
-#endif
+    DHGEN_SOLVE_REGULAR,
 };
 
-DHGEN_PUBLIC void xarm5_joint_velocities(
-    const double q[5], const double twist[6], double velocities[5])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int xarm5_ik(
-    const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
-{
-#ifndef XARM5_PLAIN
-    const int count = solve_regular(T, NULL, &q[0][0], status);
-    if (count >= 0)
-        return count;
-#endif
-    return dhgen_careful_ik(&arm, T, NULL, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int xarm5_ik_nearest(const double T[16], const double q_seed[5], double q[5])
-{
-    return dhgen_ik_nearest(&arm, T, NULL, q_seed, q);
-}
-
-DHGEN_PUBLIC void xarm5_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-#ifndef XARM5_PLAIN
-    dhgen_ik_batch(&arm, solve_wide, 0, n, T, NULL, q, status);
-#else
-    dhgen_ik_each(&arm, 0, n, T, NULL, q, status);
-#endif
-}
+#define DHGEN_NAME(function) xarm5_##function
+#include "dhgen/functions.h"

@@ -13,8 +13,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -36,12 +34,8 @@ DOF = 6
 JOINT_TYPES = "RRRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6")
 JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf),
 )
 BRANCHES = (
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
@@ -49,12 +43,8 @@ BRANCHES = (
 )
 MAX_SOLUTIONS = 16
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 d1 = 0.267  # z of axis 2 [m]
 b2 = 0.0535  # x of axis 3 [m]
@@ -63,16 +53,12 @@ a3 = 0.0775  # x of axis 4 [m]
 d4 = 0.3425  # z of axis 5 [m]
 a5 = 0.076  # x of axis 6 [m]
 d6 = 0.097  # z of the home pose [m]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
 _LINKS = _joints.Arm(
-    rows=16,
-    size=1.149486614543747,
-    coordinates=(0, 1, 2),
-    directions='rotation',
+    rows=16, size=1.149486614543747, coordinates=(0, 1, 2), directions="rotation",
     joints=(
         _joints.Joint(place=0),
         _joints.Joint(place=1),
@@ -87,33 +73,18 @@ _LINKS = _joints.Arm(
         _joints.ChainJoint((1.0, 0.0, 0.0, 0.2845, 0.0, 1.0, 0.0, 0.0535, 0.0, 0.0, 1.0, 0.0)),
         _joints.ChainJoint((0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0775, 0.0, 1.0, 0.0, 0.0)),
         _joints.ChainJoint(
-            after=(0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, -0.3425),
-            sign=-1.0,
+            after=(0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, -0.3425), sign=-1.0,
         ),
         _joints.ChainJoint((0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.076, 0.0, 1.0, 0.0, 0.0)),
         _joints.ChainJoint(
-            after=(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.097),
-            sign=-1.0,
+            after=(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.097), sign=-1.0,
         ),
     ),
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=16,
-        directions='rotation',
-        miss_weights=(0.87, 0.87, 0.87, 1.0, 1.0, 1.0),
-        size=1.149486614543747,
-        clamped=1e-14,
-        clamped_again=1e-10,
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=16, directions="rotation",
+    miss_weights=(0.87, 0.87, 0.87, 1.0, 1.0, 1.0), size=1.149486614543747, clamped_again=1e-10,
+))
 
 # The axes at q = 0: a unit vector along each, and a point of it [m].
 AXES = (
@@ -125,22 +96,14 @@ AXES = (
     (0.0, 0.0, -1.0, 0.20700000000000002, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=AXES,
-    convention="axes",
+    types=JOINT_TYPES, table=AXES, convention="axes",
     tool=(1.0, 0.0, 0.0, 0.20700000000000002, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.11199999999999996),
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     T = _zeros(4, 4)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -169,8 +132,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 6 joint values")
     J = _zeros(6, 6)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
     c2, s2 = math.cos(q[1]), math.sin(q[1])
@@ -215,8 +176,7 @@ def jacobian(q):
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
-    size=0.3623534292370541,
-    reach=4.000000004,
+    size=0.3623534292370541, reach=4.000000004,
     links=(
         _loops.Link((
             0.9230769230769231, 0.38461538461538464, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
@@ -254,13 +214,8 @@ _LOOP = _loops.Loop(
         _loops.Formulation(joints=(0, 1, 2, 3, 4, 5), sign=1.0),
     ),
     wrist=_loops.Wrist(
-        shoulder=7.368497484792287e-10,
-        wrist=-0.0,
-        upper=0.7989067887484044,
-        lower=0.9691057615426545,
-        cosine=-0.9753422209915128,
-        sine=-0.22069787482289702,
-        flip=1.0,
+        shoulder=7.368497484792287e-10, wrist=-0.0, upper=0.7989067887484044,
+        lower=0.9691057615426545, cosine=-0.9753422209915128, sine=-0.22069787482289702, flip=1.0,
         sources=(
             0.0, 1.0, 0.7851450463681914, 0.1476459050288163, -0.945209765838684,
             0.21387958205108903, 0.0, 1.0,
@@ -269,7 +224,7 @@ _LOOP = _loops.Loop(
 )
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
 _all_joints = _runtime("general.rows").all_joints
-_NO_FREE = np.zeros(0)
+_NO_FREE = _runtime("arrays").NONE_GIVEN
 
 
 @_HOW.apart(_arms.SOLVES)
@@ -278,25 +233,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     _all_joints(_NUMBERS, pose, _NO_FREE, seed, q, status)
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=None,
-        kinematics=(fk, jacobian),
-        given=0,
-        apart=(_whole.compile_apart,),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)",
-            "no_row": "the pose is out of reach",
-            "allocates": "at every pose",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "pose", apart=(_whole.compile_apart,), at_once=True,
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

@@ -158,13 +158,9 @@ DHGEN_TABLE double table[7][4] = {
     { 0.0, 0.0, 0.076, -1.5707963267948966 },
     { 0.0, 0.097, 0.0, 0.0 },
 };
-
-DHGEN_PUBLIC void xarm7_frames(const double q[7], double frames[9][16])
-{
-    static const struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL,
-        NULL };
-    dhgen_frames(&links, q, frames);
-}
+DHGEN_TABLE struct dhgen_links links = { 7, DHGEN_STANDARD, joints, &table[0][0], NULL, NULL, NULL
+    };
+#define DHGEN_FRAMES 9
 
 DHGEN_PUBLIC void xarm7_fk(const double q[7], double T[16])
 {
@@ -257,27 +253,6 @@ DHGEN_TABLE struct dhgen_arm arm = {
     NULL,
 };
 
-DHGEN_PUBLIC void xarm7_joint_velocities(
-    const double q[7], const double twist[6], double velocities[7])
-{
-    dhgen_joint_velocities(&arm, q, twist, velocities);
-}
-
-DHGEN_PUBLIC int xarm7_ik(
-    const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
-    unsigned char status[16])
-{
-    return dhgen_careful_ik(&arm, T, free_joints, q_seed, &q[0][0], status);
-}
-
-DHGEN_PUBLIC int xarm7_ik_nearest(
-    const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
-{
-    return dhgen_ik_nearest(&arm, T, free_joints, q_seed, q);
-}
-
-DHGEN_PUBLIC void xarm7_ik_batch(
-    size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    dhgen_ik_each(&arm, 0, n, T, free_joints, q, status);
-}
+#define DHGEN_CALLER_GIVES 1
+#define DHGEN_NAME(function) xarm7_##function
+#include "dhgen/functions.h"

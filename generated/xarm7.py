@@ -13,8 +13,6 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-import numpy as np
-
 # The runtime that lies beside this file, by whatever name this is imported, and no other one: it is
 # in a package named after the folder. A dot in a name would be one between packages.
 _BESIDE = str(Path(__file__).resolve().parent)
@@ -36,13 +34,8 @@ DOF = 7
 JOINT_TYPES = "RRRRRRR"
 JOINT_NAMES = ("joint1", "joint2", "joint3", "joint4", "joint5", "joint6", "joint7")
 JOINT_LIMITS = (
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
-    (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf),
+    (-math.inf, math.inf), (-math.inf, math.inf), (-math.inf, math.inf),
 )
 BRANCHES = (
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
@@ -51,12 +44,8 @@ BRANCHES = (
 MAX_SOLUTIONS = 16
 FREE_JOINTS = (3,)  # from 1: the caller gives their values
 
-# What a row of ik_all holds.
-OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
-OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
-INVALID_POSE = 4  # NaN: T is not a valid pose, or a free joint's value is not finite
+# What a row of ik_all holds, see there.
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 d1 = 0.267  # joint offset 1 [m]
 d3 = 0.293  # joint offset 3 [m]
@@ -67,16 +56,12 @@ a6 = 0.076  # link length 6 [m]
 d7 = 0.097  # joint offset 7 [m]
 offset1 = 3.141592653589793  # offset of joint 1 [rad]
 offset2 = 3.141592653589793  # offset of joint 2 [rad]
-turn = 2.0 * math.pi  # [rad]
-half_turn = 0.5 * turn
+turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _joints = _runtime("numerical.arm")
 # The joints, what the task names, and the forward model with all links.
 _LINKS = _joints.Arm(
-    rows=16,
-    size=1.2055000000000002,
-    coordinates=(0, 1, 2),
-    directions='rotation',
+    rows=16, size=1.2055000000000002, coordinates=(0, 1, 2), directions="rotation",
     joints=(
         _joints.Joint(place=0, zero=3.141592653589793),
         _joints.Joint(place=1, zero=3.141592653589793),
@@ -103,24 +88,11 @@ _LINKS = _joints.Arm(
     ),
     free=(2,),
 )
-_ARM = _arms.arm_numbers(
-    _arms.Arm(
-        types=JOINT_TYPES,
-        limits=JOINT_LIMITS,
-        slacks=(1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09),
-        weights=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-        paces=(1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0),
-        fan_steps=(),
-        rows=16,
-        directions='rotation',
-        miss_weights=(0.8295, 0.8295, 0.8295, 1.0, 1.0, 1.0),
-        size=1.2055000000000002,
-        clamped=1e-14,
-        clamped_again=1e-10,
-        given=(2,),
-    ),
-)
-
+_ARM = _arms.arm_numbers(_arms.Arm(
+    types=JOINT_TYPES, limits=JOINT_LIMITS, rows=16, directions="rotation",
+    miss_weights=(0.8295, 0.8295, 0.8295, 1.0, 1.0, 1.0), size=1.2055000000000002,
+    paces=(1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0), clamped_again=1e-10, given=(2,),
+))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
 TABLE = (
@@ -133,21 +105,13 @@ TABLE = (
     (0.0, 0.097, 0.0, 0.0),
 )
 frames = _runtime("frames").frames_of(
-    types=JOINT_TYPES,
-    table=TABLE,
-    convention="standard",
+    types=JOINT_TYPES, table=TABLE, convention="standard",
 )
-
-
-class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the message says which."""
 
 
 @_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (7,)."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 7 joint values")
     T = _zeros(4, 4)
     v1 = q[0] + offset1
     c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
@@ -180,8 +144,6 @@ def fk(q):
 @_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 7): velocity of the tool's origin, then angular velocity."""
-    if len(q) != DOF:
-        raise ValueError("q must hold 7 joint values")
     J = _zeros(6, 7)
     v1 = q[0] + offset1
     c1, s1, v2 = math.cos(v1), math.sin(v1), q[1] + offset2
@@ -231,8 +193,7 @@ def jacobian(q):
 _loops, _whole = _runtime("general.arm"), _runtime("general.compiled")
 # The arm as a loop J(q1) K0 J(q2) ... K4 J(q6) = L T R, and how it is solved.
 _LOOP = _loops.Loop(
-    size=0.3664432918882389,
-    reach=4.000000004,
+    size=0.3664432918882389, reach=4.000000004,
     links=(
         _loops.Link((
             0.38461538461538464, -0.9230769230769231, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0,
@@ -242,9 +203,7 @@ _LOOP = _loops.Loop(
             first=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0),
             inside=(
                 _loops.Inside(
-                    given=0,
-                    slides=False,
-                    factor=1.0,
+                    given=0, slides=False, factor=1.0,
                     after=(
                         0.47058823529411764, -0.8823529411764706, 0.0, 0.14326909828113846, 0.0,
                         0.0, -1.0, 0.0, 0.8823529411764706, 0.47058823529411764, 0.0,
@@ -292,26 +251,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     _all_joints(_NUMBERS, pose, q_free, seed, q, status)
 
 
-_CALLS = _functions.of_robot(
-    globals(),
-    _HOW,
-    _functions.Solver(
-        arm=_ARM,
-        robot=_HOW.addresses("_solve", "fk", "jacobian", None, None),
-        task="pose",
-        counted=(True, True, True),
-        formulas=None,
-        kinematics=(fk, jacobian),
-        given=1,
-        apart=(_whole.compile_apart,),
-        words={
-            "no_pose": "not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the value of a free joint not finite",
-            "no_row": "the pose is out of reach",
-            "allocates": "at every pose",
-            "given": "Values of the joints 3",
-        },
-    ),
-)
-ik, ik_all, ik_batch = _CALLS["ik"], _CALLS["ik_all"], _CALLS["ik_batch"]
-ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
-joint_velocities = _CALLS["joint_velocities"]
+_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(
+    _ARM, "pose", given=1, apart=(_whole.compile_apart,), at_once=True,
+))
+ik, ik_all, ik_batch, ik_into, joint_velocities, warm_up, Unreachable = _functions.public(_CALLS)

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from dhgen.parallel.robot import inverse
 from dhgen.program.regular.flatten import flatten
-from dhgen.targets.c.entries import entry_lines
 from dhgen.targets.c.files import LONGEST
+from dhgen.targets.c.language import entry_lines
 from dhgen.targets.c.regular import best_lanes
 from dhgen.targets.c.table import c_table
 from dhgen.targets.c.texts import local_constants

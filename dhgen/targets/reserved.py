@@ -20,7 +20,7 @@ given_shares half held here high i inner inside is_open j joints k kept kind kno
 least least_u left length links lost low many measure middle miss most most_u motions moved moves n
 named nearby nearby_count nearest nearest_angles nearest_arm nearest_links NEARLY nearly next NONE
 off other others outer over overshoot own P p pace part past place plane_miss pulled reached
-residual rest result right rows s search seen served serves settled slope solve_certain
+residual rest result right row_kinds rows s search seen served serves settled slope solve_certain
 solve_regular solved solves span_low span_width special spin square stands start step steps stride
 sum sum_factors sum_highest sum_lowest sum_slacks table there third to together tool top towards
 tried turn_moves turned_drives turning turns twist u unit valid value values velocities w way
@@ -28,7 +28,7 @@ weights why within worst wrist x xx xy y yy z zero zeros zz
 """
 
 _LANES = """
-APART beyond ENTRIES exceeds four from grazes irregularity_four irregularity_wide kind KNOWN
+APART beyond exceeds four from grazes irregularity_four irregularity_wide kind KNOWN
 maximum_double MOTION odd SIGNED SIGNED_TWICE size solve_wide TURNS wide word
 """
 

@@ -128,14 +128,14 @@ def _cached(module: ModuleType) -> list[tuple[str, Path, Path]]:
     First the module itself, which has no place, then the files of its runtime after the folders
     that they lie in; nothing without numba.
     """
-    seeded = vars(module)["_CALLS"]["seeded"]
-    if config is None or not hasattr(seeded, "stats"):
+    known = vars(module)["_CALLS"]["velocities_at"]  # a text of the runtime that all robots have
+    if config is None or not hasattr(known, "stats"):
         return []
     path = Path(str(module.__file__)).resolve()
-    runtime = Path(seeded.py_func.__code__.co_filename).parent
+    runtime = Path(known.py_func.__code__.co_filename).parent
     found = [("", path)]
     found += [(_place(text, runtime), text) for text in sorted(runtime.rglob("*.py"))]
-    in_tree = Path(str(seeded.stats.cache_path)) == runtime / "__pycache__"
+    in_tree = Path(str(known.stats.cache_path)) == runtime / "__pycache__"
     kept, config.CACHE_DIR = config.CACHE_DIR, "" if in_tree else config.CACHE_DIR
     try:
         return [(place, text, _folder(text)) for place, text in found]

@@ -81,7 +81,7 @@ DHGEN_FN int dhgen_is_coupled(const struct dhgen_coupling *coupling, int drive)
 
 /* The solution nearest to a seed, of an arm whose drives are coupled. Returns its status, or minus
  * what is wrong. */
-DHGEN_FN int dhgen_coupled_nearest(const struct dhgen_arm *arm, const double *T,
+DHGEN_FN int dhgen_coupled_ik_nearest(const struct dhgen_arm *arm, const double *T,
     const double *free_joints, const double *q_seed, double *q)
 {
     double rows[DHGEN_BRANCHES * DHGEN_JOINTS], least = HUGE_VAL;
@@ -112,14 +112,17 @@ DHGEN_FN int dhgen_coupled_nearest(const struct dhgen_arm *arm, const double *T,
 }
 
 /* All solutions of many poses, of an arm whose drives are coupled. */
-DHGEN_FN void dhgen_coupled_each(const struct dhgen_arm *arm, size_t n, const double *T,
-    const double *free_joints, double *q, unsigned char *status)
+DHGEN_FN void dhgen_coupled_ik_each(const struct dhgen_arm *arm, size_t k, size_t n,
+    const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     const size_t rows = (size_t)dhgen_rows(arm), size = rows * (size_t)dhgen_dof(arm);
-    for (size_t k = 0; k < n; k++) {
+    for (; k < n; k++) {
         const double *const given = free_joints ? free_joints + (size_t)arm->given * k : NULL;
         (void)dhgen_coupled_ik(arm, T + 16 * k, given, NULL, q + size * k, status + rows * k);
     }
 }
+
+/* What a robot's public functions do. */
+#define DHGEN_DO(function) dhgen_coupled_##function
 
 #endif

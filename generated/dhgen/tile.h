@@ -8,6 +8,9 @@
 #include "ik.h"
 #include "lanes.h"
 
+#undef DHGEN_SOLVE_REGULAR
+#define DHGEN_SOLVE_REGULAR solve_regular
+
 /* Joint values, NaN without a solution, statuses, and whether a pose needs care. */
 typedef dhgen_wide_mask dhgen_solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind);
@@ -102,14 +105,6 @@ DHGEN_INLINE int dhgen_solve_branches(dhgen_solve_wide *solve_wide, int rows, co
         count += kind[row] == DHGEN_OK;
     }
     return count;
-}
-
-/* One regular pose. Returns how many rows are OK, or -1 if it needs care. */
-DHGEN_ALWAYS
-DHGEN_INLINE int dhgen_solve_one(dhgen_solve_wide *solve_wide, const double *T,
-    const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_solve_branches(solve_wide, DHGEN_ROWS, T, free_joints, q, status);
 }
 
 /* All solutions of the poses of a batch. */

@@ -7,6 +7,7 @@ the order of SOLVE ...: what calls them is compiled once for all robots.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -30,6 +31,7 @@ from .places import (
     ROOT_TURNS,
     TOGETHER,
 )
+from .tolerances import LIMIT, MERGE
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -80,6 +82,10 @@ STEPS = (
     "follows seed",  # where rounding can't tell solutions apart
 )
 
+# Of an angle: by what it may miss its limits, its weight, its pace and its step where it is free.
+OF_ANGLES = (LIMIT, 1.0, 1.0, math.pi / 32)
+CLAMPED_WITHIN = MERGE
+
 
 @dataclass(frozen=True, slots=True)
 class Arm:
@@ -88,14 +94,15 @@ class Arm:
     Attributes:
         types: R or P for every joint.
         limits: Of every joint, infinite where it has none [rad or length].
-        slacks: By what its value may miss them.
-        weights: Of squared differences of its values.
-        paces: What a step of one means in refining; 0 if the caller gives the value.
-        fan_steps: From one value to the next where it is free; may be left out where none is.
         rows: How many branches there are.
         directions: What a pose names besides coordinates: one of `places.NAMES`.
         miss_weights: What the entries of a miss count, first the translation's.
         size: Of the arm.
+        slacks: By what a joint's value may miss its limits; here and below for every joint, or left
+            out where all are what they are for angles.
+        weights: Of squared differences of its values.
+        paces: What a step of one means in refining; 0 if the caller gives the value.
+        fan_steps: From one value to the next where it is free.
         clamped: A joint is clamped to a limit if the pose is missed by so much more at most.
         clamped_again: And where no row is inside limits then.
         entries: Places of a pose's entries that are asked then.
@@ -109,23 +116,23 @@ class Arm:
 
     types: str
     limits: Sequence[tuple[float, float]]
-    slacks: tuple[float, ...]
-    weights: tuple[float, ...]
-    paces: tuple[float, ...]
-    fan_steps: tuple[float, ...]
     rows: int
     directions: str
     miss_weights: tuple[float, ...]
     size: float
-    clamped: float
-    clamped_again: float
+    slacks: tuple[float, ...] = ()
+    weights: tuple[float, ...] = ()
+    paces: tuple[float, ...] = ()
+    fan_steps: tuple[float, ...] = ()
+    clamped: float = CLAMPED_WITHIN
+    clamped_again: float = CLAMPED_WITHIN
     entries: tuple[int, ...] = ()
     steps: tuple[str, ...] = ()
     given: tuple[int, ...] = ()
     choosable: tuple[int, ...] = ()
     together: tuple[int, ...] = ()
     root_turns: tuple[tuple[int, float], ...] = ()
-    cuts: int = 0
+    cuts: int = 52
 
 
 def arm_numbers(
@@ -170,8 +177,9 @@ def arm_numbers(
     )
     for at, places in lists:
         numbers[at : at + 1 + len(places)] = len(places), *places
-    steps = arm.fan_steps or (0.0,) * len(arm.types)
-    records = zip(arm.types, arm.limits, arm.slacks, arm.weights, arm.paces, steps, strict=True)
+    columns = zip((arm.slacks, arm.weights, arm.paces, arm.fan_steps), OF_ANGLES, strict=True)
+    filled = (column or (usual,) * len(arm.types) for column, usual in columns)
+    records = zip(arm.types, arm.limits, *filled, strict=True)
     for joint, (kind, (low, high), slack, weight, pace, step) in enumerate(records):
         at = JOINTS + RECORD * joint
         numbers[at : at + RECORD] = (

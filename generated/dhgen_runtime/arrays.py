@@ -13,6 +13,8 @@ Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 Bytes = NDArray[np.uint8]
 
+NONE_GIVEN = np.zeros(0)  # of values that the caller gives
+
 OWN = of_file(__file__)
 
 

@@ -7,6 +7,7 @@ import functools
 import os
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -119,6 +120,7 @@ def of_joints(how: Compiling, dof: int) -> Callable[[Callable[[Any], Any]], Call
         how: How the functions of the robot's file are compiled.
         dof: How many joint values.
     """
+    wrong = f"q must hold {dof} joint values"
 
     def decorate(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
         @functools.wraps(function)
@@ -126,6 +128,8 @@ def of_joints(how: Compiling, dof: int) -> Callable[[Callable[[Any], Any]], Call
             return of_each(compiled, q, dof)
 
         def inner(q: Any) -> Any:  # noqa: ANN401
+            if len(q) != dof:
+                raise ValueError(wrong)
             return compiled(q)
 
         # Of functions of one name in one module numba takes one for the other when both are cached.
@@ -182,3 +186,10 @@ def share(solve: Callable[..., None], cores: int | None, *arrays: NDArray[Any]) 
             list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
     else:
         solve(*arrays)
+
+
+def again(function: Any, names: dict[str, Any]) -> FunctionType:  # noqa: ANN401
+    """A function once more, with other values of what it names."""
+    made = FunctionType(function.__code__, names, function.__name__, function.__defaults__)
+    made.__kwdefaults__ = function.__kwdefaults__
+    return made

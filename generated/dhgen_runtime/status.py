@@ -8,6 +8,7 @@ UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row h
 FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
 OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
 INVALID_POSE = 4  # NaN: not a valid pose, or a value that the caller gives is not finite
+PUBLIC = OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE
 
 # Of solvers only:
 CLOSE = 64  # roots nearly meet: the row may lie between two solutions

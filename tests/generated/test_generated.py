@@ -171,14 +171,15 @@ def test_singular_poses(name: str, language: str) -> None:
 CLEAN = """
 import importlib
 import sys
+import numpy as np
 sys.path.insert(0, ".")
 for name in sys.argv[1:]:
     robot = importlib.import_module(name)
-    q = robot.np.full(robot.DOF, 0.3)
+    q = np.full(robot.DOF, 0.3)
     free = [q[[joint - 1 for joint in robot.FREE_JOINTS]]] if hasattr(robot, "FREE_JOINTS") else []
-    free = [robot.np.array([robot.arm_angle(q)])] if hasattr(robot, "arm_angle") else free
+    free = [np.array([robot.arm_angle(q)])] if hasattr(robot, "arm_angle") else free
     rows, status = robot.ik_all(robot.fk(q), *free)
-    held = rows[~robot.np.isnan(rows).any(axis=1)]
+    held = rows[~np.isnan(rows).any(axis=1)]
     assert len(held) and len(robot.jacobian(q)) == 6, (name, status)
 others = [name for name in sys.modules if name.split(".")[0] in ("dhgen", "sympy", "jinja2")]
 assert not others, others

@@ -155,7 +155,7 @@ def test_a_check_that_is_left_out(
 
 
 def test_what_does_not_compile(compilation: Compilation, tmp_path: Path) -> None:
-    text = compilation.files[f"{NAME}.c"].replace("return count;", "return counted;")
+    text = compilation.files[f"{NAME}.c"].replace("T[15] = 1.0;", "T[15] = counted;")
     folder = written(compilation, tmp_path, f"{NAME}.c", text)
     with pytest.raises(VerificationError, match=f"{NAME}.c does not compile:(.|\n)*counted"):
         verify(compilation.module, folder)
@@ -163,7 +163,7 @@ def test_what_does_not_compile(compilation: Compilation, tmp_path: Path) -> None
 
 def test_what_only_warns(compilation: Compilation, tmp_path: Path) -> None:
     text = compilation.files[f"{NAME}.c"].replace(
-        "const int count = ", "const int unused = 1, count = "
+        "const int row = ", "const int unused = 1, row = "
     )
     folder = written(compilation, tmp_path, f"{NAME}.c", text)
     with pytest.raises(VerificationError, match="unused"):

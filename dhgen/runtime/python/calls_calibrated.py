@@ -16,6 +16,7 @@ import numpy as np
 
 from .arguments import BYTE, FLOAT, array_of, demand_array, of_each, results
 from .arm import SOLVES, descents_of
+from .arrays import NONE_GIVEN
 from .calibrated import (
     JOINTS,
     TAKEN,
@@ -27,8 +28,8 @@ from .calibrated import (
 )
 from .calibration import LEFT, MOVED, NUMBERS, RIGHT, TURNED, calibration_of
 from .careful import careful_ik
-from .entry import Choice, demand_filled, poses_of, share
-from .functions import again, compilers_of
+from .entry import Choice, again, demand_filled, poses_of, share
+from .functions import compilers_of, unreachable
 from .general.compiled import compile_apart as compile_general
 from .general.near import fill_corrected, filled_of, near_pose
 from .general.postures import place_rows, posture_of
@@ -40,6 +41,7 @@ from .serial import OWN as SERIAL
 from .serial import serial_jacobian, serial_pose
 from .status import INVALID_POSE, UNREACHABLE
 from .velocities import find_velocities
+from .words import no_pose, no_row
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -51,8 +53,6 @@ if TYPE_CHECKING:
     from .calibrated import Kind
     from .functions import Formulas
     from .jit import Compiling
-
-NONE_GIVEN = np.zeros(0)
 
 # Of the kind:
 ROWS: int
@@ -334,12 +334,12 @@ class OwnKind:
     Attributes:
         kind: What its arms have in common.
         formulas: The nominal arm at regular poses.
-        words: What messages say: no_pose, no_row, and the unit of lengths.
+        unit: Of lengths.
     """
 
     kind: Kind
     formulas: Formulas
-    words: Mapping[str, str]
+    unit: str
 
 
 def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str, Any]:
@@ -350,20 +350,20 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
         how: How the functions of its file are compiled.
         own: What is its own.
     """
-    rows, texts, words = module["MAX_SOLUTIONS"], globals(), own.words
+    rows, texts = module["MAX_SOLUTIONS"], globals()
+    said = no_pose(module, "pose"), no_row(module, "pose", (True,) * 3), unreachable(module)
     kind, blank = kind_numbers(own.kind), blank_numbers(own.kind)
     names = {
         **texts,
-        "places": own.formulas.places,
+        "places": own.formulas.table,
         "ROWS": rows,
         "ALL_NUMBERS": len(blank),
         "shapes": f"T, q and status must have shapes (4, 4), ({rows}, {JOINTS}), ({rows},)",
-        "unit": words["unit"],
+        "unit": own.unit,
         "__name__": module["__name__"],
     }
 
     def choice(arm: Floats) -> Choice:
-        said = words["no_pose"], words["no_row"], module["Unreachable"]
         return Choice(arm, module["BRANCHES"], *said)
 
     def worked_out(table: Floats) -> tuple[Floats, int]:
@@ -384,9 +384,9 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
                 nominal arm do, which has a closed form of its own. The message says where.
         """
         own_table = array_of(table, (JOINTS, 4), "table").copy()
-        arm, said = worked_out(own_table)
-        if said != TAKEN:
-            raise ValueError(refusal(kind, blank, own_table, said, words["unit"]))
+        arm, fault = worked_out(own_table)
+        if fault != TAKEN:
+            raise ValueError(refusal(kind, blank, own_table, fault, own.unit))
         return CalibratedArm(own_table, arm, names)
 
     def warm_up() -> None:
@@ -421,5 +421,11 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
     overload(names["ik_into"], strict=False)(lambda *_, **__: names["compiled_into"])
     calibrated.__module__ = module["__name__"]
     calibrated.__qualname__ = "calibrated"  # by which arms are pickled
-    names.update(choice=choice, worked_out=worked_out, calibrated=calibrated, warm_up=warm_up)
+    names.update(
+        choice=choice,
+        Unreachable=said[-1],
+        worked_out=worked_out,
+        calibrated=calibrated,
+        warm_up=warm_up,
+    )
     return names

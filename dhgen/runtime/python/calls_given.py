@@ -146,7 +146,11 @@ def ik_all(
 ) -> tuple[FloatArray, Statuses]:
     """All solutions: q ({ROWS}, {DOF}) and status ({ROWS},).
 
-    Row b is always branch BRANCHES[b].
+    Row b is always branch BRANCHES[b]. It holds joint values where its status is OK, OUT_OF_LIMITS
+    (at least one is beyond its limits) or FREE_JOINT (a joint was indeterminate and took the seed's
+    value, or one near it), and NaN where that is UNREACHABLE (no solution in this branch, or one
+    that an earlier row holds) or INVALID_POSE (T is not a valid pose, or q_free is
+    not finite).
 
     Args:
         T: Pose (4, 4).

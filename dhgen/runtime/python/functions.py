@@ -5,10 +5,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from . import (
+    at_once,
     calls,
     calls_given,
     careful,
@@ -25,12 +27,13 @@ from . import (
     velocities,
 )
 from .arguments import of_each
-from .entry import Choice
+from .entry import Choice, again
 from .jit import COMPILED, overload
 from .places import CLAMPS, COUPLING, FOLLOWS_SEED, KEEPS_LIMITS, MERGES, PER_LENGTH, RETRIES
+from .words import no_pose, no_row, what_is_given
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Mapping, Sequence
 
     from .arrays import Floats, Ints
     from .jit import Compiling
@@ -43,6 +46,10 @@ APART = (
     (follow_seed, (FOLLOWS_SEED,)),
     (retry, (RETRIES, KEEPS_LIMITS)),
 )
+# Of a robot's module: what the runtime calls by address, in this order, and functions of joints.
+CALLED = ("_solve", "fk", "jacobian", "arm_angle", "_arm_angle_miss")
+OF_JOINTS = ("fk", "jacobian", "arm_angle")
+ALWAYS = "at every pose"
 PUBLIC = ("ik", "ik_all", "ik_batch", "ik_into", "joint_velocities", "warm_up")
 
 
@@ -60,7 +67,12 @@ class Formulas:
     run: Callable[..., None]
     kept: int
     turns: int
-    places: Ints
+    places: Sequence[Sequence[int]]
+
+    @property
+    def table(self) -> Ints:
+        """The places as an array."""
+        return np.array(self.places)
 
     def names(self, given: int) -> dict[str, Any]:
         """What functions that call them name.
@@ -68,11 +80,11 @@ class Formulas:
         Args:
             given: How many values the caller gives.
         """
-        statuses = int(self.places.max()) + 1
+        statuses = int(self.table.max()) + 1
         filled = statuses + len(self.places)
         return {
             "formulas": self.run,
-            "places": self.places,
+            "places": self.table,
             "KEPT": self.kept,
             "TURNS": self.turns,
             "FILLED": filled,
@@ -90,26 +102,21 @@ class Solver:
 
     Attributes:
         arm: The arm's numbers.
-        robot: The functions that the runtime calls, by their addresses.
         task: What counts of a pose beside coordinates, by the names of functions in `pose`.
-        counted: Which coordinates a pose names.
         formulas: Of regular poses; None where there are none.
-        kinematics: Functions of joint values, fk first.
+        counted: Which coordinates a pose names.
         given: How many values the caller gives besides the pose.
         apart: Functions that compile what stands apart in a file, one for each.
-        words: What messages and docstrings say of the robot: no_pose, no_row, allocates, and
-            `given` of values that the caller gives.
+        at_once: Whether it is solved for all joints at once.
     """
 
     arm: Floats
-    robot: Callable[[], tuple[int, ...]]
-    task: str
-    counted: tuple[bool, bool, bool]
-    formulas: Formulas | None
-    kinematics: tuple[Callable[[Any], Any], ...]
-    given: int
-    apart: tuple[Callable[[], None], ...]
-    words: Mapping[str, str]
+    task: str = "pose"
+    formulas: Formulas | None = None
+    counted: tuple[bool, bool, bool] = (True, True, True)
+    given: int = 0
+    apart: tuple[Callable[[], None], ...] = ()
+    at_once: bool = False
 
 
 def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[str, Any]:
@@ -121,19 +128,25 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
         solver: What is the robot's own.
     """
     dof, rows, given = robot["DOF"], robot["MAX_SOLUTIONS"], solver.given
-    public, words = vars(calls_given if given else calls), solver.words
-    texts = {**vars(velocities), **vars(tiles), **vars(one_pose), **public}
+    texts = {**vars(velocities), **vars(tiles), **vars(one_pose)}
+    texts |= vars(calls_given if given else calls)
     facts = {
-        **words,
+        "given": what_is_given(robot) if given else "",
+        "allocates": "only where a pose is singular or rounded" if solver.formulas else ALWAYS,
         "DOF": dof,
         "ROWS": rows,
         "GIVEN": given,
         "given_shape": "(N,) or (N, 1)" if given == 1 else f"(N, {given})",
     }
+    called = [name if name in robot else None for name in CALLED]
     names = {
         **texts,
         **facts,
-        **{name: getattr(solver, name) for name in ("arm", "robot", "counted", "kinematics")},
+        "arm": solver.arm,
+        "counted": solver.counted,
+        "robot": how.addresses(*called),
+        "called": called,
+        "kinematics": tuple(robot[name] for name in OF_JOINTS if name in robot),
         "slides": "P" in robot["JOINT_TYPES"],
         "read_rows": getattr(pose, f"read_{solver.task}"),
         "rotation_miss": getattr(pose, f"miss_of_{solver.task}"),
@@ -141,9 +154,9 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
         "choice": Choice(
             solver.arm,
             robot["BRANCHES"],
-            words["no_pose"],
-            words["no_row"],
-            robot["Unreachable"],
+            no_pose(robot, solver.task, given),
+            no_row(robot, solver.task, solver.counted, given),
+            unreachable(robot),
         ),
         "shapes": f"T, q and status must have shapes (4, 4), ({rows}, {dof}), ({rows},)",
         "of_each": of_each,  # for the C, which stands in the places of functions
@@ -185,12 +198,36 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
     add("compiled_into", how.owned)
     for name in ("look_at", "many", *PUBLIC):
         add(name)
+    if solver.at_once and COMPILED:
+        _solve_at_once(names, how, solver)
     for name in PUBLIC:
         text = texts[name].__doc__
         names[name].__doc__ = text and text.format(**facts)  # `python -OO` leaves out all
     overload(names["ik_into"], strict=False)(lambda *_, **__: names["compiled_into"])
     overload(names["joint_velocities"], strict=False)(lambda *_: names["compiled_velocities"])
     return names
+
+
+def _solve_at_once(names: dict[str, Any], how: Compiling, solver: Solver) -> None:
+    """Has poses solved by what is compiled once for all robots; numba functions call their own."""
+    others = {"slides": names["slides"], "given": solver.given}
+    own = at_once.own_numbers(how, names["called"], solver.counted, **others)
+    calls = at_once.calls_of(solver.task, solver.arm, own, solver.given)
+    for name in ("unseeded", "seeded"):
+        inside = names[name].py_func
+        overload(calls[name], strict=False)(lambda *_, inside=inside: inside)
+    names.update(calls)
+
+
+def unreachable(robot: Mapping[str, Any]) -> type[ValueError]:
+    """The exception of a robot for a pose without solutions."""
+    text = "There is no solution, or none inside the limits; the message says which."
+    return type("Unreachable", (ValueError,), {"__module__": robot["__name__"], "__doc__": text})
+
+
+def public(calls: Mapping[str, Any]) -> list[Any]:
+    """What a module has of them, in the order of PUBLIC, and its exception."""
+    return [*(calls[name] for name in PUBLIC), calls["choice"].unreachable]
 
 
 def _given_names(robot: Mapping[str, Any], solver: Solver) -> dict[str, Any]:
@@ -214,10 +251,3 @@ def compilers_of(arm: Floats) -> list[Callable[[], None]]:
     return found + [
         file.OWN.compile_apart for file, steps in APART if any(arm[step] > 0.0 for step in steps)
     ]
-
-
-def again(function: Any, names: dict[str, Any]) -> FunctionType:  # noqa: ANN401
-    """A function once more, with other values of what it names."""
-    made = FunctionType(function.__code__, names, function.__name__, function.__defaults__)
-    made.__kwdefaults__ = function.__kwdefaults__
-    return made

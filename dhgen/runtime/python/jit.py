@@ -128,7 +128,7 @@ class Compiling:
             vars(module).setdefault("apart", {}) if module else {}
         )
         if module:
-            vars(module)["address"] = self._address
+            vars(module)["address"] = self.address
 
     def owned(self, function: F) -> F:
         """A function, known to numba as one of this text.
@@ -238,9 +238,9 @@ class Compiling:
     def compile_apart(self) -> None:
         """Compiles all functions that stand apart, or gets them from numba's cache."""
         for name in list(self._apart) if COMPILED else ():
-            self._address(name)
+            self.address(name)
 
-    def _address(self, name: str) -> int:
+    def address(self, name: str) -> int:
         """Where the code of a function is that is compiled apart."""
         function, arguments = self._apart[name]
         function.compile(arguments)

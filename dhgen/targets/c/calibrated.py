@@ -9,7 +9,6 @@ from dhgen.kinematics.neighbours import EXACT, axis_triples
 from dhgen.printing.templates import named, render
 from dhgen.program.walk import general_kernel
 from dhgen.targets.c.descents import c_descents
-from dhgen.targets.c.entries import entry_texts
 from dhgen.targets.c.files import LONGEST, CRuntime, brought_along
 from dhgen.targets.c.fitting import fitted
 from dhgen.targets.c.nearest import flats_within
@@ -82,7 +81,7 @@ def _values(kind: Kind) -> dict[str, object]:
     assert descents is not None
     own = replace(module, chain=nominal.chain, solver=nominal.solver)
     flats = flats_within(kind.regular, own, LONGEST)
-    common, one_pose = common_of(module), f"dhgen_solve_branches(solve_wide, {nominal.solver.rows}"
+    common = common_of(module)
     lines = brought_along(module, regular=True, first=["serial"], last=["calibrated"])
     return {
         **named(common),
@@ -98,8 +97,7 @@ def _values(kind: Kind) -> dict[str, object]:
         "descents": render(
             "c/descents.c.jinja", descents=replace(descents, functions="0, 0, 0, 0,")
         ),
-        "regular": replace(regular_values(own, flats), one_pose=one_pose),
-        "entries": entry_texts(own, flats.programs),
+        "regular": replace(regular_values(own, flats), rows=nominal.solver.rows),
         "runtime": CRuntime(lines),
         "convention": kind.table.convention,
         "kind": _kind(kind, kernel),

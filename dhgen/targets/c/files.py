@@ -10,13 +10,12 @@ from dhgen.printing.templates import named, render
 from dhgen.program.walk import finds_roots, general_kernel, reads, whole_arm
 from dhgen.targets.c.calls import Prototypes, c_prototypes
 from dhgen.targets.c.descents import c_descents
-from dhgen.targets.c.entries import Entries, entry_lines, entry_texts
 from dhgen.targets.c.fitting import fitted
 from dhgen.targets.c.general import general_sizes, general_source
-from dhgen.targets.c.language import C
+from dhgen.targets.c.language import C, entry_lines
 from dhgen.targets.c.links import CLinks, c_links
 from dhgen.targets.c.motion import Motion, motion_of
-from dhgen.targets.c.nearest import CNearest, c_nearest, nearest_flats, nearest_module
+from dhgen.targets.c.nearest import CNearest, c_nearest, nearest_flats
 from dhgen.targets.c.regular import CRegular, flats_of, regular_values
 from dhgen.targets.c.runtime import in_one_file
 from dhgen.targets.c.single_precision import in_single_precision
@@ -57,7 +56,7 @@ class CSolver:
         tables: Definitions of constants.
         links: The table of its links; not in single precision, which is for small controllers.
         table: Of the arm, for the runtime.
-        entries: The names of the pose's entries.
+        entries: What gives the pose's entries their names, as lines.
         unused: Parameters of the solver that it does not need.
         prototypes: Functions without their bodies.
         motion: Defines what forward kinematics and the Jacobian begin with, where that is apart.
@@ -77,7 +76,7 @@ class CSolver:
     tables: CTables
     links: CLinks | None
     table: CTable
-    entries: Entries
+    entries: Sequence[str]
     unused: Sequence[str]
     prototypes: Prototypes
     motion: Sequence[str]
@@ -145,7 +144,7 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
         tables=c_tables(module, programs),
         links=None if module.precision is SINGLE else c_links(module),
         table=c_table(module),
-        entries=entry_texts(module, programs, nearest_module(module)),
+        entries=entry_lines(module.solver),
         unused=_unused(module),
         prototypes=c_prototypes(module),
         motion=motion.macro,

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.program.ir import Pose
+from dhgen.program.walk import expressions
 from dhgen.targets.c.declared import Declaration, declared
-from dhgen.targets.layout import WIDTH, packed, wrapped
+from dhgen.targets.layout import INDENT, WIDTH, packed, wrapped
 from dhgen.targets.scalar import close_name, close_texts, output_texts, row_text
 
 if TYPE_CHECKING:
@@ -131,6 +133,12 @@ class C:
     def broken(self, line: str, indent: str) -> list[str]:
         """C may be broken at any space."""
         return wrapped(line, indent)
+
+
+def entry_lines(program: Program, number: str = "double") -> list[str]:
+    """The entries of the pose get their names, where a program reads some."""
+    reads = any(isinstance(each, Pose) for each in expressions(program))
+    return [f"{INDENT}DHGEN_ENTRIES({number});"] if reads else []
 
 
 def _grouped(truths: str) -> str:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.runtime.python.frames import IDENTITY
-from dhgen.targets.layout import INDENT, c_array, wrapped
+from dhgen.targets.layout import INDENT, c_array
 from dhgen.targets.solver.links import about_table
 
 if TYPE_CHECKING:
@@ -24,17 +24,15 @@ class CLinks:
         about: What the rows of the table are.
         rows: Its rows.
         width: How many numbers a row has.
-        others: Definitions beside it, indented.
-        links: What the runtime's `struct dhgen_links` holds, as lines.
-        values: The array that the rows' angles and lengths are in, or made of by their drives.
+        links: What the runtime's `struct dhgen_links` holds, and what that names, as lines.
+        moved: The rows' angles and lengths, where drives move more rows than there are drives.
     """
 
     about: str
     rows: Sequence[str]
     width: int
-    others: Sequence[str]
     links: Sequence[str]
-    values: str
+    moved: Sequence[str]
 
     @property
     def count(self) -> int:
@@ -50,38 +48,33 @@ def c_links(module: SolverModule) -> CLinks:
     base, tool = ((() if frame == IDENTITY else frame) for frame in (table.base, table.tool))
     named = {"drives": drives, "base": base, "tool": tool}
     others = [
-        line
+        c_array(f"DHGEN_TABLE double {name}[{len(numbers)}]", map(repr, numbers))
         for name, numbers in named.items()
         if numbers
-        for line in _array(name, numbers).splitlines()
     ]
-    joints, values = "joints", "q"
-    if has_passive:
-        others = [*_rows(table), *others]
-        joints, values = "rows", "moved"
+    others += [_kinds(table)] if has_passive else []
     pointers = [name if numbers else "NULL" for name, numbers in named.items()]
-    kind = f"DHGEN_{table.convention.upper()}"
+    kind, joints = f"DHGEN_{table.convention.upper()}", "row_kinds" if has_passive else "joints"
     held = ", ".join([str(len(table.rows)), kind, joints, "&table[0][0]", *pointers])
     return CLinks(
         about=about_table(module, " * "),
         rows=[f"{{ {', '.join(map(repr, row))} }}," for row in table.rows],
         width=len(table.rows[0]),
-        others=others,
-        links=wrapped(f"{INDENT}static const struct dhgen_links links = {{ {held} }};", INDENT),
-        values=values,
+        links=[*others, f"DHGEN_TABLE struct dhgen_links links = {{ {held} }};"],
+        moved=_moved(table) if has_passive else (),
     )
 
 
-def _rows(table: LinkTable) -> list[str]:
-    """How rows move, passive ones among them, and their values."""
-    count = len(table.rows)
+def _kinds(table: LinkTable) -> str:
+    """How rows move, passive ones among them."""
     kinds = [f"{{ 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, {int(kind == 'R')} }}" for kind in table.types]
-    moved = [_sum(row) for row in table.drives]
-    texts = [
-        c_array(f"static const struct dhgen_joint rows[{count}]", kinds),
-        c_array(f"const double moved[{count}]", moved),
-    ]
-    return [f"{INDENT}{line}" for text in texts for line in text.splitlines()]
+    return c_array(f"DHGEN_TABLE struct dhgen_joint row_kinds[{len(kinds)}]", kinds)
+
+
+def _moved(table: LinkTable) -> list[str]:
+    """The rows' angles and lengths."""
+    text = c_array(f"const double moved[{len(table.rows)}]", map(_sum, table.drives))
+    return [f"{INDENT}{line}" for line in text.splitlines()]
 
 
 def _sum(factors: Sequence[float]) -> str:
@@ -93,8 +86,3 @@ def _sum(factors: Sequence[float]) -> str:
             sign = (" - " if factor < 0.0 else " + ") if text else "-" * (factor < 0.0)
             text += f"{sign}{times}q[{place}]"
     return text
-
-
-def _array(name: str, numbers: Sequence[float]) -> str:
-    text = c_array(f"static const double {name}[{len(numbers)}]", map(repr, numbers))
-    return "\n".join(f"{INDENT}{line}" for line in text.splitlines())

@@ -83,7 +83,7 @@ def c_nearest(module: SolverModule, flats: Flats | None) -> CNearest | None:
     return CNearest(
         regular=replace(
             regular_values(own, flats),
-            one_pose=f"dhgen_solve_branches(solve_wide, {own.solver.rows}",
+            rows=own.solver.rows,
         ),
         given=replace(given_of(own.chain), count=own.chain.given + APART),
         rows=own.solver.rows,

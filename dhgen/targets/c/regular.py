@@ -11,9 +11,9 @@ from dhgen.program.ir import Apply, Let
 from dhgen.program.regular.flatten import MINUS, flatten
 from dhgen.program.walk import names_in
 from dhgen.targets.c.declared import dense
-from dhgen.targets.c.entries import entry_lines, read_alike
 from dhgen.targets.c.irregular import irregularity_four
 from dhgen.targets.c.lanes import LaneText, operators
+from dhgen.targets.c.language import entry_lines
 from dhgen.targets.c.packing import angle_declarations, in_order, packed_angles
 from dhgen.targets.c.rows import status_lines, stores
 from dhgen.targets.c.shared import NOTHING_SHARED, shared_values
@@ -47,14 +47,14 @@ class CRegular:
         one: Branches in lanes; none where they never are.
         about: What they do.
         shared: What both compute in the same words, as lines.
-        one_pose: The beginning of a call for one pose where no branches are in lanes.
+        rows: How many it fills, where the robot has others.
     """
 
     wide: Sequence[str]
     one: Sequence[str]
     about: str
     shared: Sequence[str]
-    one_pose: str = "dhgen_solve_one(solve_wide"
+    rows: int = 0
 
 
 def regular_values(module: SolverModule, flats: Flats) -> CRegular:
@@ -62,9 +62,8 @@ def regular_values(module: SolverModule, flats: Flats) -> CRegular:
     flat, lanes = flats.wide, flats.lanes
     in_lanes = module.precision is not SINGLE
     shared = shared_values(lanes) if flats.in_loops and in_lanes else NOTHING_SHARED
-    alike = read_alike(module, flats.programs)
-    entries = entry_lines(flat.program, "dhgen_wide", alike=alike)
-    one = _one(module, lanes, entry_lines(lanes.program, alike=alike), shared)
+    entries = entry_lines(flat.program, "dhgen_wide")
+    one = _one(module, lanes, entry_lines(lanes.program), shared)
     return CRegular(
         wide=wide_lines(module, flat, entries, shared, unrolled=flats.unrolled),
         one=one if in_lanes else (),

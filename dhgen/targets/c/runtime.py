@@ -11,6 +11,12 @@ VECTORS = "dhgen/vectors.h"
 CALIBRATION, CALIBRATED = "dhgen/calibration.h", "dhgen/calibrated.h"
 _INCLUDE = re.compile(r'#include "((?:\.\./)*[\w/]+\.h)"\n')
 _GUARD = re.compile(r"#ifndef (DHGEN_\w+_H)\n#define \1\n(.*)#endif\n", re.DOTALL)
+# What is a robot's own, and what its file asks of the folder beside.
+_CHOICE = re.compile(
+    r"#ifdef (DHGEN_CALLER_GIVES|DHGEN_FRAMES)\n((?:(?!#else|#endif).*\n)*)"
+    r"(?:#else\n((?:(?!#endif).*\n)*))?#endif\n\n?"
+)
+_VERSION = re.compile(r"#if DHGEN_INTERFACE .*\n#error .*\n#endif\n\n")
 # Also in a program whose other robots share the runtime.
 _ALONE = "#undef DHGEN_SHARED /* the whole runtime is in this file */\n"
 _LICENCE = "/* SPDX-License-Identifier: MIT\n *\n * "
@@ -29,7 +35,12 @@ def in_one_file(source: str, *, vectors: bool) -> str:
         source = source[:first] + _ALONE + source[first:]
     # what defines the type of a calibration is in the header of arms that need it
     known = {CALIBRATION} if f'#include "{CALIBRATED}"' in source else set()
-    return _pasted(source, "", known if vectors else known | {VECTORS})
+    pasted = _pasted(source, "", known if vectors else known | {VECTORS})
+
+    def chosen(found: re.Match[str]) -> str:
+        return str(found[2 if f"#define {found[1]} " in source else 3] or "")
+
+    return _CHOICE.sub(chosen, _VERSION.sub("", pasted))
 
 
 def _pasted(source: str, folder: str, known: set[str]) -> str:

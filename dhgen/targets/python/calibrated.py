@@ -17,7 +17,7 @@ from dhgen.targets.constants import texts_of
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import made_text
 from dhgen.targets.python.formulas import formulas_of
-from dhgen.targets.python.literal import literal
+from dhgen.targets.python.literal import fields_of
 from dhgen.targets.python.single_file import in_one_file
 from dhgen.targets.python.table import arm_fields
 from dhgen.targets.python.texts import constant_lines, python_comments, python_tables
@@ -62,7 +62,7 @@ def kind_module(kind: Kind, *, single_file: bool = False) -> dict[str, str]:
     text = render(
         TEMPLATE,
         **named(common_of(module)),
-        comments=replace(python_comments(module, None), made=made_text(nominal, TEMPLATE, "")),
+        comments=replace(python_comments(module), made=made_text(nominal, TEMPLATE, "")),
         tables=python_tables(module, None),
         regular=formulas_of(flat, APART),
         convention=kind.table.convention,
@@ -97,4 +97,4 @@ def _fields(kind: Kind) -> list[str]:
         "meeting": tuple(place for place, each in enumerate(triples) if each.miss < within),
     }
     fields |= {name: value for name, value in places.items() if value}
-    return [f"{INDENT}{name}={literal(value, MODULES, INDENT)}," for name, value in fields.items()]
+    return fields_of(fields.items(), MODULES, INDENT)

@@ -9,7 +9,7 @@ from dhgen.printing.templates import named, render
 from dhgen.program.regular.flatten import flatten
 from dhgen.program.walk import finds_roots, uses, whole_arm
 from dhgen.runtime.python import INTERFACE
-from dhgen.targets.layout import INDENT
+from dhgen.targets.layout import INDENT, WIDTH, listed
 from dhgen.targets.module import regular_solver
 from dhgen.targets.python.assignments import side_by_side
 from dhgen.targets.python.formulas import Formulas, formulas_of
@@ -18,11 +18,11 @@ from dhgen.targets.python.nearest import PythonNearest, python_nearest
 from dhgen.targets.python.single_file import in_one_file
 from dhgen.targets.python.texts import (
     PythonComments,
-    PythonPose,
     PythonTables,
     python_comments,
-    python_pose,
+    python_entries,
     python_tables,
+    python_task,
 )
 from dhgen.targets.python.whole import Whole, python_whole
 from dhgen.targets.scalar import pose_entries
@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Program
     from dhgen.targets.module import SolverModule
 
+_CALLS = "_CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver"
+
 
 @dataclass(frozen=True, slots=True)
 class PythonSolver:
@@ -41,11 +43,10 @@ class PythonSolver:
     Attributes:
         comments: What the module says of itself.
         tables: Its constants.
-        pose: How a pose is read.
+        entries: The names of the pose's entries, _ for those that the solver does not read.
         bodies: The programs.
         whole: What solves for all joints at once, where that is done.
-        functions: Those that the runtime calls, by their names.
-        compiled: Those that compile parts of the runtime that only some robots need.
+        solver: What the runtime makes its functions of.
         regular: The formulas of regular poses, where there is a program for them.
         arctangent: Whether the solver takes arctangents.
         nearest: The nearest arm with a structure, where its rows are tried first.
@@ -53,11 +54,10 @@ class PythonSolver:
 
     comments: PythonComments
     tables: PythonTables
-    pose: PythonPose
+    entries: str
     bodies: Bodies
     whole: Whole | None
-    functions: str
-    compiled: str
+    solver: str
     regular: Formulas | None
     arctangent: bool
     nearest: PythonNearest | None
@@ -82,25 +82,34 @@ def python_solver(module: SolverModule) -> PythonSolver:
     flat = None if regular is None else flatten(regular)
     near = None if nominal is None else flatten(nominal.regular)
     return PythonSolver(
-        comments=python_comments(module, flat),
+        comments=python_comments(module),
         tables=python_tables(module, flat or near),
-        pose=python_pose(module),
+        entries=python_entries(module.solver),
         bodies=bodies_of(module, Python(), _assignments, _entries),
         whole=python_whole(module),
-        functions=_functions(module),
-        compiled=_compiled(module),
+        solver=_solver(module, has_formulas=flat is not None),
         regular=None if flat is None else formulas_of(flat, module.chain.given),
         arctangent=uses(module.solver, "atan2") or nominal is not None,
         nearest=None if near is None else python_nearest(module, near),
     )
 
 
-def _functions(module: SolverModule) -> str:
-    """The functions that the runtime calls, in its order, by their names."""
-    ours = ["_solve", "fk", "jacobian"]
-    if module.plane_miss is not None:
-        ours += ["arm_angle", "_arm_angle_miss"]
-    return ", ".join([*(f'"{name}"' for name in ours), *["None"] * (5 - len(ours))])
+def _solver(module: SolverModule, *, has_formulas: bool) -> str:
+    """What the runtime makes its functions of, but for what all robots have alike."""
+    compiled, task = _compiled(module), module.chain.task
+    counted = tuple(row in task.position_rows for row in range(3))
+    fields = {
+        "_ARM": True,
+        f'"{python_task(task)}"': True,
+        "_FORMULAS": has_formulas,
+        f"counted={counted}": not all(counted),
+        f"given={module.chain.given}": module.chain.given > 0,
+        f"apart=({compiled})": bool(compiled),
+        "at_once=True": whole_arm(module.solver) is not None,
+    }
+    told = [name for name, stands in fields.items() if stands]
+    line = f"{_CALLS}({', '.join(told)}))"
+    return line if len(line) <= WIDTH else "\n".join([f"{_CALLS}(", *listed(told, INDENT), "))"])
 
 
 def _compiled(module: SolverModule) -> str:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import MISSING, fields, is_dataclass
+from dataclasses import MISSING, dataclass, fields, is_dataclass
 from typing import TYPE_CHECKING, Any
 
 from dhgen.targets.layout import INDENT, WIDTH, listed
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
 
 def literal(value: object, modules: Mapping[str, str], indent: str = "") -> str:
@@ -35,14 +35,40 @@ def literal(value: object, modules: Mapping[str, str], indent: str = "") -> str:
     if _is_row(named):
         row = listed([_flat(x, modules) for x in named[0][1]], inner)
         return "\n".join([f"{_class(value, modules)}((", *row, f"{indent}))"])
-    lines = [f"{inner}{name}={literal(x, modules, inner)}," for name, x in named]
-    return "\n".join([f"{_class(value, modules)}(", *lines, f"{indent})"])
+    return "\n".join(
+        [f"{_class(value, modules)}(", *fields_of(named, modules, inner), f"{indent})"]
+    )
+
+
+def fields_of(
+    named: Iterable[tuple[str, object]], modules: Mapping[str, str], indent: str
+) -> list[str]:
+    """Arguments by their names, as many in a line as fit."""
+    lines = [""]
+    for name, value in named:
+        text = f"{name}={literal(value, modules, indent)},"
+        if lines[-1] and "\n" not in text + lines[-1] and len(lines[-1]) + len(text) < WIDTH:
+            lines[-1] += f" {text}"
+        else:
+            lines.append(f"{indent}{text}")
+    return lines[1:]
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """A value that a file has under a name."""
+
+    name: str
 
 
 def _flat(value: object, modules: Mapping[str, str]) -> str:
     """The same in one line."""
     if isinstance(value, float) and math.isinf(value):
         return "math.inf" if value > 0.0 else "-math.inf"
+    if isinstance(value, Name):
+        return value.name
+    if isinstance(value, str):
+        return f'"{value}"'
     if isinstance(value, tuple):
         inside = ", ".join(_flat(x, modules) for x in value)
         return f"({inside},)" if len(value) == 1 else f"({inside})"

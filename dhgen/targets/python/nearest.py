@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.targets.layout import INDENT
 from dhgen.targets.python.formulas import Formulas, formulas_of
-from dhgen.targets.python.literal import literal
+from dhgen.targets.python.literal import fields_of
 from dhgen.targets.solver.nearest import APART, nearest_angles
 
 if TYPE_CHECKING:
@@ -46,10 +46,9 @@ def python_nearest(module: SolverModule, flat: Flat) -> PythonNearest:
         "links": tuple(_twelve(link) for link in nearest.links.tolist()),
         "angles": tuple(map(tuple, nearest_angles(module.chain))),
     }
-    inside = INDENT * 2
     return PythonNearest(
         formulas=formulas_of(flat, chain.given + APART),
-        fields=[f"{inside}{name}={literal(value, {}, inside)}," for name, value in numbers.items()],
+        fields=fields_of(numbers.items(), {}, INDENT * 2),
     )
 
 

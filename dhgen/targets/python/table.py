@@ -6,29 +6,30 @@ from dataclasses import fields
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.turns import coupled_turns, joints_alone, turns_alone
-from dhgen.runtime.python.arm import Arm
+from dhgen.runtime.python.arm import OF_ANGLES, Arm
 from dhgen.targets.coupled import NO_LIMITS
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import fan_steps, named_entries, slacks
-from dhgen.targets.python.literal import literal
+from dhgen.targets.python.literal import Name, fields_of
 from dhgen.targets.solver.refinement import miss_weights, paces_of
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from dhgen.program.policy import Policy
     from dhgen.targets.module import SolverModule
 
 # What the module says of the joints beside, under its own names.
-NAMED = {"types": "JOINT_TYPES", "limits": "JOINT_LIMITS"}
+NAMED = {"types": Name("JOINT_TYPES"), "limits": Name("JOINT_LIMITS")}
 
 
 def arm_lines(module: SolverModule) -> list[str]:
-    """The expressions that a robot's table is made of, indented."""
-    lines = [f"{INDENT}_arms.Arm(", *arm_fields(module, INDENT * 2)]
+    """The definition of a robot's table, as lines."""
     links = module.solver.tightened is not None
-    numbers = [f"{INDENT}_joints.arm_numbers(_LINKS),"] if links else []
-    coupled = coupled_turns(module.chain) is not None
-    numbers += [f"{INDENT}coupling=_COUPLING,"] if coupled else []
-    return [*lines, f"{INDENT}),", *numbers]
+    numbers = [")", *[" _joints.arm_numbers(_LINKS)"] * links]
+    numbers += [" coupling=_COUPLING"] * (coupled_turns(module.chain) is not None)
+    fields = arm_fields(module, INDENT)
+    return ["_ARM = _arms.arm_numbers(_arms.Arm(", *fields, f"{','.join(numbers)})"]
 
 
 def arm_fields(module: SolverModule, indent: str) -> list[str]:
@@ -36,11 +37,8 @@ def arm_fields(module: SolverModule, indent: str) -> list[str]:
     arm = _arm(module)
     named = NAMED if turns_alone(module.chain) else {"types": NAMED["types"]}
     values = ((each.name, getattr(arm, each.name), each.default) for each in fields(arm))
-    return [
-        f"{indent}{name}={named.get(name) or literal(value, {}, indent)},"
-        for name, value, default in values
-        if value != default
-    ]
+    told = [(name, named.get(name, value)) for name, value, default in values if value != default]
+    return fields_of(told, {}, indent)
 
 
 def _arm(module: SolverModule) -> Arm:
@@ -49,14 +47,14 @@ def _arm(module: SolverModule) -> Arm:
     return Arm(
         types=chain.joint_types,
         limits=tuple(joint.limits or NO_LIMITS for joint in joints_alone(chain)),
-        slacks=tuple(slacks(module)),
-        weights=module.weights,
-        paces=tuple(map(float, paces_of(chain))),
-        fan_steps=fan_steps(module) if policy.chooses else (),
         rows=module.solver.rows,
         directions=chain.task.directions.value,
         miss_weights=tuple(map(float, miss_weights(chain))),
         size=chain.size,
+        slacks=_column(slacks(module), OF_ANGLES[0]),
+        weights=_column(module.weights, OF_ANGLES[1]),
+        paces=_column(map(float, paces_of(chain)), OF_ANGLES[2]),
+        fan_steps=_column(fan_steps(module) if policy.chooses else (), OF_ANGLES[3]),
         clamped=policy.clamped,
         clamped_again=policy.clamped_again,
         entries=tuple(e.place for e in named_entries(chain)) if measures else (),
@@ -65,8 +63,14 @@ def _arm(module: SolverModule) -> Arm:
         choosable=policy.choosable if policy.chooses else (),
         together=policy.together if policy.retries else (),
         root_turns=tuple((joint - 1, float(sign)) for joint, sign in policy.root_turns),
-        cuts=policy.cuts if policy.chooses else 0,
+        cuts=policy.cuts,
     )
+
+
+def _column(values: Iterable[float], usual: float) -> tuple[float, ...]:
+    """A number of every joint, none where all are what they usually are."""
+    column = tuple(values)
+    return () if all(each == usual for each in column) else column
 
 
 def _steps(policy: Policy) -> tuple[str, ...]:

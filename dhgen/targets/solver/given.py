@@ -15,13 +15,11 @@ class Given:
 
     Attributes:
         count: How many they are.
-        sentence: What they are, as the beginning of a sentence.
-        comment: The same in a comment.
+        comment: What they are, in a comment.
         fault: What is at fault where one is not finite.
     """
 
     count: int
-    sentence: str
     comment: str
     fault: str
 
@@ -32,7 +30,6 @@ def given_of(chain: Chain) -> Given:
     angle = bool(chain.arm_angle)
     return Given(
         count=chain.given,
-        sentence="The arm angle [rad]" if angle else f"Values of the joints {joints}",
         comment=(
             "the arm angle, which the caller gives [rad]"
             if angle

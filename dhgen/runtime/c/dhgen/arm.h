@@ -125,6 +125,12 @@ struct dhgen_arm {
 #define DHGEN_RATES(arm, q, J) (arm)->jacobian(q, J)
 #endif
 
+/* Entries of a pose by their names. */
+#define DHGEN_ENTRIES(number) \
+    DHGEN_UNUSED const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
+    DHGEN_UNUSED const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    DHGEN_UNUSED const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
+
 /* Copies the joint values of a row. */
 DHGEN_FN void dhgen_copy_row(const struct dhgen_arm *arm, const double *from, double *to)
 {

@@ -7,6 +7,9 @@
 
 #include "arm.h"
 
+/* A robot's function for regular poses: `tile.h` has another word. */
+#define DHGEN_SOLVE_REGULAR NULL
+
 /* All solutions of any pose: also of one that is rounded, singular or none. Returns how many rows
  * are inside limits, or -DHGEN_INVALID_POSE. */
 DHGEN_API int dhgen_careful_ik(const struct dhgen_arm *arm, const double *T,

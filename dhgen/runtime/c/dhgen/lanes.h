@@ -62,7 +62,7 @@ DHGEN_INLINE double dhgen_maximum_double(double a, double b)
     return a > b ? a : b;
 }
 
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12)               \
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) \
     && !defined(DHGEN_SCALAR) && !defined(DHGEN_LIBM) && !defined(__CUDACC__)
 #include "vectors.h"
 #else

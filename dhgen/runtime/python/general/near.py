@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..functions import again
+from ..entry import again
 from ..jit import COMPILED, of_file
 from ..numerical.descent import wrap_angles
 from ..numerical.goal import given_joints, take_units
@@ -232,7 +232,7 @@ def of_nearest(
         "filled_at": filled_of(how, own, given),
         "arm": numbers,
         "nearest": nearest_arm.numbers,
-        "places": np.ascontiguousarray(own.places[:, nearest_arm.solved]),
+        "places": np.ascontiguousarray(own.table[:, nearest_arm.solved]),
     }
     made = (how.merged(again(each, names)) for each in (solve_from_nearest, to_nearest_rows))
     solve, place = made

@@ -14,9 +14,9 @@
 #define DHGEN_PULL_SETTLED 1e-09
 
 /* Limits where there are none. */
-#define DHGEN_ALL_JOINTS(x)                                                                        \
-    {                                                                                              \
-        x, x, x, x, x, x, x, x, x, x, x, x, x, x, x, x                                             \
+#define DHGEN_ALL_JOINTS(x) \
+    { \
+        x, x, x, x, x, x, x, x, x, x, x, x, x, x, x, x \
     }
 DHGEN_UNUSED DHGEN_TABLE double dhgen_no_lowest[16] = DHGEN_ALL_JOINTS(-HUGE_VAL);
 DHGEN_UNUSED DHGEN_TABLE double dhgen_no_highest[16] = DHGEN_ALL_JOINTS(HUGE_VAL);
