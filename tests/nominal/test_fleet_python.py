@@ -198,7 +198,7 @@ def test_seeds_limits_and_poses_that_are_none(folder: Path) -> None:
         arm.ik(T[0], branch="left")
 
 
-OTHER, LARGE = "table is that of another arm: ", ": numbers above 1e+04 [rad, arm sizes] are no cal"
+OTHER, LARGE = "table is that of another arm: ", ": numbers above 1e+05 [rad, arm sizes] are no cal"
 ENTRIES = {
     (1, 3, np.nan): ("table[1][3], alpha of row 2, is not finite: nan", ""),
     (0, 1, np.inf): ("table[0][1], d of row 1, is not finite: inf", ""),

@@ -23,7 +23,7 @@ from tests.nominal.fleets import (
     table_of,
     turned,
 )
-from tests.nominal.twins import coupled, seven, twin
+from tests.nominal.twins import coupled, geared, seven, twin
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Program
     from dhgen.program.regular.unguarded import Regular
 
-POSES = 300
+POSES = 600
 STEPS = 400
 CLEAR = 1e-2  # of a determinant's largest size on a way: nearer to zero its sign may be rounding's
 
@@ -137,7 +137,13 @@ def test_solutions_keep_their_rows_along_ways(name: str, folder: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "text", [twin("puma560", 1e-3), coupled(twin("puma560", 1e-4)), seven("wrist_missed")]
+    "text",
+    [
+        twin("puma560", 1e-3),
+        coupled(twin("puma560", 1e-4)),
+        geared(twin("kuka_kr6_r900", 1e-3)),
+        seven("wrist_missed"),
+    ],
 )
 def test_rows_are_postures_of_the_nearest_arm(text: str, tmp_path: Path) -> None:
     """At compile time: with coupled drives, and with a joint whose value is given."""

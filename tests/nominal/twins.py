@@ -52,6 +52,12 @@ def twin(name: str, noise: float, seed: int = 1) -> str:
     return "\n".join([head + "joints:", *(f"  - {row}" for row in rows), "task: pose", ""])
 
 
+def geared(text: str) -> str:
+    """The same with a drive that moves two joints, the second one by twice as much."""
+    *before, third, after = text.split("theta: q", 3)
+    return "theta: q".join([*before, third]) + f"theta: q + 2*q2{after}"
+
+
 def coupled(text: str) -> str:
     """The same with a drive that moves two joints, and a limit of what the two do together."""
     *before, third, after = text.split("theta: q", 3)

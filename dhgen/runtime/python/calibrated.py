@@ -64,9 +64,14 @@ MOST_DEVIATION = 0.05
 # Three axes that miss being parallel, or meeting, by less have a closed form of their own: the
 # general algorithm has no certificate there [rad, arm sizes].
 LEAST_MISS = 1e-09
-# Numbers of tables above this leave less than twelve digits of what the base, the tool or a zero is
-# to take up: no calibration has them [rad, arm sizes].
-MOST_NUMBER = 1e4
+# Numbers of tables above this leave less than eleven digits of where links are: no calibration has
+# them [rad, arm sizes].
+MOST_NUMBER = 1e5
+# The square of the sine of an angle from which axes are far from parallel.
+FAR_FROM_PARALLEL = 0.1
+# Rounds in which a frame's place on its axis and the zero of the joint before it are found: each
+# changes the other by as much as axes miss being parallel.
+FITS = 3
 # What bounds of deviations are enlarged by for rounding [rad, arm sizes].
 ROUNDED_DEVIATION = 1e-10
 
@@ -288,57 +293,79 @@ def length_of(C: Floats) -> float:
 
 
 @inner
-def fit_constant(N: Floats, C: Floats, before: float, D: Floats) -> tuple[float, float]:
-    """Computes a nominal constant with frames elsewhere on its axes, and another zero behind it.
+def turn_before(N: Floats, C: Floats) -> float:
+    """Returns by how much a nominal link is to be turned about z: the axis behind is as behind C.
 
-    Tz(-before) N Tz(behind) Rz(more), as near to C as the last two can take it. Returns them.
+    Axes that are far from parallel tell by their directions, others by where they are.
     """
-    _be_identity(D)
-    slide(D, -before)
-    follow(D, N)
-    along, cosine, sine = 0.0, 0.0, 0.0
+    told = 2 if N[2] * N[2] + N[6] * N[6] > FAR_FROM_PARALLEL else 3
+    sine = N[told] * C[4 + told] - N[4 + told] * C[told]
+    return math.atan2(sine, N[told] * C[told] + N[4 + told] * C[4 + told])
+
+
+@inner
+def fit_constant(N: Floats, C: Floats) -> tuple[float, float, float]:
+    """Makes a nominal constant and a link as near to each other as what is free can take them.
+
+    N becomes Rz(before) N Rz(behind), with other zeros of the joints at its ends; C becomes
+    C Tz(along), with the frame behind it elsewhere on its axis. Returns the three.
+    """
+    turned, along, before = np.empty(12), 0.0, 0.0
+    for n in range(FITS):
+        before = turn_before(N, C) if n > 0 else 0.0
+        _be_identity(turned)
+        turn(turned, math.cos(before), math.sin(before))
+        follow(turned, N)
+        further = 0.0
+        for i in range(0, 12, 4):
+            further += C[i + 2] * (turned[i + 3] - C[i + 3])
+        slide(C, further)
+        along += further
+    cosine, sine = 0.0, 0.0
     for i in range(0, 12, 4):
-        along += D[i + 2] * (C[i + 3] - D[i + 3])
-        cosine += D[i] * C[i] + D[i + 1] * C[i + 1]
-        sine += D[i + 1] * C[i] - D[i] * C[i + 1]
-    more = math.atan2(sine, cosine)
-    append_screw_z(more, along, D)
-    return along, more
+        cosine += turned[i] * C[i] + turned[i + 1] * C[i + 1]
+        sine += turned[i + 1] * C[i] - turned[i] * C[i + 1]
+    behind = math.atan2(sine, cosine)
+    turn(turned, math.cos(behind), math.sin(behind))
+    take(N, turned)
+    return before, behind, along
 
 
 @inner
 def find_nearest(kind: Floats, of: Floats) -> None:
     """Finds the nominal arm as near to the calibrated one as what is free can take it.
 
-    Free are other frames on its axes, other zeros of its joints, another base and another tool.
-    What is left between constants adds up to how far the tools may be apart: a rotation counts at
-    the length of what is behind it.
+    Free are other zeros of its joints, another base and another tool, and where frames of the
+    calibrated arm stand on their axes: common normals of axes that are nearly parallel may be far
+    away. What is left between constants adds up to how far the tools may be apart: a rotation
+    counts at the length of what is behind it.
     """
     constant = of[CONSTANT : CONSTANT + 84].reshape(7, 12)
     nominal = of[NOMINAL : NOMINAL + 84].reshape(7, 12)
-    left, right, fit = of[LEFT : LEFT + 12], of[RIGHT : RIGHT + 12], np.empty((7, 12))
+    left, right, slid = of[LEFT : LEFT + 12], of[RIGHT : RIGHT + 12], np.empty(12)
     constants_of(kind, kind[TABLE:], nominal)
-    shift = nominal[1, 11] - constant[1, 11]  # along axis 1 the base takes up what is missed
+    shift = constant[1, 11] - nominal[1, 11]  # along axis 1 the base takes up what is missed
+    slide(constant[0], shift)
     take(left, nominal[0])
-    slide(left, shift)
     follow(left, invert(constant[0]))
     of[MORE] = 0.0
-    for k in range(1, JOINTS):
-        shift, more = fit_constant(nominal[k], constant[k], shift, fit[k])
-        turn(nominal[k], math.cos(more), math.sin(more))
-        of[MORE + k] = more
-    _be_identity(fit[6])
-    slide(fit[6], -shift)
-    follow(fit[6], nominal[6])
+    for k in range(1, JOINTS + 1):
+        _be_identity(slid)
+        slide(slid, -shift)
+        follow(slid, constant[k])
+        if k < JOINTS:
+            before, of[MORE + k], shift = fit_constant(nominal[k], slid)
+            of[MORE + k - 1] += before
+        take(constant[k], slid)
     take(right, invert(constant[6]))
-    follow(right, fit[6])
+    follow(right, nominal[6])
     of[TURNED], of[MOVED] = ROUNDED_DEVIATION, ROUNDED_DEVIATION * kind[LENGTH]
-    length = length_of(fit[6])
+    length = length_of(nominal[6])
     for k in range(JOINTS - 1, 0, -1):
-        turned = turned_between(fit[k], constant[k])
+        turned = turned_between(nominal[k], constant[k])
         of[TURNED] += turned
-        of[MOVED] += moved_between(fit[k], constant[k]) + turned * length
-        length += length_of(fit[k])
+        of[MOVED] += moved_between(nominal[k], constant[k]) + turned * length
+        length += length_of(nominal[k])
 
 
 @inner

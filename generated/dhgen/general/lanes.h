@@ -124,6 +124,9 @@ DHGEN_INLINE dhgen_lane dhgen_lane_sqrt(dhgen_lane x)
 /* Added and taken away again this leaves the nearest integer, and its last bits in those of the
  * sum: 1.5 * 2^52. */
 #define DHGEN_TO_INTEGER 6755399441055744.0
+/* pi/2 in two parts, of which a small integer times the first is exact. */
+#define DHGEN_HALF_PI_HIGH 1.5707963267341256
+#define DHGEN_HALF_PI_LOW 6.077100506506192e-11
 
 #else
 typedef double dhgen_lane;
@@ -176,14 +179,14 @@ DHGEN_INLINE dhgen_lane dhgen_lane_min(dhgen_lane a, dhgen_lane b)
 }
 
 /* Cosine and sine of an angle within a few turns of zero, within 2 ulp: of what is left of the
- * nearest quarter turn, pi/2 in two parts, by their series. */
+ * nearest quarter turn, by their series. */
 DHGEN_INLINE void dhgen_lane_direction(dhgen_lane angle, dhgen_lane *c, dhgen_lane *s)
 {
 #if DHGEN_GENERAL_LANES > 1
     const dhgen_lane counted = angle * (1.0 / DHGEN_HALF_PI) + DHGEN_TO_INTEGER;
     const dhgen_lane quarters = counted - DHGEN_TO_INTEGER;
     const dhgen_mask number = (dhgen_mask)counted, odd = -(number & 1);
-    const dhgen_lane r = (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11;
+    const dhgen_lane r = (angle - quarters * DHGEN_HALF_PI_HIGH) - quarters * DHGEN_HALF_PI_LOW;
     const dhgen_lane u = r * r;
     dhgen_lane a = dhgen_lane_all(dhgen_cosine_series[7]), b = dhgen_lane_all(dhgen_sine_series[6]);
     DHGEN_UNROLL
@@ -197,8 +200,9 @@ DHGEN_INLINE void dhgen_lane_direction(dhgen_lane angle, dhgen_lane *c, dhgen_la
     a = 1.0 + a * u;
     b = r + b * u * r;
     const dhgen_lane x = dhgen_lane_select(odd, b, a), y = dhgen_lane_select(odd, a, b);
-    *c = (dhgen_lane)((dhgen_mask)x ^ ((number + 1) & 2) << 62);
-    *s = (dhgen_lane)((dhgen_mask)y ^ (number & 2) << 62);
+    const long long sign = -0x7fffffffffffffffLL - 1;
+    *c = (dhgen_lane)((dhgen_mask)x ^ (-((number + 1) >> 1 & 1) & sign));
+    *s = (dhgen_lane)((dhgen_mask)y ^ (-(number >> 1 & 1) & sign));
 #else
     *c = cos(angle);
     *s = sin(angle);

@@ -21,17 +21,37 @@ typedef int dhgen_nearest_rows(
 #ifdef DHGEN_DOF /* rows are as long as those of the robot whose file this is a part of */
 #include "../tile.h"
 
-/* Postures that are asked for at once: as many as there are rows, in lanes of any number. */
+/* Rows of a nearest arm at most. */
+#define DHGEN_NEAREST_ROWS 16
+/* Postures that are asked for at once: as many as there are rows, rounded up to eight, the most
+ * lanes. */
 #define DHGEN_ASKED ((DHGEN_ROWS + 7) / 8 * 8)
 
-/* Joint values whose postures are asked for: the angles of all joints of the nearest arm, those of
- * the joints that its closed form is asked for, and the poses to which they take it. */
+/* Solutions whose postures are asked for: the angles of all joints of the nearest arm, those of the
+ * joints that its closed form is asked for, and the poses to which they take it. */
 typedef struct {
     int count;
     double angle[DHGEN_DOF][DHGEN_ASKED], value[6][DHGEN_ASKED], pose[16][DHGEN_ASKED];
 } dhgen_asked;
 
-/* The poses T = C0 Rz(angle 1) C1 ... Rz(angle n) Cn. */
+/* The closed form of a nearest arm, for several poses. */
+typedef struct {
+    dhgen_solve_wide *solve;
+    int rows, given;          /* of its rows, and of numbers that it is given */
+    const int *place;         /* which of its joints are asked for */
+    const double (*link)[12]; /* C0 ... Cn of its pose C0 Rz(angle 1) C1 ... Rz(angle n) Cn */
+} dhgen_nearest_form;
+
+/* Asks for the rows that hold solutions: these come first. */
+DHGEN_FN void dhgen_ask_rows(const unsigned char *status, dhgen_asked *asked)
+{
+    asked->count = 0;
+    while (asked->count < DHGEN_ROWS && status[asked->count] != DHGEN_UNREACHABLE) {
+        asked->count++;
+    }
+}
+
+/* The poses of angles. */
 DHGEN_FN void dhgen_ask_poses(const double (*link)[12], dhgen_asked *asked)
 {
     for (int from = 0; from < asked->count; from += DHGEN_GENERAL_LANES) {
@@ -50,14 +70,14 @@ DHGEN_FN void dhgen_ask_poses(const double (*link)[12], dhgen_asked *asked)
     }
 }
 
-/* The postures of joint values: the row that holds each at the pose to which it takes the nearest
- * arm; -1 where a branch ends, or no row does. */
-DHGEN_FN void dhgen_find_postures(dhgen_solve_wide *solve, int rows, const double *given, int many,
-    const int *place, const dhgen_asked *asked, double *posture)
+/* The postures of solutions: the row that holds each at the pose to which it takes the nearest arm;
+ * -1 where a branch ends, or no row does. */
+DHGEN_FN void dhgen_find_postures(
+    const dhgen_nearest_form *form, const double *given, const dhgen_asked *asked, double *posture)
 {
-    dhgen_wide pose[16], held[DHGEN_DOF], q[16 * DHGEN_DOF];
-    dhgen_wide_mask kind[16];
-    for (int i = 0; i < many; i++) {
+    dhgen_wide pose[16], held[DHGEN_DOF], q[DHGEN_NEAREST_ROWS * DHGEN_DOF];
+    dhgen_wide_mask kind[DHGEN_NEAREST_ROWS];
+    for (int i = 0; i < form->given; i++) {
         held[i] = dhgen_all_wide(given[i]);
     }
     for (int from = 0; from < asked->count; from += DHGEN_LANES) {
@@ -65,11 +85,11 @@ DHGEN_FN void dhgen_find_postures(dhgen_solve_wide *solve, int rows, const doubl
         for (int i = 0; i < 16; i++) {
             pose[i] = *(const dhgen_wide_at *)(asked->pose[i] + from);
         }
-        const dhgen_wide_mask left = solve(pose, held, q, kind);
-        for (int row = 0; row < rows; row++) {
+        const dhgen_wide_mask left = form->solve(pose, held, q, kind);
+        for (int row = 0; row < form->rows; row++) {
             dhgen_wide most = dhgen_all_wide(0.0);
             for (int i = 0; i < 6; i++) {
-                const dhgen_wide gap = dhgen_abs_wide(q[DHGEN_DOF * row + place[i]]
+                const dhgen_wide gap = dhgen_abs_wide(q[DHGEN_DOF * row + form->place[i]]
                     - *(const dhgen_wide_at *)(asked->value[i] + from));
                 const dhgen_wide around = dhgen_abs_wide(gap - DHGEN_TURN);
                 most = dhgen_maximum_wide(most, dhgen_minimum_wide(gap, around));
@@ -118,6 +138,21 @@ DHGEN_FN void dhgen_place_rows(const double *posture, int rows, double *q, unsig
             was[k] = DHGEN_UNREACHABLE;
         }
     }
+}
+
+/* Moves solutions that are asked for to the rows of their postures. */
+DHGEN_FN void dhgen_place_asked(const dhgen_nearest_form *form, const double *given,
+    dhgen_asked *asked, double *q, unsigned char *status)
+{
+    double posture[DHGEN_ASKED];
+    for (int i = 0; i < 6; i++) {
+        for (int k = 0; k < DHGEN_ASKED; k++) {
+            asked->value[i][k] = dhgen_wrap(asked->value[i][k]);
+        }
+    }
+    dhgen_ask_poses(form->link, asked);
+    dhgen_find_postures(form, given, asked, posture);
+    dhgen_place_rows(posture, form->rows, q, status);
 }
 #endif
 

@@ -17,11 +17,17 @@
 /* Three axes that miss being parallel, or meeting, by less have a closed form of their own: the
  * general algorithm has no certificate there [rad, arm sizes]. */
 #define DHGEN_LEAST_MISS 1e-09
-/* Numbers of tables above this leave less than twelve digits of what the base, the tool or a zero
- * is to take up: no calibration has them [rad, arm sizes]. */
-#define DHGEN_MOST_NUMBER 1e4
+/* Numbers of tables above this leave less than eleven digits of where links are: no calibration has
+ * them [rad, arm sizes]. */
+#define DHGEN_MOST_NUMBER 1e5
 /* What bounds of deviations are enlarged by for rounding [rad, arm sizes]. */
 #define DHGEN_ROUNDED_DEVIATION 1e-10
+
+/* The square of the sine of an angle from which axes are far from parallel. */
+#define DHGEN_FAR_FROM_PARALLEL 0.1
+/* Rounds in which a frame's place on its axis and the zero of the joint before it are found: each
+ * changes the other by as much as axes miss being parallel. */
+#define DHGEN_FITS 3
 
 /* What is said of a table. */
 enum { DHGEN_TAKEN, DHGEN_NOT_FINITE, DHGEN_ANOTHER_ARM, DHGEN_NO_MISS };
@@ -39,7 +45,7 @@ typedef struct {
     const dhgen_general_arm *general;           /* without links */
     dhgen_nearest_rows *nearest;                /* regular poses of the nominal arm, given by how
                                                    much the calibrated arm may be away */
-    dhgen_solve_wide *nearest_wide;             /* of several poses */
+    dhgen_solve_wide *nearest_wide;             /* the same of several poses */
     int nearest_rows;
 } dhgen_kind;
 
@@ -166,59 +172,79 @@ DHGEN_FN double dhgen_moved_between(const double A[12], const double B[12])
     return sqrt(square);
 }
 
-/* A nominal constant with frames elsewhere on its axes, and another zero of the joint behind it:
- * Tz(-before) N Tz(behind) Rz(more), as near to C as the last two can take it. */
-DHGEN_FN void dhgen_fit_constant(
-    const double N[12], const double C[12], double before, double *behind, double *more, double *D)
+/* The angle about z by which a nominal link N is to be turned so that the axis behind it stands as
+ * behind C: axes that are far from parallel tell by their directions, others by where they are. */
+DHGEN_FN double dhgen_turn_before(const double N[12], const double C[12])
 {
-    dhgen_copy_link(dhgen_identity, D);
-    dhgen_append_slide(D, -before);
-    dhgen_append(D, N);
-    double along = 0.0, cosine = 0.0, sine = 0.0;
-    for (int i = 0; i < 12; i += 4) {
-        along += D[i + 2] * (C[i + 3] - D[i + 3]);
-        cosine += D[i] * C[i] + D[i + 1] * C[i + 1];
-        sine += D[i + 1] * C[i] - D[i] * C[i + 1];
-    }
-    *behind = along;
-    *more = atan2(sine, cosine);
-    dhgen_append_screw_z(*more, along, D);
+    const int told = N[2] * N[2] + N[6] * N[6] > DHGEN_FAR_FROM_PARALLEL ? 2 : 3;
+    return atan2(N[told] * C[4 + told] - N[4 + told] * C[told],
+        N[told] * C[told] + N[4 + told] * C[4 + told]);
 }
 
-/* The nominal arm as near to the calibrated one as other frames on its axes, other zeros of its
- * joints, another base and another tool can take it. What is left between constants adds up to how
- * far the tools may be apart: a rotation counts at the length of what is behind it. */
+/* A nominal constant with other zeros of the joints at its ends, N becomes Rz(before) N Rz(behind),
+ * and the frame behind C elsewhere on its axis, C becomes C Tz(along), so that the two are as near
+ * to each other as these can take them. */
+DHGEN_FN void dhgen_fit_constant(
+    double N[12], double C[12], double *before, double *behind, double *along)
+{
+    double turned[12], cosine = 0.0, sine = 0.0;
+    *along = *before = 0.0;
+    for (int n = 0; n < DHGEN_FITS; n++) {
+        double further = 0.0;
+        *before = n ? dhgen_turn_before(N, C) : 0.0;
+        dhgen_copy_link(dhgen_identity, turned);
+        dhgen_append_turn(turned, cos(*before), sin(*before));
+        dhgen_append(turned, N);
+        for (int i = 0; i < 12; i += 4)
+            further += C[i + 2] * (turned[i + 3] - C[i + 3]);
+        dhgen_append_slide(C, further);
+        *along += further;
+    }
+    for (int i = 0; i < 12; i += 4) {
+        cosine += turned[i] * C[i] + turned[i + 1] * C[i + 1];
+        sine += turned[i + 1] * C[i] - turned[i] * C[i + 1];
+    }
+    *behind = atan2(sine, cosine);
+    dhgen_append_turn(turned, cos(*behind), sin(*behind));
+    dhgen_copy_link(turned, N);
+}
+
+/* The nominal arm as near to the calibrated one as other zeros of its joints, another base and
+ * another tool can take it, and frames of the latter elsewhere on their axes: common normals of
+ * axes that are nearly parallel may be far away. What is left between constants adds up to how far
+ * the tools may be apart: a rotation counts at the length of what is behind it. */
 DHGEN_FN void dhgen_find_nearest(const dhgen_kind *kind, dhgen_calibration *of)
 {
-    double(*const nominal)[12] = of->nominal;
-    double fit[7][12], back[12], shift, length;
+    double(*const nominal)[12] = of->nominal, slid[12], length;
     dhgen_constants_of(kind, kind->nominal, nominal);
-    shift =
-        nominal[1][11] - of->constant[1][11]; /* along axis 1 the base takes up what is missed */
-    dhgen_copy_link(nominal[0], of->left);
-    dhgen_append_slide(of->left, shift);
-    dhgen_invert(of->constant[0], back);
-    dhgen_append(of->left, back);
+    /* along axis 1 the base takes up what is missed */
+    double shift = of->constant[1][11] - nominal[1][11];
+    dhgen_append_slide(of->constant[0], shift);
+    dhgen_invert(of->constant[0], slid);
+    dhgen_compose(nominal[0], slid, of->left);
     of->more[0] = 0.0;
-    for (int k = 1; k < 6; k++) {
-        double next;
-        dhgen_fit_constant(nominal[k], of->constant[k], shift, &next, &of->more[k], fit[k]);
-        dhgen_append_turn(nominal[k], cos(of->more[k]), sin(of->more[k]));
-        shift = next;
+    for (int k = 1; k < 7; k++) {
+        double before, along;
+        dhgen_copy_link(dhgen_identity, slid);
+        dhgen_append_slide(slid, -shift);
+        dhgen_append(slid, of->constant[k]);
+        if (k < 6) {
+            dhgen_fit_constant(nominal[k], slid, &before, &of->more[k], &along);
+            of->more[k - 1] += before;
+            shift = along;
+        }
+        dhgen_copy_link(slid, of->constant[k]);
     }
-    dhgen_copy_link(dhgen_identity, fit[6]);
-    dhgen_append_slide(fit[6], -shift);
-    dhgen_append(fit[6], nominal[6]);
-    dhgen_invert(of->constant[6], of->right);
-    dhgen_append(of->right, fit[6]);
+    dhgen_invert(of->constant[6], slid);
+    dhgen_compose(slid, nominal[6], of->right);
     of->turned = DHGEN_ROUNDED_DEVIATION;
     of->moved = DHGEN_ROUNDED_DEVIATION * kind->length;
-    length = dhgen_length_of(fit[6]);
+    length = dhgen_length_of(nominal[6]);
     for (int k = 5; k > 0; k--) {
-        const double turned = dhgen_turned_between(fit[k], of->constant[k]);
+        const double turned = dhgen_turned_between(nominal[k], of->constant[k]);
         of->turned += turned;
-        of->moved += dhgen_moved_between(fit[k], of->constant[k]) + turned * length;
-        length += dhgen_length_of(fit[k]);
+        of->moved += dhgen_moved_between(nominal[k], of->constant[k]) + turned * length;
+        length += dhgen_length_of(nominal[k]);
     }
 }
 

@@ -101,21 +101,18 @@ DHGEN_FN int dhgen_certain_rows(const dhgen_kind *kind, const dhgen_calibration 
 DHGEN_FN void dhgen_to_nominal_rows(
     const dhgen_kind *kind, const dhgen_calibration *of, double *q, unsigned char *status)
 {
+    static const int place[6] = { 0, 1, 2, 3, 4, 5 };
+    const dhgen_nearest_form form = { kind->nearest_wide, kind->nearest_rows, 2, place,
+        of->nominal };
     const double apart[2] = { 0.0, 0.0 };
-    const int place[6] = { 0, 1, 2, 3, 4, 5 };
-    double posture[DHGEN_ASKED];
     dhgen_asked asked;
-    asked.count = 0;
-    while (asked.count < DHGEN_ROWS && status[asked.count] != DHGEN_UNREACHABLE)
-        asked.count++;
+    dhgen_ask_rows(status, &asked);
     for (int k = 0; k < DHGEN_ASKED; k++)
         for (int i = 0; i < 6; i++) {
             asked.angle[i][k] = k < asked.count ? kind->facing[i] * q[6 * k + i] : 0.0;
             asked.value[i][k] = kind->facing[i] * (asked.angle[i][k] + of->more[i]);
         }
-    dhgen_ask_poses(of->nominal, &asked);
-    dhgen_find_postures(kind->nearest_wide, kind->nearest_rows, apart, 2, place, &asked, posture);
-    dhgen_place_rows(posture, kind->nearest_rows, q, status);
+    dhgen_place_asked(&form, apart, &asked, q, status);
 }
 
 /* All rows of a calibrated arm, as a robot's solver fills them: those of the nominal arm also where

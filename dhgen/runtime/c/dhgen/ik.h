@@ -92,11 +92,14 @@ DHGEN_FN void dhgen_solve_rows(const struct dhgen_arm *arm, const double *T,
         arm->complete(arm, T, free_joints, seed, begun, q, status);
     if (arm->merges)
         dhgen_remove_duplicates(arm, T, q, status);
-    for (int row = 0; row < dhgen_rows(arm) && arm->winds; row++)
-        for (int i = 0; i < dhgen_dof(arm) && status[row] != DHGEN_UNREACHABLE; i++) {
+    for (int row = 0; row < dhgen_rows(arm) && arm->winds; row++) {
+        if (status[row] == DHGEN_UNREACHABLE)
+            continue;
+        for (int i = 0; i < dhgen_dof(arm); i++) {
             double *const value = q + dhgen_dof(arm) * row + i;
             *value = dhgen_at_an_end(arm, i, *value, seed[i]);
         }
+    }
     if (arm->follows_seed)
         dhgen_follow_seed(arm, T, free_joints, seed, q, status);
 }

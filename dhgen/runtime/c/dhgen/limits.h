@@ -75,7 +75,8 @@ DHGEN_SMALL double dhgen_turned(
     return value <= high ? value : given;
 }
 
-/* A joint value turned inside its limits, or next to the end that it and the seed are at. */
+/* A joint value turned inside its limits, or next to the end that it and the seed are at. Most stay
+ * as they are: inside, and the seed no half turn away. */
 DHGEN_SMALL double dhgen_at_an_end(
     const struct dhgen_arm *arm, int joint, double value, double seed)
 {

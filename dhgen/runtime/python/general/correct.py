@@ -24,7 +24,7 @@ apart, inner, merged = OWN.apart, OWN.inner, OWN.merged
 CORRECTIONS = 8  # steps at most
 LAST_MISS = 1e-5  # what so short a step may take back [rad, arm sizes]: the loop is two long
 LAST_CORRECTION = 1e-7  # the longest step that is the last one [rad]: the next one is its square
-# The longest step [rad]: where one is longer the solution is too far to be this row's.
+# The longest step [rad], to which longer ones are cut: from a row near its solution none is.
 LONGEST_CORRECTION = 0.25
 # Places in what the pose's solutions have in common: the inverses of K1 and K0; the twist of axis 4
 # divided by its largest entry but the last; the place of that entry, those of the others, and its

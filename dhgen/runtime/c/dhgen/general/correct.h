@@ -11,7 +11,8 @@
 /* Steps at most, and the longest that is the last one [rad]: the next one would be its square. */
 #define DHGEN_CORRECTIONS 8
 #define DHGEN_LAST_CORRECTION 1e-07
-/* The longest step [rad]: where one is longer the solution is too far to be this row's. */
+/* The longest step [rad], to which longer ones are cut: from a row that is near its solution none
+ * is, and up to it the series below are right to 1e-15. */
 #define DHGEN_LONGEST_CORRECTION 0.25
 /* What so short a step may take back [rad, arm sizes]: the loop is two long. */
 #define DHGEN_LAST_MISS 1e-05

@@ -141,13 +141,12 @@ DHGEN_FN int dhgen_near_rows(const struct dhgen_arm *arm, const dhgen_general_ar
 DHGEN_FN void dhgen_to_nearest_rows(const dhgen_nearest_arm *nearest, dhgen_solve_wide *solve,
     const double *free_joints, double *q, unsigned char *status)
 {
-    double given[DHGEN_DOF], posture[DHGEN_ASKED];
+    const dhgen_nearest_form form = { solve, nearest->rows, nearest->given + 2, nearest->place,
+        nearest->link };
+    double given[DHGEN_DOF];
     dhgen_asked asked;
     dhgen_give_nearest(nearest, free_joints, 0.0, 0.0, given);
-    asked.count = 0;
-    while (asked.count < DHGEN_ROWS && status[asked.count] != DHGEN_UNREACHABLE) {
-        asked.count++;
-    }
+    dhgen_ask_rows(status, &asked);
     for (int k = 0; k < DHGEN_ASKED; k++) {
         for (int i = 0; i < DHGEN_DOF; i++) {
             const double *const of = nearest->angle + (DHGEN_DOF + 1) * i;
@@ -160,10 +159,7 @@ DHGEN_FN void dhgen_to_nearest_rows(const dhgen_nearest_arm *nearest, dhgen_solv
             asked.value[i][k] = asked.angle[nearest->place[i]][k] + nearest->offsets[i];
         }
     }
-    dhgen_ask_poses(nearest->link, &asked);
-    dhgen_find_postures(
-        solve, nearest->rows, given, nearest->given + 2, nearest->place, &asked, posture);
-    dhgen_place_rows(posture, nearest->rows, q, status);
+    dhgen_place_asked(&form, given, &asked, q, status);
 }
 #endif
 
