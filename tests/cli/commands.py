@@ -15,8 +15,8 @@ Run = Callable[..., subprocess.CompletedProcess[str]]
 
 ROOT = Path(__file__).resolve().parents[2]
 PLANAR = ROOT / "robots" / "planar_rr.yaml"
-HELPERS = ("cuda.py", "kernels.cuh", "native.c", "native.py", "pose.c", "pose.h", "pose.py")
-FILES = [f"dhgen_{name}" for name in HELPERS] + [
+HELPERS = "arrays.py cuda.py grad.py kernels.cuh native.c native.py pose.c pose.h pose.py"
+FILES = [f"dhgen_{name}" for name in HELPERS.split()] + [
     f"planar_rr.{end}" for end in ("c", "h", "md", "py")
 ]
 WRONG = """\

@@ -64,12 +64,12 @@ def displaced(table: np.ndarray, noise: float, seed: int) -> np.ndarray:
     own, rows = np.eye(4), []
     for frame in frames[1:6]:
         seen = np.linalg.inv(own) @ frame
-        point, axis = seen[:3, 3], seen[:3, 2]
-        normal = np.cross([0.0, 0.0, 1.0], axis)
+        point, z = seen[:3, 3], seen[:3, 2]
+        normal = np.cross([0.0, 0.0, 1.0], z)
         normal /= np.linalg.norm(normal)
-        d, _, a = np.linalg.solve(np.stack([[0.0, 0.0, 1.0], -axis, normal], axis=1), point)
+        d, _, a = np.linalg.solve(np.stack([[0.0, 0.0, 1.0], -z, normal], axis=1), point)
         theta = math.atan2(normal[1], normal[0])
-        rows.append([theta, d, a, math.atan2(np.cross([0.0, 0.0, 1.0], axis) @ normal, axis[2])])
+        rows.append([theta, d, a, math.atan2(np.cross([0.0, 0.0, 1.0], z) @ normal, z[2])])
         own = own @ links(np.array(rows[-1:]))[0]
     last = (np.linalg.inv(own) @ frames[6])[2, 3]
     return np.array([*rows, [0.0, last, 0.0, 0.0]])
