@@ -49,6 +49,8 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
         found = worked_out(story, places)
     wrist = wrist_blocks(story)
     square = chain.dof == chain.task.dimension
+    given = found is not None and bool(chain.free)
+    planar = found is not None and found.rows < chain.task.dimension
     if found is None and wrist is None and not redundant and not (square and story.steps):
         return []
     return blocks_of(
@@ -60,9 +62,10 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
         level=_level_axis(story),
         pointing=chain.task.directions is Directions.POINTING,
         partial=found is not None and chain.task.dimension < 6,
-        planar=found is not None and found.rows < chain.task.dimension,
+        planar=planar,
         solved=joined([say("{}", joint_symbol(joint.number)) for joint in chain.solved]),
-        given=bool(chain.free) and found is not None,
+        given=given,
+        given_and_planar=given and planar,
         redundant=redundant,
         wrist=wrist is not None,
         **(_wrist(story, wrist) if wrist else {}),
