@@ -14,13 +14,14 @@ import numpy as np
 import pytest
 
 from dhgen.derivation.notation.names import symbols
+from dhgen.derivation.velocity.worked_out import worked_out
 from dhgen.kinematics.algebra import build_algebra
 from dhgen.kinematics.build import build_chain
 from dhgen.robot.load import load
 from dhgen.robot.task import Directions
 from dhgen.survey.oracle.forward import forward, jacobian
 from tests.derivation.made import made_for
-from tests.derivation.stories import ROBOTS, WITH_STEPS, document
+from tests.derivation.stories import ROBOTS, WITH_STEPS, document, story, story_of
 from tests.generated.solvers import module
 from tests.structures import first_of
 
@@ -137,6 +138,42 @@ def test_every_square_task_has_it() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_the_determinant_is_the_product(name: str) -> None:
     check_product(arm(name), PRINTED.search(document(name)))
+
+
+@pytest.mark.parametrize("name", ["yaw_scara", "yaw_planar"])
+def test_it_is_that_of_a_task_with_a_yaw(name: str) -> None:
+    robot = load(MADE_UP / f"{name}.yaml")
+    check_product(arm_of(robot), PRINTED.search(made_for(robot)))
+
+
+def test_it_is_that_of_a_task_with_a_pitch() -> None:
+    """Up to the sign: a pitch falls where the tool is turned over."""
+    robot = load(MADE_UP / "pitch_arm.yaml")
+    of, printed = arm_of(robot), PRINTED.search(made_for(robot))
+    assert printed is not None
+
+    def asked(q: FloatArray) -> FloatArray:
+        pose = forward(robot, q)
+        return np.array([*pose[:3, 3], math.asin(-pose[2, 0])])
+
+    for q in postures(of, 8, seed=1):
+        steps = 1e-6 * np.eye(4)
+        J = np.transpose([(asked(q + step) - asked(q - step)) / 2e-6 for step in steps])
+        assert abs(of.worth(printed[1], q)) == pytest.approx(abs(np.linalg.det(J)), abs=1e-9)
+
+
+@pytest.mark.parametrize("name", ["yaw_checked", "tilting_gantry"])
+def test_of_yaw_roll_and_pitch_nothing_is_worked_out(name: str) -> None:
+    """Of no rows the determinant would be 1."""
+    robot = load(MADE_UP / f"{name}.yaml")
+    assert worked_out(story_of(robot)) is None
+    text = made_for(robot)
+    assert "det J" not in text
+    assert "It is never zero" not in text
+
+
+def test_of_a_wrist_nothing_is_worked_out_by_its_position() -> None:
+    assert worked_out(story("wrist_zyz"), by_position=True) is None
 
 
 @pytest.mark.parametrize("name", ["planar_4r", "given_short", "trolley"])

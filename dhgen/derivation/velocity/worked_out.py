@@ -96,8 +96,8 @@ def _in_factors(story: Story, named: Directions, frame: int) -> Factored | None:
     algebra = story.algebra
     rows = _rows(story, named, frame)
     moving_rows = tuple(filter(any, rows or ()))
-    square = all(len(row) == len(moving_rows) for row in moving_rows)
-    size = determinant(algebra, moving_rows) if square else None
+    is_square = {len(row) for row in moving_rows} == {len(moving_rows)}  # and not empty
+    size = determinant(algebra, moving_rows) if is_square else None
     if not size:
         return None
     scale, factors = size.factor_list()
