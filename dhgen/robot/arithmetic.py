@@ -50,6 +50,8 @@ _VARIABLE = re.compile(r"\b(?:q|th(?:eta)?)(?:_?\d+)?\b", re.ASCII)
 # of another joint, as cells call it
 _NUMBERED = re.compile(r"q\d+", re.ASCII)
 
+_WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+
 _OPERATORS: dict[type[ast.operator], Operator] = {
     ast.Add: "+",
     ast.Sub: "-",
@@ -87,11 +89,14 @@ def parse(text: str, values: Mapping[str, float]) -> Expression:
     try:
         tree = ast.parse(multiply_degrees(body), mode="eval")
     except SyntaxError as error:
-        for word in filter(keyword.iskeyword, re.findall(r"[A-Za-z]+", text)):
+        for found in _WORD.finditer(text):
+            word = found[0]
+            if not keyword.iskeyword(word):
+                continue
             if word in values:  # as a parameter's name it is refused already
                 return Name(word)
             message = f"{quoted(word)} is a keyword of Python, no name"
-            raise CellError(message, Span(text.find(word), len(word))) from None
+            raise CellError(message, Span(found.start(), len(word))) from None
         if (unit := no_unit(text, values)) is not None:
             raise unit from None
         # Python gives 0 for the end of the text.

@@ -23,6 +23,7 @@ from dhgen.robot.expression import (
     evaluate,
     to_text,
 )
+from dhgen.robot.source import Span
 from dhgen.robot.tokens import CellError
 
 if TYPE_CHECKING:
@@ -147,6 +148,19 @@ def test_broken_arithmetic_says_where(text: str, at: int) -> None:
     with pytest.raises(CellError, match="an operand or an operator is missing") as info:
         parse(text, VALUES)
     assert info.value.span.start == at
+
+
+@pytest.mark.parametrize("text", ["l_in +", "d_or *", "not_a b", "in_ +", "is2 *"])
+def test_part_of_a_name_is_no_keyword(text: str) -> None:
+    names = dict.fromkeys(("l_in", "d_or", "not_a", "b", "in_", "is2"), 1.0)
+    with pytest.raises(CellError, match="an operand or an operator is missing"):
+        parse(text, names)
+
+
+def test_a_keyword_is_shown_where_it_stands() -> None:
+    with pytest.raises(CellError, match="'is' is a keyword of Python, no name") as info:
+        parse("2*this + is", {"this": 1.0})
+    assert info.value.span == Span(len("2*this + "), 2)
 
 
 def test_unknown_values_entail_no_further_mistakes() -> None:
