@@ -208,8 +208,8 @@ def _format(options: argparse.Namespace) -> str:
             file has an ending of none.
     """
     what = _other_than_derivation(options)
+    ending = "" if options.out is None else options.out.suffix.lower()
     if what is None:
-        ending = "" if options.out is None else options.out.suffix.lower()
         if options.format is None and ending not in ENDINGS:
             *endings, last = filter(None, ENDINGS)
             raise CommandError(
@@ -221,6 +221,11 @@ def _format(options: argparse.Namespace) -> str:
         raise CommandError(f"dhgen: {what} is printed as text alone, not with --format")
     if options.language != LANGUAGES[0]:
         raise CommandError(f"dhgen: {what} is printed in English alone, not with --language")
+    if options.format is None and ENDINGS.get(ending) != FORMATS[0]:
+        raise CommandError(
+            f"dhgen: {options.out}: {what} is printed as text alone: write to .txt, or say "
+            f"--format {FORMATS[0]}"
+        )
     return FORMATS[0]
 
 

@@ -234,6 +234,19 @@ def test_explain_refuses_endings_of_no_format(run: Run, tmp_path: Path) -> None:
     assert done.returncode == 0
 
 
+@pytest.mark.parametrize("file", ["x.docx", "x.HTML", "x.tex"])
+def test_explain_refuses_endings_of_no_text_for_a_program(
+    run: Run, tmp_path: Path, file: str
+) -> None:
+    done = run("explain", PLANAR, "--program", "--out", file, folder=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == (
+        f"dhgen: {file}: --program is printed as text alone: write to .txt, or say --format text\n"
+    )
+    words = ("--program", "--format", "text", "--out", file)
+    assert run("explain", PLANAR, *words, folder=tmp_path).returncode == 0
+
+
 def test_html_without_its_package(tmp_path: Path) -> None:
     """A folder of that name that is no package stands for none."""
     (tmp_path / "latex2mathml.py").write_text("raise ModuleNotFoundError", encoding="utf-8")
