@@ -110,7 +110,7 @@ UNDONE = (
     (r"base,outil", "base,tool"),
     (r"\\mathrm\{init\}", r"\\mathrm{seed}"),
     (r"\\text\{et\}", r"\\text{and}"),
-    (r"(?<! ) ; ", ", "),
+    (r"\\,;\\ ", ", "),
 )
 
 

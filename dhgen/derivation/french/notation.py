@@ -45,13 +45,13 @@ def french_formula(formula: Formula) -> Formula:
 @cache
 def french_symbol(symbol: Symbol) -> Symbol:
     """A letter, or a number that is written as one."""
-    latex, text = _written(symbol.latex, _LATEX), _written(symbol.text, _PLAIN)
-    return replace(symbol, latex=latex, text=text)
+    latex = _written(symbol.latex, _LATEX, r"\,;\ ")  # mathematics drops blanks
+    return replace(symbol, latex=latex, text=_written(symbol.text, _PLAIN, " ; "))
 
 
-def _written(text: str, changes: tuple[tuple[re.Pattern[str], str], ...]) -> str:
+def _written(text: str, changes: tuple[tuple[re.Pattern[str], str], ...], apart: str) -> str:
     if text.startswith("(") and text.endswith(")"):
-        text = text.replace(", ", " ; ")  # the coordinates of a point
+        text = text.replace(", ", apart)  # the coordinates of a point
     for before, after in changes:
         text = before.sub(after, text)
     return text
