@@ -226,7 +226,7 @@ def calibrate_parser() -> argparse.ArgumentParser:
         "this one. A calibration holds `kinematics:`, of each joint x, y, z [m], roll, pitch and "
         "yaw [rad] of its frame in the one before, as Universal Robots' driver extracts them; or "
         "`deltas:`, a list of what is added to theta, d, a, alpha of each row of the table, with "
-        "beta, a turn about y behind them, for axes that are nearly parallel.",
+        "beta, a turn about y behind a and alpha, for axes that are nearly parallel.",
     )
     made.add_argument("file", type=_path, metavar="FILE", help="the robot file of the arm's kind")
     made.add_argument(
@@ -242,7 +242,8 @@ def calibrate_parser() -> argparse.ArgumentParser:
         "--out",
         type=_path,
         metavar="FILE",
-        help="where to write, - for the terminal (default: NAME_calibrated.yaml)",
+        help="where to write, - for the terminal (default: NAME_calibrated.yaml); the arm is "
+        "called as the file is, without its ending",
     )
     return made
 

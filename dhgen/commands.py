@@ -359,7 +359,9 @@ def calibrate(options: argparse.Namespace) -> int:
     from dhgen.robot_files import RobotFile  # noqa: PLC0415
 
     nominal = RobotFile.read(options.file).robot
-    made = calibrated_by(nominal, read_calibration(options.calibration), as_axes=options.axes)
+    calibration = read_calibration(options.calibration)
+    name = "" if options.out in {None, Path("-")} else options.out.stem
+    made = calibrated_by(nominal, calibration, name=name, as_axes=options.axes)
     for note in made.notes:
         print(f"note: {note}", file=sys.stderr)
     read = (options.file, options.calibration)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from dhgen.calibration.chain import calibrated_joints
+from dhgen.calibration.read import ANGLES, CELLS, PLACES
 from dhgen.descriptions.compare import difference
 from dhgen.descriptions.convert import BUG, robot_file_text
 from dhgen.descriptions.lines import arm_of
@@ -14,7 +16,9 @@ from dhgen.descriptions.misses import misses
 from dhgen.descriptions.snap import LEAST, snap
 from dhgen.descriptions.write import Heading, plain
 from dhgen.errors import Diagnostic, RobotFileError, VerificationError
+from dhgen.kinematics.build import build_chain
 from dhgen.robot.load import load_text
+from dhgen.robot.names import YAML_WORDS, why_no_robot_name
 from dhgen.robot.task import ARM_ANGLE, TaskKind
 
 if TYPE_CHECKING:
@@ -23,6 +27,8 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
 
 FAR = 0.03  # arm sizes, and rad: a calibration that moves the tool by more is of another arm
+TURN = 2.0 * math.pi  # rad: no calibration has a larger angle, most in degrees have
+FARTHEST = 30.0  # arm sizes: no arm is so long, most in mm are
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,12 +48,15 @@ class Calibrated:
     notes: tuple[str, ...]
 
 
-def calibrate(robot: Robot, calibration: Calibration, *, as_axes: bool = False) -> Calibrated:
+def calibrate(
+    robot: Robot, calibration: Calibration, *, name: str = "", as_axes: bool = False
+) -> Calibrated:
     """The robot file of an arm with its calibration.
 
     Args:
         robot: The arm of the data sheet.
         calibration: What was measured.
+        name: What to call the arm; by default, and where it can't be called so, NAME_calibrated.
         as_axes: Whether the file is to hold axes in any case, not a table where one can be read.
 
     Raises:
@@ -66,9 +75,10 @@ def calibrate(robot: Robot, calibration: Calibration, *, as_axes: bool = False) 
     if moved.relative > FAR:
         told = f"this is the calibration of another arm: by it the tool of {robot.name} is up to "
         far = f"{moved.moved:.2g} {robot.length_unit} and {moved.turned:.2g} rad away"
-        raise _refusal(calibration, told + far)
+        raise _refusal(calibration, told + far + _unit_hint(robot, calibration))
+    why_not = _why_no_name(name, robot)
     heading = Heading(
-        name=f"{robot.name}_calibrated",
+        name=f"{robot.name}_calibrated" if why_not else name,
         title=f"{robot.title}, calibrated",
         source=f"{robot.name} with {_called(calibration)}",
         free=ARM_ANGLE if robot.arm_angle else robot.free,
@@ -78,8 +88,35 @@ def calibrate(robot: Robot, calibration: Calibration, *, as_axes: bool = False) 
     made = load_text(text, f"{heading.name}.yaml")
     if difference(joints, made, arm.size).relative > BUG * LEAST:
         raise VerificationError(f"the robot file made of {calibration.file} is another arm")
+    if name and why_not:
+        notes.insert(0, f"the arm is called {heading.name}, not {plain(name)}: {why_not}")
     structure = misses(arm)
     return Calibrated(text, made, moved, (*([structure] if structure else []), *notes))
+
+
+def _why_no_name(name: str, robot: Robot) -> str | None:
+    """Why the calibrated arm can't be called so, or None."""
+    if name == robot.name:
+        return "that is the arm of the data sheet, whose files it would write over"
+    if name.casefold() in YAML_WORDS:
+        return "it is a word of YAML"
+    return why_no_robot_name(name)
+
+
+def _unit_hint(robot: Robot, calibration: Calibration) -> str:
+    """Which numbers look as if they were in degrees, or in a smaller unit of length."""
+    names = CELLS if calibration.is_deltas else PLACES
+    numbers = [pair for row in calibration.rows for pair in zip(names, row, strict=True)]
+    angle = max(abs(number) for name, number in numbers if name in ANGLES)
+    length = max(abs(number) for name, number in numbers if name not in ANGLES)
+    size, unit = build_chain(robot).size, robot.length_unit
+    hint = ""
+    if angle > TURN:
+        hint += f"; an angle of {angle:g} looks like degrees: they are in rad, or written with deg"
+    if length > FARTHEST * size:
+        told = f"on an arm of {size:.2g} {unit} looks like another unit: they are in {unit}"
+        hint += f"; a length of {length:g} {told}"
+    return hint
 
 
 def _called(calibration: Calibration) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.descriptions.model import Joint, Motion
-from dhgen.descriptions.rotations import STILL, about, from_rpy, placed, to_rpy
+from dhgen.descriptions.rotations import STILL, about, dot, from_rpy, minus, placed, to_rpy, turned
 from dhgen.errors import Diagnostic, RobotFileError
 from dhgen.robot.expression import evaluate
 from dhgen.robot.robot import Convention, DhTable, JointKind
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 NOWHERE: Placed = (STILL, (0.0, 0.0, 0.0))
+NO_DELTAS = (0.0,) * 5
 
 
 def calibrated_joints(robot: Robot, calibration: Calibration) -> tuple[Joint, ...]:
@@ -38,7 +39,10 @@ def calibrated_joints(robot: Robot, calibration: Calibration) -> tuple[Joint, ..
         raise _refusal(calibration, f"{len(calibration.rows)} rows for an arm of {count} joints")
     base, tool = _frame(robot.base, values), _frame(robot.tool, values)
     if calibration.is_deltas:
-        origins = _origins_of_rows(robot, calibration, values)
+        if not isinstance(robot.geometry, DhTable):
+            raise _refusal(calibration, "deltas are for arms with a table; this one has axes")
+        measured = _origins_of_rows(robot.geometry, calibration.rows, values)
+        origins = _slid(measured, _origins_of_rows(robot.geometry, [NO_DELTAS] * count, values))
     elif robot.length_unit != "m":
         raise _refusal(calibration, f"origins are in m, lengths of the arm in {robot.length_unit}")
     else:
@@ -53,24 +57,40 @@ def calibrated_joints(robot: Robot, calibration: Calibration) -> tuple[Joint, ..
 
 
 def _origins_of_rows(
-    robot: Robot, calibration: Calibration, values: Mapping[str, float]
+    table: DhTable, added: Sequence[Sequence[float]], values: Mapping[str, float]
 ) -> list[Placed]:
     """Of rows with deltas: what stands before each joint's own motion, and behind the last one."""
-    if not isinstance(robot.geometry, DhTable):
-        raise _refusal(calibration, "deltas are for arms with a table; this one has axes")
     found, behind = [], NOWHERE
-    for row, deltas in zip(robot.geometry.rows, calibration.rows, strict=True):
+    for row, deltas in zip(table.rows, added, strict=True):
         cells = [evaluate(cell, values) for cell in (row.theta, row.d, row.a, row.alpha)]
         theta, d, a, alpha = (c + delta for c, delta in zip(cells, deltas, strict=False))
         along_z = about(Z, theta), (0.0, 0.0, d)
         along_x = placed((about(X, alpha), (a, 0.0, 0.0)), (about(Y, deltas[4]), NOWHERE[1]))
-        if robot.geometry.convention is Convention.MODIFIED:
+        if table.convention is Convention.MODIFIED:
             found.append(placed(behind, along_x))
             behind = along_z
         else:
             found.append(behind)
             behind = placed(along_z, along_x)
     return [*found, behind]
+
+
+def _slid(origins: Sequence[Placed], nominal: Sequence[Placed]) -> list[Placed]:
+    """Origins of frames that are slid along their joints' axes to next to the nominal arm's frames.
+
+    Nearly parallel axes have their common normal, and the frame of its row, far from the arm: its
+    size and the points of its axes would be those of the detour.
+    """
+    found = []
+    back = frame = reference = NOWHERE
+    for origin, wanted in zip(origins[:-1], nominal[:-1], strict=True):
+        measured = placed(back, origin)
+        frame, reference = placed(frame, measured), placed(reference, wanted)
+        slide = dot(minus(reference[1], frame[1]), turned(frame[0], Z))
+        along, back = (STILL, (0.0, 0.0, slide)), (STILL, (0.0, 0.0, -slide))
+        frame = placed(frame, along)
+        found.append(placed(measured, along))
+    return [*found, placed(back, origins[-1])]
 
 
 def _joint(

@@ -46,8 +46,9 @@ class Calibration:
         file: Where it is from.
         is_deltas: Whether rows are added to those of the robot file; else they are origins.
         rows: Of each joint, x, y, z [m] and roll, pitch, yaw [rad] of its frame in the one before;
-            or what is added to theta, d, a, alpha of its row, and beta, a turn about y behind them
-            (S. Hayati and M. Mirmirani, 1985).
+            or what is added to theta, d, a, alpha of its row, and beta, a turn about y (S. Hayati
+            and M. Mirmirani, 1985): behind all four, but between a and theta where the convention
+            is modified, Rx(alpha) Tx(a) Ry(beta) Rz(theta) Tz(d).
         words: What the file calls itself; empty where it doesn't.
     """
 

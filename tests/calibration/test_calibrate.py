@@ -10,6 +10,7 @@ import pytest
 from ruamel.yaml import YAML
 
 from dhgen.cli import main
+from dhgen.kinematics.build import build_chain
 from dhgen.robot.load import load
 from dhgen.robot.robot import DhTable, ReferenceAxes
 from dhgen.survey.oracle.forward import forward
@@ -38,6 +39,15 @@ DELTAS = """deltas:
   - {d: 1e-4, alpha: 1e-3, beta: -3e-4}
   - {}
   - {theta: -2e-3, alpha: 1e-4}
+"""
+# Of a UR10e, to a row whose common normals are 100 m away from the arm.
+FAR = """deltas:
+  - {theta: -0.0000418, d: 0.00017, a: 0.000183, alpha: -0.00069633}
+  - {theta: -0.46364401, d: -122.43893069, a: 0.06513069, alpha: 0.00223607}
+  - {theta: 0.12848779, d: 22.68952974, a: 0.03196714, alpha: 0.00188489}
+  - {theta: 0.33512877, d: 99.75012303, a: -0.00000772, alpha: -0.00089633}
+  - {theta: 0.00009265, d: 0.00012051, a: 0.00005179, alpha: -0.00059633}
+  - {theta: 0, d: -0.00006698}
 """
 
 
@@ -83,11 +93,11 @@ def test_an_arm_without_errors_stays_a_table() -> None:
 @pytest.mark.parametrize(("mark", "end"), [("\ufeff", "\n"), ("", "\r\n"), ("\ufeff", "\r\n")])
 def test_files_as_editors_write_them(mark: str, end: str) -> None:
     """With the mark that some begin with, and other ends of lines."""
-    assert calibrated("puma560", DELTAS, "--out", "plain.yaml") == 0
+    assert calibrated("puma560", DELTAS, "--out", "arm.yaml") == 0
+    plain = Path("arm.yaml").read_text("utf-8")
     Path("marked.yaml").write_bytes((mark + DELTAS.replace("\n", end)).encode())
-    assert calibrated("puma560", Path("marked.yaml"), "--out", "read.yaml") == 0
-    plain, read = (Path(name).read_text("utf-8") for name in ("plain.yaml", "read.yaml"))
-    assert read == plain.replace("measured.yaml", "marked.yaml")
+    assert calibrated("puma560", Path("marked.yaml"), "--out", "arm.yaml") == 0
+    assert Path("arm.yaml").read_text("utf-8") == plain.replace("measured.yaml", "marked.yaml")
 
 
 def test_links_may_stand_in_any_order() -> None:
@@ -112,6 +122,56 @@ def test_deltas_of_a_table(convention: str) -> None:
     for q in joint_values(50):
         reached = of_deltas(nominal, rows, q)
         np.testing.assert_allclose(forward(robot, q), reached, rtol=0.0, atol=1e-12)
+
+
+def test_the_file_names_the_arm(capsys: pytest.CaptureFixture[str]) -> None:
+    """Arms of one kind have files of their own, wherever their robot files lie."""
+    for name in ("ur5e_sn1", "ur5e_sn2"):
+        assert calibrated("ur5e", MEASURED, "--out", f"{name}.yaml") == 0
+        assert load(f"{name}.yaml").name == name
+        assert f"{name}: the tool is up to " in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("out", "why"),
+    [
+        ("ur5e-sn1.yaml", "not ur5e-sn1: a name is made of a-z, A-Z, 0-9 and _"),
+        ("ur5e.yaml", "not ur5e: that is the arm of the data sheet"),
+        ("null.yaml", "not null: it is a word of YAML"),
+    ],
+)
+def test_files_whose_name_no_arm_can_have(
+    out: str, why: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert calibrated("ur5e", MEASURED, "--out", out) == 0
+    assert load(out).name == "ur5e_calibrated"
+    assert f"note: the arm is called ur5e_calibrated, {why}" in capsys.readouterr().err
+
+
+def test_axes_where_common_normals_are_far_away(capsys: pytest.CaptureFixture[str]) -> None:
+    """No table: the arm has the size of its data sheet's, not that of the detour."""
+    assert calibrated("ur10e", FAR) == 0
+    assert "the file holds axes, not a table" in capsys.readouterr().err
+    robot, nominal = load("ur10e_calibrated.yaml"), load(ROBOTS / "ur10e.yaml")
+    assert isinstance(robot.geometry, ReferenceAxes)
+    lengths = (0.1807, 0.6127, 0.57155, 0.17415, 0.11985, 0.11655)
+    assert 1.3 < build_chain(robot).size < 1.5 * sum(lengths)
+    rows = YAML(typ="safe").load(FAR)["deltas"]
+    for q in joint_values(50):
+        reached = of_deltas(nominal, rows, q)
+        np.testing.assert_allclose(forward(robot, q), reached, rtol=0.0, atol=1e-12)
+
+
+@pytest.mark.breadth
+def test_joint_velocities_where_common_normals_are_far_away(tmp_path: Path) -> None:
+    """Those with which the tool moves by the twist, where the arm is not nearly singular."""
+    assert calibrated("ur10e", FAR) == 0
+    solver = library(written(tmp_path / "ur10e_calibrated.yaml", tmp_path).module, tmp_path)
+    twist = np.array([0.1, -0.2, 0.05, 0.3, 0.1, -0.2])
+    values = np.array([[0.3, -1.2, 1.5, -0.6, 1.1, 0.2], [-2.0, -0.8, -1.3, 0.4, -1.4, 2.5]])
+    for q in values:
+        velocities = solver.joint_velocities(q, twist)
+        np.testing.assert_allclose(solver.jacobian(q) @ velocities, twist, rtol=0.0, atol=1e-12)
 
 
 def test_axes_where_they_are_asked_for() -> None:
@@ -155,6 +215,16 @@ def test_what_is_written_over_is_told_and_what_is_read_stays(
     ("robot", "text", "message"),
     [
         ("ur10e", MEASURED, "this is the calibration of another arm: by it the tool of ur10e is "),
+        (
+            "puma560",
+            DELTAS.replace("theta: 2e-4", "theta: -26.6"),
+            "; an angle of 26.6 looks like degrees: they are in rad, or written with deg",
+        ),
+        (
+            "ur5e",
+            NOMINAL.replace("0.425", "425"),
+            "; a length of 425 on an arm of 1.3 m looks like another unit: they are in m",
+        ),
         ("scara", DELTAS, "6 rows for an arm of 4 joints"),
         (
             "welding_5r",
