@@ -16,7 +16,7 @@ on this side.
 It needs NVIDIA's driver, and NVRTC, which comes with PyTorch and CuPy or by `pip install
 nvidia-cuda-nvrtc`. What that compiles is kept in $DHGEN_CACHE_DIR, or dhgen/ in the user's cache
 folder, under the digest of all that it is made of: the first call of a robot takes a second for
-regular poses, and ten more for the careful functions, if these are wanted.
+regular poses, and ten to sixty more for the careful functions, if these are wanted.
 """
 
 from __future__ import annotations
@@ -80,11 +80,14 @@ def cuda(module: ModuleType) -> Solver:
         module: The robot's Python; its C and header are looked for in the same folder.
 
     Raises:
-        TypeError: The argument is not a serial arm's module.
+        TypeError: The argument is not a serial arm's module, or its table comes at run time.
         FileNotFoundError: The C or its header is missing.
         NoDriver: There is no driver.
         NoCompiler: There is no NVRTC.
     """
+    if hasattr(module, "calibrated"):
+        told = f"cuda takes the module of one arm: the table of {module.NAME} comes at run time"
+        raise TypeError(f"{told}; its C is CUDA, too: call that from a kernel of your own")
     if not hasattr(module, "ik_all") or hasattr(module, "LEGS"):
         wanted = "a serial arm's module, as in 'import scara; dhgen_cuda.cuda(scara)'"
         raise TypeError(f"cuda takes {wanted}, not {module!r}")

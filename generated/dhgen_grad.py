@@ -11,10 +11,10 @@ Part of dhgen, which puts a copy of this file beside the robots that it generate
 Rows and statuses are those of `ik_batch`. A row's derivative is that of its solution: the joint
 velocities with which the tool follows.
 
-- Of a change of T counts what moves a rigid body: the velocity of the tool's origin is that of
-  T[:3, 3], the angular velocity w that for which w x R is nearest to the change of R = T[:3, :3].
-  Gradients have that part alone, too; stretching and shearing change nothing, nor does the last
-  row. Of directions counts what the task names.
+- A change of T is taken as the motion of a rigid body: the tool's origin moves as T[:3, 3] does,
+  and its angular velocity is the w with w x R nearest to the change of R = T[:3, :3]. The rest of
+  the change, which stretches or shears R, or is in the last row, changes no row, and gradients are
+  zero along it. Where the task names a part of the rotation, only the change of that part matters.
 - Arms of fewer joints, and redundant ones without values that the caller gives: least squares, and
   of these the least, lengths in arm sizes, as `joint_velocities` of the module.
 - What the caller gives (`q_free`: values of joints, or the arm angle) has derivatives, too, and
@@ -24,7 +24,8 @@ velocities with which the tool follows.
   derivative, or a greater one. This includes rows whose status is FREE_JOINT.
 - Rows without a solution are NaN and have derivatives of zero, whatever comes back for them.
 
-Derivatives are of the first order; PyTorch has them backwards. What lives on the CPU is solved by
+Derivatives are of the first order. PyTorch's functions have backward(), no forward mode; JAX's have
+both. What lives on the CPU is solved by
 the module that is given, which may be one of `dhgen_native`. Tensors on a GPU are solved there by
 `dhgen_cuda`, and so are JAX's arrays; inside jit these come to the CPU and go back. The derivative
 of the arm angle is found by differences, to nine digits, and on the CPU alone.
@@ -59,10 +60,11 @@ def torch_ik(robot: ModuleType) -> Callable[..., tuple[Array, Array]]:
     Returns:
         A function of T (..., 4, 4), float64 or float32, and of what the caller gives besides
         (..., how many). Its results are q (..., rows, joints) in the type of T, and status (...,
-        rows), bytes that have no gradient.
+        rows), bytes that have no gradient. It raises TypeError where arrays are neither float64 nor
+        float32, or more or fewer than the arm takes, and ValueError where their shapes are wrong.
 
     Raises:
-        TypeError: The argument is not a serial arm's module.
+        TypeError: The argument is not a serial arm's module, or its table comes at run time.
     """
     torch: Any = importlib.import_module("torch")
     arm = Arm(robot)
@@ -113,9 +115,11 @@ def jax_ik(robot: ModuleType) -> Callable[..., tuple[Array, Array]]:
         A function of T (..., 4, 4), and of what the caller gives besides (..., how many), for jit,
         vmap, jvp and grad. Its results are q (..., rows, joints) in the type of T, and status
         (..., rows), bytes. Derivatives have the digits of T's type: float64 wants jax_enable_x64.
+        It raises TypeError where arrays are neither float64 nor float32, or more or fewer than the
+        arm takes, and ValueError where their shapes are wrong.
 
     Raises:
-        TypeError: The argument is not a serial arm's module.
+        TypeError: The argument is not a serial arm's module, or its table comes at run time.
     """
     jax: Any = importlib.import_module("jax")
     arm = Arm(robot)
@@ -209,6 +213,9 @@ class Arm:
     """
 
     def __init__(self, robot: ModuleType) -> None:
+        if hasattr(robot, "calibrated"):
+            told = f"derivatives are of one arm: the table of {robot.NAME} comes at run time"
+            raise TypeError(f"{told}; dhgen calibrate writes its robot file, whose module has them")
         if not hasattr(robot, "_ARM"):
             wanted = "a serial arm's module, as in 'import scara; dhgen_grad.torch_ik(scara)'"
             raise TypeError(f"{wanted} is what has derivatives here, not {robot!r}")

@@ -86,7 +86,7 @@ extern const double ur5e_fleet_nominal[6][4];
 #endif
 
 /* Fills in an arm from its table, row by row, columns as those of the data sheet's. Returns
- * UR5E_FLEET_TAKEN, or what is wrong with it. */
+ * UR5E_FLEET_TAKEN, or what is wrong with it. The table must not be NULL. */
 DHGEN_PUBLIC int ur5e_fleet_calibrate(const double *table, ur5e_fleet_calibration *arm);
 
 #ifndef __CUDACC_RTC__
@@ -113,14 +113,15 @@ DHGEN_PUBLIC void ur5e_fleet_joint_velocities(const ur5e_fleet_calibration *arm,
  * several solutions with one posture the first by ascending joint values has its row. (Where the
  * nominal arm's lead to them it is not proven that no second one is near one of these.) q_seed
  * gives the values of joints that are indeterminate at this pose (NULL: zeros). Returns how many
- * rows are OK or FREE_JOINT, or -UR5E_FLEET_INVALID_POSE, also for a seed that is not finite. */
+ * rows are OK or FREE_JOINT, or -UR5E_FLEET_INVALID_POSE, also for a seed that is not finite where
+ * it may be needed. */
 DHGEN_PUBLIC int ur5e_fleet_ik(const ur5e_fleet_calibration *arm, const double T[16], const double
     *q_seed, double q[16][6], unsigned char status[16]);
 
 /* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed. Returns UR5E_FLEET_OK or UR5E_FLEET_FREE_JOINT, or, with NaN in q, minus
  * UR5E_FLEET_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed that is
- * not finite. */
+ * not finite; it must not be NULL. */
 DHGEN_PUBLIC int ur5e_fleet_ik_nearest(const ur5e_fleet_calibration *arm, const double T[16], const
     double q_seed[6], double q[6]);
 

@@ -212,6 +212,10 @@ def test_what_is_missing(
     told = r"cuda takes a serial arm's module, .* not <module 'math'"
     with pytest.raises(TypeError, match=told):
         dhgen_cuda.cuda(math)
+    fleet = ModuleType("ur5e_fleet")
+    vars(fleet).update(NAME="ur5e_fleet", DOF=6, calibrated=None)
+    with pytest.raises(TypeError, match="the table of ur5e_fleet comes at run time; its C is CUDA"):
+        dhgen_cuda.cuda(fleet)
     parallel = ModuleType("delta")
     vars(parallel).update(NAME="delta", ik_all=None, DOF=3, LEGS=3)
     with pytest.raises(TypeError, match="cuda takes a serial arm's module"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from types import ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
@@ -202,5 +203,7 @@ def test_mistakes() -> None:
         scara.checked(T.astype(int))
     with pytest.raises(ValueError, match=r"q_free must be of shape \(1,\), as T is, not \(2,\)"):
         iiwa.checked(T, np.zeros(2))
+    with pytest.raises(TypeError, match=r"the table of ur5e_fleet comes at run time; dhgen cal"):
+        dhgen_grad.Arm(import_module("ur5e_fleet"))
     with pytest.raises(TypeError, match=r"a serial arm's module, .* not <module 'nothing'"):
         dhgen_grad.Arm(ModuleType("nothing"))

@@ -8,7 +8,7 @@ PyTorch, CuPy and Warp name the stream that is current, so kernels go there, and
 that stream is in order by itself. Libraries that keep their streams to themselves, as JAX does, are
 reached by DLPack's protocol for Python: arrays that kernels read are ready on the kernels' stream,
 and those that they write are taken over by the library's own `from_dlpack`, whose stream waits for
-the kernels. The memory of these is the library's, too: it makes arrays that are filled then.
+the kernels. Their memory is the library's, too: it makes the arrays, which kernels fill.
 """
 
 from __future__ import annotations
