@@ -132,5 +132,5 @@ def returned(text: str) -> str:
 def test_coordinates_of_points_are_apart_in_french() -> None:
     """A comma is that of a decimal number there."""
     assert french_symbol(Symbol("(0, -d_6, 0.5)", "(0, −d₆, 0.5)")) == Symbol(
-        "(0 ; -d_6 ; 0{,}5)", "(0 ; −d₆ ; 0,5)"
+        r"(0\,;\ -d_6\,;\ 0{,}5)", "(0 ; −d₆ ; 0,5)"
     )
