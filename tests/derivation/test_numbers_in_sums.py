@@ -43,3 +43,16 @@ def test_a_number_in_front_of_a_sum_is_not_divided_among_its_terms() -> None:
     text = arm(ROWS[0], "theta: q, a: b, d: 0", "theta: q, a: 0.35*g + 1/3*b")
     (line,) = (each for each in text.splitlines() if each.startswith(r"\det J = "))
     assert line.count(r"\frac") == 1
+
+
+def test_links_that_are_sums_stay_factors_of_the_determinant() -> None:
+    """Links g + a_2 and a_2 + b: a planar arm of two links that turns about a vertical axis."""
+    text = made_of(
+        ROWS[0],
+        "theta: q, a: g + 0.1",
+        "theta: q, a: b + 0.1",
+        parameters="{b: 0.3, g: 0.2, d1: 0.4}",
+        task="position",
+    )
+    line = r"\det J = -(g + a_2) (a_2 + b) s_3 (c_2 (g + a_2) + c_{23} (a_2 + b))"
+    assert line in text.splitlines()

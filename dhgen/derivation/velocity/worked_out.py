@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.conditions import are_never_zero, unsigned
 from dhgen.derivation.notation.matrices import expanded
 from dhgen.derivation.text.formula import ZERO, equal, number, times
-from dhgen.derivation.velocity.determinant import Determinant, Factor
+from dhgen.derivation.velocity.determinant import Determinant, Factor, raised
 from dhgen.derivation.velocity.wrist import approach, velocity_columns
 from dhgen.kinematics.ring import primitive
 from dhgen.kinematics.transform import identity, turn_between
@@ -67,16 +67,19 @@ def worked_out(
     if not found:
         return None
     size, taken = min(found, key=_length)
-    moving = []
+    still, moving = [], []
     for form, power in taken:
+        if algebra.is_constant(form):
+            still.append(raised(story.write_forward(form), power))
+            continue
         written = unsigned(story, form)
         if power % 2 and written != story.write_forward(form):
             size = -size
         never = are_never_zero(algebra, form)
         moving.append(Factor(written, power, _place_of(written, places), never))
     # of a sum the number is in front, and not divided among its terms
-    scale, still = primitive(size) if len(size) > 1 else (1, size)
-    constant = times(number(scale), story.write_forward(still))
+    scale, rest = primitive(size) if len(size) > 1 else (1, size)
+    constant = times(number(scale), story.write_forward(rest), *still)
     return Determinant(constant, tuple(moving), solved)
 
 
@@ -92,7 +95,7 @@ def _place_of(factor: Formula, places: Sequence[Singularity]) -> Singularity | N
 
 
 def _in_factors(story: Story, named: Directions, frame: int) -> Factored | None:
-    """What does not move, and the other factors, of the determinant of velocities in a frame."""
+    """A monomial that does not move, and the other factors, of the determinant in a frame."""
     algebra = story.algebra
     rows = _rows(story, named, frame)
     moving_rows = tuple(filter(any, rows or ()))
@@ -101,18 +104,19 @@ def _in_factors(story: Story, named: Directions, frame: int) -> Factored | None:
     if not size:
         return None
     scale, factors = size.factor_list()
-    still, moving = algebra.ring.ground_new(scale), []
+    still, others = algebra.ring.ground_new(scale), []
     for factor, power in factors:
         forms = (algebra.normal(factor), algebra.normal(expanded(algebra, factor)))
         number_, form = primitive(min(forms, key=len))
         still *= number_**power
-        if algebra.is_constant(form):
+        is_constant = algebra.is_constant(form)
+        if is_constant and len(form) == 1:
             still *= form**power
-        elif len(form) > LONGEST:
-            return None
+        elif is_constant or len(form) <= LONGEST:
+            others.append((form, power))
         else:
-            moving.append((form, power))
-    return algebra.normal(still), moving
+            return None
+    return algebra.normal(still), others
 
 
 def _rows(story: Story, named: Directions, frame: int) -> Rows | None:
