@@ -23,7 +23,7 @@ ROOTS = {"sqrt2", "sqrt3"}
 
 
 def way_from_the_last_axis(algebra: Algebra, link: tuple[Element, ...]) -> Transform:
-    """The translation along the tool's z axis from there to the tool's origin; none elsewhere.
+    """The translation along the tool's z axis from the last axis, if they meet, to its origin.
 
     Args:
         algebra: The arm's ring.

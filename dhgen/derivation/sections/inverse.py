@@ -79,8 +79,8 @@ def _given(story: Story) -> list[Block]:
     if right and not story.algebra.chain.task.names_rotation:
         blocks.append(
             paragraph(
-                "The tool's z axis meets axis {}. The task gives that axis, and with it the point "
-                "where they meet, which joint {} does not move: {} puts the tool's origin there.",
+                "The task gives the tool's z axis, and with it the point where this meets axis {}, "
+                "which joint {} does not move: {} puts the tool's origin there.",
                 *[Given(str(story.dof))] * 2,
                 tool_back(story),
             )

@@ -156,13 +156,14 @@ def _in_the_course(story: Story) -> list[Block]:
             paragraph(
                 "Khalil and Dombre solve both angles of type 8 together: {}, then {} with {}. In "
                 "it {} stands in the equation of cosines, whichever of the step's two that is, and "
-                "{} and {} are the two links, as in the table; a step calls the coefficients of "
-                "its own equation so. Here the second angle has a step of its own, of type 3, from "
-                "the same two equations.",
+                "{} and {} are the two links, as in the table; the steps' {} and {} are other "
+                "coefficients. Here the second angle has a step of its own, of type 3, from the "
+                "same two equations.",
                 TYPE_8[0],
                 Listing(TYPE_8[1:3]),
                 Listing(TYPE_8[3:]),
-                *(Symbol(*pair) for pair in (("Z_1", "Z₁"), ("X", "X"), ("Y", "Y"))),
+                Symbol("Z_1", "Z₁"),
+                *[Symbol("X", "X"), Symbol("Y", "Y")] * 2,
             )
         )
         told += _two_links_in_the_course(story)
