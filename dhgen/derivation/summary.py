@@ -85,7 +85,7 @@ def _whole(kernel: GeneralKernel | NumericalKernel, story: Story) -> list[str]:
         return [
             f"no closed form: the {kernel.method} algorithm, up to {kernel.rows} solutions",
             f"a polynomial of degree {degree} in {hidden}; rows by {rows}",
-            *missed_structure(story.algebra.chain),
+            *missed_structure(story.algebra.chain, story.robot.length_unit),
             *_nearest(story),
             *(task_remarks(story.algebra.chain) if kernel.checked else []),
         ]

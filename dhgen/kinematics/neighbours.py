@@ -50,10 +50,10 @@ def short_number(value: float, digits: int) -> str:
     return f"{value * (1.0 + 1e-9):.{digits}g}"
 
 
-def missed_point(triple: Triple) -> str:
-    """By how much three axes miss one point [file's unit]."""
+def missed_point(triple: Triple, unit: str = "") -> str:
+    """By how much three axes miss one point, in the file's unit, whose name follows if known."""
     axes = ", ".join(map(str, triple.joints))
-    return f"axes {axes} miss one point by {short_number(triple.miss, 4)}"
+    return f"axes {axes} miss one point by {short_number(triple.miss, 4)} {unit}".rstrip()
 
 
 def axis_triples(chain: Chain) -> tuple[Triple, ...]:

@@ -325,6 +325,7 @@ def test_a_wrist_that_nearly_meets() -> None:
     # the general algorithm solves it; what it misses is said all the same
     chain = build_chain(table(*arm, *wrist, "theta: q, d: 0.1"))
     assert "  axes 4, 5, 6 miss one point by 0.0321" in missed_structure(chain)
+    assert "  axes 4, 5, 6 miss one point by 0.0321 mm" in missed_structure(chain, "mm")
 
 
 def test_a_scara_that_was_calibrated() -> None:

@@ -109,31 +109,25 @@ def _number(equation_type: EquationType) -> str:
     return equation_type.name.removeprefix("types ").removeprefix("type ")
 
 
-def missed_structure(chain: Chain) -> list[str]:
-    """Which three axes are parallel or concurrent, and which nearly are."""
-    described = near_structure(chain)
+def missed_structure(chain: Chain, unit: str = "") -> list[str]:
+    """Which three axes are parallel or concurrent, and which nearly are; `unit` is of lengths."""
+    told = (_describe(triple, chain.size, unit) for triple in axis_triples(chain))
+    described = [text for text in told if text]
     if not described:
         return ["no three consecutive axes are parallel or meet in one point, not even nearly"]
     head = "three axes that are parallel or meet in one point can allow a closed form:"
     return [head, *(f"  {text}" for text in described)]
 
 
-def near_structure(chain: Chain) -> list[str]:
-    """The triples of axes that are parallel or concurrent, or nearly so: by how much they miss it.
-
-    Lengths are in the file's unit.
-    """
-    return [text for triple in axis_triples(chain) if (text := _describe(triple, chain.size))]
-
-
-def _describe(triple: Triple, size: float) -> str:
+def _describe(triple: Triple, size: float, unit: str) -> str:
+    """By how much three axes miss being parallel or concurrent; empty where that is much."""
     axes = "axes " + ", ".join(map(str, triple.joints))
     if triple.tilt < EXACT:
         return f"{axes} are parallel"
     if triple.miss < EXACT * size:
         return f"{axes} meet in one point"
     if triple.miss < NEARLY_CONCURRENT * size:
-        return missed_point(triple)
+        return missed_point(triple, unit)
     if triple.tilt < NEARLY_PARALLEL:
         return f"{axes} are {short_number(math.degrees(triple.tilt), 3)} deg from parallel"
     return ""
