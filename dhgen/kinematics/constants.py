@@ -47,7 +47,7 @@ class Constant:
     Attributes:
         name: Generator of the ring, and name in the emitted code.
         value: Its value [length unit, or 1].
-        meaning: What it is, for comments: "link length of joint 2".
+        meaning: What it is, for comments: "link length 2", of a shared number all that it is.
         square: Its square if that is rational (square roots), else None.
         cosine: For the sine of a twist, the name of its cosine, else None.
         is_length: Whether it scales with the arm.
@@ -124,6 +124,7 @@ class ConstantTable:
         self.parameters = dict(parameters)
         self.constants: dict[str, Constant] = {}
         self._opaque: dict[tuple[Expression, str], str] = {}
+        self._places: dict[str, list[str]] = {}
         self._sizes: dict[tuple[Fraction, str], str] = {}
         self._twists: list[tuple[float, str]] = []
         self._ring: PolyRing | None = None
@@ -246,9 +247,14 @@ class ConstantTable:
             while unique in self.constants or unique in self.parameters:
                 unique += "_"
             self._opaque[key] = unique
-            value, meaning = evaluate(expression, self.parameters), cell.meaning_of(expression)
-            self.constants[unique] = Constant(unique, value, meaning, is_length=cell.is_length)
-        return self._generator(self._opaque[key])
+            value = evaluate(expression, self.parameters)
+            self.constants[unique] = Constant(unique, value, "", is_length=cell.is_length)
+        name = self._opaque[key]
+        places = self._places.setdefault(name, [])
+        if (place := cell.meaning_of(expression)) not in places:
+            places.append(place)
+            self.constants[name] = replace(self.constants[name], meaning=_listed(places))
+        return self._generator(name)
 
     def _sum(self, expression: Expression, cell: _Cell) -> Polynomial:
         """A length whose terms are lengths; numbers of one size share a name, so they cancel."""
@@ -292,6 +298,12 @@ class ConstantTable:
 def _kind(name: str) -> str:
     """What lengths that can cancel share of their names: d of d1, z of p2z and of ez."""
     return name.rstrip("0123456789_")[-1:]
+
+
+def _listed(places: Sequence[str]) -> str:
+    """What a number is, at every place that shares it: who edits it changes all of them."""
+    *others, last = places
+    return f"{', '.join(others)} and {last}" if others else last
 
 
 def _angle(argument: Expression, cell: _Cell) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dhgen.derivation.french.sentences import french
 from tests.derivation.made import made_of
 
 ROWS = "theta: q, d: d1, alpha: pi/2", "theta: q, a: b", "theta: q, a: g + 0.1"
@@ -56,3 +57,6 @@ def test_links_that_are_sums_stay_factors_of_the_determinant() -> None:
     )
     line = r"\det J = -(g + a_2) (a_2 + b) s_3 (c_2 (g + a_2) + c_{23} (a_2 + b))"
     assert line in text.splitlines()
+    meaning = "part of link length 2 and part of link length 3"
+    assert f"$a_2 = 0.1$ m ({meaning})" in text
+    assert french(meaning) == "en partie longueur de segment 2 et en partie longueur de segment 3"

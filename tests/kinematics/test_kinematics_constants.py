@@ -190,6 +190,27 @@ def test_a_number_beside_a_parameter_is_called_a_part() -> None:
     assert meanings == {"d4": "part of joint offset 4", "d5": "joint offset 5"}
 
 
+def test_a_shared_number_means_every_cell_that_has_it() -> None:
+    tenth, b = Number(Fraction(1, 10)), Name("b")
+    cells: dict[str, Expression] = {
+        "link length 1": tenth,
+        "link length 2": Binary("+", b, tenth),
+        "link length 3": Binary("-", b, tenth),
+        "link length 4": tenth,
+    }
+    table = ConstantTable({"b": 0.3})
+
+    for closing in (table.close, lambda: None):
+        lengths = [table.length(cell, f"a{of[-1]}", of) for of, cell in cells.items()]
+        closing()
+    meanings = {name: each.meaning for name, each in table.constants.items()}
+    shared = "link length 1, part of link length 2 and part of link length 3"
+    assert meanings == {"a1": shared, "b": "link length 2", "a4": "link length 4"}
+    # as the meanings say, by which lengths change where the number does
+    values = {"a1": 0.2, "b": 0.3, "a4": 0.1}
+    assert [number(each, values) for each in lengths] == pytest.approx([0.2, 0.5, 0.1, 0.1])
+
+
 def test_a_parameter_never_takes_the_name_of_another_generator() -> None:
     # r2 is the length of a slide, wx a coordinate of a point, sqrt2 a number
     names = ["r2", "wx", "sqrt2", "c1m2", "unit", "r2_"]

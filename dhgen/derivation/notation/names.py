@@ -198,9 +198,7 @@ def constant_symbol(constant: Constant, constants: tuple[Constant, ...]) -> Symb
         return _function("sin", reference_angle(constant, constants), name)
     if any(other.cosine == name for other in constants):
         return _function("cos", reference_angle(constant, constants), name)
-    made = _MADE.fullmatch(name)
-    whole = constant.meaning.removeprefix("part of ")
-    if made is not None and whole.split()[0] in {"x", "y", "z", "tool", "base", "home"}:
+    if made := _MADE.fullmatch(name):
         return letter(made[1], made[1], made[2], name)
     return parameter(name)
 
