@@ -286,8 +286,7 @@ DHGEN_FN int dhgen_moves(const struct dhgen_arm *arm, int joint)
     return arm->joints[joint].pace > 0.0f;
 }
 
-/* A robot's function for regular poses: `tile.h` has another word. */
-#define DHGEN_SOLVE_REGULAR NULL
+#define DHGEN_SOLVE_REGULAR NULL /* tile.h has one */
 
 /* All solutions of any pose: also of one that is rounded, singular or none. Returns how many rows
  * are inside limits, or -DHGEN_INVALID_POSE. */
@@ -401,7 +400,7 @@ DHGEN_FN float dhgen_beyond_limits(const struct dhgen_arm *arm, const float *q)
 }
 
 /* How far a joint value is past an end of its range: where that is nearly a turn, the value as it
- * stands, as turning it would lead across the gap. */
+ * stands: turned it would be across the gap. */
 DHGEN_SMALL float dhgen_past_an_end(const struct dhgen_arm *arm, int joint, float value)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
@@ -437,14 +436,13 @@ DHGEN_SMALL float dhgen_turned(
     return value <= high ? value : given;
 }
 
-/* A joint value turned inside its limits, or next to the end that it and the seed are at. Most stay
- * as they are: inside, and the seed no half turn away. */
+/* A joint value turned inside its limits, or next to the end that it and the seed are at. */
 DHGEN_SMALL float dhgen_at_an_end(
     const struct dhgen_arm *arm, int joint, float value, float seed)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const float near = value + DHGEN_TURN * floorf((seed - value) / DHGEN_TURN + 0.5f);
-    if (!of->revolute || (near == value && of->lowest <= value && value <= of->highest))
+    if (!of->revolute || !(fabsf(near - value) > 0.0f || value < of->lowest || of->highest < value))
         return value;
     const float past = fabsf(dhgen_past_an_end(arm, joint, near));
     if (0.0f < past && past < DHGEN_DOUBTFUL && fabsf(near - seed) < DHGEN_BESIDE_SEED)
@@ -1287,14 +1285,11 @@ DHGEN_FN void dhgen_solve_rows(const struct dhgen_arm *arm, const float *T,
         arm->complete(arm, T, free_joints, seed, begun, q, status);
     if (arm->merges)
         dhgen_remove_duplicates(arm, T, q, status);
-    for (int row = 0; row < dhgen_rows(arm) && arm->winds; row++) {
-        if (status[row] == DHGEN_UNREACHABLE)
-            continue;
+    for (int row = 0; row < dhgen_rows(arm) && arm->winds; row++)
         for (int i = 0; i < dhgen_dof(arm); i++) {
             float *const value = q + dhgen_dof(arm) * row + i;
             *value = dhgen_at_an_end(arm, i, *value, seed[i]);
         }
-    }
     if (arm->follows_seed)
         dhgen_follow_seed(arm, T, free_joints, seed, q, status);
 }

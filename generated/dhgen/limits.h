@@ -39,7 +39,7 @@ DHGEN_FN double dhgen_beyond_limits(const struct dhgen_arm *arm, const double *q
 }
 
 /* How far a joint value is past an end of its range: where that is nearly a turn, the value as it
- * stands, as turning it would lead across the gap. */
+ * stands: turned it would be across the gap. */
 DHGEN_SMALL double dhgen_past_an_end(const struct dhgen_arm *arm, int joint, double value)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
@@ -75,14 +75,13 @@ DHGEN_SMALL double dhgen_turned(
     return value <= high ? value : given;
 }
 
-/* A joint value turned inside its limits, or next to the end that it and the seed are at. Most stay
- * as they are: inside, and the seed no half turn away. */
+/* A joint value turned inside its limits, or next to the end that it and the seed are at. */
 DHGEN_SMALL double dhgen_at_an_end(
     const struct dhgen_arm *arm, int joint, double value, double seed)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const double near = value + DHGEN_TURN * floor((seed - value) / DHGEN_TURN + 0.5);
-    if (!of->revolute || (near == value && of->lowest <= value && value <= of->highest))
+    if (!of->revolute || !(fabs(near - value) > 0.0 || value < of->lowest || of->highest < value))
         return value;
     const double past = fabs(dhgen_past_an_end(arm, joint, near));
     if (0.0 < past && past < DHGEN_DOUBTFUL && fabs(near - seed) < DHGEN_BESIDE_SEED)

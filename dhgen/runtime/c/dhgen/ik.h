@@ -7,8 +7,7 @@
 
 #include "arm.h"
 
-/* A robot's function for regular poses: `tile.h` has another word. */
-#define DHGEN_SOLVE_REGULAR NULL
+#define DHGEN_SOLVE_REGULAR NULL /* tile.h has one */
 
 /* All solutions of any pose: also of one that is rounded, singular or none. Returns how many rows
  * are inside limits, or -DHGEN_INVALID_POSE. */
@@ -92,14 +91,11 @@ DHGEN_FN void dhgen_solve_rows(const struct dhgen_arm *arm, const double *T,
         arm->complete(arm, T, free_joints, seed, begun, q, status);
     if (arm->merges)
         dhgen_remove_duplicates(arm, T, q, status);
-    for (int row = 0; row < dhgen_rows(arm) && arm->winds; row++) {
-        if (status[row] == DHGEN_UNREACHABLE)
-            continue;
+    for (int row = 0; row < dhgen_rows(arm) && arm->winds; row++)
         for (int i = 0; i < dhgen_dof(arm); i++) {
             double *const value = q + dhgen_dof(arm) * row + i;
             *value = dhgen_at_an_end(arm, i, *value, seed[i]);
         }
-    }
     if (arm->follows_seed)
         dhgen_follow_seed(arm, T, free_joints, seed, q, status);
 }
