@@ -39,7 +39,7 @@ DHGEN_FN double dhgen_beyond_limits(const struct dhgen_arm *arm, const double *q
 }
 
 /* How far a joint value is past an end of its range: where that is nearly a turn, the value as it
- * stands: turned it would be across the gap. */
+ * stands: turned it is across the gap. */
 DHGEN_SMALL double dhgen_past_an_end(const struct dhgen_arm *arm, int joint, double value)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
