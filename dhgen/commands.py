@@ -205,7 +205,7 @@ def _format(options: argparse.Namespace) -> str:
 
     Raises:
         CommandError: It is something else than the derivation, which has no other format, or the
-            file has an ending of none.
+            file has an ending of none or of another one.
     """
     what = _other_than_derivation(options)
     ending = "" if options.out is None else options.out.suffix.lower()
@@ -215,6 +215,11 @@ def _format(options: argparse.Namespace) -> str:
             raise CommandError(
                 f"dhgen: {options.out}: no format has the ending {ending}: write to "
                 f"{', '.join(endings)} or {last}, or say --format"
+            )
+        if ending and options.format not in {None, ENDINGS.get(ending, options.format)}:
+            raise CommandError(
+                f"dhgen: {options.out}: the ending {ending} is that of {ENDINGS[ending]}, not of "
+                f"--format {options.format}"
             )
         return str(options.format or ENDINGS[ending])
     if options.format not in {None, FORMATS[0]}:

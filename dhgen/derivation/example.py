@@ -11,6 +11,7 @@ import numpy as np
 
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.kinematics.turns import TURN, joints_alone
 from dhgen.program.interpret import interpret, polynomial, wrap
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ def find_example(story: Story) -> Example | None:
     if not good.any():
         return None
     best = int(np.argmax(np.where(good, counts, -1)))
-    away = np.abs(_turned(arm.chain, found.q[best] - q[best])).max(axis=1)
+    away = np.abs(without_turns(arm.chain, found.q[best] - q[best])).max(axis=1)
     followed = int(np.nanargmin(away))
     return Example(
         q[best],
@@ -112,14 +113,7 @@ def least_singular(arm: NumericArm, q: FloatArray) -> FloatArray:
 
 def are_inside(chain: Chain, q: FloatArray) -> NDArray[np.bool_]:
     """Which rows (..., n) keep the limits, whole turns aside."""
-    kept = np.ones(q.shape[:-1], bool)
-    for place, (joint, turns) in enumerate(zip(chain.joints, chain.turning, strict=True)):
-        if joint.limits is not None:
-            low, high = joint.limits
-            value = q[..., place]
-            if turns:
-                value = low + np.remainder(value - low, 2.0 * np.pi)
-            kept &= (low <= value) & (value <= high)
+    kept = np.asarray(keep_their_limits(chain, q).all(axis=-1))
     for limit in chain.sums:
         value = q @ np.array(limit.factors)
         if limit.turns and all(factor == round(factor) for factor in limit.factors):
@@ -128,19 +122,47 @@ def are_inside(chain: Chain, q: FloatArray) -> NDArray[np.bool_]:
     return kept
 
 
-def _turned(chain: Chain, off: FloatArray) -> FloatArray:
+def keep_their_limits(chain: Chain, q: FloatArray) -> NDArray[np.bool_]:
+    """Which joints of rows (..., n) keep their own limits, whole turns aside."""
+    kept = np.ones(q.shape, bool)
+    for place, (joint, turns) in enumerate(zip(chain.joints, chain.turning, strict=True)):
+        if joint.limits is not None:
+            low, high = joint.limits
+            value = q[..., place]
+            if turns:
+                value = low + np.remainder(value - low, 2.0 * np.pi)
+            kept[..., place] = (low <= value) & (value <= high)
+    return kept
+
+
+def without_turns(chain: Chain, off: FloatArray) -> FloatArray:
     """Differences of joint values without whole turns, lengths in arm sizes."""
     return np.asarray(np.where(chain.turning, wrap(off), off / chain.size))
 
 
 def turned_rows(chain: Chain, q: FloatArray) -> FloatArray:
-    """Joint values of which angles are in (-pi, pi]; what is half a turn but for rounding is pi."""
-    return np.asarray(np.where(chain.turning, wrap(q - NEAR_HALF_TURN) + NEAR_HALF_TURN, q))
+    """Joint values with the whole turns that a solver gives them with a seed of zeros.
+
+    Angles are in (-pi, pi], what is half a turn but for rounding is pi; those that exceed their
+    limits are inside them where whole turns take them there.
+    """
+    rows = np.array(np.where(chain.turning, wrap(q - NEAR_HALF_TURN) + NEAR_HALF_TURN, q))
+    for place, (joint, turns) in enumerate(zip(joints_alone(chain), chain.turning, strict=True)):
+        if joint.limits is None or not turns:
+            continue
+        low, high = joint.limits
+        value = rows[..., place]
+        above = np.ceil((value - high - NEAR_HALF_TURN) / TURN)
+        moved = value - TURN * np.maximum(above, 0.0)
+        below = np.ceil((low - moved - NEAR_HALF_TURN) / TURN)
+        moved += TURN * np.maximum(below, 0.0)
+        rows[..., place] = np.where(moved <= high + NEAR_HALF_TURN, moved, value)
+    return rows
 
 
 def _are_apart(chain: Chain, rows: FloatArray) -> bool:
     """Whether no two rows (B, n) are next to each other."""
     held = rows[~np.isnan(rows).any(axis=1)]
     one, other = np.triu_indices(len(held), 1)
-    gaps = np.abs(_turned(chain, held[one] - held[other])).max(axis=1)
+    gaps = np.abs(without_turns(chain, held[one] - held[other])).max(axis=1)
     return bool(gaps.min(initial=np.inf) > APART)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.derivation.example import are_inside, turned_rows
+from dhgen.derivation.example import are_inside, keep_their_limits, turned_rows, without_turns
 from dhgen.derivation.text.formula import ZERO, Relation
 from dhgen.derivation.values import letters_of_joints, value_of
 from dhgen.kinematics.given import given_values
@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
 
 ROUND = range(-165, 181, 15)  # degrees that are tried
+OTHER_SEEDS = -2.0, 1.0  # [rad, length] of all joints, beside that of zeros
+UNCHANGED = 1e-9  # [rad, arm sizes] a joint's value with another seed
 NOTHING = 1e-12  # what a condition is worth there, lengths in arm sizes
 
 
@@ -43,6 +45,8 @@ class SingularExample:
         rows: Joint values by row with a seed of zeros, (B, n), NaN where there is no solution.
         inside: Which rows keep the limits, (B,).
         free: Which rows hold a joint that took the seed's value, (B,).
+        exceeding: By row that has such a joint, the joints from 1 that are beyond their limits
+            whatever value it takes.
     """
 
     place: Singularity
@@ -53,6 +57,7 @@ class SingularExample:
     rows: FloatArray
     inside: NDArray[np.bool_]
     free: NDArray[np.bool_]
+    exceeding: dict[int, tuple[int, ...]]
 
 
 def find_singular(
@@ -74,8 +79,25 @@ def find_singular(
             fewer = found.solved[0].sum() < (~np.isnan(example.rows[:, 0])).sum()
             if found.solved.any() and (found.free.any() if place.frees else fewer):
                 inside = are_inside(arm.chain, rows)
-                return SingularExample(place, joint, q, T[0], given[0], rows, inside, found.free[0])
+                free = found.free[0]
+                exceeding = _exceeding(story, T, given, rows, free)
+                return SingularExample(
+                    place, joint, q, T[0], given[0], rows, inside, free, exceeding
+                )
     return None
+
+
+def _exceeding(
+    story: Story, T: FloatArray, given: FloatArray, rows: FloatArray, free: NDArray[np.bool_]
+) -> dict[int, tuple[int, ...]]:
+    """The joints beyond their limits that no seed changes, by row that took the seed's value."""
+    chain = story.algebra.chain
+    fixed = ~keep_their_limits(chain, rows)
+    for seed in OTHER_SEEDS:
+        other = interpret(story.program, T, np.full((1, chain.dof), seed), given).q[0]
+        fixed &= np.abs(without_turns(chain, other - rows)) <= UNCHANGED
+    found = {row: np.flatnonzero(fixed[row]) + 1 for row in np.flatnonzero(free).tolist()}
+    return {row: tuple(joints.tolist()) for row, joints in found.items() if len(joints)}
 
 
 def _moved(story: Story, example: Example, condition: Relation) -> Iterator[tuple[int, FloatArray]]:

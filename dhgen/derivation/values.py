@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
 
 DIGITS = 5
+LARGE = 6  # the power of ten from which on a number is written with it
 SURE = 12  # digits that rounding leaves right: what is half way between two is so on every machine
 NOTHING = 1e-13  # of the arm's size, or of one: rounding
 
@@ -167,14 +168,21 @@ def signs_of_row(story: Story, row: int) -> dict[str, float]:
 
 
 def figures(value: float, size: float = 1.0) -> Symbol:
-    """A number to five digits; what is rounding beside `size` is zero."""
+    """A number to five digits, from a million on with a power of ten.
+
+    What is rounding beside `size` is zero.
+    """
     if abs(value) <= NOTHING * size:
         return Symbol("0", "0")
     exact = Decimal(f"{value:.{SURE}g}")
-    places = DIGITS - 1 - exact.adjusted()
-    text = f"{round(exact, places) if places > 0 else exact.to_integral_value():f}"
+    rounded = round(exact, DIGITS - 1 - exact.adjusted())
+    exponent = rounded.adjusted() if rounded.adjusted() >= LARGE else 0
+    text = f"{rounded.scaleb(-exponent):f}"
     text = text.rstrip("0").rstrip(".") if "." in text else text
-    return Symbol(text, text.replace("-", "−"))
+    shown = Symbol(text, text.replace("-", "−"))
+    if not exponent:
+        return shown
+    return Symbol(rf"{shown.latex} \cdot 10^{{{exponent}}}", f"{shown.text}e{exponent}")
 
 
 def degrees(value: float) -> Symbol:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.derivation.example import are_inside, drawn, least_singular, turned_rows
+from dhgen.derivation.example import are_inside, drawn, least_singular, turned_rows, without_turns
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.all_joints import whole_numbers
@@ -102,7 +102,7 @@ def _solved(
         return None
     coefficients, roots, sign = found
     rows = turned_rows(chain, solved)
-    followed = int(np.abs(turned_rows(chain, rows - q)).max(axis=1).argmin())
+    followed = int(np.abs(without_turns(chain, rows - q)).max(axis=1).argmin())
     own = kernel.asked
     asked = [number - 1 for number in kernel.numbers[:own]]
     values = chain.drives.values(rows[followed])[asked]

@@ -232,6 +232,11 @@ def test_explain_refuses_endings_of_no_format(run: Run, tmp_path: Path) -> None:
     assert done.stderr == told
     done = run("explain", PLANAR, "--format", "markdown", "--out", "x.docx", folder=tmp_path)
     assert done.returncode == 0
+    done = run("explain", PLANAR, "--format", "html", "--out", "x.tex", folder=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    told = "dhgen: x.tex: the ending .tex is that of latex, not of --format html\n"
+    assert done.stderr == told
+    assert not (tmp_path / "x.tex").exists()
 
 
 @pytest.mark.parametrize("file", ["x.docx", "x.HTML", "x.tex"])

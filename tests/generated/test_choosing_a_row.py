@@ -11,7 +11,9 @@ import pytest
 from tests.generated.solvers import GENERATED, library, robot
 
 TURN = 2.0 * math.pi
-CHOSEN = re.compile(r"with a seed of zeros, that is row (\d+)(?:, [^,]*,)? with \$([\d.]+)\$")
+CHOSEN = re.compile(
+    r"with a seed of zeros, that is row (\d+)(?:, [^,]*)?, where the sum is \$([\d.]+)\$"
+)
 FLIPPED = "the other has $\\theta_4 + \\pi$, $-\\theta_5$, $\\theta_6 + \\pi$"
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field, replace
 from string import Formatter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 from dhgen.derivation.figures.sheet import Words
 from dhgen.derivation.french.catalogue import MARK, MARKS
@@ -22,8 +22,12 @@ from dhgen.derivation.text.blocks import (
     Prose,
     Table,
 )
+from dhgen.derivation.text.walk import symbols_in
+from dhgen.robot.names import LengthUnit
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.derivation.figures.figure import Figure
     from dhgen.derivation.figures.sheet import Shape
     from dhgen.derivation.text.blocks import Block
@@ -34,6 +38,8 @@ _SAID = re.compile(r"\b(?:for|if|else|alone)\b|no solution|the seed's value")
 _ROW, _ROOT = re.compile(r" row (\d+)(?: (?= ))?"), "root "
 _FIRST = ord(MARKS[0])
 _MARK = re.compile(MARK)
+_ITEM = f"{MARK}(?: (?:{'|'.join(get_args(LengthUnit))}|rad))?"
+_LISTED = re.compile(f"{_ITEM}(?:, {_ITEM})+(?: (?:et|ou) {_ITEM})?")
 _NUMBER = re.compile(r"[-−]?\d+\.\d+")
 
 
@@ -101,7 +107,7 @@ class French:
     def prose(self, prose: Prose) -> Prose:
         """Prose in French, the formulas where French has them."""
         text, parts = marked(prose)
-        written = self.words(text)
+        written = _with_semicolons(self.words(text), parts)
         pieces: list[str] = []
         order: list[Formula | Given] = []
         for letter in written:
@@ -144,6 +150,23 @@ def _tree(text: str) -> str:
         + line[end:]
         for line in lines
     )
+
+
+def _with_semicolons(text: str, parts: Sequence[Formula | Given]) -> str:
+    """A text whose lists of formulas with decimal commas have semicolons between them.
+
+    Args:
+        text: In French, a mark for every part.
+        parts: Formulas and texts of the user.
+    """
+
+    def separated(found: re.Match[str]) -> str:
+        marks = (parts[ord(mark) - _FIRST] for mark in _MARK.findall(found[0]))
+        formulas = (french_formula(part) for part in marks if not isinstance(part, Given))
+        commas = any("{,}" in each.latex for formula in formulas for each in symbols_in(formula))
+        return found[0].replace(", ", "\u00a0; ") if commas else found[0]
+
+    return _LISTED.sub(separated, text)
 
 
 def french_path(path: str) -> str:

@@ -96,10 +96,11 @@ def _shortest(story: Story, which: str) -> list[Block]:
     if example is None or coupled_turns(chain) is not None:
         return blocks
     row, distance = nearest_to_zero(chain, example)
-    named = f", {story.branch_names[row]}," if story.has_branch_words else ""
+    named = f", {story.branch_names[row]}" if story.has_branch_words else ""
     blocks.append(
         paragraph(
-            f"In the example, with a seed of zeros, that is row {row}{named} with {{}}.",
+            f"In the example, with a seed of zeros, that is row {row}{named}, where the sum "
+            "is {}.",
             figures(distance),
         )
     )

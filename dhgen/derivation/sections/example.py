@@ -263,15 +263,23 @@ def _statuses(found: SingularExample, before: int) -> Iterable[str]:
     solved = int((~np.isnan(found.rows).any(axis=1)).sum())
     holding = "row holds a solution" if solved == 1 else "rows hold solutions"
     yield f"Here {numeral(solved)} {holding}, in the example {numeral(before)}."
-    if found.free.any():
-        rows = many("row", [str(row) for row in np.flatnonzero(found.free)])
+    taking = [row for row in np.flatnonzero(found.free).tolist() if row not in found.exceeding]
+    if taking:
+        rows = many("row", list(map(str, taking)))
         yield f"In {rows} the seed's value, zero here, is taken: the status is FREE_JOINT."
-    beyond = found.free & ~found.inside
-    if beyond.any():
-        rows = many("row", [str(row) for row in np.flatnonzero(beyond)])
+    beyond = [row for row in taking if not found.inside[row]]
+    if beyond:
+        rows = many("row", list(map(str, beyond)))
         yield (
             f"In {rows} it puts a joint beyond its limits: the nearest value that works takes its "
             "place, and where there is none the status is OUT_OF_LIMITS."
+        )
+    for joints in dict.fromkeys(found.exceeding.values()):
+        rows = many("row", [str(row) for row, own in found.exceeding.items() if own == joints])
+        verb, limits = ("are", "their limits") if joints[1:] else ("is", "its limits")
+        yield (
+            f"In {rows} {many('joint', list(map(str, joints)))} {verb} beyond {limits} whatever "
+            "value is taken: the status is OUT_OF_LIMITS."
         )
 
 

@@ -89,7 +89,8 @@ def _columns(story: Story, *, by_angles: bool) -> list[Block]:
     if reversed_ and not by_angles:
         text += f" For {many('joint', reversed_)} it has the opposite sign, as the variable has."
     last = story.algebra.chain.links[-1]
-    if own and any(isinstance(element, Passive) for element in last[1:]):
+    joint = next(k for k, element in enumerate(last) if isinstance(element, (Turn, Slide)))
+    if own and any(isinstance(element, Passive) for element in last[joint:]):
         text += f" Those of joint {len(joints_of(story))} are of the frame before the passive rows."
     whole = Symbol(r"T_{\mathrm{base,tool}}", "T_base,tool")
     parts = (Symbol(z, zt), Symbol(o, ot), frame, _TOOL_ORIGIN, whole)

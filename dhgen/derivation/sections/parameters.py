@@ -115,16 +115,23 @@ def _parameter(each: Parameter, constant: Constant | None, story: Story) -> Pros
 
 
 def _lengths_that_make_others(story: Story) -> set[str]:
-    """Parameters that stand in another one, which is a length: twice they are twice that."""
+    """Parameters of which a length is made: twice they are twice that.
+
+    Such a length is another parameter, or what is added to the variable of a prismatic joint.
+    """
     values = {each.name: each.value for each in story.robot.parameters}
     lengths = {each.parameter for each in story.algebra.chain.constants if each.is_length}
+    made = [each.expression for each in story.robot.parameters if each.name in lengths]
+    geometry = story.robot.geometry
+    if isinstance(geometry, DhTable):
+        made += [row.d for row in geometry.rows if row.kind is JointKind.PRISMATIC]
     found: set[str] = set()
-    for each in story.robot.parameters:
-        names = {part.name for part in parts(each.expression) if isinstance(part, Name)}
-        twice = values | {name: 2.0 * values[name] for name in names}
-        if each.name in lengths and names:
-            off = evaluate(each.expression, twice) - 2.0 * each.value
-            found |= names if abs(off) < EXACT * abs(each.value) else set()
+    for each in made:
+        names = {part.name for part in parts(each) if isinstance(part, Name)}
+        if names:
+            once = evaluate(each, values)
+            twice = evaluate(each, values | {name: 2.0 * values[name] for name in names})
+            found |= names if abs(twice - 2.0 * once) < EXACT * abs(once) else set()
     return found
 
 

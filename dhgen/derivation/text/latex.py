@@ -57,8 +57,9 @@ def latex(block: Block, drawings: Mapping[str, str]) -> str:
             return f"\\drawing{{%\n{lines}}}"
         case Picture(path, _, caption):
             return f"\\drawn{{%\n{drawings[path]}}}{{{inline(caption)}}}"
-        case Folded(_, blocks):
-            return "\n\n".join(latex(each, drawings) for each in blocks)
+        case Folded(title, blocks):
+            heading = rf"\paragraph{{{_quoted(title)}}}\leavevmode\nopagebreak"
+            return "\n\n".join([heading, *(latex(each, drawings) for each in blocks)])
 
 
 def inline(prose: Prose) -> str:
