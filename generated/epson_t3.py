@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: MIT
+# dhgen 0.1.0; SHA-256 of the robot file: 320ad1470ef59ca1
 """epson_t3: Epson T3.
 
 Inverse kinematics, generated from robots/epson_t3.yaml and templates/python/solver.py.jinja.

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: MIT
+# dhgen 0.1.0; SHA-256 of the robot file: c016093844203d6f
 """gantry_wrist: Gantry with a spherical wrist.
 
 Inverse kinematics, generated from robots/gantry_wrist.yaml and templates/python/solver.py.jinja.

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: MIT
+# dhgen 0.1.0; SHA-256 of the robot file: cd3289ea3711612a
 """kuka_iiwa14_arm_angle: KUKA LBR iiwa 14 R820, arm angle given.
 
 Inverse kinematics, generated from robots/kuka_iiwa14_arm_angle.yaml and

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: MIT
+# dhgen 0.1.0; SHA-256 of the robot file: 9a7aba308d9e3194
 """kuka_kr210: KUKA KR 210.
 
 Inverse kinematics, generated from robots/kuka_kr210.yaml and templates/python/solver.py.jinja.

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: MIT
+# dhgen 0.1.0; SHA-256 of the robot file: e6b64dc6e30913b8
 """kuka_kr40pa_level: KUKA KR 40 PA palletizer, whose rods keep the tool level.
 
 Inverse kinematics, generated from robots/kuka_kr40pa_level.yaml and

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: MIT
+# dhgen 0.1.0; SHA-256 of the robot file: fb1b41daeb364a5a
 """planar_rrr: Planar arm with three revolute joints.
 
 Inverse kinematics, generated from robots/planar_rrr.yaml and templates/python/solver.py.jinja.

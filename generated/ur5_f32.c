@@ -52,9 +52,9 @@
  * files call: with -DDHGEN_SHARED that is compiled once for all of them, in dhgen.c, and their
  * files have its declarations only.
  *
- * In CUDA all functions are for both sides, and tables are where they are read. What is not called
- * in the fast path stays a call there: with all of it in one function compiling takes minutes. */
-#if defined(__GNUC__)
+ * In CUDA functions are for both sides, and tables are where they are read. What is not called
+ * in the fast path stays a call there: in one it compiles for minutes. */
+#if defined(__GNUC__) || defined(__CUDACC__)
 #define DHGEN_UNUSED __attribute__((unused))
 #else
 #define DHGEN_UNUSED

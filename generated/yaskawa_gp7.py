@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: MIT
+# dhgen 0.1.0; SHA-256 of the robot file: 441447592c116f2b
 """yaskawa_gp7: Yaskawa GP7.
 
 Inverse kinematics, generated from robots/yaskawa_gp7.yaml and templates/python/solver.py.jinja.

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen import __version__
 from dhgen.parallel.driven import driven
 from dhgen.parallel.robot import inverse
 from dhgen.printing.comments import plain
@@ -18,7 +17,7 @@ from dhgen.targets.c.files import switch
 from dhgen.targets.c.fitting import fitted
 from dhgen.targets.c.runtime import in_one_file
 from dhgen.targets.layout import INDENT, c_array, listed, paragraph
-from dhgen.targets.module import origin_text
+from dhgen.targets.module import origin_text, stamp
 from dhgen.targets.python.single_file import in_one_file as python_in_one_file
 
 if TYPE_CHECKING:
@@ -150,7 +149,7 @@ def _texts(module: ParallelModule) -> ParallelTexts:
         frames_c=paragraph(in_c, " * "),
         frames_python=paragraph(f"{legs}. Poses are {matrices}, {poses}", ""),
         velocities=velocities(module),
-        stamp=f"dhgen {__version__}; SHA-256 of the robot file: {module.digest}",
+        stamp=stamp(module.digest),
     )
 
 

@@ -7,6 +7,7 @@ import shlex
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from dhgen import __version__
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.task import telling_entries
 from dhgen.kinematics.turns import coupled_turns, stands_on_limits
@@ -141,6 +142,11 @@ def named_entries(chain: Chain) -> list[NamedEntry]:
 def made_text(module: SolverModule, template: str, indent: str) -> str:
     """Where a file comes from; the lines after the first are indented."""
     return origin_text(module.source, module.robot, template, indent, owner=module.owner)
+
+
+def stamp(digest: str) -> str:
+    """By which version a file was made, and of which robot file."""
+    return f"dhgen {__version__}; SHA-256 of the robot file: {digest}"
 
 
 def origin_text(path: str, robot: str, template: str, indent: str, *, owner: str = "") -> str:

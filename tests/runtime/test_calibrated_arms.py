@@ -163,7 +163,7 @@ def test_tables_are_taken_or_not(kind: str) -> None:
 
 
 @pytest.mark.parametrize("place", [(0, 1), (1, 1), (2, 2), (4, 0), (5, 1), (5, 3)])
-@pytest.mark.parametrize("value", [1e5, -1e200, 1e308])
+@pytest.mark.parametrize("value", [1e6, -1e200, 1e308])
 def test_numbers_that_no_calibration_has(kind: str, place: tuple[int, int], value: float) -> None:
     calibrated, table = part(kind, "calibrated"), table_with_errors(1e-4)
     table[place] = value

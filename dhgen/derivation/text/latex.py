@@ -47,7 +47,8 @@ def latex(block: Block, drawings: Mapping[str, str]) -> str:
         case Heading(level, prose):
             return rf"\{LEVELS[level]}{{{inline(prose)}}}"
         case Paragraph(prose, lead):
-            return inline(prose) if lead is None else rf"\textbf{{{inline(lead)}}} {inline(prose)}"
+            text = inline(prose) if lead is None else rf"\textbf{{{inline(lead)}}} {inline(prose)}"
+            return rf"{text}\nopagebreak" if text.endswith(":") else text
         case Display(formulas):
             return "\n\n".join(_displays(lines_of(formulas, LATEX)))
         case Table(header, rows):

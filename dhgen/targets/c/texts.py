@@ -5,13 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen import __version__
 from dhgen.printing.comments import plain
 from dhgen.program.role import GRAZE, LimitEnd
 from dhgen.targets.c.table import c_ends
 from dhgen.targets.constants import constant_texts, made_of, texts_of
 from dhgen.targets.layout import GOES_ON, INDENT, WIDTH, listed, packed, paragraph
-from dhgen.targets.module import made_text
+from dhgen.targets.module import made_text, stamp
 from dhgen.targets.solver.task import meaning
 from dhgen.tolerances import SINGLE
 
@@ -75,7 +74,7 @@ def c_comments(module: SolverModule) -> CComments:
         about=paragraph(f"{module.name}: {plain(module.title)}", " * "),
         made_h=made_text(module, "c/solver.h.jinja", " * "),
         made_c=made_text(module, "c/solver.c.jinja", " * "),
-        stamp=f"dhgen {__version__}; SHA-256 of the robot file: {module.digest}",
+        stamp=stamp(module.digest),
         frames=paragraph(frames, " * "),
     )
 

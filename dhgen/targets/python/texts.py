@@ -12,7 +12,7 @@ from dhgen.runtime.python.frames import IDENTITY
 from dhgen.targets.constants import constant_texts, made_of
 from dhgen.targets.coupled import coupling_fields
 from dhgen.targets.layout import INDENT, WIDTH, listed, packed, paragraph
-from dhgen.targets.module import made_text
+from dhgen.targets.module import made_text, stamp
 from dhgen.targets.python.literal import Name, fields_of
 from dhgen.targets.python.table import arm_lines
 from dhgen.targets.python.whole import python_links
@@ -37,11 +37,13 @@ class PythonComments:
     Attributes:
         about: What it is.
         made: Where it comes from.
+        stamp: By what it was made, and of what.
         frames: What poses are.
     """
 
     about: str
     made: str
+    stamp: str
     frames: str
 
 
@@ -85,6 +87,7 @@ def python_comments(module: SolverModule) -> PythonComments:
     return PythonComments(
         about=paragraph(f"{module.name}: {plain(module.title).rstrip('.')}.", ""),
         made=made_text(module, "python/solver.py.jinja", ""),
+        stamp=stamp(module.digest),
         frames=paragraph(frames, ""),
     )
 
