@@ -2257,7 +2257,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 #define DHGEN_REGULAR_ROWS DHGEN_ROWS
 #endif
 
-DHGEN_FN int solve_regular(
+DHGEN_FN int DHGEN_SOLVE_REGULAR(
     const float *T, const float *free_joints, float *q, unsigned char *status)
 {
     return dhgen_solve_branches(solve_wide, DHGEN_REGULAR_ROWS, T, free_joints, q, status);

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dhgen.program.reserved import Reserved
 
 _SOLVER = """
-fk free_joints half_turn highest i1 i2 i3 i4 i5 i6 ik ik_all ik_batch ik_into J jacobian joint
-joint_velocities lowest pose q q_free q_seed R revolute row seed slack solve status T T11 T12 T13
-T14 T21 T22 T23 T24 T31 T32 T33 T34 turn turned weight wrap
+fk free_joints function half_turn highest i1 i2 i3 i4 i5 i6 ik ik_all ik_batch ik_into J jacobian
+joint joint_velocities lowest pose q q_free q_seed R revolute row seed slack solve status T T11 T12
+T13 T14 T21 T22 T23 T24 T31 T32 T33 T34 turn turned weight wrap
 """
 
 _C = """

@@ -72,7 +72,7 @@ def test_what_the_templates_use_is_reserved() -> None:
     code = re.sub(r"\w*\{\{.*?\}\}\w*|\{%.*?%\}|\{#.*?#\}", " ", template, flags=re.DOTALL)
     code = re.sub(r'/\*.*?\*/|"[^"]*"|#include [^\n]*|#\s*\w+', "", code, flags=re.DOTALL)
     used = set(re.findall(r"(?<![\w.>])[A-Za-z]\w*", code)) - C_KEYWORDS - C_LIBRARY
-    assert {"solve", "dhgen_ik_batch", "seed"} <= used
+    assert {"solve", "dhgen_near_rows", "seed"} <= used
     assert not {name for name in used if not OF_THE_RUNTIME.match(name)} - RESERVED.values
 
 

@@ -10,7 +10,7 @@
 #define DHGEN_REGULAR_ROWS DHGEN_ROWS
 #endif
 
-DHGEN_FN int solve_regular(
+DHGEN_FN int DHGEN_SOLVE_REGULAR(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {
     return dhgen_solve_branches(solve_wide, DHGEN_REGULAR_ROWS, T, free_joints, q, status);
