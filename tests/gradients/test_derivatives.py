@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from dhgen.runtime.helpers import dhgen_grad
+from dhgen.runtime.python import places
 from tests.gradients.moves import POSTURES, move, robot
 
 if TYPE_CHECKING:
@@ -77,7 +78,7 @@ def test_what_the_task_leaves_open_may_be_anything(name: str, other: Callable[[A
 def test_roll_and_pitch_where_the_yaw_is_left_open() -> None:
     """Of an arm's own joints on the move, as if its task were x, y, z, roll and pitch."""
     arm, h = robot("welding_5r"), 1e-5
-    numbers, places = arm._ARM.copy(), arm._runtime("places")
+    numbers = arm._ARM.copy()
     numbers[places.DIRECTIONS], numbers[places.MISS_WEIGHTS + 5] = places.TILT, 0.0
     tilting = dhgen_grad.Arm(SimpleNamespace(**vars(arm) | {"_ARM": numbers}))  # type: ignore[arg-type]
     random = np.random.default_rng(8)
