@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import pose as poses
+from .arrays import NONE_GIVEN
 from .careful import careful_ik
 from .coupled import settle_rows
 from .entry import again
@@ -128,13 +129,13 @@ def calls_of(task: str, arm: Floats, own: Callable[[], Ints], given: int) -> dic
         given: How many values the caller gives.
     """
     solve, solve_many = _compiled(task)
-    zeros, nothing = np.zeros(int(arm[DOF])), np.zeros(0)
+    zeros = np.zeros(int(arm[DOF]))
 
     def unseeded(T: Floats, q: Floats, status: Bytes) -> int:
-        return solve(arm, own(), T, nothing, zeros, q, status)  # type: ignore[no-any-return]
+        return solve(arm, own(), T, NONE_GIVEN, zeros, q, status)  # type: ignore[no-any-return]
 
     def seeded(T: Floats, q: Floats, status: Bytes, seed: Floats) -> int:
-        return solve(arm, own(), T, nothing, seed, q, status)  # type: ignore[no-any-return]
+        return solve(arm, own(), T, NONE_GIVEN, seed, q, status)  # type: ignore[no-any-return]
 
     def many(T: Floats, q: Floats, status: Bytes) -> None:
         solve_many(arm, own(), T, np.empty((len(T), 0)), q, status)

@@ -52,7 +52,7 @@ def robot(name: str) -> Any:
     if str(GENERATED) not in sys.path:
         sys.path.append(str(GENERATED))
     own = import_module(name)
-    # tests of what is imported take the package of robots away again
+    # in a whole run the package of robots was once gone from where its modules are looked for
     sys.modules.setdefault(own._FOLDER, ModuleType(own._FOLDER)).__path__ = [own._BESIDE]
     return in_c(own)
 

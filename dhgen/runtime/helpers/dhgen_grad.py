@@ -46,7 +46,6 @@ if TYPE_CHECKING:
     from types import ModuleType
 
 Array: TypeAlias = Any  # of NumPy, PyTorch or JAX
-DAMPED_BELOW = 0.01  # a singular value of the Jacobian, lengths in arm sizes: as joint_velocities
 STEP = 1e-5  # of differences of the arm angle [rad]: they are right to its square
 OK, FREE_JOINT, OUT_OF_LIMITS = 0, 2, 3  # statuses of rows that hold joint values
 
@@ -221,6 +220,8 @@ class Arm:
             raise TypeError(f"{wanted} is what has derivatives here, not {robot!r}")
         names = vars(robot)
         numbers, places = names["_ARM"], names["_runtime"]("places")
+        # a singular value of the Jacobian, lengths in arm sizes
+        self._damped_below = names["_runtime"]("velocities").DAMPED_BELOW
         self.robot, self.dof, self.rows = robot, robot.DOF, robot.MAX_SOLUTIONS
         self._free = tuple(joint - 1 for joint in names.get("FREE_JOINTS", ()))
         self._angle: Callable[[Array], Array] | None = names.get("arm_angle")
@@ -289,7 +290,7 @@ class Arm:
             square = (held * held).sum(-1)[..., None]
             share = xp.swapaxes(held / xp.where(square > 0.0, square, 1.0), -1, -2)
             free = J - J @ share @ held
-        inverse = _damped_inverse(xp, free)
+        inverse = _damped_inverse(xp, free, self._damped_below)
         by_twist = inverse * paces[:, None] * misses
         if self._rates:
             by_twist = by_twist @ _counted(space, self._rates(space, T))
@@ -346,11 +347,11 @@ def _of_tilt(space: Space, T: Array) -> Array:
     return space.xp.swapaxes(T[..., :3, :3], -1, -2) @ across
 
 
-def _damped_inverse(xp: Any, A: Array) -> Array:  # noqa: ANN401
-    """The pseudoinverses of matrices, of which small singular values are damped."""
+def _damped_inverse(xp: Any, A: Array, below: float) -> Array:  # noqa: ANN401
+    """The pseudoinverses of matrices, of which smaller singular values are damped."""
     U, s, Vh = xp.linalg.svd(A, full_matrices=False)
     square = s * s
-    least = DAMPED_BELOW * DAMPED_BELOW
+    least = below * below
     shares = s / xp.where(square > least, square, least)
     return xp.swapaxes(Vh, -1, -2) * shares[..., None, :] @ xp.swapaxes(U, -1, -2)
 
