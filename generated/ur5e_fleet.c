@@ -574,6 +574,11 @@ DHGEN_PUBLIC int ur5e_fleet_calibrate(const double *table, ur5e_fleet_calibratio
     return dhgen_calibrate(&kind, table, arm);
 }
 
+DHGEN_PUBLIC int ur5e_fleet_calibrate_origins(const double *origins, ur5e_fleet_calibration *arm)
+{
+    return dhgen_calibrate_origins(&kind, origins, arm);
+}
+
 DHGEN_PUBLIC void ur5e_fleet_fk(const ur5e_fleet_calibration *arm, const double q[6], double T[16])
 {
     dhgen_serial_pose(arm, q, T);

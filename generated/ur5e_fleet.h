@@ -61,19 +61,19 @@ enum {
     UR5E_FLEET_INVALID_POSE = 4
 };
 
-/* What ur5e_fleet_calibrate says of a table. */
+/* What ur5e_fleet_calibrate says of a table, ur5e_fleet_calibrate_origins of origins. */
 enum {
     /* all functions answer for the arm */
     UR5E_FLEET_TAKEN = 0,
     /* a number that is not finite: all members are NaN, so are poses, and none has a solution */
     UR5E_FLEET_NOT_FINITE = 1,
     /* the tool is farther away than calibrations take it, `turned` and `moved` say by how much at
-     * most, or a number is above 10000 [rad, arm sizes]; the pose and the Jacobian are those of the
-     * table, solutions may be missing */
+     * most, or a number is above 100000 [rad, arm sizes]; the pose and the Jacobian are those of
+     * these numbers, solutions may be missing */
     UR5E_FLEET_ANOTHER_ARM = 2,
     /* three axes meet, or are parallel, to 1e-9, as those of the nominal arm: such an arm needs a
      * closed form of its own, the nominal arm's or that of a robot file with these numbers; the
-     * pose and the Jacobian are those of the table, solutions may be missing */
+     * pose and the Jacobian are those of these numbers, solutions may be missing */
     UR5E_FLEET_NO_MISS = 3
 };
 
@@ -88,6 +88,13 @@ extern const double ur5e_fleet_nominal[6][4];
 /* Fills in an arm from its table, row by row, columns as those of the data sheet's. Returns
  * UR5E_FLEET_TAKEN, or what is wrong with it. The table must not be NULL. */
 DHGEN_PUBLIC int ur5e_fleet_calibrate(const double *table, ur5e_fleet_calibration *arm);
+
+/* The same from joints' frames, as URDFs and drivers give them: x, y, z [m] and roll, pitch, yaw
+ * [rad] of each one in the frame before, all joint values zero, from base to tool, seven rows of
+ * six: the last row is a frame behind the last joint, zeros where that is the same. The base of the
+ * robot file stands before them, its tool behind them. Joints turn about z, in the sense of the
+ * robot file. */
+DHGEN_PUBLIC int ur5e_fleet_calibrate_origins(const double *origins, ur5e_fleet_calibration *arm);
 
 #ifndef __CUDACC_RTC__
 /* The name of every row. */

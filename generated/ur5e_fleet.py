@@ -757,5 +757,6 @@ _CALLS = _calls.of_kind(
         unit="m",
     ),
 )
-calibrated, ik_into, warm_up = _CALLS["calibrated"], _CALLS["ik_into"], _CALLS["warm_up"]
+calibrated, calibrated_by_origins = _CALLS["calibrated"], _CALLS["calibrated_by_origins"]
+ik_into, warm_up = _CALLS["ik_into"], _CALLS["warm_up"]
 Unreachable = _CALLS["Unreachable"]

@@ -33,9 +33,9 @@ maximum_double MOTION odd SIGNED SIGNED_TWICE size solve_wide TURNS wide word
 """
 
 _PYTHON = """
-AXES BRANCHES calibrated carray DOF FREE_JOINT FREE_JOINTS INVALID_POSE JOINT_LIMITS JOINT_NAMES
-JOINT_TYPES math MAX_SOLUTIONS NAME njit NOMINAL np OK OUT_OF_LIMITS room TABLE types UNREACHABLE
-Unreachable warm_up
+AXES BRANCHES calibrated calibrated_by_origins carray DOF FREE_JOINT FREE_JOINTS INVALID_POSE
+JOINT_LIMITS JOINT_NAMES JOINT_TYPES math MAX_SOLUTIONS NAME njit NOMINAL np OK OUT_OF_LIMITS room
+TABLE types UNREACHABLE Unreachable warm_up
 """
 
 # What else Python needs at file level beside the arm's constants, or has as locals where their

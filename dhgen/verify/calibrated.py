@@ -16,9 +16,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.errors import VerificationError
-from dhgen.runtime.python.calibrated import ANOTHER_ARM, NO_MISS, TAKEN
+from dhgen.runtime.python.calibrate import ANOTHER_ARM, NO_MISS, TABLE_SHAPE, TAKEN
+from dhgen.runtime.python.calibrated_arm import CalibratedArm
 from dhgen.runtime.python.calibration import NUMBERS
-from dhgen.runtime.python.calls_calibrated import CalibratedArm
 from dhgen.status import HELD, Status
 from dhgen.verify.compiled import compiled_code, runtime_code, together
 from dhgen.verify.native import compile_solver
@@ -111,19 +111,19 @@ class PythonArm:
 
     Args:
         python: The module of the kind.
-        table: The arm's own (6, 4).
+        given: Its table (6, 4), or origins (7, 6).
 
     Attributes:
-        said: What was said of its table.
+        said: What was said of them.
         numbers: What was filled in, in the order of the structure in C.
     """
 
-    def __init__(self, python: ModuleType, table: FloatArray) -> None:
+    def __init__(self, python: ModuleType, given: FloatArray) -> None:
         calls = vars(python)["_CALLS"]
-        arm, self.said = calls["worked_out"](table)
+        arm, self.said = calls["worked_out"](given)
         # The compiler's own runtime is imported before the copy beside the module: what is compiled
         # apart of the same text is compiled once.
-        self._arm = CalibratedArm(table, arm, calls)
+        self._arm = CalibratedArm(given, arm, calls)
         self._unreachable = python.Unreachable
         self.numbers: FloatArray = arm[-NUMBERS:]
         self.fk, self.jacobian, self.batch = self._arm.fk, self._arm.jacobian, self._arm.ik_batch
@@ -143,19 +143,20 @@ class FleetArm:
     Args:
         library: The shared library.
         kind: The kind.
-        table: The arm's own (6, 4).
+        given: Its table (6, 4), or origins (7, 6).
 
     Attributes:
-        said: What was said of its table.
+        said: What was said of them.
         members: What was filled in.
     """
 
-    def __init__(self, library: Any, kind: Kind, table: FloatArray) -> None:  # noqa: ANN401
+    def __init__(self, library: Any, kind: Kind, given: FloatArray) -> None:  # noqa: ANN401
         self._library, self._name = library, kind.module.name
         self._shape = kind.module.solver.rows, kind.module.chain.dof
         self.members = Calibration()
-        rows = np.ascontiguousarray(table, np.float64)
-        function = library[f"{self._name}_calibrate"]
+        rows = np.ascontiguousarray(given, np.float64)
+        suffix = "" if rows.shape == TABLE_SHAPE else "_origins"
+        function = library[f"{self._name}_calibrate{suffix}"]
         self.said = int(function(_pointer(rows), ctypes.byref(self.members)))
 
     @property

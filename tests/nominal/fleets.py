@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from functools import cache
 from typing import TYPE_CHECKING
@@ -77,6 +78,16 @@ def table_of(name: str, noise: float, seed: int = 1) -> np.ndarray:
     nominal, size = np.array(kind(name).table.rows), kind(name).nominal.chain.size
     errors = np.random.default_rng(seed).normal(0.0, noise, nominal.shape)
     return np.asarray(nominal + errors * [1.0, size, size, 1.0])
+
+
+def screw(axis: int, angle: float, length: float) -> np.ndarray:
+    """A turn about x, y or z (0, 1, 2), and a move along it."""
+    T, j, k = np.eye(4), (axis + 1) % 3, (axis + 2) % 3
+    T[j, j] = T[k, k] = math.cos(angle)
+    T[k, j] = math.sin(angle)
+    T[j, k] = -T[k, j]
+    T[axis, 3] = length
+    return T
 
 
 def random_joints(count: int, seed: int = 4) -> np.ndarray:

@@ -15,10 +15,10 @@ import pytest
 
 from dhgen.atomic_write import write_files
 from dhgen.runtime import c_runtime_files
-from dhgen.runtime.python.calibrated import TAKEN
+from dhgen.runtime.python.calibrate import TAKEN
 from dhgen.runtime.python.calibration import MOVED, TURNED
 from dhgen.verify.calibrated import FleetArm
-from tests.nominal.fleets import compiled, kind, random_joints, turned
+from tests.nominal.fleets import compiled, kind, random_joints, screw, turned
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -33,16 +33,6 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     made = tmp_path_factory.mktemp("far")
     write_files(made, c_runtime_files())
     return made
-
-
-def screw(axis: int, angle: float, length: float) -> np.ndarray:
-    """A turn about x, y or z (0, 1, 2), and a move along it."""
-    T, j, k = np.eye(4), (axis + 1) % 3, (axis + 2) % 3
-    T[j, j] = T[k, k] = math.cos(angle)
-    T[k, j] = math.sin(angle)
-    T[j, k] = -T[k, j]
-    T[axis, 3] = length
-    return T
 
 
 def links(table: np.ndarray) -> list[np.ndarray]:

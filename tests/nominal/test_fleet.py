@@ -18,7 +18,7 @@ from dhgen.errors import UnsolvedError, VerificationError
 from dhgen.method import Method
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import c_runtime_files, runtime_files
-from dhgen.runtime.python.calibrated import ANOTHER_ARM, NO_MISS, NOT_FINITE, TAKEN
+from dhgen.runtime.python.calibrate import ANOTHER_ARM, NO_MISS, NOT_FINITE, TAKEN
 from dhgen.status import HELD, Status
 from dhgen.survey.oracle.forward import forward
 from dhgen.targets.c.calibrated import kind_files

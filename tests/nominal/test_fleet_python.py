@@ -14,7 +14,7 @@ import pytest
 from dhgen.atomic_write import write_files
 from dhgen.errors import VerificationError
 from dhgen.runtime import runtime_files
-from dhgen.runtime.python.calibrated import ANOTHER_ARM, NO_MISS, NOT_FINITE, TAKEN
+from dhgen.runtime.python.calibrate import ANOTHER_ARM, NO_MISS, NOT_FINITE, TAKEN
 from dhgen.runtime.python.calibration import NUMBERS
 from dhgen.runtime.python.calibration import TURNED as TURNED_AT
 from dhgen.runtime.python.jit import COMPILED

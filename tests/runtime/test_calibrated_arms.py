@@ -60,7 +60,7 @@ def table_with_errors(noise: float) -> np.ndarray:
 def worked_out(kind: str, convention: str, table: np.ndarray) -> tuple[Any, int]:
     """The numbers of an arm, and what is said of its table."""
     numbers, arm = model(kind, convention)
-    said = part(kind, "calibrated").calibrate(numbers, np.ravel(table).copy(), arm)
+    said = part(kind, "calibrate").calibrate(numbers, np.ravel(table).copy(), arm)
     return arm, said
 
 
@@ -148,27 +148,49 @@ def test_the_nearest_nominal_arm_is_at_most_so_far(kind: str, convention: str) -
 
 
 def test_tables_are_taken_or_not(kind: str) -> None:
-    calibrated = part(kind, "calibrated")
-    assert worked_out(kind, "standard", table_with_errors(1e-4))[1] == calibrated.TAKEN
-    assert worked_out(kind, "standard", np.array(NOMINAL))[1] == calibrated.NO_MISS
+    calibrate = part(kind, "calibrate")
+    assert worked_out(kind, "standard", table_with_errors(1e-4))[1] == calibrate.TAKEN
+    assert worked_out(kind, "standard", np.array(NOMINAL))[1] == calibrate.NO_MISS
     for row, column, by in ((1, 2, 0.2), (4, 3, 0.1), (2, 3, -0.1)):
         table = table_with_errors(1e-4)
         table[row, column] += by
-        assert worked_out(kind, "standard", table)[1] == calibrated.ANOTHER_ARM
+        assert worked_out(kind, "standard", table)[1] == calibrate.ANOTHER_ARM
     zeros = table_with_errors(1e-4)
     zeros[:, 0] += [1.0, -2.0, 0.5, 3.0, -1.0, 2.0]  # other zeros are no deviation
     zeros[0, 1] += 5.0  # nor is a base that is elsewhere
     zeros[5] += [0.0, 3.0, 2.0, 0.7]  # or another tool
-    assert worked_out(kind, "standard", zeros)[1] == calibrated.TAKEN
+    assert worked_out(kind, "standard", zeros)[1] == calibrate.TAKEN
+
+
+def turned_by(roll: float, pitch: float, yaw: float) -> np.ndarray:
+    return np.asarray(screw(2, yaw, 0.0) @ screw(1, pitch, 0.0) @ screw(0, roll, 0.0))
+
+
+def test_origins_stand_between_base_and_tool(kind: str) -> None:
+    """Seven frames whose own turns and moves are products of matrices."""
+    source = np.random.default_rng(11)
+    origins = np.concatenate(
+        [source.uniform(-0.4, 0.4, (7, 3)), source.uniform(-3.0, 3.0, (7, 3))], axis=1
+    )
+    numbers, arm = model(kind, "standard")
+    part(kind, "calibrate").calibrate(numbers, np.ravel(origins).copy(), arm)
+    for q in source.uniform(-3.0, 3.0, (5, 6)):
+        T = whole(BASE)
+        for (*place, roll, pitch, yaw), angle in zip(origins, [*(FACING * q), 0.0], strict=True):
+            moved = np.eye(4)
+            moved[:3, 3] = place
+            T = T @ moved @ turned_by(roll, pitch, yaw) @ screw(2, angle, 0.0)
+        found = called(kind, "serial", "serial_pose")(arm[-NUMBERS:], q)
+        np.testing.assert_allclose(found, T @ whole(TOOL), atol=1e-14)
 
 
 @pytest.mark.parametrize("place", [(0, 1), (1, 1), (2, 2), (4, 0), (5, 1), (5, 3)])
 @pytest.mark.parametrize("value", [1e6, -1e200, 1e308])
 def test_numbers_that_no_calibration_has(kind: str, place: tuple[int, int], value: float) -> None:
-    calibrated, table = part(kind, "calibrated"), table_with_errors(1e-4)
+    calibrate, table = part(kind, "calibrate"), table_with_errors(1e-4)
     table[place] = value
     with np.errstate(all="ignore"):
-        assert worked_out(kind, "standard", table)[1] == calibrated.ANOTHER_ARM
+        assert worked_out(kind, "standard", table)[1] == calibrate.ANOTHER_ARM
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
@@ -176,7 +198,7 @@ def test_what_is_not_finite_leaves_nothing(kind: str, value: float) -> None:
     table = table_with_errors(1e-4)
     table[3, 2] = value
     arm, said = worked_out(kind, "standard", table)
-    assert said == part(kind, "calibrated").NOT_FINITE
+    assert said == part(kind, "calibrate").NOT_FINITE
     assert np.isnan(arm[-NUMBERS:]).all()
     T = called(kind, "serial", "serial_pose")(arm[-NUMBERS:], np.zeros(6))
     assert np.isnan(T[:3]).all()
@@ -208,5 +230,5 @@ def test_normal_equations(kind: str) -> None:
     A = random.normal(size=(8, 6))
     normal, b = A.T @ A, random.normal(size=6)
     found = b.copy()
-    called(kind, "calibrated", "solve_normal")(normal.copy(), found)
+    called(kind, "calibrate", "solve_normal")(normal.copy(), found)
     np.testing.assert_allclose(found, np.linalg.solve(normal, b), rtol=1e-9)

@@ -9,26 +9,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .arguments import BYTE, FLOAT, array_of, demand_array, of_each, results
+from .arguments import FLOAT, array_of, demand_array, numbers
 from .arm import SOLVES, descents_of
 from .arrays import NONE_GIVEN
-from .calibrated import (
-    JOINTS,
-    TAKEN,
-    blank_numbers,
-    calibrate,
-    kind_numbers,
-    near_angles,
-    nominal_pose,
-)
-from .calibration import LEFT, MOVED, NUMBERS, RIGHT, TURNED, calibration_of
+from .calibrate import JOINTS, ORIGINS_SHAPE, TABLE_SHAPE, TAKEN, calibrate
+from .calibrated import blank_numbers, kind_numbers, near_angles, nominal_pose
+from .calibrated_arm import CalibratedArm
+from .calibration import LEFT, MOVED, RIGHT, TURNED, calibration_of
 from .careful import careful_ik
-from .entry import Choice, again, demand_filled, poses_of, share
+from .entry import Choice, again, demand_filled
 from .functions import compilers_of, unreachable
 from .general.compiled import compile_apart as compile_general
 from .general.near import fill_corrected, filled_of, near_pose
@@ -36,7 +29,7 @@ from .general.postures import place_rows, posture_of
 from .general.rows import all_joints
 from .jit import COMPILED, overload
 from .pose import read_pose
-from .refused_tables import refusal
+from .refused_numbers import Refused, refusal
 from .serial import OWN as SERIAL
 from .serial import serial_jacobian, serial_pose
 from .status import INVALID_POSE, UNREACHABLE
@@ -197,136 +190,6 @@ def ik_into(arm: Floats, T: Floats, q: Floats, status: Bytes, q_seed: Floats | N
         raise
 
 
-class CalibratedArm:
-    """An arm with the table that it was given: only read, by any number of threads.
-
-    Attributes:
-        table: theta, d, a, alpha of each row at q = 0, (6, 4); can't be written to.
-        numbers: What the table makes of the arm, as `ik_into` of the module takes it; not to be
-            changed.
-        turned: By how much its tool is turned to that of the nominal arm at most, once that has
-            other zeros, base and tool [rad].
-        moved: By how much it is away at most [length].
-    """
-
-    __slots__ = ("_calls", "_choice", "moved", "numbers", "table", "turned")
-
-    def __init__(self, table: Floats, arm: Floats, calls: Mapping[str, Any]) -> None:
-        """Takes what `calibrated` of the module worked out."""
-        self.table, self.numbers, self._calls = table.view(), arm, calls
-        self.table.flags.writeable = False  # the numbers would not follow
-        self._choice: Choice = calls["choice"](arm)
-        self.turned, self.moved = (float(arm[at - NUMBERS]) for at in (TURNED, MOVED))
-
-    def __repr__(self) -> str:
-        """The module, and by how much the arm differs."""
-        module, unit = self._calls["__name__"], self._calls["unit"]
-        differs = f"{self.turned:.2g} rad, {self.moved:.2g} {unit}"
-        return f"<arm of {module}, from the nominal one at most {differs}>"
-
-    def __reduce__(self) -> tuple[Any, tuple[Floats]]:
-        """Another process works the table out again."""
-        return self._calls["calibrated"], (self.table,)
-
-    def fk(self, q: ArrayLike) -> Any:  # noqa: ANN401  numbers in the shape of the stack
-        """The pose (4, 4) of joint values (6,), or of each in a stack of them."""
-        return of_each(partial(self._calls["pose_at"], self.numbers), q, JOINTS)
-
-    def jacobian(self, q: ArrayLike) -> Any:  # noqa: ANN401
-        """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
-        return of_each(partial(self._calls["jacobian_at"], self.numbers), q, JOINTS)
-
-    def joint_velocities(self, q: ArrayLike, twist: ArrayLike) -> Floats:
-        """The joint velocities (6,) with which the tool moves by a twist.
-
-        They are those of least squares, of these the least, and exact where the arm is regular.
-        Near a singular pose what the arm hardly can do is damped: no joint velocity exceeds a
-        hundred times the twist, lengths in arm sizes.
-
-        Args:
-            q: Joint values (6,).
-            twist: Velocity of the tool's origin, then angular velocity, in the base's frame (6,).
-
-        Raises:
-            ValueError: An argument has the wrong shape.
-        """
-        values = array_of(q, (JOINTS,), "q"), array_of(twist, (6,), "twist")
-        found: Floats = self._calls["velocities_at"](self.numbers, *values)
-        return found
-
-    def ik_all(self, T: ArrayLike, q_seed: ArrayLike | None = None) -> tuple[Floats, Bytes]:
-        """All solutions: q (16, 6) and status (16,), in rows by posture (BRANCHES).
-
-        Args:
-            T: Pose (4, 4).
-            q_seed: Values for joints that are indeterminate at this pose (6,); zeros without it.
-
-        Raises:
-            ValueError: An argument has the wrong shape, or the seed is not finite.
-        """
-        seed = np.zeros(JOINTS) if q_seed is None else array_of(q_seed, (JOINTS,), "q_seed")
-        rows = self._calls["ROWS"]
-        q, status = np.empty((rows, JOINTS)), np.empty(rows, BYTE)
-        self._calls["seeded"](self.numbers, array_of(T, (4, 4), "T"), q, status, seed)
-        return q, status
-
-    def ik(
-        self,
-        T: ArrayLike,
-        q_seed: ArrayLike | None = None,
-        *,
-        branch: str | int | None = None,
-        limits: bool = True,
-    ) -> Floats:
-        """One solution (6,): the nearest to the seed.
-
-        Angles are moved by whole turns into their limits.
-
-        Args:
-            T: Pose (4, 4).
-            q_seed: Where the arm is (6,); zeros without it.
-            branch: Only this row: a name from BRANCHES, or its number.
-            limits: Whether joint limits count: True or False.
-
-        Raises:
-            Unreachable: There is no such solution; the message says why.
-            ValueError: T is not a valid pose, branch does not exist, or limits is not True or
-                False.
-        """
-        rows = self._choice.rows(branch, limits)
-        return self._choice.nearest(self.ik_all(T, q_seed), q_seed, rows, limits)
-
-    def ik_batch(
-        self,
-        T: ArrayLike,
-        *,
-        cores: int | None = None,
-        out: tuple[Floats, Bytes] | None = None,
-    ) -> tuple[Floats, Bytes]:
-        """ik_all for N poses (N, 4, 4), shared among `cores` cores, by default all of them.
-
-        Args:
-            T: Poses (N, 4, 4).
-            cores: How many threads share the poses.
-            out: The arrays q and status to write to, from an earlier call or like those.
-
-        Returns:
-            q (N, 16, 6) and status (N, 16).
-
-        Raises:
-            ValueError: An argument has the wrong shape, or cores is not a whole number from 1.
-        """
-        poses = poses_of(T, cores)
-        q, status = results(out, (len(poses), self._calls["ROWS"], JOINTS))
-        share(partial(self._calls["many"], self.numbers), cores, poses, q, status)
-        return q, status
-
-    def ik_into(self, T: Floats, q: Floats, status: Bytes, q_seed: Floats | None = None) -> int:
-        """All solutions into the caller's arrays: `ik_into` of the module for this arm."""
-        count: int = self._calls["ik_into"](self.numbers, T, q, status, q_seed)
-        return count
-
-
 @dataclass(frozen=True, slots=True)
 class OwnKind:
     """What a generated module has of its own.
@@ -366,10 +229,16 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
     def choice(arm: Floats) -> Choice:
         return Choice(arm, module["BRANCHES"], *said)
 
-    def worked_out(table: Floats) -> tuple[Floats, int]:
+    def worked_out(given: Floats) -> tuple[Floats, int]:
         arm = blank.copy()
         with np.errstate(all="ignore"):  # in plain Python overflows would be warned of
-            return arm, calibrate(kind, table.ravel(), arm)
+            return arm, calibrate(kind, given.ravel(), arm)
+
+    def taken(given: Floats) -> CalibratedArm:
+        arm, fault = worked_out(given)
+        if fault != TAKEN:
+            raise ValueError(refusal(Refused(kind, blank, given, own.unit), fault))
+        return CalibratedArm(given, arm, names)
 
     def calibrated(table: ArrayLike) -> CalibratedArm:
         """An arm of this kind.
@@ -383,11 +252,25 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
                 that of another arm; or three of its axes are parallel or meet as those of the
                 nominal arm do, which has a closed form of its own. The message says where.
         """
-        own_table = array_of(table, (JOINTS, 4), "table").copy()
-        arm, fault = worked_out(own_table)
-        if fault != TAKEN:
-            raise ValueError(refusal(kind, blank, own_table, fault, own.unit))
-        return CalibratedArm(own_table, arm, names)
+        return taken(array_of(table, TABLE_SHAPE, "table").copy())
+
+    def calibrated_by_origins(origins: ArrayLike) -> CalibratedArm:
+        """An arm of this kind whose joints' frames are given, as in URDFs and drivers.
+
+        Args:
+            origins: x, y, z [the unit of NOMINAL] and roll, pitch, yaw [rad] of each joint's frame
+                in the one before, all joint values zero, from base to tool, and of a frame behind
+                the last joint, which is the same where that is left out: (7, 6), or (6, 6). The
+                base of the robot file stands before them, its tool behind them. Joints turn about
+                z, in the sense of the robot file.
+
+        Raises:
+            ValueError: As of `calibrated`.
+        """
+        given = numbers(origins, ORIGINS_SHAPE, "origins")
+        if given.shape == (JOINTS, ORIGINS_SHAPE[1]):
+            given = np.concatenate([given, np.zeros((1, ORIGINS_SHAPE[1]))])
+        return taken(array_of(given, ORIGINS_SHAPE, "origins").copy())
 
     def warm_up() -> None:
         """Compiles everything, or gets it from numba's cache: no call waits for it later."""
@@ -419,13 +302,15 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
     add("compiled_into", how.owned)
     names["ik_into"] = again(ik_into, names)
     overload(names["ik_into"], strict=False)(lambda *_, **__: names["compiled_into"])
-    calibrated.__module__ = module["__name__"]
-    calibrated.__qualname__ = "calibrated"  # by which arms are pickled
+    for each in (calibrated, calibrated_by_origins):
+        each.__module__ = module["__name__"]
+        each.__qualname__ = each.__name__  # by which arms are pickled
     names.update(
         choice=choice,
         Unreachable=said[-1],
         worked_out=worked_out,
         calibrated=calibrated,
+        calibrated_by_origins=calibrated_by_origins,
         warm_up=warm_up,
     )
     return names

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Arms of one kind, each with a table of its own: what a table says, which is worked out once. */
+ * Arms of one kind, each with a table of its own, or origins: what these say is worked out once. */
 #ifndef DHGEN_CALIBRATE_H
 #define DHGEN_CALIBRATE_H
 
@@ -17,7 +17,7 @@
 /* Three axes that miss being parallel, or meeting, by less have a closed form of their own: the
  * general algorithm has no certificate there [rad, arm sizes]. */
 #define DHGEN_LEAST_MISS 1e-09
-/* Numbers of tables above this leave less than eleven digits of where links are: no calibration has
+/* Numbers above this leave less than eleven digits of where links are: no calibration has
  * them [rad, arm sizes]. */
 #define DHGEN_MOST_NUMBER 1e5
 /* What bounds of deviations are enlarged by for rounding [rad, arm sizes]. */
@@ -29,7 +29,7 @@
  * changes the other by as much as axes miss being parallel. */
 #define DHGEN_FITS 3
 
-/* What is said of a table. */
+/* What is said of a table, and of origins. */
 enum { DHGEN_TAKEN, DHGEN_NOT_FINITE, DHGEN_ANOTHER_ARM, DHGEN_NO_MISS };
 
 /* What calibrated arms of a kind have in common. */
@@ -83,6 +83,27 @@ DHGEN_FN void dhgen_constants_of(
             dhgen_append_screw_z(table[4 * k], 0.0, C);
         else
             dhgen_append(C, kind->tool);
+    }
+}
+
+/* C0 ... C6 of origins: x, y, z, roll, pitch, yaw of each joint's frame in the one before, and of
+ * one behind the last joint; between base and tool. */
+DHGEN_FN void dhgen_constants_of_origins(
+    const dhgen_kind *kind, const double *origins, double (*constant)[12])
+{
+    for (int k = 0; k < 7; k++) {
+        const double *const at = &origins[6 * k];
+        const double cr = cos(at[3]), sr = sin(at[3]), cp = cos(at[4]), sp = sin(at[4]),
+                     cy = cos(at[5]), sy = sin(at[5]);
+        /* Rz(yaw) Ry(pitch) Rx(roll) */
+        const double origin[12] = { cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr, at[0],
+            sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr, at[1],
+            -sp, cp * sr, cp * cr, at[2] };
+        dhgen_copy_link(k ? origin : kind->base, constant[k]);
+        if (k == 0)
+            dhgen_append(constant[k], origin);
+        if (k == 6)
+            dhgen_append(constant[k], kind->tool);
     }
 }
 
@@ -303,27 +324,59 @@ DHGEN_FN void dhgen_no_arm(dhgen_calibration *of)
     of->turned = of->moved = of->size = DHGEN_NAN;
 }
 
-/* Works out what a table makes of an arm. Returns DHGEN_TAKEN, or what is wrong with it. */
-DHGEN_FN int dhgen_calibrate(const dhgen_kind *kind, const double *table, dhgen_calibration *of)
+/* Whether all numbers, row by row, are finite (else DHGEN_NOT_FINITE) and as small as those of
+ * calibrations (else DHGEN_ANOTHER_ARM); bit i of `lengths`: column i holds lengths. */
+DHGEN_FN int dhgen_said_of_numbers(
+    const dhgen_kind *kind, const double *number, int rows, int columns, unsigned lengths)
 {
-    for (int i = 0; i < 24; i++)
-        if (!isfinite(table[i])) {
-            dhgen_no_arm(of);
+    int said = DHGEN_TAKEN;
+    for (int i = 0; i < rows * columns; i++) {
+        const double unit = lengths >> i % columns & 1u ? kind->length : 1.0;
+        if (!isfinite(number[i]))
             return DHGEN_NOT_FINITE;
-        }
+        if (fabs(number[i]) > DHGEN_MOST_NUMBER * unit)
+            said = DHGEN_ANOTHER_ARM;
+    }
+    return said;
+}
+
+/* Works out what an arm's constants make of it. Returns DHGEN_TAKEN, or what is wrong with them. */
+DHGEN_FN int dhgen_work_out(const dhgen_kind *kind, dhgen_calibration *of)
+{
     for (int i = 0; i < 6; i++)
         of->facing[i] = kind->facing[i];
-    dhgen_constants_of(kind, table, of->constant);
     dhgen_find_nearest(kind, of);
     dhgen_make_loop(kind, of);
-    for (int i = 0; i < 24; i++) {
-        const double unit = i % 4 == 1 || i % 4 == 2 ? kind->length : 1.0; /* d and a are lengths */
-        if (fabs(table[i]) > DHGEN_MOST_NUMBER * unit)
-            return DHGEN_ANOTHER_ARM;
-    }
     if (!(of->turned <= DHGEN_MOST_DEVIATION && of->moved <= DHGEN_MOST_DEVIATION * kind->length))
         return DHGEN_ANOTHER_ARM;
     return dhgen_least_miss(kind, of) < DHGEN_LEAST_MISS ? DHGEN_NO_MISS : DHGEN_TAKEN;
+}
+
+/* Works out what a table makes of an arm. Returns DHGEN_TAKEN, or what is wrong with it. */
+DHGEN_FN int dhgen_calibrate(const dhgen_kind *kind, const double *table, dhgen_calibration *of)
+{
+    const int said = dhgen_said_of_numbers(kind, table, 6, 4, 0x6u); /* d and a are lengths */
+    if (said == DHGEN_NOT_FINITE) {
+        dhgen_no_arm(of);
+        return said;
+    }
+    dhgen_constants_of(kind, table, of->constant);
+    const int other = dhgen_work_out(kind, of);
+    return said == DHGEN_TAKEN ? other : said;
+}
+
+/* The same of origins, seven rows of six. */
+DHGEN_FN int dhgen_calibrate_origins(
+    const dhgen_kind *kind, const double *origins, dhgen_calibration *of)
+{
+    const int said = dhgen_said_of_numbers(kind, origins, 7, 6, 0x7u); /* x, y, z are lengths */
+    if (said == DHGEN_NOT_FINITE) {
+        dhgen_no_arm(of);
+        return said;
+    }
+    dhgen_constants_of_origins(kind, origins, of->constant);
+    const int other = dhgen_work_out(kind, of);
+    return said == DHGEN_TAKEN ? other : said;
 }
 
 #endif
