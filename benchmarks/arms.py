@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
 
 CHECKOUT = Path(__file__).resolve().parent.parent
+BESIDE = CHECKOUT / "benchmarks" / "robots"  # arms that nothing else is made of
 SEED = 20261
 
 
@@ -132,5 +133,6 @@ def read_arm(case: Case) -> Arm:
 
 
 def robot_path(name: str) -> Path:
-    """The robot file of the checkout."""
-    return CHECKOUT / "robots" / f"{name}.yaml"
+    """The robot file of the checkout: one of `robots/`, or one that is measured alone."""
+    own = BESIDE / f"{name}.yaml"
+    return own if own.exists() else CHECKOUT / "robots" / own.name

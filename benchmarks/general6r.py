@@ -17,11 +17,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from benchmarks.arms import Case, read_arm
+from benchmarks.arms import BESIDE, Case, read_arm, robot_path
 from benchmarks.native import NATIVE, Interface, compiled
 from benchmarks.options import parser, robot_names, show
 from benchmarks.report import table, time_text
 from benchmarks.solvers import GENERATED, ONE_SHIM, generated
+from dhgen.atomic_write import write_files
+from dhgen.compiler import worked_out
+from dhgen.robot_files import RobotFile
+from dhgen.runtime import c_runtime_files
+from dhgen.targets.emit import emit
 
 if TYPE_CHECKING:
     from benchmarks.arms import Arm
@@ -58,13 +63,14 @@ def main(arguments: list[str]) -> None:
 
 
 def general_arms() -> list[str]:
-    """The arms whose C uses the general algorithm."""
+    """The arms whose C uses the general algorithm, and those that are measured alone."""
     sources = {name: GENERATED / f"{name}.h" for name in robot_names()}
-    return [
+    general = [
         name
         for name, source in sources.items()
         if source.exists() and '_METHOD "general 6R"' in source.read_text(encoding="utf-8")
     ]
+    return sorted([*general, *(path.stem for path in BESIDE.glob("*.yaml"))])
 
 
 def measure(arm: Arm, count: int, value: float) -> tuple[FloatArray, float]:
@@ -78,14 +84,23 @@ def measure(arm: Arm, count: int, value: float) -> tuple[FloatArray, float]:
     name, q = arm.case.name, arm.random_joints(count)
     q[:, [number - 1 for number in arm.robot.free]] = value
     T = np.ascontiguousarray(arm.model.pose(q))
-    rows = generated(name).MAX_SOLUTIONS
     given = ", ".join([repr(value)] * len(arm.robot.free))
     shim = GIVEN_SHIM if given else ONE_SHIM
-    text = shim.format(name=name, rows=rows, dof=arm.dof, given=given)
-    interface = Interface(text, rows, arm.dof)
     with tempfile.TemporaryDirectory(prefix="dhgen-bench-") as folder:
-        native = compiled(GENERATED / f"{name}.c", interface, NATIVE, Path(folder))
+        source, rows = source_of(name, Path(folder))
+        text = shim.format(name=name, rows=rows, dof=arm.dof, given=given)
+        native = compiled(source, Interface(text, rows, arm.dof), NATIVE, Path(folder))
         return native.each(T, PASSES), sum(map(len, native.solve(T))) / count
+
+
+def source_of(name: str, folder: Path) -> tuple[Path, int]:
+    """The C of an arm, made in the folder where it is not among the generated, and its rows."""
+    path = GENERATED / f"{name}.c"
+    if path.exists():
+        return path, generated(name).MAX_SOLUTIONS
+    _, module = worked_out(RobotFile.read(robot_path(name)))
+    write_files(folder, {**c_runtime_files(), **emit(module, None, None)})
+    return folder / path.name, module.solver.rows
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ from dhgen.kinematics.rigid import inverse, orthonormal
 from dhgen.nominal.deviation import most_deviation
 from dhgen.nominal.fit import DIGITS, Fit, fitted
 from dhgen.nominal.lines import neighbours
-from dhgen.nominal.table import rounded_table
+from dhgen.nominal.table import NONE_KEPT, rounded_table, small_lengths
 from dhgen.robot.angles import twelfths
 
 if TYPE_CHECKING:
@@ -24,6 +24,10 @@ if TYPE_CHECKING:
     from dhgen.nominal.deviation import Deviation
     from dhgen.nominal.lines import Neighbours
     from dhgen.nominal.table import Table
+
+# Of the distance of the arm without any small length: one that keeps one has to be nearer, or is
+# not tried. Errors in all numbers of a table are of many lengths.
+NEARER = 0.6
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +55,11 @@ class Nearest:
         return np.array([np.eye(4), *links, np.eye(4)])
 
 
-def nearest_arm(chain: Chain) -> Nearest | None:
-    """The nearest arm with a structure; None where nothing is missed by little.
+def nearest_arms(chain: Chain) -> list[Nearest]:
+    """Arms that may have a structure, the nearest first; none where nothing is missed by little.
+
+    All small lengths are zero in the last one. A structure may not need all of these zeros: before
+    it stand those that are much nearer by keeping one of the lengths.
 
     Args:
         chain: An arm of joints that turn.
@@ -62,17 +69,37 @@ def nearest_arm(chain: Chain) -> Nearest | None:
     directions, points = arm.axes(still)
     found = neighbours(directions, points)
     if found is None:
-        return None
-    table = rounded_table(found, chain.size)
-    if not _is_missed(table, found):
-        return None
+        return []
+    kept = [frozenset({place}) for place in small_lengths(found, chain.size)]
+    tables = [rounded_table(found, chain.size, each) for each in (NONE_KEPT, *kept)]
     frames, tool = _frames(found, directions), arm.pose(still)
     wanted = np.linalg.inv(np.array([np.eye(4), *frames])) @ np.array([*frames, tool])
-    fit = fitted(_start(table, found, frames, tool), wanted, chain.size)
+    fits = [
+        _nearest(chain, fitted(_start(table, found, frames, tool), wanted, chain.size), wanted)
+        for table in tables
+        if _is_missed(table, found)
+    ]
+    if not fits:
+        return []
+    most = NEARER * _apart(fits[0], chain)
+    nearer = sorted(
+        (each for each in fits[1:] if _apart(each, chain) < most),
+        key=lambda each: _apart(each, chain),
+    )
+    return [*nearer, fits[0]]
+
+
+def _apart(nearest: Nearest, chain: Chain) -> float:
+    """How far the tools are apart at most, in arm sizes and rad."""
+    return nearest.deviation.angle + nearest.deviation.length / chain.size
+
+
+def _nearest(chain: Chain, fit: Fit, wanted: FloatArray) -> Nearest:
+    """The arm of a fit, whose given joints' offsets are as a robot file has them."""
     fit = replace(fit, offsets=np.array(_as_read(chain, fit.offsets)))
-    a, d = table.filled(fit.lengths)
+    a, d = fit.table.filled(fit.lengths)
     return Nearest(
-        replace(table, a=tuple(a), d=tuple(d)),
+        replace(fit.table, a=tuple(a), d=tuple(d)),
         inverse(_rigid(fit.base)),
         inverse(_rigid(fit.tool)),
         (0.0, *map(float, fit.offsets), 0.0),

@@ -12,7 +12,7 @@ from dhgen.kinematics.neighbours import EXACT, axis_triples
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.method import Method
 from dhgen.nominal.certificate import certified
-from dhgen.nominal.nearest import nearest_arm
+from dhgen.nominal.nearest import nearest_arms
 from dhgen.paul.derive import derive
 from dhgen.program.interpret import outputs
 from dhgen.program.lowering.lower import lower
@@ -65,9 +65,13 @@ def nominal_arm(chain: Chain, reserved: Reserved) -> Nominal | None:
     """
     if not _is_asked_alone(chain):
         return None
-    nearest = nearest_arm(chain)
-    if nearest is None:
-        return None
+    found = (_solved(chain, nearest, reserved) for nearest in nearest_arms(chain))
+    best = next((each for each in found if each is not None), None)
+    return None if best is None or best.certain < WORTH else best
+
+
+def _solved(chain: Chain, nearest: Nearest, reserved: Reserved) -> Nominal | None:
+    """The closed form of a near arm; None where it has none, or none with bounds."""
     near = build_chain(load_text(_robot_file(chain, nearest), NAME))
     if not _has_structure(near):
         return None
@@ -80,10 +84,7 @@ def nominal_arm(chain: Chain, reserved: Reserved) -> Nominal | None:
     own = None if whole is None else certified(whole, near.given, names)
     if own is None:
         return None
-    certain = _certain(chain, nearest, own)
-    if certain < WORTH:
-        return None
-    return Nominal(nearest, near, solver, own, certain)
+    return Nominal(nearest, near, solver, own, _certain(chain, nearest, own))
 
 
 def _is_asked_alone(chain: Chain) -> bool:

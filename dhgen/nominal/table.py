@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.descriptions.misses import GAP, TILT
+from dhgen.kinematics.neighbours import EXACT
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.nominal.lines import Neighbours
 
 QUARTER = 0.5 * math.pi
+NONE_KEPT: frozenset[int] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,18 +67,43 @@ class Table:
         return a, d
 
 
-def rounded_table(found: tuple[Neighbours, ...], size: float) -> Table:
-    """The table with what is nearly zero or a right angle taken as that."""
+def rounded_table(
+    found: tuple[Neighbours, ...], size: float, kept: frozenset[int] = NONE_KEPT
+) -> Table:
+    """The table with what is nearly zero or a right angle taken as that.
+
+    Args:
+        found: How axes lie to each other.
+        size: Of the arm.
+        kept: Places of lengths, of a, then of d, that are not zero all the same.
+    """
     quarters = [_quarter(each.alpha) for each in found]
+    lengths = [
+        number if place in kept else _or_zero(number, size)
+        for place, number in enumerate(_lengths(found))
+    ]
     return Table(
         tuple(quarters),
         tuple(
             each.alpha if quarter is None else quarter * QUARTER
             for each, quarter in zip(found, quarters, strict=True)
         ),
-        tuple(_or_zero(each.a, size) for each in found),
-        tuple(_or_zero(each.d, size) for each in found),
+        tuple(lengths[: len(found)]),
+        tuple(lengths[len(found) :]),
     )
+
+
+def small_lengths(found: tuple[Neighbours, ...], size: float) -> tuple[int, ...]:
+    """Places of lengths, of a, then of d, that are nearly zero and not quite."""
+    return tuple(
+        place
+        for place, number in enumerate(_lengths(found))
+        if abs(number) > EXACT * size and not _or_zero(number, size)
+    )
+
+
+def _lengths(found: tuple[Neighbours, ...]) -> list[float]:
+    return [*(each.a for each in found), *(each.d for each in found)]
 
 
 def _quarter(angle: float) -> int | None:

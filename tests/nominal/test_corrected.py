@@ -18,7 +18,7 @@ from dhgen.targets.reserved import RESERVED
 from dhgen.verify.native import C_FLAGS, PORTABLE, c_compiler
 from tests.compiling import library, written
 from tests.nominal.fleets import assert_alike, count_alike
-from tests.nominal.twins import coupled, seven, twin
+from tests.nominal.twins import SIX, coupled, seven, twin
 from tests.structures import first_of
 
 if TYPE_CHECKING:
@@ -47,6 +47,7 @@ def compiled(text: str, folder: Path) -> Compilation:
             twin("ur5e", 1e-4),
             twin("kuka_kr6_r900", 1e-4),
             seven("wrist_missed"),
+            SIX,
         ],
         count=2,
     ),

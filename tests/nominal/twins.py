@@ -38,6 +38,20 @@ def seven(name: str) -> str:
     return SEVEN.format(name=name, shoulder=shoulder, wrist=wrist)
 
 
+# An arm whose wrist misses one point; that its axes 2 and 3 stand beside axis 1 is no miss.
+SIX = """\
+name: six
+source: made up
+joints:
+  - {theta: -q, d: 0.28, a: 0, alpha: -pi/2}
+  - {theta: q - pi/2, d: 0, a: 0.41, alpha: 0}
+  - {theta: -q + pi/2, d: 0.001, a: 0, alpha: -pi/2}
+  - {theta: q, d: -0.31, a: 0, alpha: -pi/2}
+  - {theta: q, d: -0.0003, a: 0, alpha: pi/2}
+  - {theta: q, d: -0.1, a: 0, alpha: 0}
+"""
+
+
 def twin(name: str, noise: float, seed: int = 1) -> str:
     """The robot file of an arm whose table has normal errors [rad, file's unit]."""
     table = link_table(load(ROBOTS / f"{name}.yaml"))
