@@ -6,12 +6,14 @@ import _thread
 import gc
 import multiprocessing
 import os
+import shutil
 import signal
 import sys
 import tempfile
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
-from threading import Timer
+from multiprocessing.connection import wait
+from threading import Thread, Timer
 from typing import TYPE_CHECKING, TypeVar
 
 if TYPE_CHECKING:
@@ -114,6 +116,16 @@ def _begin(folder: str) -> None:
     Ctrl-C waits until then: amid Python's own beginning of a process it would be told at length.
     """
     collect_seldom()
+    Thread(target=_end_with_parent, args=(folder,), daemon=True).start()
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
     tempfile.tempdir = folder
+
+
+def _end_with_parent(folder: str) -> None:
+    """Ends a worker whose command was killed: it would wait for the next item for ever."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        wait([parent.sentinel])
+        shutil.rmtree(folder, ignore_errors=True)
+        os._exit(1)

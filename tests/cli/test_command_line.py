@@ -362,6 +362,21 @@ def test_an_interrupt_ends_everything_without_a_word(
     assert list(tmp_path.iterdir()) == []
 
 
+def test_workers_end_with_a_command_that_is_killed(tmp_path: Path) -> None:
+    """Standard output has an end when nobody holds it any more."""
+    process = subprocess.Popen(
+        [sys.executable, "-c", AT_WORK.replace("{work}", "work_twice")],
+        env=os.environ | {"PYTHONPATH": str(ROOT), "TMPDIR": str(tmp_path)},
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stdout is not None
+    assert [process.stdout.readline() for _ in range(2)] == ["at work\n"] * 2
+    process.kill()
+    assert process.communicate(timeout=30)[0] == ""
+    assert list(tmp_path.iterdir()) == []
+
+
 SAID = """
 import signal, sys, time
 from dhgen import cli
