@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
-from typing import TYPE_CHECKING
+from pathlib import Path
 
 import pytest
 
 from tests.compiling import written
 
-if TYPE_CHECKING:
-    from pathlib import Path
+GENERATED = Path(__file__).resolve().parents[2] / "generated"
 
 pytestmark = pytest.mark.breadth  # numba takes seconds for each process
 
@@ -179,3 +179,48 @@ def test_callers_that_hold_an_old_text_say_so(folder: Path) -> None:
     answer = run(ASK, folder)
     assert answer.returncode == 1
     assert "ModuleNotFoundError: No module named 'chain " in answer.stderr
+
+
+FIRST_CALLS = """
+import sys
+from numba.core import event
+
+class Listener(event.Listener):
+    def on_start(self, event):
+        function = event.data["dispatcher"].py_func
+        names.append(f"{function.__module__.split()[0]}.{function.__qualname__.split()[0]}")
+
+    def on_end(self, event):
+        pass
+
+names = []
+event.register("numba:compile", Listener())
+for name in ("general_6r", "second"):
+    names.clear()
+    arm = __import__(name)
+    arm.ik_all(arm.fk([0.3, 0.4, -0.5, 0.6, 0.7, 0.8]))
+print(*names)
+"""
+
+
+def test_a_further_general_arm_compiles_its_own_functions_alone(tmp_path: Path) -> None:
+    """What general arms share is compiled once, by the first of them."""
+    copy = (GENERATED / "manseur_doty.py").read_text("utf-8")
+    for name in ("dhgen_runtime", "general_6r.py"):
+        (tmp_path / name).symlink_to(GENERATED / name)
+    # nothing in the cache is of this file
+    (tmp_path / "second.py").write_text(f"{copy}# {tmp_path}\n", encoding="utf-8")
+    done = subprocess.run(
+        [sys.executable, "-c", FIRST_CALLS],
+        check=False,
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(tmp_path)},
+    )
+    assert not done.returncode, done.stderr
+    files = {name.split(".")[0] for name in done.stdout.split()}
+    own = [name for name in done.stdout.split() if name.startswith("second.")]
+    assert own == ["second.fk", "second._solve", "second.jacobian"]
+    # beside what is merged into these
+    assert files <= {"second", "arrays", "at_once", "pose", "numba"}
