@@ -285,6 +285,7 @@ def _finish(text: str, beside: Mapping[str, str], out: Path | None) -> None:
     if out is None:
         print(text, end="")
     else:
+        _tell_written_over(out, text)
         write_files(out.parent, {out.name: text, **beside})
         documents = [out, *(out.parent / name for name in beside if not name.endswith(".svg"))]
         print(f"wrote {', '.join(map(str, documents))}")
@@ -404,10 +405,15 @@ def _write_robot_file(
         raise CommandError(f"{message}, or name another file")
     _refuse_what_was_read(out, read)
     _refuse_occupied([out])
-    if out.exists() and out.read_bytes() != text.encode():
-        print(f"note: {out} was there and is written over", file=sys.stderr)
+    _tell_written_over(out, text)
     replace_files(out.parent, {out.name: text.encode()})
     return out
+
+
+def _tell_written_over(out: Path, text: str) -> None:
+    """Says where a file takes the place of another one."""
+    if out.exists() and out.read_bytes() != text.encode():
+        print(f"note: {out} was there and is written over", file=sys.stderr)
 
 
 def _refuse_what_was_read(out: Path, read: Sequence[Path]) -> None:

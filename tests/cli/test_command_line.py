@@ -202,6 +202,14 @@ def test_explain_writes_a_handout(
     assert bool(linked) == (wished == "markdown")
 
 
+def test_explain_says_that_it_writes_over_a_file(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "notes.md").write_text("what somebody else wrote\n", encoding="utf-8")
+    first = run("explain", PLANAR, "--out", "notes.md", folder=tmp_path)
+    assert first.stderr == "note: notes.md was there and is written over\n"
+    again = run("explain", PLANAR, "--out", "notes.md", folder=tmp_path)
+    assert (again.returncode, again.stderr) == (0, "")
+
+
 def test_explain_does_not_write_over_what_it_reads(run: Run, tmp_path: Path) -> None:
     text = Path(PLANAR).read_text("utf-8")
     (tmp_path / "own.yaml").write_text(text, encoding="utf-8")
