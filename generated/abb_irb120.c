@@ -9,6 +9,7 @@
  */
 #include "abb_irb120.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(ABB_IRB120_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef ABB_IRB120_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -104,8 +101,7 @@ DHGEN_PUBLIC void abb_irb120_fk(const double q[6], double T[16])
     T[7] = x2_y * a2 + x3_y * a3 - v6 * d4 + z5_y * d6;
     T[8] = z5_z; T[9] = z4_z * c6 - x5_z * s6; T[10] = -(x5_z * c6 + z4_z * s6);
     T[11] = d1 + s2 * a2 + x3_z * a3 + z3_z * d4 + z5_z * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void abb_irb120_jacobian(const double q[6], double J[36])
@@ -138,13 +134,11 @@ DHGEN_PUBLIC void abb_irb120_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4] */
@@ -511,12 +505,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.996, 0.996, 0.996, 1.0, 1.0, 1.0 }, 0.9960159362549799, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    abb_irb120_fk, abb_irb120_jacobian, solve,
+    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, abb_irb120_fk, abb_irb120_jacobian,
+    solve,
     DHGEN_SOLVE_REGULAR,
 };
 

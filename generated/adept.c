@@ -8,6 +8,7 @@
  */
 #include "adept.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(ADEPT_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -21,10 +22,6 @@
 #include "dhgen/frames.h"
 #ifndef ADEPT_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -70,8 +67,7 @@ DHGEN_PUBLIC void adept_fk(const double q[3], double T[16])
     T[0] = 0.0; T[1] = 0.0; T[2] = -1.0; T[3] = d1 - q[2] - ez;
     T[4] = -x2_z; T[5] = x2_y; T[6] = 0.0; T[7] = c1 * l1 + x2_y * l2;
     T[8] = x2_y; T[9] = x2_z; T[10] = 0.0; T[11] = zz_ + s1 * l1 + x2_z * l2;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void adept_jacobian(const double q[3], double J[18])
@@ -88,14 +84,11 @@ DHGEN_PUBLIC void adept_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[3] = (double (*)[3])rows;
-    (void)free_joints;
-    (void)seed;
-    (void)moved;
+    (void)free_joints; (void)seed; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* r3, type 1: U0[3, 4] */
@@ -235,13 +228,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     3, 1, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.0004167, 0.0004167, 0.0004167, 1.0, 1.0, 1.0 }, 0.0004166666666666667, { 1e-14, 1e-14 },
         entries, 9,
-    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    adept_fk, adept_jacobian, solve,
+    1, /* follows seed */ NULL, NULL, NULL, NULL, adept_fk, adept_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "bartell_rprpr.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(BARTELL_RPRPR_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef BARTELL_RPRPR_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -73,8 +70,7 @@ DHGEN_PUBLIC void bartell_rprpr_fk(const double q[5], double T[16])
     T[4] = x3_y * c5 - c1 * s5; T[5] = -(c1 * c5 + x3_y * s5); T[6] = z4_y;
     T[7] = z4_y * q[3] - c1 * q[1];
     T[8] = s3 * c5; T[9] = -(s3 * s5); T[10] = -c3; T[11] = d1 - c3 * q[3];
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void bartell_rprpr_jacobian(const double q[5], double J[30])
@@ -92,13 +88,11 @@ DHGEN_PUBLIC void bartell_rprpr_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[5] = (double (*)[5])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[2, 3], so theta1 = atan2(T23, T13) or half a turn from it. Where both are
@@ -298,12 +292,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     5, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5, 0.5, 0.5, 1.0, 1.0, 1.0 }, 0.5, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    bartell_rprpr_fk, bartell_rprpr_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, bartell_rprpr_fk,
+    bartell_rprpr_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "cartesian.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(CARTESIAN_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef CARTESIAN_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 #ifndef __CUDACC_RTC__
@@ -56,8 +53,7 @@ DHGEN_PUBLIC void cartesian_fk(const double q[3], double T[16])
     T[0] = 0.0; T[1] = 0.0; T[2] = 1.0; T[3] = q[2];
     T[4] = 0.0; T[5] = -1.0; T[6] = 0.0; T[7] = q[1];
     T[8] = 1.0; T[9] = 0.0; T[10] = 0.0; T[11] = q[0];
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void cartesian_jacobian(const double q[3], double J[18])
@@ -72,14 +68,11 @@ DHGEN_PUBLIC void cartesian_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[3] = (double (*)[3])rows;
-    (void)free_joints;
-    (void)seed;
-    (void)moved;
+    (void)free_joints; (void)seed; (void)moved;
     DHGEN_ENTRIES(double);
 
     const int row = 0;
@@ -148,13 +141,9 @@ DHGEN_TABLE int entries[3] = { 3, 7, 11 };
 DHGEN_TABLE struct dhgen_arm arm = {
     3, 1, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.8333, 0.8333, 0.8333, 0.0, 0.0, 0.0 }, 0.8333333333333334, { 1e-14, 1e-14 }, entries, 3,
-    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    cartesian_fk, cartesian_jacobian, solve,
+    0, /* follows seed */ NULL, NULL, NULL, NULL, cartesian_fk, cartesian_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

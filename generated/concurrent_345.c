@@ -9,6 +9,7 @@
  */
 #include "concurrent_345.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
@@ -16,10 +17,6 @@
 #include "dhgen/circle_roots.h"
 #include "dhgen/frames.h"
 #include "dhgen/complete.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 static const double
     d1 = 0.3, /* joint offset 1 [m] */
@@ -190,8 +187,7 @@ DHGEN_PUBLIC void concurrent_345_fk(const double q[6], double T[16])
     T[7] = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * d3 + x5_y * a5 - v7 * d5 + x6_y * a6 - v11 * d6;
     T[8] = x6_z; T[9] = y5_z * c6 - x5_z * s6; T[10] = z5_z;
     T[11] = d1 + x2_z * a2 + f3 + z2_z * d3 + x5_z * a5 + z4_z * d5 + x6_z * a6 + z5_z * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void concurrent_345_jacobian(const double q[6], double J[36])
@@ -239,9 +235,8 @@ DHGEN_PUBLIC void concurrent_345_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
     (void)free_joints;
@@ -397,11 +392,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5405, 0.5405, 0.5405, 1.0, 1.0, 1.0 }, 0.5405405405405406, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 4, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    &completion, dhgen_complete_rows,
-    NULL, NULL,
+    choosable, 4, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL,
     concurrent_345_fk, concurrent_345_jacobian, solve,
     NULL,
 };

@@ -9,6 +9,7 @@
  */
 #include "craig_417.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(CRAIG_417_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef CRAIG_417_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In formulas below, reach_slack = 1e-13, merge_slack = 1e-14, d3 = 1.0 [m]. */
@@ -87,8 +84,7 @@ DHGEN_PUBLIC void craig_417_fk(const double q[4], double T[16])
     T[7] = z3_y + x3_y * a3 + z3_y * d4;
     T[8] = y3_z * s4 - v7 * c4; T[9] = y3_z * c4 + v7 * s4; T[10] = z3_z;
     T[11] = z3_z - v7 * a3 + z3_z * d4;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void craig_417_jacobian(const double q[4], double J[24])
@@ -110,13 +106,11 @@ DHGEN_PUBLIC void craig_417_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[4] = (double (*)[4])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[2, 3] */
@@ -380,12 +374,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.3333, 0.3333, 0.3333, 1.0, 1.0, 1.0 }, 0.3333333333333333, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    craig_417_fk, craig_417_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, craig_417_fk, craig_417_jacobian,
+    solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "cuspidal_3r.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #define DHGEN_DOF 3
 #define DHGEN_ROWS 4
 #include "dhgen/ik.h"
@@ -16,10 +17,6 @@
 #include "dhgen/circle_roots.h"
 #include "dhgen/frames.h"
 #include "dhgen/complete.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 static const double
     a1 = 1.0, /* link length 1 [m] */
@@ -106,8 +103,7 @@ DHGEN_PUBLIC void cuspidal_3r_fk(const double q[3], double T[16])
     T[4] = x3_y; T[5] = c1 * c3 - x2_y * s3; T[6] = s1 * s2;
     T[7] = s1 * a1 + x2_y * a2 + c1 * d2 + x3_y * a3;
     T[8] = -v1; T[9] = s2 * s3; T[10] = c2; T[11] = -(s2 * a2 + v1 * a3);
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void cuspidal_3r_jacobian(const double q[3], double J[18])
@@ -128,9 +124,8 @@ DHGEN_PUBLIC void cuspidal_3r_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[3] = (double (*)[3])rows;
     (void)free_joints;
@@ -187,11 +182,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.1818, 0.1818, 0.1818, 0.0, 0.0, 0.0 }, 0.18181818181818182, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    &completion, dhgen_complete_rows,
-    NULL, NULL,
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL,
     cuspidal_3r_fk, cuspidal_3r_jacobian, solve,
     NULL,
 };

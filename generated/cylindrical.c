@@ -9,6 +9,7 @@
  */
 #include "cylindrical.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(CYLINDRICAL_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef CYLINDRICAL_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -63,8 +60,7 @@ DHGEN_PUBLIC void cylindrical_fk(const double q[3], double T[16])
     T[0] = c1; T[1] = 0.0; T[2] = -s1; T[3] = -(s1 * q[2]);
     T[4] = s1; T[5] = 0.0; T[6] = c1; T[7] = c1 * q[2];
     T[8] = 0.0; T[9] = -1.0; T[10] = 0.0; T[11] = d1 + q[1];
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void cylindrical_jacobian(const double q[3], double J[18])
@@ -79,14 +75,11 @@ DHGEN_PUBLIC void cylindrical_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[3] = (double (*)[3])rows;
-    (void)free_joints;
-    (void)seed;
-    (void)moved;
+    (void)free_joints; (void)seed; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* r2, type 1: U0[3, 4] */
@@ -197,13 +190,9 @@ DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 DHGEN_TABLE struct dhgen_arm arm = {
     3, 1, 0, DHGEN_POSE, joints, NULL, 0,
     { 3.333, 3.333, 3.333, 1.0, 1.0, 1.0 }, 3.3333333333333335, { 1e-14, 1e-14 }, entries, 9,
-    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    cylindrical_fk, cylindrical_jacobian, solve,
+    1, /* follows seed */ NULL, NULL, NULL, NULL, cylindrical_fk, cylindrical_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "cylindrical_wrist.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(CYLINDRICAL_WRIST_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef CYLINDRICAL_WRIST_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -77,8 +74,7 @@ DHGEN_PUBLIC void cylindrical_wrist_fk(const double q[6], double T[16])
     T[4] = x5_y * c6 - v2 * s6; T[5] = -(v2 * c6 + x5_y * s6); T[6] = z5_y;
     T[7] = c1 * q[2] + z5_y * d6;
     T[8] = -(v3 * c6 + c4 * s6); T[9] = v3 * s6 - c4 * c6; T[10] = -v4; T[11] = d1 + q[1] - v4 * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void cylindrical_wrist_jacobian(const double q[6], double J[36])
@@ -100,13 +96,11 @@ DHGEN_PUBLIC void cylindrical_wrist_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* r2, type 1: U0 A6^-1 [3, 4] */
@@ -286,12 +280,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 2.5, 2.5, 2.5, 1.0, 1.0, 1.0 }, 2.5, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    cylindrical_wrist_fk, cylindrical_wrist_jacobian, solve,
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, cylindrical_wrist_fk,
+    cylindrical_wrist_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

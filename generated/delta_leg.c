@@ -9,6 +9,7 @@
  */
 #include "delta_leg.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(DELTA_LEG_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef DELTA_LEG_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -69,8 +66,7 @@ DHGEN_PUBLIC void delta_leg_fk(const double q[3], double T[16])
     T[0] = x3_x; T[1] = -(x2_x * s3); T[2] = x2_y; T[3] = c1 * crank + x3_x * rod;
     T[4] = x3_y; T[5] = -(x2_y * s3); T[6] = -x2_x; T[7] = s1 * crank + x3_y * rod;
     T[8] = s3; T[9] = c3; T[10] = 0.0; T[11] = s3 * rod;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void delta_leg_jacobian(const double q[3], double J[18])
@@ -88,13 +84,11 @@ DHGEN_PUBLIC void delta_leg_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[3] = (double (*)[3])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: the squared length of column 4 of U1 */
@@ -288,12 +282,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.5656, 0.5656, 0.5656, 0.0, 0.0, 0.0 }, 0.5656108597285068, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 2, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    delta_leg_fk, delta_leg_jacobian, solve,
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, delta_leg_fk, delta_leg_jacobian,
+    solve,
     DHGEN_SOLVE_REGULAR,
 };
 

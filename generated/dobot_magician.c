@@ -9,6 +9,7 @@
  */
 #include "dobot_magician.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(DOBOT_MAGICIAN_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef DOBOT_MAGICIAN_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -79,8 +76,7 @@ DHGEN_PUBLIC void dobot_magician_fk(const double q[3], double T[16])
     T[0] = x3_x; T[1] = -(v2 * c3 + x2_x * s3); T[2] = -s1; T[3] = x2_x * a2 + x3_x * a3;
     T[4] = x3_y; T[5] = -(v3 * c3 + x2_y * s3); T[6] = c1; T[7] = x2_y * a2 + x3_y * a3;
     T[8] = -v5; T[9] = s2 * s3 - c2 * c3; T[10] = 0.0; T[11] = d1 - s2 * a2 - v5 * a3;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void dobot_magician_jacobian(const double q[3], double J[18])
@@ -101,13 +97,11 @@ DHGEN_PUBLIC void dobot_magician_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[3] = (double (*)[3])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4] */
@@ -306,12 +300,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 2.375, 2.375, 2.375, 0.0, 0.0, 0.0 }, 2.375296912114014, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 2, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    dobot_magician_fk, dobot_magician_jacobian, solve,
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, dobot_magician_fk,
+    dobot_magician_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -8,6 +8,7 @@
  */
 #include "epson_t3.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(EPSON_T3_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -21,10 +22,6 @@
 #include "dhgen/frames.h"
 #ifndef EPSON_T3_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -76,8 +73,7 @@ DHGEN_PUBLIC void epson_t3_fk(const double q[4], double T[16])
     T[0] = x2_x * c4 + v1; T[1] = v2 - x2_x * s4; T[2] = 0.0; T[3] = c1 * a1 + x2_x * a2;
     T[4] = v2 + -x2_x * s4; T[5] = -x2_x * c4 - v1; T[6] = 0.0; T[7] = s1 * a1 + x2_y * a2;
     T[8] = 0.0; T[9] = 0.0; T[10] = -1.0; T[11] = q[2];
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void epson_t3_jacobian(const double q[4], double J[24])
@@ -94,13 +90,11 @@ DHGEN_PUBLIC void epson_t3_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[4] = (double (*)[4])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta12m4, type 3: U0[2, 1] and U0[1, 1] */
@@ -275,12 +269,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 2.5, 2.5, 2.5, 1.0, 1.0, 1.0 }, 2.5, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    epson_t3_fk, epson_t3_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, epson_t3_fk, epson_t3_jacobian,
+    solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "fanuc_lrmate200id.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(FANUC_LRMATE200ID_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef FANUC_LRMATE200ID_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -103,8 +100,7 @@ DHGEN_PUBLIC void fanuc_lrmate200id_fk(const double q[6], double T[16])
     T[7] = s1 * a1 + x2_y * a2 + x3_y * a3 - z3_y * d4 - -T21_ * d6;
     T[8] = T31_; T[9] = x5_z * s6 - z4_z * c6; T[10] = -(x5_z * c6 + z4_z * s6);
     T[11] = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -T31_ * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void fanuc_lrmate200id_jacobian(const double q[6], double J[36])
@@ -138,13 +134,11 @@ DHGEN_PUBLIC void fanuc_lrmate200id_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4] */
@@ -523,12 +517,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0 }, 0.8620689655172413, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    fanuc_lrmate200id_fk, fanuc_lrmate200id_jacobian, solve,
+    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, fanuc_lrmate200id_fk,
+    fanuc_lrmate200id_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

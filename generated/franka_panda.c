@@ -9,6 +9,7 @@
  */
 #include "franka_panda.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(FRANKA_PANDA_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef FRANKA_PANDA_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In formulas below, arm_size2 = 1.940449 [m^2]. */
@@ -111,8 +108,7 @@ DHGEN_PUBLIC void franka_panda_fk(const double q[7], double T[16])
     T[7] = z3_y * d3 + x3_y * a3 - x4_y * a4 + y4_y * d5 + x6_y * a6 + z7_y * d7;
     T[8] = x6_z * c7 + z6_z * s7; T[9] = z6_z * c7 - x6_z * s7; T[10] = z7_z;
     T[11] = d1 + c2 * d3 - v1 * a3 - x4_z * a4 + y4_z * d5 + x6_z * a6 + z7_z * d7;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void franka_panda_jacobian(const double q[7], double J[42])
@@ -140,9 +136,8 @@ DHGEN_PUBLIC void franka_panda_jacobian(const double q[7], double J[42])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[7] = (double (*)[7])rows;
     (void)moved;
@@ -508,12 +503,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     7, 8, 1, DHGEN_POSE, joints, given_joints, 1,
     { 0.7179, 0.7179, 0.7179, 1.0, 1.0, 1.0 }, 0.7178750897343862, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    franka_panda_fk, franka_panda_jacobian, solve,
+    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, franka_panda_fk,
+    franka_panda_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "gantry_wrist.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(GANTRY_WRIST_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef GANTRY_WRIST_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -72,8 +69,7 @@ DHGEN_PUBLIC void gantry_wrist_fk(const double q[6], double T[16])
     T[4] = -(v1 * c6 + c4 * s6); T[5] = v1 * s6 - c4 * c6; T[6] = -v2; T[7] = q[1] - v2 * d6;
     T[8] = x5_z * c6 - s4 * s6; T[9] = -(s4 * c6 + x5_z * s6); T[10] = z5_z;
     T[11] = q[0] + z5_z * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void gantry_wrist_jacobian(const double q[6], double J[36])
@@ -91,13 +87,11 @@ DHGEN_PUBLIC void gantry_wrist_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* r2, type 1: U0 A6^-1 [2, 4] */
@@ -240,12 +234,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 4.545, 4.545, 4.545, 1.0, 1.0, 1.0 }, 4.545454545454546, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    gantry_wrist_fk, gantry_wrist_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, gantry_wrist_fk,
+    gantry_wrist_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "general_4r2p.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #define DHGEN_TRAITS 0x494u /* what the arm needs of it */
@@ -19,10 +20,6 @@
 #include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 static const double
     d1 = 0.31, /* joint offset 1 [m] */
@@ -216,8 +213,7 @@ DHGEN_PUBLIC void general_4r2p_fk(const double q[6], double T[16])
     T[8] = x6_z; T[9] = v22 * ca6 + z5_z * sa6; T[10] = z5_z * ca6 - v22 * sa6;
     T[11] = d1 + x2_z * a2 + f1 + z2_z * q[2] + x3_z * a3 + x4_z * a4 - v11 * d4 - v16 * q[4] + x5_z
         * a5 + x6_z * a6 + z5_z * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void general_4r2p_jacobian(const double q[6], double J[36])
@@ -267,12 +263,10 @@ DHGEN_PUBLIC void general_4r2p_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     dhgen_general_rows(&general, &descents, T, NULL, seed, rows, status);
 }
 
@@ -280,13 +274,9 @@ DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.578, 0.578, 0.578, 1.0, 1.0, 1.0 }, 0.5780346820809249, { 1e-14, 1e-10 }, entries, 9,
-    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    general_4r2p_fk, general_4r2p_jacobian, solve,
+    0, /* follows seed */ NULL, NULL, NULL, NULL, general_4r2p_fk, general_4r2p_jacobian, solve,
     NULL,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "general_5r.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 16
 #define DHGEN_TRAITS 0x0u /* what the arm needs of it */
@@ -19,10 +20,6 @@
 #include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 static const double
     d1 = 0.32, /* joint offset 1 [m] */
@@ -219,8 +216,7 @@ DHGEN_PUBLIC void general_5r_fk(const double q[5], double T[16])
     T[10] = x5_z * sae11 + z5_z * cae11;
     T[11] = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 + z4_z *
         d5 + x5_z * ex + z5_z * ez;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void general_5r_jacobian(const double q[5], double J[30])
@@ -268,12 +264,10 @@ DHGEN_PUBLIC void general_5r_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     dhgen_general_rows(&general, &descents, T, NULL, seed, rows, status);
 }
 
@@ -281,13 +275,9 @@ DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 DHGEN_TABLE struct dhgen_arm arm = {
     5, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0 }, 0.5681818181818181, { 1e-14, 1e-10 }, entries, 9,
-    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    general_5r_fk, general_5r_jacobian, solve,
+    0, /* follows seed */ NULL, NULL, NULL, NULL, general_5r_fk, general_5r_jacobian, solve,
     NULL,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "general_5r1p_pair.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 16
 #define DHGEN_TRAITS 0x101u /* what the arm needs of it */
@@ -19,10 +20,6 @@
 #include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 /* In formulas below, sqrt3 = 1.7320508075688772, sqrt2 = 1.4142135623730951. */
 static const double
@@ -372,8 +369,7 @@ DHGEN_PUBLIC void general_5r1p_pair_fk(const double q[6], double T[16])
     T[7] = f4 - (d2 + v2 * a3 + f3) + z4_y * d5 + x6_y * a6;
     T[8] = x6_z; T[9] = v5 + v8; T[10] = v8 - v5;
     T[11] = q[0] + x3_z * a3 - z3_z * d3 + z3_z * d4 + z4_z * d5 + x6_z * a6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void general_5r1p_pair_jacobian(const double q[6], double J[36])
@@ -410,12 +406,10 @@ DHGEN_PUBLIC void general_5r1p_pair_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     dhgen_general_rows(&general, &descents, T, NULL, seed, rows, status);
 }
 
@@ -423,13 +417,10 @@ DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5546, 0.5546, 0.5546, 1.0, 1.0, 1.0 }, 0.5546311702717693, { 1e-14, 1e-10 }, entries, 9,
-    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    general_5r1p_pair_fk, general_5r1p_pair_jacobian, solve,
+    0, /* follows seed */ NULL, NULL, NULL, NULL, general_5r1p_pair_fk, general_5r1p_pair_jacobian,
+    solve,
     NULL,
 };
 

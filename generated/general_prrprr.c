@@ -9,6 +9,7 @@
  */
 #include "general_prrprr.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #define DHGEN_TRAITS 0x489u /* what the arm needs of it */
@@ -19,10 +20,6 @@
 #include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 /* In formulas below, sat1 = 0.29552020666133955, a2 = 0.18 [m], a1 = 0.1 [m], d2 = 0.25 [m],
  * sa2 = 0.7833269096274834, ca2 = 0.6216099682706644, d3 = 0.11 [m], d5 = -0.16 [m],
@@ -237,8 +234,7 @@ DHGEN_PUBLIC void general_prrprr_fk(const double q[6], double T[16])
     T[8] = x5_z * c6 + v14 * s6; T[9] = v14 * c6 - x5_z * s6; T[10] = y5_z * sa6 - v11 * ca6;
     T[11] = ca1 * q[0] + f4 - f7 + f9 + x2_z * a3 + y2_z * f13 + f16 + x3_z * a4 + z4_z * q[3] +
         x4_z * a5 - y4_z * f27 - z4_z * f28 + x5_z * a6 + y5_z * f29 - v11 * f30;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void general_prrprr_jacobian(const double q[6], double J[36])
@@ -285,12 +281,10 @@ DHGEN_PUBLIC void general_prrprr_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     dhgen_general_rows(&general, &descents, T, NULL, seed, rows, status);
 }
 
@@ -298,13 +292,9 @@ DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5714, 0.5714, 0.5714, 1.0, 1.0, 1.0 }, 0.5714285714285714, { 1e-14, 1e-10 }, entries, 9,
-    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    general_prrprr_fk, general_prrprr_jacobian, solve,
+    0, /* follows seed */ NULL, NULL, NULL, NULL, general_prrprr_fk, general_prrprr_jacobian, solve,
     NULL,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "kawasaki_rs007n.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(KAWASAKI_RS007N_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef KAWASAKI_RS007N_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -105,8 +102,7 @@ DHGEN_PUBLIC void kawasaki_rs007n_fk(const double q[6], double T[16])
     T[7] = z3_y * d4 - v3 * a2 - v11 * d6;
     T[8] = x5_z * c6 + z4_z * s6; T[9] = z4_z * c6 - x5_z * s6; T[10] = z5_z;
     T[11] = d1 - s2 * a2 - v7 * d4 + z5_z * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void kawasaki_rs007n_jacobian(const double q[6], double J[36])
@@ -139,13 +135,11 @@ DHGEN_PUBLIC void kawasaki_rs007n_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1 A6^-1 [3, 4] */
@@ -519,12 +513,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8562, 0.8562, 0.8562, 1.0, 1.0, 1.0 }, 0.8561643835616439, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    kawasaki_rs007n_fk, kawasaki_rs007n_jacobian, solve,
+    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kawasaki_rs007n_fk,
+    kawasaki_rs007n_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "kinova_gen3_7.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(KINOVA_GEN3_7_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -28,10 +29,6 @@
 #include "dhgen/general/near.h"
 #ifndef KINOVA_GEN3_7_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -221,8 +218,7 @@ DHGEN_PUBLIC void kinova_gen3_7_fk(const double q[7], double T[16])
     T[7] = v3 * d3 - c1 * d2 + v6 * d4 - z4_y * d5 - z5_y * d6 - z6_y * d7;
     T[8] = x6_z * c7 + z5_z * s7; T[9] = z5_z * c7 - x6_z * s7; T[10] = z6_z;
     T[11] = d1 - c2 * d3 + v7 * d4 + v9 * d5 - z5_z * d6 - z6_z * d7;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void kinova_gen3_7_jacobian(const double q[7], double J[42])
@@ -738,9 +734,8 @@ DHGEN_FN int solve_certain(
 #endif
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     (void)moved;
 #ifndef KINOVA_GEN3_7_PLAIN
@@ -759,13 +754,9 @@ DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 DHGEN_TABLE struct dhgen_arm arm = {
     7, 16, 1, DHGEN_POSE, joints, given_joints, 1,
     { 0.869, 0.869, 0.869, 1.0, 1.0, 1.0 }, 0.8690286866369458, { 1e-14, 1e-10 }, entries, 9,
-    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    kinova_gen3_7_fk, kinova_gen3_7_jacobian, solve,
+    0, /* follows seed */ NULL, NULL, NULL, NULL, kinova_gen3_7_fk, kinova_gen3_7_jacobian, solve,
 #ifdef KINOVA_GEN3_7_PLAIN
     NULL,
 #else

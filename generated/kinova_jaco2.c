@@ -9,6 +9,7 @@
  */
 #include "kinova_jaco2.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 16
 #define DHGEN_TRAITS 0x0u /* what the arm needs of it */
@@ -19,10 +20,6 @@
 #include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 /* In formulas below, D3 = 0.2073 [m], d4 = 0.042897125000789196 [m], sqrt3 = 1.7320508075688772,
  * D6 = 0.1687 [m], d6 = 0.042897125000789196 [m]. */
@@ -377,8 +374,7 @@ DHGEN_PUBLIC void kinova_jaco2_fk(const double q[6], double T[16])
     T[7] = x2_y * D2 - c1 * e2 - z3_y * f1 + z4_y * d5 - z5_y * f4;
     T[8] = x5_z * c6 + y5_z * s6; T[9] = x5_z * s6 - y5_z * c6; T[10] = -z5_z;
     T[11] = D1 + s2 * D2 - z3_z * f1 + z4_z * d5 - z5_z * f4;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void kinova_jaco2_jacobian(const double q[6], double J[36])
@@ -416,12 +412,10 @@ DHGEN_PUBLIC void kinova_jaco2_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     dhgen_general_rows(&general, &descents, T, NULL, seed, rows, status);
 }
 
@@ -429,13 +423,9 @@ DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8046, 0.8046, 0.8046, 1.0, 1.0, 1.0 }, 0.8045774017520156, { 1e-14, 1e-10 }, entries, 9,
-    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    kinova_jaco2_fk, kinova_jaco2_jacobian, solve,
+    0, /* follows seed */ NULL, NULL, NULL, NULL, kinova_jaco2_fk, kinova_jaco2_jacobian, solve,
     NULL,
 };
 

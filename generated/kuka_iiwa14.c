@@ -9,6 +9,7 @@
  */
 #include "kuka_iiwa14.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(KUKA_IIWA14_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef KUKA_IIWA14_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In formulas below, arm_size2 = 1.7056360000000002 [m^2]. */
@@ -114,8 +111,7 @@ DHGEN_PUBLIC void kuka_iiwa14_fk(const double q[7], double T[16])
     T[7] = z2_y * d3 + z4_y * d5 + z6_y * d7;
     T[8] = x6_z * c7 + z5_z * s7; T[9] = z5_z * c7 - x6_z * s7; T[10] = z6_z;
     T[11] = d1 - c2 * d3 + z4_z * d5 + z6_z * d7;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void kuka_iiwa14_jacobian(const double q[7], double J[42])
@@ -141,9 +137,8 @@ DHGEN_PUBLIC void kuka_iiwa14_jacobian(const double q[7], double J[42])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[7] = (double (*)[7])rows;
     (void)moved;
@@ -511,12 +506,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     7, 8, 1, DHGEN_POSE, joints, given_joints, 1,
     { 0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0 }, 0.7656967840735068, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    kuka_iiwa14_fk, kuka_iiwa14_jacobian, solve,
+    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kuka_iiwa14_fk,
+    kuka_iiwa14_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

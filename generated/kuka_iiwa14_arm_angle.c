@@ -10,6 +10,7 @@
  */
 #include "kuka_iiwa14_arm_angle.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(KUKA_IIWA14_ARM_ANGLE_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -23,10 +24,6 @@
 #include "dhgen/frames.h"
 #ifndef KUKA_IIWA14_ARM_ANGLE_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -107,8 +104,7 @@ DHGEN_PUBLIC void kuka_iiwa14_arm_angle_fk(const double q[7], double T[16])
     T[7] = z2_y * d3 + z4_y * d5 + z6_y * d7;
     T[8] = x6_z * c7 + z5_z * s7; T[9] = z5_z * c7 - x6_z * s7; T[10] = z6_z;
     T[11] = d1 - c2 * d3 + z4_z * d5 + z6_z * d7;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void kuka_iiwa14_arm_angle_jacobian(const double q[7], double J[42])
@@ -170,9 +166,8 @@ DHGEN_PUBLIC double kuka_iiwa14_arm_angle_arm_angle(const double q[7])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[7] = (double (*)[7])rows;
     (void)moved;
@@ -627,12 +622,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     7, 8, 1, DHGEN_POSE, joints, NULL, 0,
     { 0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0 }, 0.7656967840735068, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 2, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    kuka_iiwa14_arm_angle_fk, kuka_iiwa14_arm_angle_jacobian, solve,
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 0, /* follows seed */ NULL, NULL, NULL, NULL, kuka_iiwa14_arm_angle_fk,
+    kuka_iiwa14_arm_angle_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "kuka_kr40pa.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(KUKA_KR40PA_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -23,10 +24,6 @@
 #include "dhgen/complete.h"
 #ifndef KUKA_KR40PA_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -126,8 +123,7 @@ DHGEN_PUBLIC void kuka_kr40pa_fk(const double q[4], double T[16])
     T[7] = s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4;
     T[8] = x4_z; T[9] = 0.0; T[10] = -(y3_z * c4 + v3 * s4);
     T[11] = d1 - s2 * a2 - v3 * a3 + x4_z * a4;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void kuka_kr40pa_jacobian(const double q[4], double J[24])
@@ -154,13 +150,11 @@ DHGEN_PUBLIC void kuka_kr40pa_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[4] = (double (*)[4])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta234, type 3: U0[3, 3] and U0[3, 1] */
@@ -389,11 +383,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0 }, 0.4545454545454546, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    &completion, dhgen_complete_rows,
-    NULL, NULL,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL,
     kuka_kr40pa_fk, kuka_kr40pa_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

@@ -9,6 +9,7 @@
  */
 #include "kuka_kr40pa_level.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(KUKA_KR40PA_LEVEL_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef KUKA_KR40PA_LEVEL_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -106,8 +103,7 @@ DHGEN_PUBLIC void kuka_kr40pa_level_fk(const double q[4], double T[16])
     T[7] = s1 * a1 + x2_y * a2 + v4 * a3 + x3_y * a4 - v10 * d5;
     T[8] = x3_z * c4; T[9] = -(x3_z * s4); T[10] = z3_z;
     T[11] = d1 - s2 * a2 - v5 * a3 + x3_z * a4 + z3_z * d5;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void kuka_kr40pa_level_jacobian(const double q[4], double J[24])
@@ -136,13 +132,11 @@ DHGEN_PUBLIC void kuka_kr40pa_level_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[4] = (double (*)[4])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* the yaw's cosine and sine */
@@ -368,12 +362,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     4, 4, 0, DHGEN_YAW, joints, NULL, 0,
     { 0.3413, 0.3413, 0.3413, 0.0, 0.0, 1.0 }, 0.341296928327645, { 1e-14, 1e-14 }, entries, 5,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    kuka_kr40pa_level_fk, kuka_kr40pa_level_jacobian, solve,
+    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kuka_kr40pa_level_fk,
+    kuka_kr40pa_level_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "olson_pprrrr.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(OLSON_PPRRRR_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef OLSON_PPRRRR_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -84,8 +81,7 @@ DHGEN_PUBLIC void olson_pprrrr_fk(const double q[6], double T[16])
     T[4] = x5_y * c6 - s3 * s6; T[5] = -(s3 * c6 + x5_y * s6); T[6] = -y5_y;
     T[7] = q[0] - v1 * a4 - y5_y * d6;
     T[8] = x5_z * c6; T[9] = -(x5_z * s6); T[10] = -y5_z; T[11] = d3 + s4 * a4 - y5_z * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void olson_pprrrr_jacobian(const double q[6], double J[36])
@@ -107,13 +103,11 @@ DHGEN_PUBLIC void olson_pprrrr_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta3, type 2: U3[2, 3] */
@@ -318,12 +312,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.1429, 0.1429, 0.1429, 1.0, 1.0, 1.0 }, 0.14285714285714285, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    olson_pprrrr_fk, olson_pprrrr_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, olson_pprrrr_fk,
+    olson_pprrrr_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

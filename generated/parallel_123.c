@@ -9,6 +9,7 @@
  */
 #include "parallel_123.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
@@ -16,10 +17,6 @@
 #include "dhgen/circle_roots.h"
 #include "dhgen/frames.h"
 #include "dhgen/complete.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 /* In formulas below, d1 = 0.1 [m], d2 = 0.05 [m], d3 = 0.08 [m]. */
 static const double
@@ -169,8 +166,7 @@ DHGEN_PUBLIC void parallel_123_fk(const double q[6], double T[16])
         a6 + z5_y * d6;
     T[8] = x6_z; T[9] = y5_z * c6 - x5_z * s6; T[10] = -v7;
     T[11] = f1 + s4 * a4 + x5_z * a5 - v3 * d5 + x6_z * a6 - v7 * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void parallel_123_jacobian(const double q[6], double J[36])
@@ -208,9 +204,8 @@ DHGEN_PUBLIC void parallel_123_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
     (void)free_joints;
@@ -364,11 +359,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 }, 0.625, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 4, NULL, 0, 52,
-    1, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    &completion, dhgen_complete_rows,
-    NULL, NULL,
+    choosable, 4, NULL, 0, 52, 1, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL,
     parallel_123_fk, parallel_123_jacobian, solve,
     NULL,
 };

@@ -9,6 +9,7 @@
  */
 #include "parallel_3rpr_leg.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(PARALLEL_3RPR_LEG_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef PARALLEL_3RPR_LEG_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -58,8 +55,7 @@ DHGEN_PUBLIC void parallel_3rpr_leg_fk(const double q[2], double T[16])
     T[0] = c1; T[1] = 0.0; T[2] = s1; T[3] = s1 * q[1];
     T[4] = s1; T[5] = 0.0; T[6] = -c1; T[7] = -(c1 * q[1]);
     T[8] = 0.0; T[9] = 1.0; T[10] = 0.0; T[11] = 0.0;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void parallel_3rpr_leg_jacobian(const double q[2], double J[12])
@@ -74,13 +70,11 @@ DHGEN_PUBLIC void parallel_3rpr_leg_jacobian(const double q[2], double J[12])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[2] = (double (*)[2])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, r2, type 4: U0[1, 4] and U0[2, 4] */
@@ -185,12 +179,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     2, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.625, 0.625, 0.0, 0.0, 0.0, 0.0 }, 0.625, { 1e-14, 1e-14 }, entries, 2,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    parallel_3rpr_leg_fk, parallel_3rpr_leg_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, parallel_3rpr_leg_fk,
+    parallel_3rpr_leg_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -11,6 +11,7 @@
 
 #include "parallel_3rrr_leg.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(PARALLEL_3RRR_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #define DHGEN_LEG_DRIVES 1
 #include "dhgen/assemblies.h"
 #include "dhgen/drives.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 /* The driven joints alone at regular poses, as the legs' own solvers take them: values, NaN without
  * a solution, statuses, and whether a pose has to be left to those. */

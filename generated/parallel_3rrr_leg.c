@@ -9,6 +9,7 @@
  */
 #include "parallel_3rrr_leg.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(PARALLEL_3RRR_LEG_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef PARALLEL_3RRR_LEG_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -69,8 +66,7 @@ DHGEN_PUBLIC void parallel_3rrr_leg_fk(const double q[2], double T[16])
     T[0] = x2_x; T[1] = -x2_y; T[2] = 0.0; T[3] = c1 * crank + x2_x * rod;
     T[4] = x2_y; T[5] = x2_x; T[6] = 0.0; T[7] = s1 * crank + x2_y * rod;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void parallel_3rrr_leg_jacobian(const double q[2], double J[12])
@@ -87,13 +83,11 @@ DHGEN_PUBLIC void parallel_3rrr_leg_jacobian(const double q[2], double J[12])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[2] = (double (*)[2])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
@@ -210,12 +204,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     2, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 1.429, 1.429, 0.0, 0.0, 0.0, 0.0 }, 1.4285714285714286, { 1e-14, 1e-14 }, entries, 2,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    parallel_3rrr_leg_fk, parallel_3rrr_leg_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, parallel_3rrr_leg_fk,
+    parallel_3rrr_leg_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

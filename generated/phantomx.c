@@ -8,6 +8,7 @@
  */
 #include "phantomx.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(PHANTOMX_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/complete.h"
 #ifndef PHANTOMX_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -127,8 +124,7 @@ DHGEN_PUBLIC void phantomx_fk(const double q[4], double T[16])
     T[7] = -(x2_y * a2 + x3_y * a3 + x4_y * a4);
     T[8] = x3_z * s4 - y3_z * c4; T[9] = 0.0; T[10] = -x4_z;
     T[11] = d1 + s2 * a2 - x3_z * a3 - x4_z * a4;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void phantomx_jacobian(const double q[4], double J[24])
@@ -154,13 +150,11 @@ DHGEN_PUBLIC void phantomx_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[4] = (double (*)[4])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 3: U0[1, 3] and U0[2, 3] */
@@ -394,12 +388,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.002817, 0.002817, 0.002817, 1.0, 1.0, 1.0 }, 0.0028169014084507044, { 1e-14, 1e-14 },
         entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    &completion, dhgen_complete_rows,
-    NULL, NULL,
-    phantomx_fk, phantomx_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL, phantomx_fk,
+    phantomx_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

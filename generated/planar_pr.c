@@ -9,6 +9,7 @@
  */
 #include "planar_pr.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(PLANAR_PR_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef PLANAR_PR_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In formulas below, sqrt3 = 1.7320508075688772, reach_slack = 1e-13, merge_slack = 1e-14. */
@@ -69,8 +66,7 @@ DHGEN_PUBLIC void planar_pr_fk(const double q[2], double T[16])
     T[0] = x2_x; T[1] = -x2_y; T[2] = 0.0; T[3] = f2 * q[0] + x2_x * a;
     T[4] = x2_y; T[5] = x2_x; T[6] = 0.0; T[7] = f1 * q[0] + x2_y * a;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void planar_pr_jacobian(const double q[2], double J[12])
@@ -86,14 +82,11 @@ DHGEN_PUBLIC void planar_pr_jacobian(const double q[2], double J[12])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[2] = (double (*)[2])rows;
-    (void)free_joints;
-    (void)seed;
-    (void)moved;
+    (void)free_joints; (void)seed; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta2, r1, type 5: U0[2, 4] and U0[1, 4] */
@@ -187,13 +180,9 @@ DHGEN_TABLE int entries[2] = { 3, 7 };
 DHGEN_TABLE struct dhgen_arm arm = {
     2, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 3.333, 3.333, 0.0, 0.0, 0.0, 0.0 }, 3.3333333333333335, { 1e-14, 1e-14 }, entries, 2,
-    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    planar_pr_fk, planar_pr_jacobian, solve,
+    1, /* follows seed */ NULL, NULL, NULL, NULL, planar_pr_fk, planar_pr_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "planar_rp.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(PLANAR_RP_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef PLANAR_RP_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -60,8 +57,7 @@ DHGEN_PUBLIC void planar_rp_fk(const double q[2], double T[16])
     T[0] = c1; T[1] = 0.0; T[2] = s1; T[3] = s1 * q[1];
     T[4] = s1; T[5] = 0.0; T[6] = -c1; T[7] = -(c1 * q[1]);
     T[8] = 0.0; T[9] = 1.0; T[10] = 0.0; T[11] = 0.0;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void planar_rp_jacobian(const double q[2], double J[12])
@@ -77,13 +73,11 @@ DHGEN_PUBLIC void planar_rp_jacobian(const double q[2], double J[12])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[2] = (double (*)[2])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, r2, type 4: U0[1, 4] and U0[2, 4] */
@@ -191,12 +185,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     2, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 1.0, 1.0, 0.0, 0.0, 0.0, 0.0 }, 1.0, { 1e-14, 1e-14 }, entries, 2,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    planar_rp_fk, planar_rp_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, planar_rp_fk, planar_rp_jacobian,
+    solve,
     DHGEN_SOLVE_REGULAR,
 };
 

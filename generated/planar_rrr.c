@@ -9,6 +9,7 @@
  */
 #include "planar_rrr.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(PLANAR_RRR_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef PLANAR_RRR_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -77,8 +74,7 @@ DHGEN_PUBLIC void planar_rrr_fk(const double q[3], double T[16])
     T[0] = x3_x; T[1] = -x3_y; T[2] = 0.0; T[3] = c1 * a1 + x2_x * a2 + x3_x * a3;
     T[4] = x3_y; T[5] = x3_x; T[6] = 0.0; T[7] = s1 * a1 + x2_y * a2 + x3_y * a3;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void planar_rrr_jacobian(const double q[3], double J[18])
@@ -97,13 +93,11 @@ DHGEN_PUBLIC void planar_rrr_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[3] = (double (*)[3])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta123, type 3: U0[2, 1] and U0[1, 1] */
@@ -303,12 +297,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     3, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.176, 1.176, 1.176, 1.0, 1.0, 1.0 }, 1.1764705882352942, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    planar_rrr_fk, planar_rrr_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, planar_rrr_fk, planar_rrr_jacobian,
+    solve,
     DHGEN_SOLVE_REGULAR,
 };
 

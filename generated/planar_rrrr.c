@@ -9,16 +9,13 @@
  */
 #include "planar_rrrr.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 1
 #include "dhgen/ik.h"
 #include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/numerical.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 static const double
     a = 0.25; /* link length 1 [m] */
@@ -97,8 +94,7 @@ DHGEN_PUBLIC void planar_rrrr_fk(const double q[4], double T[16])
     T[0] = x4_x; T[1] = -x4_y; T[2] = 0.0; T[3] = c1 * a + a * x2_x + a * x3_x + a * x4_x;
     T[4] = x4_y; T[5] = x4_x; T[6] = 0.0; T[7] = s1 * a + a * x2_y + a * x3_y + a * x4_y;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void planar_rrrr_jacobian(const double q[4], double J[24])
@@ -119,12 +115,10 @@ DHGEN_PUBLIC void planar_rrrr_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     dhgen_numerical_rows(&descents, T, NULL, seed, rows, status);
 }
 
@@ -132,13 +126,9 @@ DHGEN_TABLE int entries[2] = { 3, 7 };
 DHGEN_TABLE struct dhgen_arm arm = {
     4, 1, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 1.0, 1.0, 0.0, 0.0, 0.0, 0.0 }, 1.0, { 1e-14, 1e-10 }, entries, 2,
-    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    planar_rrrr_fk, planar_rrrr_jacobian, solve,
+    0, /* follows seed */ NULL, NULL, NULL, NULL, planar_rrrr_fk, planar_rrrr_jacobian, solve,
     NULL,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "prismatic_2_wrist.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(PRISMATIC_2_WRIST_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef PRISMATIC_2_WRIST_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In formulas below, d1 = 0.3 [m]. */
@@ -107,8 +104,7 @@ DHGEN_PUBLIC void prismatic_2_wrist_fk(const double q[6], double T[16])
     T[7] = s1 * a1 + c1 * q[1] + x2_y * a2 + x3_y * a3 + z2_y * d3 + z3_y * d4 + z5_y * d6;
     T[8] = x5_z * c6 + y5_z * s6; T[9] = y5_z * c6 - x5_z * s6; T[10] = z5_z;
     T[11] = f1 - v1 * a3 + f2 + z3_z * d4 + z5_z * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void prismatic_2_wrist_jacobian(const double q[6], double J[36])
@@ -141,13 +137,11 @@ DHGEN_PUBLIC void prismatic_2_wrist_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U2 A6^-1 [3, 4] */
@@ -469,12 +463,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8065, 0.8065, 0.8065, 1.0, 1.0, 1.0 }, 0.8064516129032259, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52,
-    1, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    prismatic_2_wrist_fk, prismatic_2_wrist_jacobian, solve,
+    choosable, 2, NULL, 0, 52, 1, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, prismatic_2_wrist_fk,
+    prismatic_2_wrist_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -8,6 +8,7 @@
  */
 #include "puma.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(PUMA_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -21,10 +22,6 @@
 #include "dhgen/frames.h"
 #ifndef PUMA_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In formulas below, reach_slack1 = 1.890188625788961e-13 [m],
@@ -101,8 +98,7 @@ DHGEN_PUBLIC void puma_fk(const double q[6], double T[16])
     T[7] = s1 * D3 - v1 * L2 - v3 * D4 - D3 * x6_y - x5_y * f1;
     T[8] = x6_z; T[9] = v9 * c6 - x4_z * s6; T[10] = x5_z;
     T[11] = c2 * L2 + x3_z * D4 - D3 * x6_z - x5_z * f1;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void puma_jacobian(const double q[6], double J[36])
@@ -136,13 +132,11 @@ DHGEN_PUBLIC void puma_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[1, 4] */
@@ -447,12 +441,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.529, 0.529, 0.529, 1.0, 1.0, 1.0 }, 0.5290477290765635, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    puma_fk, puma_jacobian, solve,
+    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma_fk, puma_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

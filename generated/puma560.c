@@ -8,6 +8,7 @@
  */
 #include "puma560.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(PUMA560_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -21,10 +22,6 @@
 #include "dhgen/frames.h"
 #ifndef PUMA560_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In formulas below, reach_slack1 = 1.7057800000000002e-13 [m], merge_slack1 = 1.70578e-14 [m],
@@ -102,8 +99,7 @@ DHGEN_PUBLIC void puma560_fk(const double q[6], double T[16])
     T[7] = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4;
     T[8] = x5_z * c6 - z4_z * s6; T[9] = -(z4_z * c6 + x5_z * s6); T[10] = z3_z * c5 - x4_z * s5;
     T[11] = d1 + s2 * a2 + x3_z * a3 + z3_z * d4;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void puma560_jacobian(const double q[6], double J[36])
@@ -134,13 +130,11 @@ DHGEN_PUBLIC void puma560_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4] */
@@ -467,12 +461,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5862, 0.5862, 0.5862, 1.0, 1.0, 1.0 }, 0.5862420710759887, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    puma560_fk, puma560_jacobian, solve,
+    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma560_fk, puma560_jacobian,
+    solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "puma560_calibrated.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(PUMA560_CALIBRATED_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -28,10 +29,6 @@
 #include "dhgen/general/near.h"
 #ifndef PUMA560_CALIBRATED_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -238,8 +235,7 @@ DHGEN_PUBLIC void puma560_calibrated_fk(const double q[6], double T[16])
     T[8] = x6_z; T[9] = v24 * ca6 - z5_z * sa6; T[10] = v24 * sa6 + z5_z * ca6;
     T[11] = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 + z4_z *
         d5 + x6_z * a6 + z5_z * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void puma560_calibrated_jacobian(const double q[6], double J[36])
@@ -647,12 +643,10 @@ DHGEN_FN int solve_certain(
 #endif
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
 #ifndef PUMA560_CALIBRATED_PLAIN
     if (dhgen_solve_from_nearest(&general, &descents, &nearest_arm, solve_regular, T, NULL, rows,
         status))
@@ -668,13 +662,10 @@ DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5844, 0.5844, 0.5844, 1.0, 1.0, 1.0 }, 0.5843514598369508, { 1e-14, 1e-10 }, entries, 9,
-    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    puma560_calibrated_fk, puma560_calibrated_jacobian, solve,
+    0, /* follows seed */ NULL, NULL, NULL, NULL, puma560_calibrated_fk,
+    puma560_calibrated_jacobian, solve,
 #ifdef PUMA560_CALIBRATED_PLAIN
     NULL,
 #else

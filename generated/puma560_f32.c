@@ -42,7 +42,7 @@
 #error "dhgen needs NaN and infinity: compile without -ffast-math and -ffinite-math-only"
 #endif
 
-/* A robot's file names the interface that it was generated for, and refuses another one. */
+/* A robot's file names the interface that it was generated for. */
 #define DHGEN_INTERFACE 1
 
 /* Marks. DHGEN_INLINE stands before what is called in the fast path, DHGEN_FN before all other
@@ -1963,8 +1963,7 @@ DHGEN_PUBLIC void puma560_f32_fk(const float q[6], float T[16])
     T[7] = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4;
     T[8] = x5_z * c6 - z4_z * s6; T[9] = -(z4_z * c6 + x5_z * s6); T[10] = z3_z * c5 - x4_z * s5;
     T[11] = d1 + s2 * a2 + x3_z * a3 + z3_z * d4;
-    T[12] = T[13] = T[14] = 0.0f;
-    T[15] = 1.0f;
+    T[12] = T[13] = T[14] = 0.0f; T[15] = 1.0f;
 }
 
 DHGEN_PUBLIC void puma560_f32_jacobian(const float q[6], float J[36])
@@ -1996,13 +1995,11 @@ DHGEN_PUBLIC void puma560_f32_jacobian(const float q[6], float J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const float *T, const float *free_joints, const float *seed, float moved, float *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed, float moved,
+    float *rows, unsigned char *status)
 {
     float (*const q)[6] = (float (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(float);
 
     /* theta1, type 2: U1[3, 4] */
@@ -2262,12 +2259,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5862f, 0.5862f, 0.5862f, 1.0f, 1.0f, 1.0f }, 0.5862421f, { 1e-06f, 1e-06f }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    puma560_f32_fk, puma560_f32_jacobian, solve,
+    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma560_f32_fk,
+    puma560_f32_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

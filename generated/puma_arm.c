@@ -8,6 +8,7 @@
  */
 #include "puma_arm.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(PUMA_ARM_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -21,10 +22,6 @@
 #include "dhgen/frames.h"
 #ifndef PUMA_ARM_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In formulas below, reach_slack1 = 1.7057800000000002e-13 [m], merge_slack1 = 1.70578e-14 [m],
@@ -86,8 +83,7 @@ DHGEN_PUBLIC void puma_arm_fk(const double q[3], double T[16])
     T[0] = x3_x; T[1] = -s1; T[2] = -v3; T[3] = x2_x * a2 + x3_x * a3 + s1 * d3 - v3 * d4;
     T[4] = x3_y; T[5] = c1; T[6] = -v4; T[7] = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4;
     T[8] = x3_z; T[9] = 0.0; T[10] = z3_z; T[11] = d1 + s2 * a2 + x3_z * a3 + z3_z * d4;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void puma_arm_jacobian(const double q[3], double J[18])
@@ -109,13 +105,11 @@ DHGEN_PUBLIC void puma_arm_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[3] = (double (*)[3])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4] */
@@ -280,12 +274,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.5862, 0.5862, 0.5862, 0.0, 0.0, 0.0 }, 0.5862420710759887, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52,
-    1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    puma_arm_fk, puma_arm_jacobian, solve,
+    choosable, 2, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma_arm_fk, puma_arm_jacobian,
+    solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "rail_5dof.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(RAIL_5DOF_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -23,10 +24,6 @@
 #include "dhgen/complete.h"
 #ifndef RAIL_5DOF_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -117,8 +114,7 @@ DHGEN_PUBLIC void rail_5dof_fk(const double q[5], double T[16])
     T[4] = x4_y * c5 - z4_y * s5; T[5] = -(z4_y * c5 + x4_y * s5); T[6] = -v1;
     T[7] = -(c2 * d3 + v1 * d5);
     T[8] = x4_z * c5 + c3 * s5; T[9] = c3 * c5 - x4_z * s5; T[10] = -v2; T[11] = q[0] - v2 * d5;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void rail_5dof_jacobian(const double q[5], double J[30])
@@ -137,13 +133,11 @@ DHGEN_PUBLIC void rail_5dof_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[5] = (double (*)[5])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* r1, type 1: U0 A5^-1 [3, 4] */
@@ -353,12 +347,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     5, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.1667, 0.1667, 0.1667, 1.0, 1.0, 1.0 }, 0.16666666666666666, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    &completion, dhgen_complete_rows,
-    NULL, NULL,
-    rail_5dof_fk, rail_5dof_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL, rail_5dof_fk,
+    rail_5dof_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -8,6 +8,7 @@
  */
 #include "rpp.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(RPP_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -21,10 +22,6 @@
 #include "dhgen/frames.h"
 #ifndef RPP_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -60,8 +57,7 @@ DHGEN_PUBLIC void rpp_fk(const double q[3], double T[16])
     T[0] = c1; T[1] = -s1; T[2] = 0.0; T[3] = -(s1 * q[1]);
     T[4] = s1; T[5] = c1; T[6] = 0.0; T[7] = c1 * q[1];
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = d1 + q[2];
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void rpp_jacobian(const double q[3], double J[18])
@@ -76,13 +72,11 @@ DHGEN_PUBLIC void rpp_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[3] = (double (*)[3])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* r3, type 1: U0[3, 4] */
@@ -188,12 +182,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     3, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 2.0, 2.0, 2.0, 0.0, 0.0, 0.0 }, 2.0, { 1e-14, 1e-14 }, entries, 3,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    rpp_fk, rpp_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, rpp_fk, rpp_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

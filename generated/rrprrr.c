@@ -8,6 +8,7 @@
  */
 #include "rrprrr.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(RRPRRR_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -21,10 +22,6 @@
 #include "dhgen/frames.h"
 #ifndef RRPRRR_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -78,8 +75,7 @@ DHGEN_PUBLIC void rrprrr_fk(const double q[6], double T[16])
     T[7] = z3_y * q[2];
     T[8] = x5_z * c6 - v2 * s6; T[9] = -(v2 * c6 + x5_z * s6); T[10] = x4_z * s5 - c2 * c5;
     T[11] = -(c2 * q[2]);
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void rrprrr_jacobian(const double q[6], double J[36])
@@ -101,13 +97,11 @@ DHGEN_PUBLIC void rrprrr_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[2, 4] */
@@ -338,12 +332,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }, 1.0, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    rrprrr_fk, rrprrr_jacobian, solve,
+    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, rrprrr_fk, rrprrr_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -8,6 +8,7 @@
  */
 #include "scara.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(SCARA_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -21,10 +22,6 @@
 #include "dhgen/frames.h"
 #ifndef SCARA_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -79,8 +76,7 @@ DHGEN_PUBLIC void scara_fk(const double q[4], double T[16])
     T[0] = x4_x; T[1] = -x4_y; T[2] = 0.0; T[3] = c1 * L1 + x2_x * L2 + x4_x * L4;
     T[4] = x4_y; T[5] = x4_x; T[6] = 0.0; T[7] = s1 * L1 + x2_y * L2 + x4_y * L4;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = q[2];
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void scara_jacobian(const double q[4], double J[24])
@@ -99,13 +95,11 @@ DHGEN_PUBLIC void scara_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[4] = (double (*)[4])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* r3, type 1: U0[3, 4] */
@@ -292,12 +286,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.25, 1.25, 1.25, 1.0, 1.0, 1.0 }, 1.25, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    scara_fk, scara_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, scara_fk, scara_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,16 +9,13 @@
  */
 #include "scara_ball_screw.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #define DHGEN_DOF 4
 #define DHGEN_ROWS 2
 #include "dhgen/ik.h"
 #include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/coupled.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 static const double
     L1 = 0.4, /* link length 1 [m] */
@@ -74,8 +71,7 @@ DHGEN_PUBLIC void scara_ball_screw_fk(const double q[4], double T[16])
     T[0] = x2_x * c4 - x2_y * s4; T[1] = -x4_y; T[2] = 0.0; T[3] = c1 * L1 + x2_x * L2;
     T[4] = x4_y; T[5] = x2_x * c4 - x2_y * s4; T[6] = 0.0; T[7] = s1 * L1 + x2_y * L2;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = q[2] + factor34 * q[3];
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void scara_ball_screw_jacobian(const double q[4], double J[24])
@@ -92,13 +88,11 @@ DHGEN_PUBLIC void scara_ball_screw_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[4] = (double (*)[4])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta124, type 3: U0[2, 1] and U0[1, 1] */
@@ -178,11 +172,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.429, 1.429, 1.429, 1.0, 1.0, 1.0 }, 1.4285714285714286, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    &coupling, dhgen_coupled_beyond,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 0, /* follows seed */ NULL, NULL, &coupling, dhgen_coupled_beyond,
     scara_ball_screw_fk, scara_ball_screw_jacobian, solve,
     NULL,
 };

@@ -42,7 +42,7 @@
 #error "dhgen needs NaN and infinity: compile without -ffast-math and -ffinite-math-only"
 #endif
 
-/* A robot's file names the interface that it was generated for, and refuses another one. */
+/* A robot's file names the interface that it was generated for. */
 #define DHGEN_INTERFACE 1
 
 /* Marks. DHGEN_INLINE stands before what is called in the fast path, DHGEN_FN before all other
@@ -1942,8 +1942,7 @@ DHGEN_PUBLIC void scara_f32_fk(const float q[4], float T[16])
     T[0] = x4_x; T[1] = -x4_y; T[2] = 0.0f; T[3] = c1 * L1 + x2_x * L2 + x4_x * L4;
     T[4] = x4_y; T[5] = x4_x; T[6] = 0.0f; T[7] = s1 * L1 + x2_y * L2 + x4_y * L4;
     T[8] = 0.0f; T[9] = 0.0f; T[10] = 1.0f; T[11] = q[2];
-    T[12] = T[13] = T[14] = 0.0f;
-    T[15] = 1.0f;
+    T[12] = T[13] = T[14] = 0.0f; T[15] = 1.0f;
 }
 
 DHGEN_PUBLIC void scara_f32_jacobian(const float q[4], float J[24])
@@ -1963,13 +1962,11 @@ DHGEN_PUBLIC void scara_f32_jacobian(const float q[4], float J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const float *T, const float *free_joints, const float *seed, float moved, float *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed, float moved,
+    float *rows, unsigned char *status)
 {
     float (*const q)[4] = (float (*)[4])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(float);
 
     /* r3, type 1: U0[3, 4] */
@@ -2115,12 +2112,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f }, 1.25f, { 1e-06f, 1e-06f }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    scara_f32_fk, scara_f32_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, scara_f32_fk, scara_f32_jacobian,
+    solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "scara_prrr.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(SCARA_PRRR_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef SCARA_PRRR_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -77,8 +74,7 @@ DHGEN_PUBLIC void scara_prrr_fk(const double q[4], double T[16])
     T[0] = x4_x; T[1] = x3_y * c4 + x3_x * s4; T[2] = 0.0; T[3] = c2 * a2 + x3_x * a3;
     T[4] = x3_y * c4 + x3_x * s4; T[5] = -x4_x; T[6] = 0.0; T[7] = s2 * a2 + x3_y * a3;
     T[8] = 0.0; T[9] = 0.0; T[10] = -1.0; T[11] = q[0];
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void scara_prrr_jacobian(const double q[4], double J[24])
@@ -95,13 +91,11 @@ DHGEN_PUBLIC void scara_prrr_jacobian(const double q[4], double J[24])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[4] = (double (*)[4])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta234, type 3: U0[2, 1] and U0[1, 1] */
@@ -263,12 +257,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.818, 1.818, 1.818, 1.0, 1.0, 1.0 }, 1.8181818181818181, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    scara_prrr_fk, scara_prrr_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, scara_prrr_fk, scara_prrr_jacobian,
+    solve,
     DHGEN_SOLVE_REGULAR,
 };
 

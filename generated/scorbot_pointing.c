@@ -9,6 +9,7 @@
  */
 #include "scorbot_pointing.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(SCORBOT_POINTING_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -23,10 +24,6 @@
 #include "dhgen/complete.h"
 #ifndef SCORBOT_POINTING_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -134,8 +131,7 @@ DHGEN_PUBLIC void scorbot_pointing_fk(const double q[5], double T[16])
     T[4] = x4_y * c5 + c1 * s5; T[5] = c1 * c5 - x4_y * s5; T[6] = z4_y;
     T[7] = s1 * a1 + x2_y * a2 + x3_y * a3 + z4_y * d5;
     T[8] = x4_z * c5; T[9] = -(x4_z * s5); T[10] = -v7; T[11] = d1 - s2 * a2 - v3 * a3 - v7 * d5;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void scorbot_pointing_jacobian(const double q[5], double J[30])
@@ -161,9 +157,8 @@ DHGEN_PUBLIC void scorbot_pointing_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[5] = (double (*)[5])rows;
     (void)moved;
@@ -483,11 +478,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     5, 4, 1, DHGEN_POINTING, joints, given_joints, 1,
     { 1.05, 1.05, 1.05, 1.0, 1.0, 1.0 }, 1.050420168067227, { 1e-14, 1e-14 }, entries, 6,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    &completion, dhgen_complete_rows,
-    NULL, NULL,
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL,
     scorbot_pointing_fk, scorbot_pointing_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

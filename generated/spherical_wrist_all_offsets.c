@@ -10,6 +10,7 @@
  */
 #include "spherical_wrist_all_offsets.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(SPHERICAL_WRIST_ALL_OFFSETS_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -23,10 +24,6 @@
 #include "dhgen/frames.h"
 #ifndef SPHERICAL_WRIST_ALL_OFFSETS_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In formulas below, reach_slack1 = 1.7800000000000005e-13 [m],
@@ -109,8 +106,7 @@ DHGEN_PUBLIC void spherical_wrist_all_offsets_fk(const double q[6], double T[16]
     T[7] = s1 * a1 + x2_y * a2 + c1 * d2 + x3_y * a3 - c1 * d3 + z3_y * d4 + z5_y * d6;
     T[8] = x5_z * c6 + z4_z * s6; T[9] = z4_z * c6 - x5_z * s6; T[10] = -v6;
     T[11] = d1 - s2 * a2 - v3 * a3 + -y4_z * d4 - v6 * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void spherical_wrist_all_offsets_jacobian(const double q[6], double J[36])
@@ -144,13 +140,11 @@ DHGEN_PUBLIC void spherical_wrist_all_offsets_jacobian(const double q[6], double
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1 A6^-1 [3, 4] */
@@ -476,12 +470,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5618, 0.5618, 0.5618, 1.0, 1.0, 1.0 }, 0.5617977528089886, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    spherical_wrist_all_offsets_fk, spherical_wrist_all_offsets_jacobian, solve,
+    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, spherical_wrist_all_offsets_fk,
+    spherical_wrist_all_offsets_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

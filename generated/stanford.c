@@ -8,6 +8,7 @@
  */
 #include "stanford.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(STANFORD_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -21,10 +22,6 @@
 #include "dhgen/frames.h"
 #ifndef STANFORD_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In formulas below, reach_slack1 = 1.2700000000000001e-13 [m], merge_slack1 = 1.27e-14 [m]. */
@@ -87,8 +84,7 @@ DHGEN_PUBLIC void stanford_fk(const double q[6], double T[16])
     T[7] = c1 * d2 + z2_y * q[2] - c1 * a3;
     T[8] = -(v3 * c6 + v2 * s6); T[9] = v3 * s6 - v2 * c6; T[10] = c2 * c5 - v1 * s5;
     T[11] = d1 + c2 * q[2];
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void stanford_jacobian(const double q[6], double J[36])
@@ -112,13 +108,11 @@ DHGEN_PUBLIC void stanford_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4] */
@@ -426,12 +420,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.7874, 0.7874, 0.7874, 1.0, 1.0, 1.0 }, 0.7874015748031495, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    stanford_fk, stanford_jacobian, solve,
+    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, stanford_fk, stanford_jacobian,
+    solve,
     DHGEN_SOLVE_REGULAR,
 };
 

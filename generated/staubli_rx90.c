@@ -9,6 +9,7 @@
  */
 #include "staubli_rx90.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(STAUBLI_RX90_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef STAUBLI_RX90_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -93,8 +90,7 @@ DHGEN_PUBLIC void staubli_rx90_fk(const double q[6], double T[16])
     T[7] = x2_y * a2 - v4 * d4;
     T[8] = x5_z * c6 - z5_z * s6; T[9] = -(z5_z * c6 + x5_z * s6); T[10] = y3_z * c5 - x4_z * s5;
     T[11] = s2 * a2 + y3_z * d4;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void staubli_rx90_jacobian(const double q[6], double J[36])
@@ -121,13 +117,11 @@ DHGEN_PUBLIC void staubli_rx90_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[2, 4] */
@@ -430,12 +424,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.111, 1.111, 1.111, 1.0, 1.0, 1.0 }, 1.1111111111111112, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    staubli_rx90_fk, staubli_rx90_jacobian, solve,
+    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, staubli_rx90_fk,
+    staubli_rx90_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "stewart_leg.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(STEWART_LEG_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef STEWART_LEG_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -61,8 +58,7 @@ DHGEN_PUBLIC void stewart_leg_fk(const double q[3], double T[16])
     T[0] = c1 * c2; T[1] = -s1; T[2] = z2_x; T[3] = z2_x * q[2];
     T[4] = s1 * c2; T[5] = c1; T[6] = z2_y; T[7] = z2_y * q[2];
     T[8] = -s2; T[9] = 0.0; T[10] = c2; T[11] = c2 * q[2];
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void stewart_leg_jacobian(const double q[3], double J[18])
@@ -79,13 +75,11 @@ DHGEN_PUBLIC void stewart_leg_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[3] = (double (*)[3])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4] */
@@ -228,12 +222,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 1.333, 1.333, 1.333, 0.0, 0.0, 0.0 }, 1.3333333333333333, { 1e-14, 1e-14 }, entries, 3,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 2, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    stewart_leg_fk, stewart_leg_jacobian, solve,
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, stewart_leg_fk,
+    stewart_leg_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "techman_tm5_900.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(TECHMAN_TM5_900_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef TECHMAN_TM5_900_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In formulas below, reach_slack1 = 1.3271500000000003e-13 [m],
@@ -110,8 +107,7 @@ DHGEN_PUBLIC void techman_tm5_900_fk(const double q[6], double T[16])
     T[7] = x2_y * a2 + x3_y * a3 + c1 * d3 + z4_y * d5 + z5_y * d6;
     T[8] = x5_z * c6 + z4_z * s6; T[9] = z4_z * c6 - x5_z * s6; T[10] = z5_z;
     T[11] = d1 + s2 * a2 + x3_z * a3 + z4_z * d5 + z5_z * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void techman_tm5_900_jacobian(const double q[6], double J[36])
@@ -144,13 +140,11 @@ DHGEN_PUBLIC void techman_tm5_900_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1 A6^-1 [3, 4] */
@@ -517,12 +511,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.7535, 0.7535, 0.7535, 1.0, 1.0, 1.0 }, 0.753494329955167, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, together, 2, 52,
-    1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    techman_tm5_900_fk, techman_tm5_900_jacobian, solve,
+    choosable, 3, together, 2, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, techman_tm5_900_fk,
+    techman_tm5_900_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

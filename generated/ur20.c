@@ -8,6 +8,7 @@
  */
 #include "ur20.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(UR20_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -21,10 +22,6 @@
 #include "dhgen/frames.h"
 #ifndef UR20_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 /* In formulas below, reach_slack1 = 2.3416000000000003e-13 [m], merge_slack1 = 2.3416e-14 [m],
@@ -105,8 +102,7 @@ DHGEN_PUBLIC void ur20_fk(const double q[6], double T[16])
     T[7] = x2_y * a2 + x3_y * a3 - c1 * d4 + z4_y * d5 - v5 * d6;
     T[8] = x5_z * c6 + y5_z * s6; T[9] = y5_z * c6 - x5_z * s6; T[10] = -v6;
     T[11] = d1 + s2 * a2 + x3_z * a3 + -y5_z * d5 - v6 * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void ur20_jacobian(const double q[6], double J[36])
@@ -140,13 +136,11 @@ DHGEN_PUBLIC void ur20_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[6] = (double (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1 A6^-1 [3, 4] */
@@ -477,12 +471,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.4271, 0.4271, 0.4271, 1.0, 1.0, 1.0 }, 0.4270584215920738, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, together, 2, 52,
-    1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    ur20_fk, ur20_jacobian, solve,
+    choosable, 3, together, 2, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, ur20_fk, ur20_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -42,7 +42,7 @@
 #error "dhgen needs NaN and infinity: compile without -ffast-math and -ffinite-math-only"
 #endif
 
-/* A robot's file names the interface that it was generated for, and refuses another one. */
+/* A robot's file names the interface that it was generated for. */
 #define DHGEN_INTERFACE 1
 
 /* Marks. DHGEN_INLINE stands before what is called in the fast path, DHGEN_FN before all other
@@ -1966,8 +1966,7 @@ DHGEN_PUBLIC void ur5_f32_fk(const float q[6], float T[16])
     T[7] = x2_y * a2 + x3_y * a3 - c1 * d4 + z4_y * d5 - v5 * d6;
     T[8] = x5_z * c6 + y5_z * s6; T[9] = y5_z * c6 - x5_z * s6; T[10] = -v6;
     T[11] = d1 + s2 * a2 + x3_z * a3 + -y5_z * d5 - v6 * d6;
-    T[12] = T[13] = T[14] = 0.0f;
-    T[15] = 1.0f;
+    T[12] = T[13] = T[14] = 0.0f; T[15] = 1.0f;
 }
 
 DHGEN_PUBLIC void ur5_f32_jacobian(const float q[6], float J[36])
@@ -2001,13 +2000,11 @@ DHGEN_PUBLIC void ur5_f32_jacobian(const float q[6], float J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const float *T, const float *free_joints, const float *seed, float moved, float *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed, float moved,
+    float *rows, unsigned char *status)
 {
     float (*const q)[6] = (float (*)[6])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(float);
 
     /* theta1, type 2: U1 A6^-1 [3, 4] */
@@ -2273,12 +2270,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8386f, 0.8386f, 0.8386f, 1.0f, 1.0f, 1.0f }, 0.8385681f, { 1e-06f, 1e-06f }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, together, 2, 52,
-    1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    ur5_f32_fk, ur5_f32_jacobian, solve,
+    choosable, 3, together, 2, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, ur5_f32_fk, ur5_f32_jacobian,
+    solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -9,6 +9,7 @@
  */
 #include "welding_5r.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #define DHGEN_DOF 5
 #define DHGEN_ROWS 8
 #include "dhgen/ik.h"
@@ -16,10 +17,6 @@
 #include "dhgen/circle_roots.h"
 #include "dhgen/frames.h"
 #include "dhgen/complete.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 static const double
     d1 = 0.3, /* joint offset 1 [m] */
@@ -146,8 +143,7 @@ DHGEN_PUBLIC void welding_5r_fk(const double q[5], double T[16])
     T[7] = s1 * a1 + x2_y * L2 + x3_y * L3 - c1 * d4 + z4_y * d5 + x5_y * ex + z5_y * ez;
     T[8] = x5_z; T[9] = z4_z; T[10] = z5_z;
     T[11] = d1 + s2 * L2 + x3_z * L3 + z4_z * d5 + x5_z * ex + z5_z * ez;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void welding_5r_jacobian(const double q[5], double J[30])
@@ -181,9 +177,8 @@ DHGEN_PUBLIC void welding_5r_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[5] = (double (*)[5])rows;
     (void)free_joints;
@@ -304,11 +299,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     5, 8, 0, DHGEN_POINTING, joints, NULL, 0,
     { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 }, 0.625, { 1e-14, 1e-14 }, entries, 6,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 4, NULL, 0, 52,
-    1, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    &completion, dhgen_complete_rows,
-    NULL, NULL,
+    choosable, 4, NULL, 0, 52, 1, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL,
     welding_5r_fk, welding_5r_jacobian, solve,
     NULL,
 };

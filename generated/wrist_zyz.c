@@ -9,6 +9,7 @@
  */
 #include "wrist_zyz.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(WRIST_ZYZ_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -22,10 +23,6 @@
 #include "dhgen/frames.h"
 #ifndef WRIST_ZYZ_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -62,8 +59,7 @@ DHGEN_PUBLIC void wrist_zyz_fk(const double q[3], double T[16])
     T[0] = x2_x * c3 - s1 * s3; T[1] = -(s1 * c3 + x2_x * s3); T[2] = -(c1 * s2); T[3] = 0.0;
     T[4] = x2_y * c3 + c1 * s3; T[5] = c1 * c3 - x2_y * s3; T[6] = -(s1 * s2); T[7] = 0.0;
     T[8] = s2 * c3; T[9] = -(s2 * s3); T[10] = c2; T[11] = 0.0;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void wrist_zyz_jacobian(const double q[3], double J[18])
@@ -79,13 +75,11 @@ DHGEN_PUBLIC void wrist_zyz_jacobian(const double q[3], double J[18])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[3] = (double (*)[3])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[3, 3] */
@@ -196,12 +190,9 @@ DHGEN_TABLE struct dhgen_arm arm = {
     3, 2, 0, DHGEN_ROTATION, joints, NULL, 0,
     { 0.0, 0.0, 0.0, 1.0, 1.0, 1.0 }, 1.0, { 1e-14, 1e-14 }, entries, 6,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    wrist_zyz_fk, wrist_zyz_jacobian, solve,
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, wrist_zyz_fk, wrist_zyz_jacobian,
+    solve,
     DHGEN_SOLVE_REGULAR,
 };
 

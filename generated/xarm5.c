@@ -8,6 +8,7 @@
  */
 #include "xarm5.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #if defined(XARM5_SCALAR) && !defined(DHGEN_SCALAR)
 #define DHGEN_SCALAR
 #endif
@@ -21,10 +22,6 @@
 #include "dhgen/frames.h"
 #ifndef XARM5_PLAIN
 #include "dhgen/tile.h"
-#endif
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
 static const double
@@ -98,8 +95,7 @@ DHGEN_PUBLIC void xarm5_fk(const double q[5], double T[16])
     T[7] = x2_y * a2 + x3_y * a3 + x4_y * a4 - v10 * d5;
     T[8] = x4_z * c5; T[9] = -(x4_z * s5); T[10] = z4_z;
     T[11] = d1 + s2 * a2 + x3_z * a3 + x4_z * a4 + z4_z * d5;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void xarm5_jacobian(const double q[5], double J[30])
@@ -130,13 +126,11 @@ DHGEN_PUBLIC void xarm5_jacobian(const double q[5], double J[30])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     double (*const q)[5] = (double (*)[5])rows;
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4], so theta1 = atan2(T24, T14) or half a turn from it. Where both are
@@ -475,12 +469,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     5, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.9254, 0.9254, 0.9254, 1.0, 1.0, 1.0 }, 0.9253718898866895, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    1, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    xarm5_fk, xarm5_jacobian, solve,
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, xarm5_fk, xarm5_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -8,6 +8,7 @@
  */
 #include "xarm6.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #define DHGEN_DOF 6
 #define DHGEN_ROWS 16
 #define DHGEN_TRAITS 0x200u /* what the arm needs of it */
@@ -18,10 +19,6 @@
 #include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 static const double
     d1 = 0.267, /* z of axis 2 [m] */
@@ -181,8 +178,7 @@ DHGEN_PUBLIC void xarm6_fk(const double q[6], double T[16])
     T[7] = x2_y * h2 + y2_y * b2 + y3_y * a3 - x3_y * d4 + y5_y * a5 - x5_y * d6;
     T[8] = y4_z * s6 - v4 * c6; T[9] = -(y4_z * c6 + v4 * s6); T[10] = -x5_z;
     T[11] = d1 + c2 * h2 - s2 * b2 - v1 * a3 - x3_z * d4 - v4 * a5 - x5_z * d6;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void xarm6_jacobian(const double q[6], double J[36])
@@ -219,12 +215,10 @@ DHGEN_PUBLIC void xarm6_jacobian(const double q[6], double J[36])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
-    (void)free_joints;
-    (void)moved;
+    (void)free_joints; (void)moved;
     dhgen_general_rows(&general, &descents, T, NULL, seed, rows, status);
 }
 
@@ -232,13 +226,9 @@ DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.87, 0.87, 0.87, 1.0, 1.0, 1.0 }, 0.8699535839283513, { 1e-14, 1e-10 }, entries, 9,
-    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    xarm6_fk, xarm6_jacobian, solve,
+    0, /* follows seed */ NULL, NULL, NULL, NULL, xarm6_fk, xarm6_jacobian, solve,
     NULL,
 };
 

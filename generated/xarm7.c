@@ -8,6 +8,7 @@
  */
 #include "xarm7.h"
 
+#define DHGEN_EXPECTS 1 /* the interface of dhgen/ */
 #define DHGEN_DOF 7
 #define DHGEN_ROWS 16
 #define DHGEN_TRAITS 0x0u /* what the arm needs of it */
@@ -18,10 +19,6 @@
 #include "dhgen/velocities.h"
 #include "dhgen/frames.h"
 #include "dhgen/general.h"
-
-#if DHGEN_INTERFACE != 1
-#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
-#endif
 
 static const double
     d1 = 0.267, /* joint offset 1 [m] */
@@ -187,8 +184,7 @@ DHGEN_PUBLIC void xarm7_fk(const double q[7], double T[16])
     T[7] = x3_y * a3 + z2_y * d3 + x4_y * a4 + z4_y * d5 + x6_y * a6 + z6_y * d7;
     T[8] = x6_z * c7 + y6_z * s7; T[9] = y6_z * c7 - x6_z * s7; T[10] = z6_z;
     T[11] = d1 + x3_z * a3 - c2 * d3 + x4_z * a4 + z4_z * d5 + x6_z * a6 + z6_z * d7;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
+    T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void xarm7_jacobian(const double q[7], double J[42])
@@ -230,9 +226,8 @@ DHGEN_PUBLIC void xarm7_jacobian(const double q[7], double J[42])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-DHGEN_FN void solve(
-    const double *T, const double *free_joints, const double *seed, double moved, double *rows,
-    unsigned char *status)
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *rows, unsigned char *status)
 {
     (void)moved;
     dhgen_general_rows(&general, &descents, T, free_joints, seed, rows, status);
@@ -243,13 +238,9 @@ DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
 DHGEN_TABLE struct dhgen_arm arm = {
     7, 16, 1, DHGEN_POSE, joints, given_joints, 1,
     { 0.8295, 0.8295, 0.8295, 1.0, 1.0, 1.0 }, 0.8295313148071338, { 1e-14, 1e-10 }, entries, 9,
-    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    NULL, 0, NULL, 0, 52,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
     0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
-    0, /* follows seed */
-    NULL, NULL,
-    NULL, NULL,
-    xarm7_fk, xarm7_jacobian, solve,
+    0, /* follows seed */ NULL, NULL, NULL, NULL, xarm7_fk, xarm7_jacobian, solve,
     NULL,
 };
 

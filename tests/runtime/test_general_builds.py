@@ -91,6 +91,17 @@ def test_it_refuses_to_do_without_nan(compiler: str, flag: str, tmp_path: Path) 
     assert "needs NaN and infinity: compile without -ffast-math" in told
 
 
+def test_it_refuses_a_robots_file_of_another_version(tmp_path: Path) -> None:
+    """As a robot's file expects it: its first lines, with the number of another interface."""
+    text = (FOLDER.parents[2] / "generated" / "scara.c").read_text("utf-8")
+    expected = "#define DHGEN_EXPECTS 1 "
+    assert text.index(expected) < text.index('#include "dhgen/')
+    other = text.replace(expected, "#define DHGEN_EXPECTS 2 ")
+    beside = (f"-I{FOLDER.parents[2] / 'generated'}", "-Wfatal-errors")
+    told = said(QUICKEST, other, *beside, folder=tmp_path)
+    assert "the folder dhgen/ is of another version: run dhgen on the robot file again" in told
+
+
 def test_it_is_formatted() -> None:
     formatter = shutil.which("clang-format")
     if formatter is None:

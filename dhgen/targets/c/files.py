@@ -201,12 +201,13 @@ def switch(upper: str, name: str) -> list[str]:
 
 
 def _unused(module: SolverModule) -> list[str]:
-    """Parameters of the solver that its program does not read."""
+    """A line that names the parameters of the solver that its program does not read."""
     solver = module.solver
     whole = whole_arm(solver)
     given = reads(solver, "free") or (whole is not None and whole.given)
     used = {"free_joints": given, "seed": reads(solver, "seed"), "moved": finds_roots(solver)}
-    return [name for name, needed in used.items() if not needed]
+    names = [name for name, needed in used.items() if not needed]
+    return [" ".join(f"(void){name};" for name in names)] if names else []
 
 
 def _whole(module: SolverModule) -> str:

@@ -16,7 +16,9 @@ _CHOICE = re.compile(
     r"#ifdef (DHGEN_CALLER_GIVES|DHGEN_FRAMES)\n((?:(?!#else|#endif).*\n)*)"
     r"(?:#else\n((?:(?!#endif).*\n)*))?#endif\n\n?"
 )
-_VERSION = re.compile(r"#if DHGEN_INTERFACE .*\n#error .*\n#endif\n\n")
+_VERSION = re.compile(
+    r"#define DHGEN_EXPECTS .*\n|#if defined\(DHGEN_EXPECTS\) .*\n#error .*\n#endif\n"
+)
 # Also in a program whose other robots share the runtime.
 _ALONE = "#undef DHGEN_SHARED /* the whole runtime is in this file */\n"
 _LICENCE = "/* SPDX-License-Identifier: MIT\n *\n * "

@@ -75,9 +75,14 @@ def c_table(module: SolverModule, *, has_functions: bool = True) -> CTable:
         arm=[
             f"{INDENT}{size}, {_task(module)}, joints, {given.named},",
             f"{INDENT}{{ {weights} }}, {1.0 / chain.size!r}, {{ {clamped} }}, {entries.named},",
-            *_steps(chain, policy, choosing.named, choosing_together.named),
-            f"{INDENT}{NO_COUPLING if coupled_turns(chain) is None else COUPLING}",
-            *_functions(module if has_functions else None),
+            *packed(
+                [
+                    *_steps(chain, policy, choosing.named, choosing_together.named),
+                    NO_COUPLING if coupled_turns(chain) is None else COUPLING,
+                    *_functions(module if has_functions else None),
+                ],
+                INDENT,
+            ),
         ],
     )
 
@@ -101,9 +106,9 @@ def _steps(chain: Chain, policy: Policy, choosing: str, together: str) -> list[s
     completion = "&completion, dhgen_complete_rows," if policy.completes else "NULL, NULL,"
     return [
         *_flags(searches),
-        f"{INDENT}{choosing}, {together}, {policy.cuts},",
+        f"{choosing}, {together}, {policy.cuts},",
         *_flags(others),
-        f"{INDENT}{completion}",
+        completion,
     ]
 
 
@@ -111,11 +116,11 @@ def _functions(module: SolverModule | None) -> list[str]:
     """The robot's own, where it has any."""
     own = ("NULL", "NULL") if module is None else (f"{module.name}_fk", f"{module.name}_jacobian")
     names = (*own, "solve")
-    return packed([f"{name}," for name in names], INDENT)
+    return [f"{name}," for name in names]
 
 
 def _flags(flags: dict[str, bool]) -> list[str]:
-    return packed([f"{int(flag)}, /* {name} */" for name, flag in flags.items()], INDENT)
+    return [f"{int(flag)}, /* {name} */" for name, flag in flags.items()]
 
 
 def _joints(module: SolverModule) -> list[str]:

@@ -97,8 +97,8 @@ DHGEN_FN void dhgen_constants_of_origins(
                      cy = cos(at[5]), sy = sin(at[5]);
         /* Rz(yaw) Ry(pitch) Rx(roll) */
         const double origin[12] = { cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr, at[0],
-            sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr, at[1],
-            -sp, cp * sr, cp * cr, at[2] };
+            sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr, at[1], -sp, cp * sr, cp * cr,
+            at[2] };
         dhgen_copy_link(k ? origin : kind->base, constant[k]);
         if (k == 0)
             dhgen_append(constant[k], origin);

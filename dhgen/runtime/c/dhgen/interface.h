@@ -26,8 +26,11 @@
 #error "dhgen needs NaN and infinity: compile without -ffast-math and -ffinite-math-only"
 #endif
 
-/* A robot's file names the interface that it was generated for, and refuses another one. */
+/* A robot's file names the interface that it was generated for. */
 #define DHGEN_INTERFACE 1
+#if defined(DHGEN_EXPECTS) && DHGEN_EXPECTS != DHGEN_INTERFACE
+#error "the folder dhgen/ is of another version: run dhgen on the robot file again"
+#endif
 
 /* Marks. DHGEN_INLINE stands before what is called in the fast path, DHGEN_FN before all other
  * functions of the runtime, DHGEN_SMALL before those of them that kernels of CUDA call, DHGEN_APART
