@@ -20,6 +20,8 @@ from benchmarks.arms import CHECKOUT
 from benchmarks.options import parallel_names, parser
 from benchmarks.report import table
 from dhgen.atomic_write import write_files
+from dhgen.oracle.arm import arm
+from dhgen.oracle.forward import forward
 from dhgen.parallel.compile import ParallelCompilation, compile_file
 from dhgen.parallel.native import Native, compiled
 from dhgen.parallel.verify import are_inside
@@ -27,8 +29,6 @@ from dhgen.parallel.worked import reached, square
 from dhgen.robot_files import read_file
 from dhgen.runtime.python.platform import drives_of
 from dhgen.status import Status
-from dhgen.survey.oracle.arm import arm
-from dhgen.survey.oracle.forward import forward
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

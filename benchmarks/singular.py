@@ -25,7 +25,7 @@ from benchmarks.native import NATIVE, Interface, compiled
 from benchmarks.options import parser, show
 from benchmarks.report import table, time_text
 from benchmarks.solvers import GENERATED, generated
-from dhgen.survey.oracle.arm_angle import given_values
+from dhgen.oracle.arm_angle import given_values
 from dhgen.survey.singular import singular_sets
 
 if TYPE_CHECKING:

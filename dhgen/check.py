@@ -14,8 +14,8 @@ from dhgen.derivation.figures.figure import FOLDER
 from dhgen.descriptions.write import identifier
 from dhgen.errors import DhgenError, about
 from dhgen.generated_header import SUFFIXES, is_generated, source_folder
+from dhgen.legs.read import SUFFIX as LEG
 from dhgen.parallel.compile import compile_file
-from dhgen.parallel.read import SUFFIX as LEG
 from dhgen.printing.comments import plain_path
 from dhgen.robot.load import DESCRIPTIONS, is_description
 from dhgen.robot.robot import FLEET

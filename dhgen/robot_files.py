@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from dhgen.descriptions.expand import Outside
 from dhgen.descriptions.wishes import Wishes
 from dhgen.errors import Diagnostic, RobotFileError
-from dhgen.parallel.read import assemble_parallel
+from dhgen.legs.read import assemble_parallel
 from dhgen.robot.assemble import assemble
 from dhgen.robot.load import demand_right, is_description, load_text, read_text, source_of
 from dhgen.robot.reader import read_document
@@ -25,7 +25,7 @@ from dhgen.tolerances import DOUBLE, SINGLE
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from dhgen.parallel.robot import ParallelRobot
+    from dhgen.legs.robot import ParallelRobot
     from dhgen.robot.robot import Robot
 
 

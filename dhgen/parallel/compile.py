@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
     from dhgen.derivation.story import Story
-    from dhgen.parallel.robot import ParallelRobot
+    from dhgen.legs.robot import ParallelRobot
     from dhgen.parallel.verify import ParallelReport
     from dhgen.robot_files import AnyFile, RobotFile
     from dhgen.targets.module import SolverModule

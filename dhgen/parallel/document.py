@@ -17,10 +17,10 @@ from dhgen.derivation.text.formula import Matrix, Symbol, equal
 from dhgen.derivation.text.template import blocks_of
 from dhgen.derivation.text.words import numeral
 from dhgen.derivation.values import degrees
+from dhgen.legs.mobility import Count, counted
+from dhgen.legs.robot import ORIGIN
 from dhgen.parallel.figure import example_figure
-from dhgen.parallel.mobility import Count, counted
 from dhgen.parallel.module import Elimination
-from dhgen.parallel.robot import ORIGIN
 from dhgen.parallel.worked import example_of, square
 from dhgen.runtime.python.platform import LENGTHS
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.parallel.robot import inverse
+from dhgen.legs.robot import inverse
 from dhgen.program.regular.flatten import flatten
 from dhgen.targets.c.files import LONGEST
 from dhgen.targets.c.language import entry_lines

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.parallel.robot import ORIGIN
+from dhgen.legs.robot import ORIGIN
 from dhgen.robot.task import Directions, TaskKind
 from dhgen.runtime.python import assemblies
 from dhgen.runtime.python.platform import COORDINATES, POSE, YAW
@@ -19,7 +19,7 @@ from dhgen.runtime.python.platform import COORDINATES, POSE, YAW
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.parallel.robot import Leg, ParallelRobot
+    from dhgen.legs.robot import Leg, ParallelRobot
     from dhgen.robot.task import Task
     from dhgen.targets.module import SolverModule
 

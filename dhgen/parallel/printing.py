@@ -11,8 +11,8 @@ from dhgen.derivation.handouts import html_handout, latex_handout
 from dhgen.derivation.languages import ENGLISH
 from dhgen.derivation.text.markdown import markdown
 from dhgen.derivation.text.plain import plain
+from dhgen.legs.read import SUFFIX
 from dhgen.parallel.document import parallel_blocks
-from dhgen.parallel.read import SUFFIX
 from dhgen.printing.comments import plain_path
 from dhgen.printing.templates import render
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.legs.robot import inverse
 from dhgen.parallel.driven import driven
-from dhgen.parallel.robot import inverse
 from dhgen.printing.comments import plain
 from dhgen.printing.templates import render
 from dhgen.robot.task import TaskKind
@@ -23,8 +23,8 @@ from dhgen.targets.python.single_file import in_one_file as python_in_one_file
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
+    from dhgen.legs.robot import Rows
     from dhgen.parallel.module import LegModule, ParallelModule
-    from dhgen.parallel.robot import Rows
     from dhgen.robot.task import Task
 
 

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.errors import ImmobileError, VerificationError
+from dhgen.oracle.forward import forward
 from dhgen.parallel.native import Native, compiled
 from dhgen.parallel.worked import DRAWN, drawn_poses, reached, square, turn_about
 from dhgen.runtime.python.platform import SINGULAR_PLATFORM, driven_of_rows
 from dhgen.status import Status
-from dhgen.survey.oracle.forward import forward
 from dhgen.verify.compiled import import_temporary
 
 if TYPE_CHECKING:

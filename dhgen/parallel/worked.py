@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.numeric import NumericArm, numeric_arm
-from dhgen.parallel.robot import inverse
+from dhgen.legs.robot import inverse
 from dhgen.program.interpret import interpret
 from dhgen.runtime.python.assemblies import assemblies
 from dhgen.runtime.python.direct import least_values

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.oracle.poses import random_joints
 from dhgen.status import Status
-from dhgen.survey.oracle.poses import random_joints
 from dhgen.survey.singular import RIGHT_ANGLES, in_a_family, is_redundant, singular_sets
 
 if TYPE_CHECKING:

@@ -13,10 +13,10 @@ import numpy as np
 
 from dhgen.atomic_write import write_files
 from dhgen.errors import DhgenError
+from dhgen.oracle.arm import arm, arm_size
 from dhgen.parallel.native import compiled
 from dhgen.parallel.worked import reached, square
 from dhgen.survey.ask import Random, Singular, Tally, ask_singular
-from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.recall import Recall, ask_recall
 from dhgen.survey.table import Answers
 from dhgen.survey.trial import Trial

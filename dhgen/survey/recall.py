@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.survey.oracle.poses import random_joints
+from dhgen.oracle.poses import random_joints
 from dhgen.survey.singular import is_redundant, task_jacobian
 
 if TYPE_CHECKING:

@@ -13,18 +13,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.oracle.arm import arm, arm_size
+from dhgen.oracle.arm_angle import elbow_rates, given_values
+from dhgen.oracle.forward import forward, jacobian
+from dhgen.oracle.poses import NEAR, boundary, random_joints, ranges, right_angles
+from dhgen.oracle.problem import state
 from dhgen.robot.task import Directions
-from dhgen.survey.oracle.arm import arm, arm_size
-from dhgen.survey.oracle.arm_angle import elbow_rates, given_values
-from dhgen.survey.oracle.forward import forward, jacobian
-from dhgen.survey.oracle.poses import NEAR, boundary, random_joints, ranges, right_angles
-from dhgen.survey.oracle.problem import state
 from dhgen.verify.singular import SINGULAR, TRIED, singular_places, whole_turns
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
+    from dhgen.oracle.arm import Arm
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import Arm
 
 RIGHT_ANGLES = "right angles"  # in what kinds of poses are called
 STEP, CORRECTIONS = 1e-2, 20

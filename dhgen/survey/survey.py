@@ -14,11 +14,11 @@ from dhgen.compiler import Compilation, compile_loaded
 from dhgen.errors import DhgenError, RobotFileError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
+from dhgen.oracle.arm import arm, arm_size
 from dhgen.parallel.compile import compile_parallel
 from dhgen.robot_files import ParallelFile, read_file
 from dhgen.runtime import c_runtime_files
 from dhgen.survey.ask import ask_random, ask_singular
-from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.parallel import parallel_answers
 from dhgen.survey.recall import ask_recall
 from dhgen.survey.sources import arm_class, joint_letters, robot_files

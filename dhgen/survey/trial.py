@@ -7,19 +7,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.oracle.arm_angle import given_values
+from dhgen.oracle.forward import forward
+from dhgen.oracle.problem import task_entries
+from dhgen.oracle.search import solve
 from dhgen.status import HELD
-from dhgen.survey.oracle.arm_angle import given_values
-from dhgen.survey.oracle.forward import forward
-from dhgen.survey.oracle.problem import task_entries
-from dhgen.survey.oracle.search import solve
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.arrays import FloatArray
+    from dhgen.oracle.arm import Arm
+    from dhgen.oracle.search import Found
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import Arm
-    from dhgen.survey.oracle.search import Found
     from dhgen.verify.native import CompiledSolver
 
 

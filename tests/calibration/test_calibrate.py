@@ -11,9 +11,9 @@ from ruamel.yaml import YAML
 
 from dhgen.cli import main
 from dhgen.kinematics.build import build_chain
+from dhgen.oracle.forward import forward
 from dhgen.robot.load import load
 from dhgen.robot.robot import DhTable, ReferenceAxes
-from dhgen.survey.oracle.forward import forward
 from tests.calibration.products import of_deltas, of_origins
 from tests.compiling import library, written
 

@@ -9,7 +9,7 @@ from functools import cache, reduce
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.forward import forward
+from dhgen.oracle.forward import forward
 from tests.derivation.made import made_for
 from tests.derivation.stories import document, story
 from tests.derivation.values import letters_of

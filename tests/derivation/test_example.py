@@ -23,8 +23,8 @@ from dhgen.derivation.text.formula import Listing, Relation, Symbol
 from dhgen.derivation.values import figures
 from dhgen.derivation.whole_example import find_whole_example, hidden_joint
 from dhgen.general.kernel import GeneralKernel
+from dhgen.oracle.forward import forward, jacobian
 from dhgen.paul.kind import Kind
-from dhgen.survey.oracle.forward import forward, jacobian
 from tests.derivation.stories import EACH, NAMES, document, story
 from tests.derivation.test_formulas_hold import relations, with_entries
 from tests.derivation.values import Letters, evaluate, letters_of, sign_letter

@@ -16,11 +16,11 @@ from dhgen.derivation.figures.arm import arm_figure
 from dhgen.derivation.figures.position import drawn_position
 from dhgen.derivation.figures.sheet import number, width_of
 from dhgen.derivation.figures.skeleton import Skeletons
+from dhgen.oracle.arm import base_frame
+from dhgen.oracle.forward import forward
 from dhgen.robot.expression import evaluate
 from dhgen.robot.load import load_text
 from dhgen.robot.robot import Convention, DhTable, JointKind
-from dhgen.survey.oracle.arm import base_frame
-from dhgen.survey.oracle.forward import forward
 from tests.derivation.stories import EACH, GENERATED, WHOLE, story, story_of
 from tests.serial import PARALLEL, SERIAL
 

@@ -23,9 +23,9 @@ from dhgen.derivation.text.formula import Formula, Listing, Relation, Symbol
 from dhgen.derivation.text.lines import broken
 from dhgen.derivation.text.plain import box
 from dhgen.derivation.text.style import PLAIN
+from dhgen.oracle.arm_angle import given_values
+from dhgen.oracle.forward import forward, jacobian
 from dhgen.program.interpret import interpret
-from dhgen.survey.oracle.arm_angle import given_values
-from dhgen.survey.oracle.forward import forward, jacobian
 from tests.derivation.stories import EACH, OWN, WHOLE, story
 from tests.derivation.values import Letters, evaluate, indexed, letters_of, sign_letter
 

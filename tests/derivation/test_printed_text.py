@@ -18,11 +18,11 @@ import pytest
 
 from dhgen.derivation.formats import derivation_as
 from dhgen.derivation.french.language import French
+from dhgen.oracle.arm_angle import given_values
+from dhgen.oracle.forward import forward, jacobian
+from dhgen.oracle.problem import task_entries
 from dhgen.program.interpret import interpret
 from dhgen.robot.robot import JointKind
-from dhgen.survey.oracle.arm_angle import given_values
-from dhgen.survey.oracle.forward import forward, jacobian
-from dhgen.survey.oracle.problem import task_entries
 from tests.derivation.reading import (
     MINUS,
     PLUS,

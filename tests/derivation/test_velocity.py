@@ -17,9 +17,9 @@ from dhgen.derivation.notation.names import symbols
 from dhgen.derivation.velocity.worked_out import worked_out
 from dhgen.kinematics.algebra import build_algebra
 from dhgen.kinematics.build import build_chain
+from dhgen.oracle.forward import forward, jacobian
 from dhgen.robot.load import load
 from dhgen.robot.task import Directions
-from dhgen.survey.oracle.forward import forward, jacobian
 from tests.derivation.made import made_for
 from tests.derivation.stories import ROBOTS, WITH_STEPS, document, story, story_of
 from tests.generated.solvers import module

@@ -13,8 +13,8 @@ from dhgen.derivation.figures.raster import reached
 from dhgen.derivation.figures.reach import Section, find_reach
 from dhgen.derivation.figures.workspace import tick_step
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.oracle.forward import forward
 from dhgen.program.interpret import interpret
-from dhgen.survey.oracle.forward import forward
 from tests.derivation.stories import story
 from tests.structures import first_of
 

@@ -12,10 +12,10 @@ from dhgen.descriptions.urdf import read_urdf
 from dhgen.descriptions.wishes import Wishes
 from dhgen.errors import RobotFileError
 from dhgen.kinematics.build import build_chain
+from dhgen.oracle.forward import forward
 from dhgen.paul.derive import derive
 from dhgen.robot.load import load_text
 from dhgen.robot.robot import DhTable
-from dhgen.survey.oracle.forward import forward
 
 if TYPE_CHECKING:
     from dhgen.descriptions.convert import Import

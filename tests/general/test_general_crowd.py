@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.forward import forward
+from dhgen.oracle.forward import forward
 from tests.structures import first_of
 from tests.targets.calling import HELD, LANGUAGES, gap
 from tests.targets.made import made_up, solving

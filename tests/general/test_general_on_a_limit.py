@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.oracle.forward import forward
 from dhgen.robot.load import load
-from dhgen.survey.oracle.forward import forward
 from tests.compiling import written
 from tests.targets.calling import FREE_JOINT, OK, OUT_OF_LIMITS
 from tests.targets.made import folder, solving

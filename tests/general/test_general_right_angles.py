@@ -10,7 +10,7 @@ import pytest
 
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.kinematics.task import task_rates
-from dhgen.survey.oracle.forward import forward
+from dhgen.oracle.forward import forward
 from tests.structures import first_of
 from tests.targets.calling import HELD, LANGUAGES, gap
 from tests.targets.made import made_up, solving

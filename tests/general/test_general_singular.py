@@ -11,12 +11,12 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.numerical.kernel import numerical_kernel
 from dhgen.numerical.runtime_arm import runtime_arm
+from dhgen.oracle.forward import forward
 from dhgen.program.interpret import interpret
 from dhgen.robot.load import load
 from dhgen.runtime.plain import plain
 from dhgen.runtime.python.numerical.arm import arm_numbers
 from dhgen.status import Status
-from dhgen.survey.oracle.forward import forward
 from dhgen.survey.singular import in_a_family, singular_sets
 from dhgen.tolerances import TOLERANCES
 from dhgen.verify.native import CompiledSolver, compile_solver

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from dhgen.survey.oracle.arm import arm, arm_size
+from dhgen.oracle.arm import arm, arm_size
 from dhgen.survey.trial import Trial
 from tests.generated.solvers import GENERATED, NAMES, library, robot
 

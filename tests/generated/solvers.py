@@ -9,8 +9,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from dhgen.oracle.arm_angle import given_values
 from dhgen.robot.load import load
-from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.verify.native import PORTABLE, CompiledSolver, compile_solver
 from tests.compiling import shared
 from tests.serial import SERIAL

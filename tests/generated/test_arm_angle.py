@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.oracle.arm_angle import arm_angle, elbow_of, given_values
+from dhgen.oracle.poses import random_joints
 from dhgen.status import HELD, Status
-from dhgen.survey.oracle.arm_angle import arm_angle, elbow_of, given_values
-from dhgen.survey.oracle.poses import random_joints
 from tests.generated.asking import trial
 from tests.generated.solvers import NAMES, ROBOTS, library, robot, short_module
 from tests.structures import says

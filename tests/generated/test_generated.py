@@ -15,14 +15,14 @@ import pytest
 from numba import njit
 from numba.core.runtime import _nrt_python as _nrt  # type: ignore[attr-defined]
 
+from dhgen.oracle.arm import arm, arm_size
+from dhgen.oracle.forward import forward
+from dhgen.oracle.poses import random_joints
+from dhgen.oracle.problem import task_entries
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
 from dhgen.status import HELD, Status
-from dhgen.survey.oracle.arm import arm, arm_size
-from dhgen.survey.oracle.forward import forward
-from dhgen.survey.oracle.poses import random_joints
-from dhgen.survey.oracle.problem import task_entries
 from dhgen.survey.singular import is_redundant
 from tests.generated.solvers import GENERATED, NAMES, ROBOTS, given, library, module, robot
 from tests.oracle.sets import joint_sets

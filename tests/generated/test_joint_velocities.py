@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.forward import forward
+from dhgen.oracle.forward import forward
 from dhgen.survey.singular import singular_sets, task_jacobian
 from tests.generated.asking import trial
 from tests.generated.solvers import library, module, robot, short_module

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.oracle.poses import ranges
 from dhgen.status import HELD
-from dhgen.survey.oracle.poses import ranges
 from dhgen.survey.singular import is_redundant, task_jacobian
 from tests.generated.asking import POLYNOMIAL, trial
 from tests.generated.solvers import NAMES, robot

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.arm import arm
-from dhgen.survey.oracle.forward import forward
-from dhgen.survey.oracle.poses import random_joints
+from dhgen.oracle.arm import arm
+from dhgen.oracle.forward import forward
+from dhgen.oracle.poses import random_joints
 from tests.generated.solvers import GENERATED, folder, given, module, robot, short_module
 from tests.structures import first_of
 

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.oracle.arm_angle import given_values
+from dhgen.oracle.poses import NEAR, right_angles
 from dhgen.status import HELD, Status
-from dhgen.survey.oracle.arm_angle import given_values
-from dhgen.survey.oracle.poses import NEAR, right_angles
 from dhgen.survey.singular import in_a_family, singular_sets
 from tests.generated.asking import GENERAL, POLYNOMIAL, trial
 from tests.generated.solvers import NAMES, robot

@@ -13,10 +13,10 @@ from dhgen.kinematics.axes import exact_axes
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.chain import Fixed, parallel_groups
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.oracle.arm import arm_size
+from dhgen.oracle.forward import forward
+from dhgen.oracle.poses import random_joints
 from dhgen.robot.robot import ReferenceAxes
-from dhgen.survey.oracle.arm import arm_size
-from dhgen.survey.oracle.forward import forward
-from dhgen.survey.oracle.poses import random_joints
 from tests.kinematics.values import algebra_of, axes, poses, table
 from tests.robots.cases import NAMES, robot
 

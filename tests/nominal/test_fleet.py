@@ -16,11 +16,11 @@ from dhgen.atomic_write import write_files
 from dhgen.calibrated import kind_of
 from dhgen.errors import UnsolvedError, VerificationError
 from dhgen.method import Method
+from dhgen.oracle.forward import forward
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import c_runtime_files, runtime_files
 from dhgen.runtime.python.calibrate import ANOTHER_ARM, NO_MISS, NOT_FINITE, TAKEN
 from dhgen.status import HELD, Status
-from dhgen.survey.oracle.forward import forward
 from dhgen.targets.c.calibrated import kind_files
 from dhgen.targets.python.calibrated import kind_module
 from dhgen.targets.reserved import RESERVED

@@ -14,9 +14,9 @@ import pytest
 from dhgen.atomic_write import write_files
 from dhgen.calibration.calibrate import calibrate
 from dhgen.calibration.read import read_calibration
+from dhgen.oracle.forward import forward
 from dhgen.runtime import c_runtime_files, runtime_files
 from dhgen.runtime.python.calibrate import ANOTHER_ARM, NO_MISS, NOT_FINITE, TAKEN
-from dhgen.survey.oracle.forward import forward
 from dhgen.targets.python.calibrated import kind_module
 from dhgen.verify.calibrated import FleetArm, PythonArm, poses_of
 from dhgen.verify.native import import_module

@@ -9,8 +9,8 @@ from dhgen.compiler import compile_loaded
 from dhgen.derivation.figures.all import figures_of
 from dhgen.errors import UnsolvedError
 from dhgen.method import Method
+from dhgen.oracle.forward import forward
 from dhgen.robot_files import RobotFile
-from dhgen.survey.oracle.forward import forward
 from tests.compiling import library
 from tests.structures import first_of
 from tests.targets.calling import HELD, gap

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.oracle.arm import arm, arm_size
+from dhgen.oracle.forward import forward
+from dhgen.oracle.poses import NEAR, RIGHT_ANGLES, boundary, random_joints, right_angles
+from dhgen.oracle.problem import names_position
+from dhgen.oracle.search import solve
 from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
-from dhgen.survey.oracle.arm import arm, arm_size
-from dhgen.survey.oracle.forward import forward
-from dhgen.survey.oracle.poses import NEAR, RIGHT_ANGLES, boundary, random_joints, right_angles
-from dhgen.survey.oracle.problem import names_position
-from dhgen.survey.oracle.search import solve
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.arm import arm
-from dhgen.survey.oracle.forward import forward, forward_with_derivatives, jacobian
-from dhgen.survey.oracle.poses import random_joints
+from dhgen.oracle.arm import arm
+from dhgen.oracle.forward import forward, forward_with_derivatives, jacobian
+from dhgen.oracle.poses import random_joints
 from tests.robots.cases import NAMES, assert_close, robot
 
 STEP = 1e-30  # an imaginary step has no cancellation, however small

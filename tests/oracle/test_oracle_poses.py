@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from dhgen.oracle.arm import arm, arm_size
+from dhgen.oracle.poses import boundary, right_angles
 from dhgen.robot.robot import JointKind
-from dhgen.survey.oracle.arm import arm, arm_size
-from dhgen.survey.oracle.poses import boundary, right_angles
 from tests.oracle.sets import joint_sets, out_of_form, out_of_reach
 from tests.robots.cases import NAMES, robot
 

@@ -8,13 +8,13 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from dhgen.oracle.forward import forward
+from dhgen.oracle.poses import random_joints
+from dhgen.oracle.problem import task_entries
+from dhgen.oracle.search import solve
 from dhgen.robot.expression import DEGREE, ZERO, Binary, Number
 from dhgen.robot.robot import Convention, DhRow, DhTable, JointKind, Robot
 from dhgen.robot.task import Task, TaskKind
-from dhgen.survey.oracle.forward import forward
-from dhgen.survey.oracle.poses import random_joints
-from dhgen.survey.oracle.problem import task_entries
-from dhgen.survey.oracle.search import solve
 from tests.oracle.sets import all_solutions, out_of_form, out_of_reach
 from tests.robots.cases import COUNTS, NAMES, robot
 

@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.atomic_write import write_files
+from dhgen.oracle.forward import forward
 from dhgen.parallel.compile import ParallelCompilation, compile_file
 from dhgen.parallel.native import Native, compiled
 from dhgen.parallel.verify import are_inside
 from dhgen.parallel.worked import reached, square
 from dhgen.robot_files import read_file
 from dhgen.runtime.python.platform import drives_of
-from dhgen.survey.oracle.forward import forward
 from dhgen.verify.native import import_module
 from tests.serial import PARALLEL, ROBOTS
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from dhgen.errors import RobotFileError
-from dhgen.parallel.mobility import counted, faults
-from dhgen.parallel.read import PLANE, POSE, POSITION, TURNED_PLANE
+from dhgen.legs.mobility import counted, faults
+from dhgen.legs.read import PLANE, POSE, POSITION, TURNED_PLANE
 from dhgen.robot.load import load
 from dhgen.robot_files import ParallelFile, read_file
 from tests.serial import ROBOTS

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.oracle.forward import forward
 from dhgen.parallel.verify import moved_pose
 from dhgen.parallel.worked import square
-from dhgen.survey.oracle.forward import forward
 from tests.parallel.made import (
     NAMES,
     OWN,

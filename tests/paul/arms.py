@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.build import build_chain
+from dhgen.oracle.forward import forward
+from dhgen.oracle.poses import random_joints
 from dhgen.paul.equation import Equation, Origin
 from dhgen.paul.form_reader import FormReader
 from dhgen.paul.knowledge import initial_knowledge
@@ -16,8 +18,6 @@ from dhgen.paul.pool import Pool, build_pool
 from dhgen.paul.problem import build_problem
 from dhgen.paul.step import View
 from dhgen.paul.witness import build_witnesses
-from dhgen.survey.oracle.forward import forward
-from dhgen.survey.oracle.poses import random_joints
 from tests.derived import derived
 from tests.kinematics.values import algebra_of, constant_values, joint_values, matrix, number
 from tests.robots.cases import robot

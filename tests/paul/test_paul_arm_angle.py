@@ -10,14 +10,14 @@ import pytest
 from dhgen.errors import UnsolvedError
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.oracle.arm_angle import arm_angle
+from dhgen.oracle.forward import forward
 from dhgen.paul.derive import derive
 from dhgen.paul.kind import Kind
 from dhgen.paul.mobility import open_from_the_start, surplus
 from dhgen.paul.refusal.redundancy import redundant
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import lower
-from dhgen.survey.oracle.arm_angle import arm_angle
-from dhgen.survey.oracle.forward import forward
 from tests.kinematics.values import table
 from tests.structures import first_of
 

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.oracle.forward import forward
 from dhgen.program.interpret import interpret
-from dhgen.survey.oracle.forward import forward
 from tests.structures import first_of
 from tests.targets.made import made_up
 

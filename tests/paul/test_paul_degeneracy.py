@@ -11,6 +11,7 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.oracle.search import solve
 from dhgen.paul.degeneracy import OFTEN, degenerate_places, with_degeneracies
 from dhgen.paul.derivation import Derivation
 from dhgen.paul.derive import derive
@@ -18,7 +19,6 @@ from dhgen.paul.search import Search
 from dhgen.paul.types import CLOSED, QUARTIC
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import lower
-from dhgen.survey.oracle.search import solve
 from tests.derived import derived
 from tests.kinematics.values import table
 from tests.robots.cases import robot

@@ -13,12 +13,12 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.oracle.forward import forward
 from dhgen.program.count import count_operations
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering import lower as lowering
 from dhgen.program.lowering import polynomials
 from dhgen.robot.load import load_text
-from dhgen.survey.oracle.forward import forward
 from tests.derivation.stories import story
 from tests.derived import derived
 from tests.robots.cases import ROBOTS

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from dhgen.oracle.poses import random_joints, right_angles
 from dhgen.robot.load import load
-from dhgen.survey.oracle.poses import random_joints, right_angles
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

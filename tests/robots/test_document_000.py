@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from dhgen.survey.oracle.forward import forward
+from dhgen.oracle.forward import forward
 from tests.robots.cases import assert_close, c, joint_vectors, lengths, robot, rotation, s
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from dhgen.survey.oracle.forward import forward
+from dhgen.oracle.forward import forward
 from tests.robots.cases import assert_close, c, joint_vectors, lengths, robot, s
 
 Z = np.array([[0, 0, 1, 0], [1, 0, 0, 0], [0, 1, 0, 500], [0, 0, 0, 1]])

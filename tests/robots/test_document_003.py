@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.forward import forward
+from dhgen.oracle.forward import forward
 from tests.robots.cases import assert_close, c, dh, joint_vectors, lengths, robot, rotation, s
 
 

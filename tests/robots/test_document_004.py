@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.oracle.forward import forward
+from dhgen.oracle.poses import random_joints
 from dhgen.program.interpret import interpret
-from dhgen.survey.oracle.forward import forward
-from dhgen.survey.oracle.poses import random_joints
 from tests.derivation.stories import story
 from tests.robots.cases import assert_close, c, joint_vectors, robot, s
 

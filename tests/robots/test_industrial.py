@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dhgen.survey.oracle.forward import forward
+from dhgen.oracle.forward import forward
 from tests.robots.cases import assert_close, lengths, robot
 
 

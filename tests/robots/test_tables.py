@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.forward import forward
+from dhgen.oracle.forward import forward
 from tests.robots.cases import ROBOTS, about, robot
 
 Table = dict[str, Any]

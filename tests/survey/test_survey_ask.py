@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 import pytest
 
+from dhgen.oracle.arm import arm, arm_size
 from dhgen.survey.ask import Random, Singular, ask_random, ask_singular
-from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.trial import Trial
 from dhgen.verify.native import CompiledSolver, compile_solver
 from tests.robots.cases import ROBOTS, robot

@@ -5,10 +5,10 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
-import dhgen.survey.oracle
+import dhgen.oracle
 
-FOLDER = Path(dhgen.survey.oracle.__file__).parent
-ALLOWED = ("dhgen.robot.", "dhgen.survey.oracle.")
+FOLDER = Path(dhgen.oracle.__file__).parent
+ALLOWED = ("dhgen.robot.", "dhgen.oracle.")
 ANNOTATIONS = "dhgen.arrays"  # names, no code
 
 

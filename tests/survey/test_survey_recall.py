@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 import pytest
 
+from dhgen.oracle.arm import arm, arm_size
+from dhgen.oracle.poses import random_joints
 from dhgen.survey import recall
-from dhgen.survey.oracle.arm import arm, arm_size
-from dhgen.survey.oracle.poses import random_joints
 from dhgen.survey.recall import ask_recall
 from dhgen.survey.trial import Trial
 from dhgen.verify.native import NATIVE, CompiledSolver, compile_solver

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.forward import jacobian
+from dhgen.oracle.forward import jacobian
 from dhgen.survey.singular import in_a_family, singular_sets
 from tests.robots.cases import robot
 from tests.structures import first_of

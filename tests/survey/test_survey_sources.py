@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from dhgen.errors import RobotFileError
+from dhgen.oracle.forward import forward
 from dhgen.robot.load import load
-from dhgen.survey.oracle.forward import forward
 from dhgen.survey.sources import robot_files
 from tests.robots.cases import ROBOTS, robot
 

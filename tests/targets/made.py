@@ -15,13 +15,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from dhgen.oracle.arm import arm, arm_size
+from dhgen.oracle.arm_angle import given_values
+from dhgen.oracle.forward import forward
+from dhgen.oracle.problem import task_entries
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.runtime import runtime_files
-from dhgen.survey.oracle.arm import arm, arm_size
-from dhgen.survey.oracle.arm_angle import given_values
-from dhgen.survey.oracle.forward import forward
-from dhgen.survey.oracle.problem import task_entries
 from dhgen.verify.native import PORTABLE, Build, CompiledSolver, compile_solver, import_module
 from tests.compiling import library, sharing, write_new, written
 from tests.structures import STRUCTURES, says
@@ -33,8 +33,8 @@ if TYPE_CHECKING:
 
     from dhgen.arrays import FloatArray
     from dhgen.compiler import Compilation
+    from dhgen.oracle.arm import Arm
     from dhgen.robot.robot import Robot
-    from dhgen.survey.oracle.arm import Arm
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 GENERATED = ROBOTS.parent / "generated"

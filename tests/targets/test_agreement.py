@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.oracle.forward import jacobian
+from dhgen.oracle.poses import random_joints, right_angles
 from dhgen.program.interpret import interpret
 from dhgen.status import HELD
-from dhgen.survey.oracle.forward import jacobian
-from dhgen.survey.oracle.poses import random_joints, right_angles
 from tests.oracle.sets import one_joint_at
 from tests.structures import ODD, STRUCTURES, one_of_each
 from tests.targets.made import (

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from dhgen.errors import UnsolvedError
-from dhgen.survey.oracle.poses import random_joints
-from dhgen.survey.oracle.search import solve
+from dhgen.oracle.poses import random_joints
+from dhgen.oracle.search import solve
 from tests.compiling import solvers_of
 from tests.targets.calling import FREE_JOINT, INVALID_POSE, OK, OUT_OF_LIMITS, UNREACHABLE, Solver
 from tests.targets.made import apart, entries, in_c, in_python, poses_of, residual, robot

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
+from dhgen.oracle.forward import forward_with_derivatives
+from dhgen.oracle.poses import NEAR, random_joints
 from dhgen.status import HELD
-from dhgen.survey.oracle.forward import forward_with_derivatives
-from dhgen.survey.oracle.poses import NEAR, random_joints
 from dhgen.verify.native import NATIVE, PORTABLE, Build
 from tests.structures import BREADTH
 from tests.targets.made import apart, in_c, in_python, model, poses_of, residual, robot, size

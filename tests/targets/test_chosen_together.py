@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.forward import forward
+from dhgen.oracle.forward import forward
 from tests.compiling import library
 from tests.targets.calling import HELD
 from tests.targets.made import folder, made_up, without_numba

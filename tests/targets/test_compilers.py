@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.poses import random_joints, right_angles
+from dhgen.oracle.poses import random_joints, right_angles
 from dhgen.verify.native import Build
 from tests.compiling import shared
 from tests.headers import VECTORS, read_before

@@ -12,12 +12,12 @@ import pytest
 from dhgen.errors import UnsolvedError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
+from dhgen.oracle.forward import forward
+from dhgen.oracle.search import solve
 from dhgen.paul.derive import derive
 from dhgen.paul.refusal.unsolved import held_back
 from dhgen.robot.load import load_text
 from dhgen.robot.robot import DhTable
-from dhgen.survey.oracle.forward import forward
-from dhgen.survey.oracle.search import solve
 from tests.structures import BREADTH
 from tests.targets.calling import HELD, LANGUAGES, OK, Solver
 from tests.targets.made import (

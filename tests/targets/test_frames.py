@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.oracle.arm import base_frame
+from dhgen.oracle.forward import forward
 from dhgen.robot.expression import evaluate
 from dhgen.robot.robot import Convention, DhTable, JointKind, ReferenceAxes
-from dhgen.survey.oracle.arm import base_frame
-from dhgen.survey.oracle.forward import forward
 from tests.targets.made import in_c, in_python, robot
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.forward import forward
+from dhgen.oracle.forward import forward
 from tests.compiling import library
 from tests.structures import first_of
 from tests.targets.calling import FREE_JOINT, HELD

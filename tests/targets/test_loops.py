@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from dhgen.atomic_write import write_files
+from dhgen.oracle.poses import random_joints
 from dhgen.runtime import c_runtime_files
 from dhgen.status import HELD
-from dhgen.survey.oracle.poses import random_joints
 from dhgen.targets.c.files import c_texts
 from dhgen.verify.native import FAST_FLAGS, PORTABLE, Build
 from tests.compiling import library

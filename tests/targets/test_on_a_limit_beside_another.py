@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.arm import arm_size
+from dhgen.oracle.arm import arm_size
 from dhgen.targets.module import regular_solver
 from tests.compiling import library
 from tests.structures import first_of

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from dhgen.oracle.poses import random_joints, right_angles
 from dhgen.status import HELD
-from dhgen.survey.oracle.poses import random_joints, right_angles
 from dhgen.verify.native import Build
 from tests.compiling import library
 from tests.oracle.sets import out_of_reach

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.poses import random_joints, right_angles
-from dhgen.survey.oracle.search import solve
+from dhgen.oracle.poses import random_joints, right_angles
+from dhgen.oracle.search import solve
 from tests.oracle.sets import one_joint_at
 from tests.structures import one_of_each, says
 from tests.targets.calling import HELD, LANGUAGES, OK, Solver

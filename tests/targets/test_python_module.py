@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.poses import random_joints
+from dhgen.oracle.poses import random_joints
 from tests.structures import ODD, first_of, one_of_each
 from tests.targets.calling import FREE_JOINT, HELD, OK, OUT_OF_LIMITS
 from tests.targets.made import NAMES, given, in_python, made, poses_of, robot

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.arm_angle import given_values
-from dhgen.survey.oracle.forward import forward
+from dhgen.oracle.arm_angle import given_values
+from dhgen.oracle.forward import forward
 from tests.compiling import library, written
 from tests.targets.calling import HELD, LANGUAGES
 from tests.targets.made import folder, without_numba

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.forward import jacobian
+from dhgen.oracle.forward import jacobian
 from tests.structures import first_of
 from tests.targets.calling import HELD, LANGUAGES, UNREACHABLE, Solver, gap
 from tests.targets.made import made, model, poses_of, robot

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.poses import random_joints
+from dhgen.oracle.poses import random_joints
 from tests.oracle.sets import out_of_form, out_of_reach
 from tests.structures import ODD, first_of
 from tests.targets.calling import (

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
+from dhgen.oracle.forward import forward
 from dhgen.program.interpret import interpret
-from dhgen.survey.oracle.forward import forward
 from dhgen.verify.native import NATIVE, PORTABLE
 from tests.compiling import library, written
 from tests.targets.calling import HELD, LANGUAGES, Solver, gap

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.forward import forward
+from dhgen.oracle.forward import forward
 from tests.compiling import library, written
 from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, OK, Solver
 from tests.targets.made import folder, poses_of, robot, robot_path, turning

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from dhgen.atomic_write import write_files
+from dhgen.oracle.levenberg_marquardt import _compiled
 from dhgen.runtime import runtime_files
-from dhgen.survey.oracle.levenberg_marquardt import _compiled
 from tests.targets.made import folder, made
 
 if TYPE_CHECKING:
@@ -63,5 +63,5 @@ def test_the_search_that_counts_solutions_works_there_too(monkeypatch: pytest.Mo
             raise RuntimeError("cannot cache function: no locator available")
         return "compiled"
 
-    monkeypatch.setattr("dhgen.survey.oracle.levenberg_marquardt.njit", without_folder)
+    monkeypatch.setattr("dhgen.oracle.levenberg_marquardt.njit", without_folder)
     assert str(_compiled(lambda: None)) == "compiled"

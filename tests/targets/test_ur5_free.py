@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.poses import random_joints
+from dhgen.oracle.poses import random_joints
 from tests.robots.cases import dh, lengths
 from tests.structures import first_of
 from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, Solver, gap

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.oracle.forward import forward
 from dhgen.program.interpret import interpret
-from dhgen.survey.oracle.forward import forward
 from tests.compiling import library
 from tests.targets.calling import FREE_JOINT, HELD
 from tests.targets.made import folder, made_up

@@ -14,7 +14,7 @@ from dhgen.atomic_write import write_files
 from dhgen.compiler import verified
 from dhgen.errors import VerificationError
 from dhgen.kinematics.build import build_chain
-from dhgen.survey.oracle.arm import arm, arm_size
+from dhgen.oracle.arm import arm, arm_size
 from dhgen.survey.singular import task_jacobian
 from dhgen.verify.languages import Languages
 from dhgen.verify.samples import NEAR, Sample, samples

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.survey.oracle.arm import Arm, arm
+from dhgen.oracle.arm import Arm, arm
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.survey.oracle.descent import descend, polish
-from dhgen.survey.oracle.problem import Problem, state
+from dhgen.oracle.descent import descend, polish
+from dhgen.oracle.problem import Problem, state
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.oracle.arm import Arm, arm, arm_size
+from dhgen.oracle.arm_angle import elbow_in_link, elbow_of
+from dhgen.oracle.forward import forward_with_derivatives
 from dhgen.robot.task import Directions
-from dhgen.survey.oracle.arm import Arm, arm, arm_size
-from dhgen.survey.oracle.arm_angle import elbow_in_link, elbow_of
-from dhgen.survey.oracle.forward import forward_with_derivatives
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

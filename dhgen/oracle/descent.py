@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.survey.oracle.levenberg_marquardt import (
+from dhgen.oracle.levenberg_marquardt import (
     CONVERGED,
     EASED,
     FIRST_DAMPING,
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.arrays import FloatArray
-    from dhgen.survey.oracle.problem import Problem
+    from dhgen.oracle.problem import Problem
 
 # Beside a singular pose runs a valley whose floor is nearly a solution. The normal equations
 # cannot see along it, so what ends in one is left to the last digits' better arithmetic.

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.survey.oracle.arm import Arm, arm, arm_size, base_frame
-from dhgen.survey.oracle.forward import forward, motions
+from dhgen.oracle.arm import Arm, arm, arm_size, base_frame
+from dhgen.oracle.forward import forward, motions
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray

@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, cast
 
-from dhgen.parallel.mobility import counted, faults
-from dhgen.parallel.robot import Leg, ParallelRobot
+from dhgen.legs.mobility import counted, faults
+from dhgen.legs.robot import Leg, ParallelRobot
 from dhgen.robot.assemble import Assembly, task_of
 from dhgen.robot.cell_notes import names
 from dhgen.robot.cells import Cells
@@ -23,7 +23,7 @@ from dhgen.robot.task import Task, TaskKind
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.parallel.robot import Rows
+    from dhgen.legs.robot import Rows
     from dhgen.robot.expression import Expression
     from dhgen.robot.reader import Path
     from dhgen.robot.report import Report

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.oracle.arm import arm_size
 from dhgen.robot.robot import JointKind, Robot
-from dhgen.survey.oracle.arm import arm_size
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
