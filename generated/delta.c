@@ -122,8 +122,8 @@ static int delta_leg_rows(const double *T, const double *q_seed, double *q, unsi
 }
 
 static const struct dhgen_leg legs[3] = {
-    /* joints, rows, drives; those, whether they slide, types, what the platform moves; from the
-     * robot's base; in the platform; functions */
+    /* joints, rows, drives; which joints are driven, whether they slide, types, what the platform
+     * moves; from the robot's base; in the platform; functions */
     {
         3, 4, 1, delta_leg_driven, delta_leg_slides, "RRR", delta_leg_counted,
         {

@@ -86,8 +86,8 @@ def cuda(module: ModuleType) -> Solver:
         NoCompiler: There is no NVRTC.
     """
     if hasattr(module, "calibrated"):
-        told = f"cuda takes the module of one arm: the table of {module.NAME} comes at run time"
-        raise TypeError(f"{told}; its C is CUDA, too: call that from a kernel of your own")
+        problem = f"cuda takes the module of one arm: the table of {module.NAME} comes at run time"
+        raise TypeError(f"{problem}; its C is CUDA, too: call that from a kernel of your own")
     if not hasattr(module, "ik_all") or hasattr(module, "LEGS"):
         wanted = "a serial arm's module, as in 'import scara; dhgen_cuda.cuda(scara)'"
         raise TypeError(f"cuda takes {wanted}, not {module!r}")
@@ -170,7 +170,7 @@ class Solver:
         out: tuple[GPUArray, GPUArray] | None = None,
         stream: int | None = None,
     ) -> tuple[GPUArray, GPUArray]:
-        """All solutions of poses, or those nearest to seeds.
+        """All solutions of poses, or the solutions nearest to seeds.
 
         Args:
             T: Poses (n, 4, 4) or (n, 3, 4).
@@ -301,8 +301,8 @@ class Solver:
     def _handed(self, call: Call, made: tuple[GPUArray, ...]) -> tuple[GPUArray, ...]:
         """The results of what was launched, as the library may read them at any time from now on.
 
-        Where it waits by DLPack, an event stands behind the kernels: streams that read the results
-        wait for it, and what kernels read and write lives until it has come.
+        Where it waits by DLPack, an event follows the kernels: streams that read the results wait
+        for it, and what kernels read and write lives until it has come.
         """
         if not call.handed_over:
             return made
@@ -329,8 +329,8 @@ class Solver:
         first, *others = devices.items()
         for name, device in others:
             if device != first[1]:
-                told = f"{first[0]} is on GPU {first[1]}, and {name} on GPU {device}"
-                raise ValueError(f"{told}: all arrays must be on one")
+                problem = f"{first[0]} is on GPU {first[1]}, and {name} on GPU {device}"
+                raise ValueError(f"{problem}: all arrays must be on one")
         if first[1] not in self._contexts:
             context = Pointer()
             self._call("cuDevicePrimaryCtxRetain", ctypes.byref(context), first[1])
@@ -474,8 +474,8 @@ def _room(folder: Path) -> tempfile.TemporaryDirectory[str]:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         return tempfile.TemporaryDirectory(dir=folder)
     except OSError as error:
-        told = f"kernels can't be written there ({error.strerror}): {WRITABLE}"
-        raise OSError(error.errno, told, str(folder)) from None
+        problem = f"kernels can't be written there ({error.strerror}): {WRITABLE}"
+        raise OSError(error.errno, problem, str(folder)) from None
 
 
 def cache_folder() -> Path:

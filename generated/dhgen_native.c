@@ -6,13 +6,12 @@
  * dhgen_native.py compiles it together with a robot's file, with
  *   -DDHGEN_HEADER='"scara.h"' -DDHGEN_ROBOT=scara -DDHGEN_UPPER=SCARA -DDHGEN_GIVEN=0
  * where DHGEN_GIVEN is how many values the caller gives besides the pose, and makes functions of
- * Python of what stands here. What is declared of Python belongs to its stable ABI: it is there
+ * Python of the functions here. What is declared of Python belongs to its stable ABI: it is there
  * from 3.11 on, and no later version changes it. Builds without a global lock have other objects.
  *
  * Arrays of the right type, shape and layout are handed to the robot's functions as they are.
- * Anything else goes to a method of the function's owner, which is in Python: it converts, or says
- * what is wrong.
- */
+ * Anything else goes to a method of the function's owner, which is in Python: it converts them, or
+ * raises the error. */
 #include DHGEN_HEADER
 
 #include <math.h>

@@ -13,9 +13,8 @@
  * arithmetic with NaN: do not compile with -ffast-math or -ffinite-math-only.
  *
  * Reading a pose and writing it again gives the same T to about 1e-15, at and near the singular
- * orientations too. There the angles themselves are not unique: each function says which it
- * returns. dhgen_pose.c says where the formulas come from.
- */
+ * orientations too. There the angles themselves are not unique: each function documents which it
+ * returns. dhgen_pose.c names the sources of the formulas. */
 #ifndef DHGEN_POSE_H
 #define DHGEN_POSE_H
 

@@ -82,8 +82,8 @@ static int five_bar_leg_rows(const double *T, const double *q_seed, double *q, u
 }
 
 static const struct dhgen_leg legs[2] = {
-    /* joints, rows, drives; those, whether they slide, types, what the platform moves; from the
-     * robot's base; in the platform; functions */
+    /* joints, rows, drives; which joints are driven, whether they slide, types, what the platform
+     * moves; from the robot's base; in the platform; functions */
     {
         2, 2, 1, five_bar_leg_driven, five_bar_leg_slides, "RR", five_bar_leg_counted,
         {

@@ -83,8 +83,8 @@ static int parallel_3rrr_leg_rows(const double *T, const double *q_seed, double 
 }
 
 static const struct dhgen_leg legs[3] = {
-    /* joints, rows, drives; those, whether they slide, types, what the platform moves; from the
-     * robot's base; in the platform; functions */
+    /* joints, rows, drives; which joints are driven, whether they slide, types, what the platform
+     * moves; from the robot's base; in the platform; functions */
     {
         2, 2, 1, parallel_3rrr_leg_driven, parallel_3rrr_leg_slides, "RR",
             parallel_3rrr_leg_counted,

@@ -674,8 +674,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
 };
 
 #ifndef PUMA560_CALIBRATED_PLAIN
-/* Poses at which the nearest arm's rows lead to all solutions. Returns how many rows are OK, or -1
- * if the pose has to be left to `solve`. */
+/* Poses all of whose solutions lie next to the nearest arm's rows. Returns how many rows are OK, or
+ * -1 if the pose has to be left to `solve`. */
 DHGEN_FN int solve_certain(
     const double *T, const double *free_joints, double *q, unsigned char *status)
 {

@@ -25,7 +25,7 @@
 /* What a robot's file and the runtime agree on: the number of their interface, statuses, and the
  * marks of functions and tables. */
 
-#ifdef __CUDACC_RTC__ /* it knows their functions without these headers, and not their numbers */
+#ifdef __CUDACC_RTC__ /* its functions are built in, without headers, but not their constants */
 #ifndef NAN
 #define NAN __builtin_bit_cast(float, 0x7fc00000u)
 #define INFINITY __builtin_bit_cast(float, 0x7f800000u)
@@ -36,7 +36,7 @@
 #include <stddef.h>
 #endif
 
-/* NaN and infinity mark what is no solution and no limit: a compiler that is told that they don't
+/* NaN and infinity mark what is no solution and no limit: a compiler that assumes that they don't
  * exist makes solutions of poses that are out of reach. */
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "dhgen needs NaN and infinity: compile without -ffast-math and -ffinite-math-only"
@@ -45,15 +45,14 @@
 /* A robot's file names the interface that it was generated for. */
 #define DHGEN_INTERFACE 1
 
-/* Marks. DHGEN_INLINE stands before what is called in the fast path, DHGEN_FN before all other
- * functions of the runtime, DHGEN_SMALL before those of them that kernels of CUDA call, DHGEN_APART
- * before those whose stack and code have to stay out of their callers, DHGEN_TABLE before constant
- * tables, DHGEN_PUBLIC before a robot's public functions. DHGEN_API stands before what robots'
- * files call: with -DDHGEN_SHARED that is compiled once for all of them, in dhgen.c, and their
- * files have its declarations only.
+/* Marks. DHGEN_INLINE marks what is called in the fast path, DHGEN_FN all other functions of the
+ * runtime, DHGEN_SMALL functions that kernels of CUDA call, too, DHGEN_APART functions that must
+ * not be inlined, for their stack and code, DHGEN_TABLE constant tables, DHGEN_PUBLIC a robot's
+ * public functions, DHGEN_API what robots' files call: with -DDHGEN_SHARED that is compiled once
+ * for all of them, in dhgen.c, and their files have its declarations only.
  *
- * In CUDA functions are for both sides, and tables are where they are read. What is not called
- * in the fast path stays a call there: in one it compiles for minutes. */
+ * In CUDA functions are for both sides, and tables are where they are read. What is not called in
+ * the fast path is a call there: inlined it compiles for minutes. */
 #if defined(__GNUC__) || defined(__CUDACC__)
 #define DHGEN_UNUSED __attribute__((unused))
 #else
@@ -122,7 +121,7 @@ enum {
     DHGEN_FREE_JOINT,
     DHGEN_OUT_OF_LIMITS,
     DHGEN_INVALID_POSE,
-    DHGEN_CLOSE = 64,  /* roots nearly meet: the row may stand between two solutions */
+    DHGEN_CLOSE = 64,  /* roots nearly meet: the row may lie between two solutions */
     DHGEN_LOST = 128,  /* + j: the row was lost after joint j had been chosen freely */
     DHGEN_NEARLY = 192 /* + j: the same, joint j is nearly free, and q[1] of the row is its angle */
 };
@@ -229,7 +228,7 @@ struct dhgen_arm {
     int cuts;                      /* of an interval by golden section */
     int merges, refines;           /* branches that meet may come out apart; rows need refining */
     int clamps, clamps_far, winds; /* onto limits; from far away; where ranges exceed a turn */
-    int follows_seed;              /* where rounding can't tell solutions apart */
+    int follows_seed;              /* where solutions differ by less than rounding */
 
     /* For `complete`, which works on all rows where roots of polynomials nearly meet or rows miss
      * the pose: dhgen_complete_rows, or both are NULL. `begun` is the first row that was not simply
@@ -368,8 +367,8 @@ DHGEN_INLINE void dhgen_ik_each(const struct dhgen_arm *arm, size_t k, size_t n,
 #define DHGEN_FAMILY 0.0005f
 
 
-/* Ranges at least this wide leave next to no gap [rad]: beside a singular pose rounding leads
- * across it. */
+/* Ranges at least this wide leave next to no gap [rad]: near a singular pose rounding crosses
+ * it. */
 #define DHGEN_NEARLY_A_TURN 6.183185f
 
 /* How far a joint value is beyond its limits, whole turns aside; negative below [rad or length]. */
@@ -399,8 +398,8 @@ DHGEN_FN float dhgen_beyond_limits(const struct dhgen_arm *arm, const float *q)
     return sum;
 }
 
-/* How far a joint value is past an end of its range: where that is nearly a turn, the value as it
- * stands: turned it is across the gap. */
+/* How far a joint value is past an end of its range: where that is nearly a turn, the value itself:
+ * turned it would be across the gap. */
 DHGEN_SMALL float dhgen_past_an_end(const struct dhgen_arm *arm, int joint, float value)
 {
     const struct dhgen_joint *const of = arm->joints + joint;
@@ -467,15 +466,16 @@ DHGEN_FN int dhgen_inside(const struct dhgen_arm *arm, int joint, float value)
 #define DHGEN_DAMPING 0.1f
 /* Steps: what is right ends after two or three, where roots meet after twelve. */
 #define DHGEN_STEPS 20
-/* A step is in vain if it leaves more of the miss; where n roots meet (1 - 1/n)^n is left. Beside
- * places where two things are singular some make it worse before it gets better: so many lead
- * nowhere. */
+/* A step is in vain if it leaves more of the miss; where n roots meet (1 - 1/n)^n is left. Near
+ * places where two things are singular some make it worse before it gets better: after so many it
+ * fails. */
 #define DHGEN_SLOW 0.7f
 #define DHGEN_IN_VAIN 4
 /* Nearer than so many times what is enough rounding decides what a step leaves. */
 #define DHGEN_NEAR_ENOUGH 100.0f
-/* Two joints that are past the ends of their ranges can be led inside, though perhaps not onto the
- * ends: they are put inside as far as they are past, times this, then twice as far, up to that. */
+/* Two joints that are past the ends of their ranges can be refined inside, though perhaps not onto
+ * the ends: they are put inside as far as they are past, times this, then twice as far, up to
+ * that. */
 #define DHGEN_NEXT_INSIDE 2.0f
 #define DHGEN_FARTHEST_INSIDE 16.0f
 
@@ -501,9 +501,9 @@ DHGEN_FN float dhgen_miss_of_angles(
 {
     float square = 0.0f;
     if (arm->task == DHGEN_YAW) {
-        const float told = T[0] * T[0] + T[4] * T[4];
+        const float level = T[0] * T[0] + T[4] * T[4];
         e[5] = P[0] * T[4] - P[4] * T[0];
-        return told * ((P[0] - T[0]) * (P[0] - T[0]) + (P[4] - T[4]) * (P[4] - T[4]));
+        return level * ((P[0] - T[0]) * (P[0] - T[0]) + (P[4] - T[4]) * (P[4] - T[4]));
     }
     if (arm->task == DHGEN_PITCH) {
         e[3] = T[8] - P[8];
@@ -518,7 +518,7 @@ DHGEN_FN float dhgen_miss_of_angles(
 }
 
 /* By how much joint values miss a pose, into e, whose angles are 0 half a turn away, too. Returns
- * the length of the miss, which tells the two apart [arm sizes, rad]. */
+ * the length of the miss, which differs between the two [arm sizes, rad]. */
 DHGEN_FN float dhgen_miss(const struct dhgen_arm *arm, const float *T, const float *x, float *e)
 {
     const float *const weights = arm->miss_weights;
@@ -683,10 +683,10 @@ DHGEN_FN int dhgen_refine_inside(
     return 0;
 }
 
-/* Joints that move by more on their way to a limit lead to another solution [rad, arm sizes]: a
+/* A joint that moves by more on its way to a limit reaches another solution [rad, arm sizes]: a
  * nearly straight wrist turns far for next to nothing. */
 #define DHGEN_MOST_CLAMPED 1.5f
-/* From half way to one solution steps lead no farther than so many times the whole way. */
+/* Steps from half way to the same solution go no farther than so many times the whole way. */
 #define DHGEN_HALF_WAY_ASIDE 0.25f
 
 /* Clamps the joints of a row that exceed their limits, by little, or as an arm may `again`. Returns
@@ -742,8 +742,8 @@ DHGEN_FN int dhgen_are_duplicates(
     return dhgen_miss(arm, T, half, e) <= DHGEN_MERGE;
 }
 
-/* Empties rows that rounding alone tells from earlier ones. Where roots follow roots each row is
- * refined first, and emptied if that leads to no solution. */
+/* Empties rows that differ from earlier ones by rounding alone. Where roots follow roots each row
+ * is refined first, and emptied if no solution is found. */
 DHGEN_FN void dhgen_remove_duplicates(
     const struct dhgen_arm *arm, const float *T, float *q, unsigned char *status)
 {
@@ -760,12 +760,12 @@ DHGEN_FN void dhgen_remove_duplicates(
         }
     }
 }
-/* Where the seed solves the pose with other joint values than the rows, and rounding can't tell the
- * solutions apart, the arm may as well go on with the seed's. */
+/* Where the seed solves the pose with other joint values than the rows, and the solutions differ by
+ * less than rounding, the arm may as well go on with the seed's. */
 
 
-/* Half way to two rows as much is missed if by no more than so many times: then rounding says which
- * is least, and not alike in all languages. The first row is taken. */
+/* Half way to two rows the pose is missed equally if the ratio is less than this: which is less is
+ * then rounding, and differs between languages. The first row is taken. */
 #define DHGEN_ALIKE 2.0f
 
 /* Takes joint values to the solution next to the seed that keeps the caller's values and, where
@@ -788,8 +788,8 @@ DHGEN_FN int dhgen_beside_seed(const struct dhgen_arm *arm, const float *T,
         && !(arm->beyond && arm->beyond(arm, x) > DHGEN_LIMIT);
 }
 
-/* Gives the solution next to the seed a row where rounding can't tell solutions apart: its own, one
- * as good, one left, or any. */
+/* Gives the solution next to the seed a row where solutions differ by less than rounding: its own,
+ * one as good, one left, or any. */
 DHGEN_FN void dhgen_follow_seed(const struct dhgen_arm *arm, const float *T,
     const float *free_joints, const float *seed, float *q, unsigned char *status)
 {
@@ -820,7 +820,8 @@ DHGEN_FN void dhgen_follow_seed(const struct dhgen_arm *arm, const float *T,
     if (nearest > DHGEN_APART_BY || (arm->clamps && dhgen_past_ends(arm, q + dof * place) > 0.0f))
         dhgen_copy_row(arm, x, q + dof * place);
 }
-/* Reading poses: what is none is told, and a rotation that is only rounded becomes the nearest. */
+/* Reading poses: refuses what is no pose, and replaces a rotation that is only rounded by the
+ * nearest one. */
 
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
@@ -948,8 +949,8 @@ DHGEN_SMALL int dhgen_read_pose(const struct dhgen_arm *arm, const float *given,
         return dhgen_read_rotation(T);
     }
 }
-/* Other values of free joints: the solver took the seed's, and they lead to no solution, or beyond
- * limits. */
+/* Other values of free joints, where the seed's, which the solver took, give no solution, or one
+ * beyond limits. */
 
 
 /* Values of a free joint that are tried to each side of the first. */
@@ -1309,7 +1310,7 @@ DHGEN_FN int dhgen_turn_inside(const struct dhgen_arm *arm, float *q)
     return inside;
 }
 
-/* Clamps rows to limits, and again where none is inside, and tells those that are not inside.
+/* Clamps rows to limits, and again where none is inside, and marks the rows that are not inside.
  * Returns how many are. */
 DHGEN_FN int dhgen_end_rows(
     const struct dhgen_arm *arm, const float *T, float *q, unsigned char *status)
@@ -1430,8 +1431,8 @@ DHGEN_API void dhgen_joint_velocities(
 #define DHGEN_DAMPED_BELOW 0.01f
 /* Through all pairs of rows; six to eight do. */
 #define DHGEN_SWEEPS 20
-/* Rows whose cosine is not above the second are orthogonal, which is rounding of sums of products;
- * so are those whose product is not above the first, which is rounding of zero. */
+/* Rows are orthogonal if their cosine is not above the second, which is rounding of sums of
+ * products, or their product not above the first, which is rounding of zero. */
 #define DHGEN_NOTHING 1e-30f
 #define DHGEN_ORTHOGONAL 2e-06f
 
@@ -1572,7 +1573,7 @@ DHGEN_INLINE float dhgen_high(const struct dhgen_joint *joint)
     return joint->highest + joint->slack;
 }
 
-/* Numbers among lanes, by the names that those of lanes have. */
+/* Numbers among lanes, by names like those of lanes. */
 typedef float dhgen_double;
 #define dhgen_sqrt_double sqrtf
 #define dhgen_abs_double fabsf
@@ -1648,8 +1649,8 @@ DHGEN_INLINE int dhgen_kind_within_wide(float x, int outside)
 #define DHGEN_MASK dhgen_wide_mask
 #define DHGEN_ADDED(x, m, y) ((x) + dhgen_only_wide(m, 1.0f) * (y))
 /* Angles of lanes moved by a whole turn, and joint values and their limits, written once for all
- * types: included for each of them, by files that say which (DHGEN_VECTOR, DHGEN_MASK, DHGEN_OF for
- * names). */
+ * types, and included for each type by a file that defines DHGEN_VECTOR, DHGEN_MASK, and DHGEN_OF
+ * for names. */
 
 /* An angle moved to (-pi, pi] that may be below. */
 DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(raised)(DHGEN_VECTOR x)
@@ -1694,9 +1695,9 @@ DHGEN_INLINE float dhgen_atan2_wide(float y, float x)
     return atanf(y / x) + copysignf(1.5707964f - copysignf(1.5707964f, x), y);
 }
 #else
-/* The arctangent of lanes, written once for all types: included for each of them, by files that say
- * which (DHGEN_VECTOR, DHGEN_MASK, DHGEN_OF for names, DHGEN_ADDED(x, m, y) for x + y where m
- * holds, else x).
+/* The arctangent of lanes, written once for all types, and included for each type by a file that
+ * defines DHGEN_VECTOR, DHGEN_MASK, DHGEN_OF for names, and DHGEN_ADDED(x, m, y) for x + y where m
+ * holds, else x.
  *
  * The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of

@@ -92,8 +92,8 @@ static int stewart_leg_rows(const double *T, const double *q_seed, double *q, un
 }
 
 static const struct dhgen_leg legs[6] = {
-    /* joints, rows, drives; those, whether they slide, types, what the platform moves; from the
-     * robot's base; in the platform; functions */
+    /* joints, rows, drives; which joints are driven, whether they slide, types, what the platform
+     * moves; from the robot's base; in the platform; functions */
     {
         3, 4, 1, stewart_leg_driven, stewart_leg_slides, "RRP", stewart_leg_counted,
         {

@@ -61,19 +61,20 @@ enum {
     UR5E_FLEET_INVALID_POSE = 4
 };
 
-/* What ur5e_fleet_calibrate says of a table, ur5e_fleet_calibrate_origins of origins. */
+/* What ur5e_fleet_calibrate returns for a table, ur5e_fleet_calibrate_origins for
+ * origins. */
 enum {
     /* all functions answer for the arm */
     UR5E_FLEET_TAKEN = 0,
     /* a number that is not finite: all members are NaN, so are poses, and none has a solution */
     UR5E_FLEET_NOT_FINITE = 1,
-    /* the tool is farther away than calibrations take it, `turned` and `moved` say by how much at
-     * most, or a number is above 100000 [rad, arm sizes]; the pose and the Jacobian are those of
-     * these numbers, solutions may be missing */
+    /* the tool is farther away than calibrations take it, at most by `turned` and `moved`, or a
+     * number is above 100000 [rad, arm sizes]; the pose and the Jacobian are right, solutions may
+     * be missing */
     UR5E_FLEET_ANOTHER_ARM = 2,
-    /* three axes meet, or are parallel, to 1e-9, as those of the nominal arm: such an arm needs a
-     * closed form of its own, the nominal arm's or that of a robot file with these numbers; the
-     * pose and the Jacobian are those of these numbers, solutions may be missing */
+    /* three axes meet, or are parallel, to 1e-9, as the nominal arm's: such an arm needs the closed
+     * form of the nominal arm or of a robot file with these numbers; the pose and the Jacobian are
+     * right, solutions may be missing */
     UR5E_FLEET_NO_MISS = 3
 };
 
@@ -85,15 +86,15 @@ typedef dhgen_calibration ur5e_fleet_calibration;
 extern const double ur5e_fleet_nominal[6][4];
 #endif
 
-/* Fills in an arm from its table, row by row, columns as those of the data sheet's. Returns
+/* Fills in an arm from its table, row by row, with the data sheet's columns. Returns
  * UR5E_FLEET_TAKEN, or what is wrong with it. The table must not be NULL. */
 DHGEN_PUBLIC int ur5e_fleet_calibrate(const double *table, ur5e_fleet_calibration *arm);
 
-/* The same from joints' frames, as URDFs and drivers give them: x, y, z [m] and roll, pitch, yaw
- * [rad] of each one in the frame before, all joint values zero, from base to tool, seven rows of
- * six: the last row is a frame behind the last joint, zeros where that is the same. The base of the
- * robot file stands before them, its tool behind them. Joints turn about z, in the sense of the
- * robot file. */
+/* Fills in an arm from joints' frames, as URDFs and drivers give them: x, y, z [m] and
+ * roll, pitch, yaw [rad] of each one in the frame before, all joint values zero, from base to tool,
+ * seven rows of six: the last row is a frame behind the last joint, zeros where there is none. The
+ * base of the robot file comes before them, its tool behind them. Joints turn about z, in the sense
+ * of the robot file. */
 DHGEN_PUBLIC int ur5e_fleet_calibrate_origins(const double *origins, ur5e_fleet_calibration *arm);
 
 #ifndef __CUDACC_RTC__
@@ -117,11 +118,11 @@ DHGEN_PUBLIC void ur5e_fleet_joint_velocities(const ur5e_fleet_calibration *arm,
     const double twist[6], double velocities[6]);
 
 /* All solutions, each in the row of the nominal arm that has its posture, or behind these: of
- * several solutions with one posture the first by ascending joint values has its row. (Where the
- * nominal arm's lead to them it is not proven that no second one is near one of these.) q_seed
- * gives the values of joints that are indeterminate at this pose (NULL: zeros). Returns how many
- * rows are OK or FREE_JOINT, or -UR5E_FLEET_INVALID_POSE, also for a seed that is not finite where
- * it may be needed. */
+ * several solutions with one posture the first by ascending joint values has its row. (Where they
+ * lie next to the nominal arm's rows it is not proven that no second one is near one of these.)
+ * q_seed gives the values of joints that are indeterminate at this pose (NULL: zeros). Returns how
+ * many rows are OK or FREE_JOINT, or -UR5E_FLEET_INVALID_POSE, also for a seed that is not finite
+ * where it may be needed. */
 DHGEN_PUBLIC int ur5e_fleet_ik(const ur5e_fleet_calibration *arm, const double T[16], const double
     *q_seed, double q[16][6], unsigned char status[16]);
 

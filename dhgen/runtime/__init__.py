@@ -21,7 +21,7 @@ def runtime_files() -> Mapping[str, str]:
 
 @cache
 def c_runtime_files() -> Mapping[str, str]:
-    """Those in C, which robots' sources include: in the folder `dhgen`."""
+    """The runtime's files in C, which robots' sources include, in `dhgen`."""
     folder = Path(__file__).parent / "c"
     paths = sorted(path for path in (folder / "dhgen").rglob("*") if path.suffix in {".c", ".h"})
     return MappingProxyType(
@@ -31,7 +31,7 @@ def c_runtime_files() -> Mapping[str, str]:
 
 @cache
 def python_runtime_files() -> Mapping[str, str]:
-    """Those in Python, which robots' modules import: in the folder `dhgen_runtime`."""
+    """The runtime's files in Python, which robots' modules import, in `dhgen_runtime`."""
     folder = Path(__file__).parent / "python"
     paths = sorted(folder.rglob("*.py"))
     return MappingProxyType(

@@ -16,7 +16,7 @@ NAME = "dhgen_runtime in plain Python"
 
 
 @cache
-def plain(module: str) -> Any:  # noqa: ANN401  its functions stand for those of the same name
+def plain(module: str) -> Any:  # noqa: ANN401  its functions have the types of the compiled ones
     """A module of the runtime, e.g. `general.search`, by which nothing is compiled."""
     if NAME not in sys.modules:
         _load()
@@ -24,7 +24,7 @@ def plain(module: str) -> Any:  # noqa: ANN401  its functions stand for those of
 
 
 def _load() -> None:
-    """Loads the package under another name, and what asks for numba first."""
+    """Loads the package under another name, first the module that imports numba."""
     folder = Path(__file__).parent / "python"
     spec = spec_from_file_location(
         NAME, folder / "__init__.py", submodule_search_locations=[str(folder)]

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Arms of one kind, each with a table of its own, or origins: what these say is worked out once. */
+ * Arms of one kind, each with its own table or origins, from which its numbers are computed
+ * once. */
 #ifndef DHGEN_CALIBRATE_H
 #define DHGEN_CALIBRATE_H
 
@@ -29,7 +30,7 @@
  * changes the other by as much as axes miss being parallel. */
 #define DHGEN_FITS 3
 
-/* What is said of a table, and of origins. */
+/* What is wrong with a table, or with origins. */
 enum { DHGEN_TAKEN, DHGEN_NOT_FINITE, DHGEN_ANOTHER_ARM, DHGEN_NO_MISS };
 
 /* What calibrated arms of a kind have in common. */
@@ -45,11 +46,11 @@ typedef struct {
     const dhgen_general_arm *general;           /* without links */
     dhgen_nearest_rows *nearest;                /* regular poses of the nominal arm, given by how
                                                    much the calibrated arm may be away */
-    dhgen_solve_wide *nearest_wide;             /* the same of several poses */
+    dhgen_solve_wide *nearest_wide;             /* rows of several poses */
     int nearest_rows;
 } dhgen_kind;
 
-/* Moves a frame along its z axis, turns it about that; the same for x. */
+/* Moves a frame along its z (or x) axis and turns it about that axis. */
 DHGEN_FN void dhgen_append_screw_z(double theta, double d, double *T)
 {
     dhgen_append_slide(T, d);
@@ -193,13 +194,14 @@ DHGEN_FN double dhgen_moved_between(const double A[12], const double B[12])
     return sqrt(square);
 }
 
-/* The angle about z by which a nominal link N is to be turned so that the axis behind it stands as
- * behind C: axes that are far from parallel tell by their directions, others by where they are. */
+/* The angle about z by which a nominal link N is to be turned so that the axis behind it is placed
+ * as behind C: from the directions of the axes if they are far from parallel, else from where they
+ * are. */
 DHGEN_FN double dhgen_turn_before(const double N[12], const double C[12])
 {
-    const int told = N[2] * N[2] + N[6] * N[6] > DHGEN_FAR_FROM_PARALLEL ? 2 : 3;
-    return atan2(N[told] * C[4 + told] - N[4 + told] * C[told],
-        N[told] * C[told] + N[4 + told] * C[4 + told]);
+    const int column = N[2] * N[2] + N[6] * N[6] > DHGEN_FAR_FROM_PARALLEL ? 2 : 3;
+    return atan2(N[column] * C[4 + column] - N[4 + column] * C[column],
+        N[column] * C[column] + N[4 + column] * C[4 + column]);
 }
 
 /* A nominal constant with other zeros of the joints at its ends, N becomes Rz(before) N Rz(behind),
@@ -296,8 +298,8 @@ DHGEN_FN double dhgen_missed_point(const double before[12], const double behind[
     return fmax(fabs(feet), fmax(apart[0], apart[1]));
 }
 
-/* The least of what three axes miss being parallel [rad], or meeting [arm sizes], as those of the
- * nominal arm. */
+/* The least of what three axes miss being parallel [rad], or meeting [arm sizes], where the nominal
+ * arm's are. */
 DHGEN_FN double dhgen_least_miss(const dhgen_kind *kind, const dhgen_calibration *of)
 {
     double least = HUGE_VAL;
@@ -324,20 +326,20 @@ DHGEN_FN void dhgen_no_arm(dhgen_calibration *of)
     of->turned = of->moved = of->size = DHGEN_NAN;
 }
 
-/* Whether all numbers, row by row, are finite (else DHGEN_NOT_FINITE) and as small as those of
+/* Whether all numbers, row by row, are finite (else DHGEN_NOT_FINITE) and as small as in
  * calibrations (else DHGEN_ANOTHER_ARM); bit i of `lengths`: column i holds lengths. */
-DHGEN_FN int dhgen_said_of_numbers(
+DHGEN_FN int dhgen_fault_of_numbers(
     const dhgen_kind *kind, const double *number, int rows, int columns, unsigned lengths)
 {
-    int said = DHGEN_TAKEN;
+    int fault = DHGEN_TAKEN;
     for (int i = 0; i < rows * columns; i++) {
         const double unit = lengths >> i % columns & 1u ? kind->length : 1.0;
         if (!isfinite(number[i]))
             return DHGEN_NOT_FINITE;
         if (fabs(number[i]) > DHGEN_MOST_NUMBER * unit)
-            said = DHGEN_ANOTHER_ARM;
+            fault = DHGEN_ANOTHER_ARM;
     }
-    return said;
+    return fault;
 }
 
 /* Works out what an arm's constants make of it. Returns DHGEN_TAKEN, or what is wrong with them. */
@@ -355,28 +357,28 @@ DHGEN_FN int dhgen_work_out(const dhgen_kind *kind, dhgen_calibration *of)
 /* Works out what a table makes of an arm. Returns DHGEN_TAKEN, or what is wrong with it. */
 DHGEN_FN int dhgen_calibrate(const dhgen_kind *kind, const double *table, dhgen_calibration *of)
 {
-    const int said = dhgen_said_of_numbers(kind, table, 6, 4, 0x6u); /* d and a are lengths */
-    if (said == DHGEN_NOT_FINITE) {
+    const int fault = dhgen_fault_of_numbers(kind, table, 6, 4, 0x6u); /* d and a are lengths */
+    if (fault == DHGEN_NOT_FINITE) {
         dhgen_no_arm(of);
-        return said;
+        return fault;
     }
     dhgen_constants_of(kind, table, of->constant);
     const int other = dhgen_work_out(kind, of);
-    return said == DHGEN_TAKEN ? other : said;
+    return fault == DHGEN_TAKEN ? other : fault;
 }
 
-/* The same of origins, seven rows of six. */
+/* Fills in an arm from origins, seven rows of six. */
 DHGEN_FN int dhgen_calibrate_origins(
     const dhgen_kind *kind, const double *origins, dhgen_calibration *of)
 {
-    const int said = dhgen_said_of_numbers(kind, origins, 7, 6, 0x7u); /* x, y, z are lengths */
-    if (said == DHGEN_NOT_FINITE) {
+    const int fault = dhgen_fault_of_numbers(kind, origins, 7, 6, 0x7u); /* x, y, z are lengths */
+    if (fault == DHGEN_NOT_FINITE) {
         dhgen_no_arm(of);
-        return said;
+        return fault;
     }
     dhgen_constants_of_origins(kind, origins, of->constant);
     const int other = dhgen_work_out(kind, of);
-    return said == DHGEN_TAKEN ? other : said;
+    return fault == DHGEN_TAKEN ? other : fault;
 }
 
 #endif

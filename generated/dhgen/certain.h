@@ -57,11 +57,11 @@ DHGEN_FN int dhgen_fill_certain(const struct dhgen_arm *arm, double (*solution)[
         dhgen_empty_row(arm, q + DHGEN_DOF * k, status + k);
     dhgen_keep_certain(solution, row, count, q, status);
     for (int k = 0; k < count; k++) {
-        const int said = dhgen_limited_row(arm, q + DHGEN_DOF * row[k]);
-        if (said < 0)
+        const int found = dhgen_limited_row(arm, q + DHGEN_DOF * row[k]);
+        if (found < 0)
             return -1;
-        status[row[k]] = (unsigned char)said;
-        inside += said == DHGEN_OK;
+        status[row[k]] = (unsigned char)found;
+        inside += found == DHGEN_OK;
     }
     return inside;
 }

@@ -67,8 +67,8 @@ DHGEN_FN int dhgen_monotone_roots(
 /* Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
  * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
  * leading coefficient; its roots lie between those of its derivative, those between the roots of
- * the second. They are `close` where the slope is small: one may stand for two, or has another
- * beside it. Rounding may add so much to values. All roots are `moved` by an angle in the end. */
+ * the second. They are `close` where the slope is small: there may be a second root at or near it.
+ * Rounding may add so much to values. All roots are `moved` by an angle in the end. */
 DHGEN_FN void dhgen_circle_roots(double a0, double a1, double b1, double a2, double b2,
     double rounding, double moved, double x[4], int close[4])
 {

@@ -35,7 +35,7 @@ DHGEN_FN double dhgen_coupled_distance(
 }
 
 /* Moves the coupled drives of a row by whole turns: inside all limits, and there as near to other
- * values as can be. Returns whether there is such a place; else the row stays as it is. */
+ * values as can be. Returns whether there is such a place; else the row is unchanged. */
 DHGEN_FN int dhgen_turn_coupled(const struct dhgen_arm *arm, const double *towards, double *q)
 {
     struct dhgen_turn_choices choices;

@@ -14,7 +14,7 @@
 #define DHGEN_CLOSED 1e-12
 #define DHGEN_DIRECT_DAMPING 1e-14
 
-/* Drives of two rows of a leg that differ by less are the same [rad, robot sizes]. */
+/* Two rows of a leg have equal drives if these differ by less [rad, robot sizes]. */
 #define DHGEN_SAME_DRIVES 1e-9
 
 /* The solution of a square system, M x = y with M in rows of six, damped a little: it has one where
@@ -63,9 +63,9 @@ DHGEN_INLINE double dhgen_drive_miss(int slides, double size, double one, double
     return slides ? fabs(one - other) / size : fabs(dhgen_wrap(one - other));
 }
 
-/* The joint values of a leg at a pose of the platform whose drives are nearest to given ones; of
- * rows that differ in passive joints alone those of one within limits. Returns 0 where it does not
- * reach it. */
+/* The joint values of a leg at a pose of the platform whose drives are nearest to given ones; a row
+ * within limits goes before rows that differ from it in passive joints alone. Returns 0 where it
+ * does not reach it. */
 DHGEN_FN int dhgen_nearest_drives(const struct dhgen_parallel *robot, int number, const double *X,
     const double *drives, double *q)
 {
@@ -108,7 +108,7 @@ DHGEN_FN double dhgen_direct_step(
     for (int i = 0, row = 0; i < robot->legs; i++) {
         struct dhgen_leg_motion *const motion = motions + i;
         dhgen_leg_motion_at(robot, i, X, q + i * robot->joints, motion);
-        for (int k = 0; k < motion->rows; k++) /* NaN stays */
+        for (int k = 0; k < motion->rows; k++) /* NaN is kept */
             if (fabs(motion->miss[k]) > worst || isnan(motion->miss[k]))
                 worst = fabs(motion->miss[k]);
         dhgen_without_passive(robot, motion);
@@ -161,36 +161,36 @@ DHGEN_FN int dhgen_parallel_fk(const struct dhgen_parallel *robot, const double 
     const double *T_seed, double *T, double *q)
 {
     double X[12], last = HUGE_VAL, least[2] = { 0.0, 0.0 };
-    int told = dhgen_read_platform(robot, T_seed, X) ? DHGEN_OK : -DHGEN_INVALID_POSE;
+    int code = dhgen_read_platform(robot, T_seed, X) ? DHGEN_OK : -DHGEN_INVALID_POSE;
     for (int i = 0; i < robot->drives; i++)
-        told = isfinite(drives[i]) ? told : -DHGEN_INVALID_POSE;
+        code = isfinite(drives[i]) ? code : -DHGEN_INVALID_POSE;
     for (int i = 0; i < robot->legs * robot->joints; i++)
         q[i] = DHGEN_NAN;
-    for (int i = 0, first = 0; i < robot->legs && told >= 0; i++) {
+    for (int i = 0, first = 0; i < robot->legs && code >= 0; i++) {
         if (!dhgen_nearest_drives(robot, i, X, drives + first, q + i * robot->joints))
-            told = -DHGEN_UNREACHABLE;
+            code = -DHGEN_UNREACHABLE;
         first += robot->leg[i].drives;
     }
-    for (int k = 0; k < DHGEN_DIRECT_STEPS && told >= 0 && !(last <= DHGEN_CLOSED); k++)
+    for (int k = 0; k < DHGEN_DIRECT_STEPS && code >= 0 && !(last <= DHGEN_CLOSED); k++)
         last = dhgen_direct_step(robot, drives, X, q);
-    if (told >= 0 && last <= DHGEN_CLOSED) {
+    if (code >= 0 && last <= DHGEN_CLOSED) {
         (void)dhgen_least_values(robot, X, q, least);
-        told = least[1] > DHGEN_SINGULAR_PLATFORM ? DHGEN_OK : DHGEN_FREE_JOINT;
-    } else if (told >= 0)
-        told = -DHGEN_UNREACHABLE;
+        code = least[1] > DHGEN_SINGULAR_PLATFORM ? DHGEN_OK : DHGEN_FREE_JOINT;
+    } else if (code >= 0)
+        code = -DHGEN_UNREACHABLE;
     for (int i = 0; i < 12; i++)
-        T[i] = told < 0 ? DHGEN_NAN : X[i];
-    T[12] = T[13] = T[14] = told < 0 ? DHGEN_NAN : 0.0;
-    T[15] = told < 0 ? DHGEN_NAN : 1.0;
+        T[i] = code < 0 ? DHGEN_NAN : X[i];
+    T[12] = T[13] = T[14] = code < 0 ? DHGEN_NAN : 0.0;
+    T[15] = code < 0 ? DHGEN_NAN : 1.0;
     for (int i = 0; i < robot->legs; i++)
         for (int joint = 0; joint < robot->joints; joint++) {
             double *const value = q + i * robot->joints + joint;
             const int turns = joint < robot->leg[i].joints && robot->leg[i].types[joint] == 'R';
-            *value = told < 0 ? DHGEN_NAN : turns ? dhgen_wrap(*value) : *value;
+            *value = code < 0 ? DHGEN_NAN : turns ? dhgen_wrap(*value) : *value;
         }
-    for (int i = 0; i < robot->legs && told >= 0; drives += robot->leg[i++].drives)
+    for (int i = 0; i < robot->legs && code >= 0; drives += robot->leg[i++].drives)
         dhgen_set_leg_drives(robot->leg + i, drives, q + i * robot->joints);
-    return told;
+    return code;
 }
 
 #endif

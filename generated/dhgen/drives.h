@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * The driven joints alone of all solutions of all legs: of one pose with legs side by side, of a
- * batch with poses side by side. Poses that need care are those of the legs' own solvers.
+ * batch with poses side by side. Poses that need care are left to the legs' own solvers.
  *
- * Included by files that say how many legs there are (DHGEN_LEGS), how many rows the leg with the
- * most has, and how many driven joints (DHGEN_LEG_ROWS, DHGEN_LEG_DRIVES). */
+ * The file that includes this one defines how many legs there are (DHGEN_LEGS), how many rows the
+ * leg with the most has, and how many driven joints (DHGEN_LEG_ROWS, DHGEN_LEG_DRIVES). */
 #ifndef DHGEN_DRIVES_H
 #define DHGEN_DRIVES_H
 
@@ -21,7 +21,7 @@ enum {
 struct dhgen_leg_lanes {
     int chains;
     const int *first;                        /* leg of each chain, and of none behind the last */
-    const size_t *legs;                      /* those of a chain after those of another */
+    const size_t *legs;                      /* one chain's after another's */
     const double (*base)[DHGEN_LEG_COLUMNS]; /* their frames, an entry a line */
     const double (*end)[DHGEN_LEG_COLUMNS];
 };
@@ -159,7 +159,7 @@ DHGEN_INLINE dhgen_wide_mask dhgen_all_with_care(dhgen_wide *q, dhgen_wide_mask 
     return dhgen_where_wide(1);
 }
 
-/* Empties the rows of all legs: the pose is none. Returns what says so. */
+/* Empties the rows of all legs, as the pose is invalid. Returns the code of an invalid pose. */
 DHGEN_APART int dhgen_no_drives(double *q, unsigned char *status)
 {
     for (int i = 0; i < DHGEN_LEGS * DHGEN_LEG_ROWS; i++)

@@ -29,8 +29,8 @@ DHGEN_FN int dhgen_are_duplicates(
     return dhgen_miss(arm, T, half, e) <= DHGEN_MERGE;
 }
 
-/* Empties rows that rounding alone tells from earlier ones. Where roots follow roots each row is
- * refined first, and emptied if that leads to no solution. */
+/* Empties rows that differ from earlier ones by rounding alone. Where roots follow roots each row
+ * is refined first, and emptied if no solution is found. */
 DHGEN_FN void dhgen_remove_duplicates(
     const struct dhgen_arm *arm, const double *T, double *q, unsigned char *status)
 {

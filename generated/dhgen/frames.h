@@ -38,7 +38,7 @@ DHGEN_FN void dhgen_whole_frame(const double *rows, double *T)
         T[i] = rows && i < 12 ? rows[i] : i % 5 == 0 ? 1.0 : 0.0;
 }
 
-/* Moves a frame along one of its own axes, 0 for x or 2 for z, and turns it about that. */
+/* Moves a frame along one of its axes, 0 for x or 2 for z, and turns it about that axis. */
 DHGEN_FN void dhgen_screw_frame(int axis, double angle, double length, double *T)
 {
     const double c = cos(angle), s = sin(angle);

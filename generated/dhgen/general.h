@@ -22,15 +22,15 @@ extern "C" {
 #endif
 
 /* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most arm->most, but that of
- * continua, where there may be any, several members are told: DHGEN_PLACES at most.
+ * continua, where there may be any, several members are returned: DHGEN_PLACES at most.
  *
  * T: row by row. q, residual: room for DHGEN_PLACES rows. q: the angles, in (-pi, pi], or length,
  * rows in the order of q1, rows whose q1 agree to DHGEN_TIE in the order of q2, and so on, singular
- * ones and nearly singular ones last. residual: by how much the loop stays open, in radians and arm
+ * ones and nearly singular ones last. residual: by how much the loop is open, in radians and arm
  * sizes. Returns how many; -1 - count when it is not certain that these are all: for want of a
- * certificate of its own (where every polynomial vanishes identically there may be a continuum,
- * which poses close by do not have), or because roots met or the arm is singular at a solution, or
- * nearly, so that steps did not make it exact. */
+ * certificate (where every polynomial vanishes identically there may be a continuum, which poses
+ * close by do not have), or because roots met or the arm is singular at a solution, or nearly, so
+ * that steps did not make it exact. */
 DHGEN_API int dhgen_general_solutions(const dhgen_general_arm *arm, const double T[16],
     const double *free_joints, double (*q)[6], double *residual);
 

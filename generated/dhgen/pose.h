@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reading poses: what is none is told, and a rotation that is only rounded becomes the nearest. */
+ * Reading poses: refuses what is no pose, and replaces a rotation that is only rounded by the
+ * nearest one. */
 #ifndef DHGEN_POSE_READING_H
 #define DHGEN_POSE_READING_H
 

@@ -15,15 +15,16 @@
 #define DHGEN_DAMPING 0.1
 /* Steps: what is right ends after two or three, where roots meet after twelve. */
 #define DHGEN_STEPS 20
-/* A step is in vain if it leaves more of the miss; where n roots meet (1 - 1/n)^n is left. Beside
- * places where two things are singular some make it worse before it gets better: so many lead
- * nowhere. */
+/* A step is in vain if it leaves more of the miss; where n roots meet (1 - 1/n)^n is left. Near
+ * places where two things are singular some make it worse before it gets better: after so many it
+ * fails. */
 #define DHGEN_SLOW 0.7
 #define DHGEN_IN_VAIN 4
 /* Nearer than so many times what is enough rounding decides what a step leaves. */
 #define DHGEN_NEAR_ENOUGH 100.0
-/* Two joints that are past the ends of their ranges can be led inside, though perhaps not onto the
- * ends: they are put inside as far as they are past, times this, then twice as far, up to that. */
+/* Two joints that are past the ends of their ranges can be refined inside, though perhaps not onto
+ * the ends: they are put inside as far as they are past, times this, then twice as far, up to
+ * that. */
 #define DHGEN_NEXT_INSIDE 2.0
 #define DHGEN_FARTHEST_INSIDE 16.0
 
@@ -49,9 +50,9 @@ DHGEN_FN double dhgen_miss_of_angles(
 {
     double square = 0.0;
     if (arm->task == DHGEN_YAW) {
-        const double told = T[0] * T[0] + T[4] * T[4];
+        const double level = T[0] * T[0] + T[4] * T[4];
         e[5] = P[0] * T[4] - P[4] * T[0];
-        return told * ((P[0] - T[0]) * (P[0] - T[0]) + (P[4] - T[4]) * (P[4] - T[4]));
+        return level * ((P[0] - T[0]) * (P[0] - T[0]) + (P[4] - T[4]) * (P[4] - T[4]));
     }
     if (arm->task == DHGEN_PITCH) {
         e[3] = T[8] - P[8];
@@ -66,7 +67,7 @@ DHGEN_FN double dhgen_miss_of_angles(
 }
 
 /* By how much joint values miss a pose, into e, whose angles are 0 half a turn away, too. Returns
- * the length of the miss, which tells the two apart [arm sizes, rad]. */
+ * the length of the miss, which differs between the two [arm sizes, rad]. */
 DHGEN_FN double dhgen_miss(const struct dhgen_arm *arm, const double *T, const double *x, double *e)
 {
     const double *const weights = arm->miss_weights;

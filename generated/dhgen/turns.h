@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Angles of lanes moved by a whole turn, and joint values and their limits, written once for all
- * types: included for each of them, by files that say which (DHGEN_VECTOR, DHGEN_MASK, DHGEN_OF for
- * names). */
+ * types, and included for each type by a file that defines DHGEN_VECTOR, DHGEN_MASK, and DHGEN_OF
+ * for names. */
 
 /* An angle moved to (-pi, pi] that may be below. */
 DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(raised)(DHGEN_VECTOR x)

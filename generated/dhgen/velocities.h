@@ -19,8 +19,8 @@ DHGEN_API void dhgen_joint_velocities(
 #define DHGEN_DAMPED_BELOW 0.01
 /* Through all pairs of rows; six to eight do. */
 #define DHGEN_SWEEPS 20
-/* Rows whose cosine is not above the second are orthogonal, which is rounding of sums of products;
- * so are those whose product is not above the first, which is rounding of zero. */
+/* Rows are orthogonal if their cosine is not above the second, which is rounding of sums of
+ * products, or their product not above the first, which is rounding of zero. */
 #define DHGEN_NOTHING 1e-30
 #ifndef DHGEN_SINGLE_PRECISION
 #define DHGEN_ORTHOGONAL 4e-15

@@ -79,7 +79,7 @@ STEPS = (
     "clamps",  # joints are clamped to limits
     "clamps far",  # from far away, too
     "winds",  # a range exceeds a turn, or nearly
-    "follows seed",  # where rounding can't tell solutions apart
+    "follows seed",  # where solutions differ by less than rounding
 )
 
 # Of an angle: by what it may miss its limits, its weight, its pace and its step where it is free.
@@ -148,7 +148,7 @@ def arm_numbers(
         arm: The arm.
         descents: The numbers that descents work on, where rows are completed by such.
         coupling: Those of drives whose whole turns hang together, where some do.
-        calibration: What a table says that comes at run time, where one does.
+        calibration: The numbers of a table that comes at run time, where one does.
 
     Raises:
         ValueError: A step has no name in STEPS.

@@ -78,7 +78,7 @@ def assemblies(platform: Platform, elimination: str, drives: Floats, width: int)
 
 
 def _ascending(poses: Sequence[Floats], size: float) -> list[Floats]:
-    """Poses by their yaw, and those of one yaw by their place."""
+    """Poses in the order of their yaw, then of their place."""
     ordered: list[Floats] = []
     for T in poses:
         places = (i for i, other in enumerate(ordered) if _comes_before(T, other, size))
@@ -231,9 +231,9 @@ class _Triangle:
 
     Its first point goes around the origin, |p| = r, and each of the two others is at e in the
     platform and goes around E: 2 (R e - E) . p = s^2 - r^2 - |e|^2 - |E|^2 + 2 E . R e, with R the
-    turn by phi. These are linear in p, their determinant and what stands over it are known
-    functions of phi, and |p| = r is a polynomial of degree three in cos phi and sin phi, of degree
-    six in tan(phi/2) (C. Gosselin, J. Sefrioui and M. Richard, 1992).
+    turn by phi. These are linear in p, their determinant and the numerators are known functions of
+    phi, and |p| = r is a polynomial of degree three in cos phi and sin phi, of degree six in
+    tan(phi/2) (C. Gosselin, J. Sefrioui and M. Richard, 1992).
     """
 
     e: Floats
@@ -255,7 +255,7 @@ class _Triangle:
         return float(x * x + y * y - self.r * self.r * det * det)
 
     def angles(self) -> list[float]:
-        """Those of the platform: at most six."""
+        """The platform's angles: at most six."""
         # half a turn away from where tan(phi/2) is zero there is no root
         tried = [abs(self.miss(TURN * k / 28)) for k in range(28)]
         largest, farthest = max(tried), int(np.argmax(tried))
@@ -275,7 +275,7 @@ class _Triangle:
         return [start + 2.0 * math.atan(t) for t in real_roots(p.tolist())]
 
     def goes_around(self, size: float) -> bool:
-        """Whether the platform is as large as what it stands on, on equal circles."""
+        """Whether the platform is as large as the base, on equal circles."""
         (x, y), (X, Y) = self.e[0], self.E[0]
         square = x * x + y * y
         if not square > 0.0:

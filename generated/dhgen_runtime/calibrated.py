@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Arms of one kind, each with a table of its own, or origins: what calibrated.h does.
 
-What they say is worked out once (`calibrate`), and every call reads it. The closed form of the
-nominal arm is tried first (`solve_from_nominal` in calls_calibrated.py, made anew for each kind);
-where its rows may not lead to all solutions the general algorithm answers.
+An arm's numbers are computed from it once (`calibrate`), and read by every call. The closed form of
+the nominal arm is tried first (`solve_from_nominal` in calls_calibrated.py, made anew for each
+kind); where a solution may lie next to none of its rows the general algorithm solves the pose.
 """
 
 from __future__ import annotations

@@ -52,7 +52,7 @@ ROWS: int
 places: Ints  # of the joints' values of each row, (rows, joints)
 filled_at: Callable[[Floats, Floats, float, float], tuple[Floats, bool]]
 robot: Callable[[], Robot]  # its functions, by their addresses
-shapes: str  # what is said of arrays with another shape
+shapes: str  # the message for arrays of another shape
 ALL_NUMBERS: int  # how many an arm has
 
 
@@ -76,7 +76,7 @@ def solve(
 
 
 def solve_from_nominal(arm: Floats, pose: Pose, q: Floats, status: Bytes) -> bool:
-    """Fills the rows of solutions where the nominal arm's rows lead to all.
+    """Fills the rows of a pose if all its solutions lie next to the nominal arm's rows.
 
     Returns whether they do. That no other branch has a solution is certain, that none has a second
     one is not proven.
@@ -91,7 +91,7 @@ def solve_from_nominal(arm: Floats, pose: Pose, q: Floats, status: Bytes) -> boo
 
 
 def to_nominal_rows(arm: Floats, q: Floats, status: Bytes) -> None:
-    """Moves rows that ascend to those of their postures."""
+    """Moves solutions, which ascend, to the rows of their postures."""
     of, values, postures = calibration_of(arm), np.empty(JOINTS), np.full(ROWS, -1)
     for row in range(ROWS):
         if status[row] != UNREACHABLE:
@@ -183,7 +183,7 @@ def ik_into(arm: Floats, T: Floats, q: Floats, status: Bytes, q_seed: Floats | N
     try:
         return seeded(arm, T, q, status, np.zeros(JOINTS) if q_seed is None else q_seed)
     except Exception:
-        # Types and shapes are looked at in there: only who fails is told which array it is.
+        # Types and shapes are checked in there: only after an error is the array named.
         demand_array("numbers", arm, (ALL_NUMBERS,), FLOAT)
         demand_array("T", T, (4, 4), FLOAT)
         demand_filled(q, status, q_seed, (ROWS, JOINTS))
@@ -214,7 +214,7 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
         own: What is its own.
     """
     rows, texts = module["MAX_SOLUTIONS"], globals()
-    said = no_pose(module, "pose"), no_row(module, "pose", (True,) * 3), unreachable(module)
+    messages = no_pose(module, "pose"), no_row(module, "pose", (True,) * 3), unreachable(module)
     kind, blank = kind_numbers(own.kind), blank_numbers(own.kind)
     names = {
         **texts,
@@ -227,7 +227,7 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
     }
 
     def choice(arm: Floats) -> Choice:
-        return Choice(arm, module["BRANCHES"], *said)
+        return Choice(arm, module["BRANCHES"], *messages)
 
     def worked_out(given: Floats) -> tuple[Floats, int]:
         arm = blank.copy()
@@ -261,8 +261,8 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
             origins: x, y, z [the unit of NOMINAL] and roll, pitch, yaw [rad] of each joint's frame
                 in the one before, all joint values zero, from base to tool, and of a frame behind
                 the last joint, which is the same where that is left out: (7, 6), or (6, 6). The
-                base of the robot file stands before them, its tool behind them. Joints turn about
-                z, in the sense of the robot file.
+                base of the robot file comes before them, its tool behind them. Joints turn about z,
+                in the sense of the robot file.
 
         Raises:
             ValueError: As of `calibrated`.
@@ -307,7 +307,7 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
         each.__qualname__ = each.__name__  # by which arms are pickled
     names.update(
         choice=choice,
-        Unreachable=said[-1],
+        Unreachable=messages[-1],
         worked_out=worked_out,
         calibrated=calibrated,
         calibrated_by_origins=calibrated_by_origins,

@@ -38,7 +38,7 @@ reach: float  # half a turn, or the stroke of the joint, where a single value is
 within: tuple[float, float]  # the limits of this value
 kinematics: tuple[Callable[[Any], Any], ...]  # its functions of joint values, fk first
 velocities_at: Callable[[FloatArray, FloatArray], FloatArray]  # of a twist, compiled
-apart: tuple[Callable[[], None], ...]  # each compiles what stands apart in a file
+apart: tuple[Callable[[], None], ...]  # each compiles what is called by address in a file
 into: Callable[..., int]  # all solutions of a pose, merged into what calls it
 solve_many: Callable[..., None]  # all solutions of many poses, compiled
 zeros: Callable[[FloatArray], FloatArray]  # the seed where there is none
@@ -127,7 +127,7 @@ def ik_into(
             return unseeded(T, q_free, q, status)
         return seeded(T, q_free, q, status, q_seed)
     except Exception:
-        # Types and shapes are looked at in there: only who fails is told which array it is.
+        # Types and shapes are checked in there: only after an error is the array named.
         look_at(T, q_free, q, status, q_seed)
         raise
 
@@ -172,7 +172,7 @@ def ik_all(
         else:
             seeded(pose, values, q, status, array_of(q_seed, (DOF,), "q_seed"))
     except Exception:
-        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        # Shapes are checked in there: only after an error is the array looked for and named.
         array_of(T, (4, 4), "T")
         array_of(values, (GIVEN,), "q_free")
         raise
@@ -194,7 +194,7 @@ def ik(
     Args:
         T: Pose (4, 4).
         q_free: {given} ({GIVEN},). Without it the seed's,
-            or where that leads to no solution the nearest that does, if it is one value.
+            or where that has no solution the nearest value that has one, if it is one value.
         q_seed: Where the arm is ({DOF},); zeros without it.
         branch: Only this branch: a name from BRANCHES, or its row.
         limits: Whether joint limits count: True or False.

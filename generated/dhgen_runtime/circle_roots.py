@@ -117,9 +117,9 @@ def circle_roots(
     """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
 
     Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
-    leading coefficient. Second comes which are close, where the slope is small: one may stand for
-    two, or has another beside it. Rounding may add so much to values. All roots are moved by an
-    angle in the end.
+    leading coefficient. Second comes which are close, where the slope is small: there may be a
+    second root at or near it. Rounding may add so much to values. All roots are moved by an angle
+    in the end.
     """
     x, close = np.full(4, math.nan), np.zeros(4, np.bool_)
     size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)

@@ -98,7 +98,7 @@ def turn_coupled(arm: Floats, limits: bool, towards: Floats, q: Floats) -> bool:
         arm: The arm's numbers.
         limits: Whether only places inside all limits count.
         towards: The other values.
-        q: The row; it stays as it is where there is no such place.
+        q: The row; unchanged where there is no such place.
 
     Returns:
         Whether there is one.

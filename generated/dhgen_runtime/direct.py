@@ -97,9 +97,9 @@ def _damped(M: Floats, y: Floats) -> Floats:
 
 
 def _nearest_drives(platform: Platform, leg: Leg, X: Floats, drives: Floats) -> Floats | None:
-    """The leg's joint values at a pose whose drives are nearest to given ones, with those.
+    """The leg's joint values at a pose with drives nearest to given ones, and replaced by these.
 
-    Rows that differ in passive joints alone are told apart by limits: one within them goes first.
+    A row within limits goes before rows that differ from it in passive joints alone.
     """
     rows, status = map(np.asarray, leg.module.ik_all(leg.pose(X)))
     has = ~np.isnan(rows).any(axis=1)

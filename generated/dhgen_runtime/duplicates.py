@@ -30,7 +30,7 @@ SINGULAR, STEPS_TO_DOUBLE = 1e-13, 3
 
 @OWN.inner
 def _are_duplicates(arm: Floats, robot: Robot, pose: Pose, half: Floats) -> bool:
-    """Whether rounding alone tells two solutions that lie to both sides of joint values.
+    """Whether two solutions on both sides of joint values differ by rounding alone.
 
     Half way the arm is singular, and what steps in all other directions leave of the miss is how
     far the pose is from one at which both meet.
@@ -63,7 +63,7 @@ def _refine_rows(arm: Floats, robot: Robot, pose: Pose, q: Floats, status: Bytes
 
 @OWN.apart(f"void(float64[::1], {ROBOT}, {POSE}, float64[:, ::1], uint8[::1])")
 def remove_duplicates(arm: Floats, robot: Robot, pose: Pose, q: Floats, status: Bytes) -> None:
-    """Empties rows that rounding alone tells from earlier ones; before, refines them if need be."""
+    """Empties rows that differ from earlier ones by rounding alone, refined first if need be."""
     if arm[REFINES] > 0.0:
         _refine_rows(arm, robot, pose, q, status)
     half = np.empty(int(arm[DOF]))

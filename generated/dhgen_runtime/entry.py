@@ -43,7 +43,7 @@ SHARE = 2048  # poses that are worth a thread
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """How one of many solutions is chosen, and what is said where there is none.
+    """How one of many solutions is chosen, and the messages where there is none.
 
     Attributes:
         arm: The arm's numbers.

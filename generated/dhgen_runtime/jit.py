@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """numba or plain Python: how functions of the runtime and of robots are compiled.
 
-A file asks for its own way of compiling with `of_file(__file__)`. numba keeps what it compiles
-under the name of a function: here a name with the digest of the file and of the whole runtime,
-because numba itself looks at the text of one file only, and at no value of a global. What it keeps
-is found again by whatever name the file is imported, be it by two names in one process.
+A file gets its own way of compiling with `of_file(__file__)`. numba keeps what it compiles under
+the name of a function: here a name with the digest of the file and of the whole runtime, because
+numba itself looks at the text of one file only, and at no value of a global. What it keeps is found
+again by whatever name the file is imported, be it by two names in one process.
 """
 
 from __future__ import annotations
@@ -56,8 +56,8 @@ except ImportError:
 if not COMPILED:  # plain Python, only slower
     njit, overload, carray = _plain, _plain, _plain_room
 
-# What is not said to be inlined by force would be, in those that are. Roots of negative numbers
-# are NaN, as they are in C.
+# A function without this option would be inlined by force into functions that have it. Roots of
+# negative numbers are NaN, as they are in C.
 _OPTIONS = {"error_model": "numpy", "forceinline": False}
 # Only compiled code may call these: what Python would need is not made, which is much of the work.
 _INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
@@ -105,8 +105,8 @@ class Compiling:
     """How the functions of one file are compiled.
 
     Attributes:
-        key: The name under which compiled code finds the file, and no other text of it, among the
-            modules that Python knows.
+        key: The name in sys.modules under which compiled code finds the file, and no other text
+            of it.
         digest: The digest of the file and of the whole runtime, in the names of its functions.
     """
 
@@ -116,7 +116,7 @@ class Compiling:
         Args:
             path: The file; need not exist, and is compiled anew in every process then.
         """
-        # One that holds the whole runtime names the module that asks behind itself.
+        # The path of a file that holds the whole runtime ends with "#" and the name of the module.
         file = path if path.is_file() else Path(str(path).rpartition("#")[0])
         self.digest = digest_of(file)
         self._cache = _keeps(file)
@@ -165,8 +165,8 @@ class Compiling:
         """Compiles a function apart from its callers.
 
         numba copies what a function calls into it, with all that this calls, and optimises
-        everything anew in each caller. Of these functions a caller has the address, which it asks
-        for at its first call: when it comes out of the cache it does not know it.
+        everything anew in each caller. Of these functions a caller has the address, which it looks
+        up at its first call, because the address is not in the cache.
 
         Args:
             signature: The types of what it returns and takes, in numba's words.
@@ -192,7 +192,7 @@ class Compiling:
         return decorate
 
     def _known(self, function: F) -> F:
-        """A function as it is, whose name stands for its address in plain Python."""
+        """Returns the function itself, registered by its name in place of an address."""
         named: Any = function
         self._apart[named.__name__] = function, ()
         return function
@@ -214,8 +214,7 @@ class Compiling:
         In plain Python it gives the functions themselves.
 
         Args:
-            names: Of functions that stand apart or are registered; None for one that is never
-                called.
+            names: Of functions made by `apart` or registered; None for one that is never called.
         """
         if not COMPILED:
             none = None, ()
@@ -236,7 +235,7 @@ class Compiling:
         return made  # type: ignore[no-any-return]
 
     def compile_apart(self) -> None:
-        """Compiles all functions that stand apart, or gets them from numba's cache."""
+        """Compiles all functions that are called by address, or loads them from numba's cache."""
         for name in list(self._apart) if COMPILED else ():
             self.address(name)
 
@@ -252,7 +251,7 @@ def of_file(path: str, *, interface: int = INTERFACE) -> Compiling:
     """How the functions of a file are compiled.
 
     Args:
-        path: The file, as its `__file__` says.
+        path: The file's `__file__`.
         interface: What the file was generated for.
 
     Raises:
@@ -267,7 +266,7 @@ def of_file(path: str, *, interface: int = INTERFACE) -> Compiling:
 
 
 def _address_once(context: Any, builder: Any, key: str, name: str) -> Any:  # noqa: ANN401
-    """The address of a function that stands apart, asked for once."""
+    """The address of a function made by `apart`, looked up once."""
     place = cgutils.add_global_variable(builder.module, cgutils.voidptr_t, f"address of {name}")
     place.initializer, place.linkage = cgutils.get_null_value(cgutils.voidptr_t), "internal"
     with builder.if_then(cgutils.is_null(builder, builder.load(place)), likely=False):
@@ -279,7 +278,7 @@ def _address_once(context: Any, builder: Any, key: str, name: str) -> Any:  # no
 
 
 def _ask(context: Any, builder: Any, key: str, name: str, place: Any) -> None:  # noqa: ANN401
-    """Asks the module of a file where a function is that stands apart; an error leaves null."""
+    """Looks up the address of a function made by `apart`; an error leaves null."""
     api = context.get_python_api(builder)
     lock = api.gil_ensure()
     module = api.import_module(context.insert_const_string(builder.module, key))

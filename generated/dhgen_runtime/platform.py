@@ -29,7 +29,7 @@ POSE, YAW, COORDINATES = "pose", "yaw", "coordinates"
 LENGTHS = 3  # of six velocities the first are lengths
 # A's smallest singular value below which a platform is singular, lengths in robot sizes, and what a
 # passive joint has to move of its own, beside those before it, not to depend on them [rad, robot
-# sizes]: a root of what legs may miss, so that what is told above it has six digits.
+# sizes]: the square root of what legs may miss, so that what is computed above it has six digits.
 SINGULAR_PLATFORM = 1e-6
 _HOW = of_file(__file__)
 
@@ -123,7 +123,7 @@ def driven_of_rows(driven: Sequence[Sequence[int]], q: Floats) -> Floats:
 
 @dataclass(frozen=True, slots=True)
 class Leg:
-    """A leg: its chain's module, and where it stands.
+    """A leg: its chain's module, and where it is mounted.
 
     Attributes:
         module: The solver of its chain.
@@ -179,7 +179,7 @@ class Platform:
         return bool(valid[0]), X[0]
 
     def read_all(self, T: Floats) -> tuple[Truths, Floats]:
-        """The same of poses (N, 4, 4)."""
+        """Reads poses (N, 4, 4)."""
         valid, X = np.empty(len(T), np.bool_), np.empty((len(T), 4, 4))
         X[:] = np.eye(4)
         poses = np.ascontiguousarray(T)
@@ -189,7 +189,7 @@ class Platform:
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """How a leg's end moves; lengths count in robot sizes, also those of the platform.
+    """How a leg's end moves; all lengths, also the platform's, are in robot sizes.
 
     Attributes:
         V: Of the platform's freedoms, (m, n).

@@ -43,13 +43,13 @@ OWN = of_file(__file__)
 CAUTIOUS = 3e-3
 DAMPING = 0.1
 STEPS = 20  # what is right ends after two or three, where roots meet after twelve
-# A step is in vain if it leaves more of the miss; where n roots meet (1 - 1/n)^n is left. Beside
-# places where two things are singular some make it worse before it gets better: so many lead
-# nowhere.
+# A step is in vain if it leaves more of the miss; where n roots meet (1 - 1/n)^n is left. Near
+# places where two things are singular some make it worse before it gets better: after so many it
+# fails.
 SLOW, IN_VAIN = 0.7, 4
 NEAR_ENOUGH = 100.0  # times what is enough: nearer rounding decides what a step leaves
-# Two joints that are past the ends of their ranges can be led inside, though perhaps not onto the
-# ends: they are put inside as far as they are past, times this, then twice as far, up to that.
+# Two joints that are past the ends of their ranges can be refined inside, though perhaps not onto
+# the ends: they are put inside as far as they are past, times this, then twice as far, up to that.
 NEXT_INSIDE, FARTHEST_INSIDE = 2.0, 16.0
 
 
@@ -93,7 +93,7 @@ def missed_by(arm: Floats, robot: Robot, pose: Pose, q: Floats) -> float:
 def measure_miss(arm: Floats, robot: Robot, pose: Pose, q: Floats, e: Floats) -> float:
     """By how much joint values miss a pose, into e, whose angles are 0 half a turn away, too.
 
-    Returns the length of the miss, which tells the two apart [arm sizes, rad].
+    Returns the length of the miss, which differs between the two [arm sizes, rad].
     """
     P, square = forward(arm, robot, q), 0.0
     for i in range(3):
@@ -125,8 +125,8 @@ def _miss_of_angles(directions: float, P: Floats, pose: Pose, e: Floats) -> floa
     """
     if directions == YAW:
         e[5] = P[0, 0] * pose[4] - P[1, 0] * pose[0]
-        told = pose[0] * pose[0] + pose[4] * pose[4]
-        return float(told * ((P[0, 0] - pose[0]) ** 2 + (P[1, 0] - pose[4]) ** 2))
+        level = pose[0] * pose[0] + pose[4] * pose[4]
+        return float(level * ((P[0, 0] - pose[0]) ** 2 + (P[1, 0] - pose[4]) ** 2))
     if directions == PITCH:
         e[3] = pose[8] - P[2, 0]
         return float(e[3] * e[3])
@@ -208,7 +208,7 @@ def refine(arm: Floats, robot: Robot, pose: Pose, enough: float, most: float, q:
     If that is negative, to some inside their limits that miss it by less than so much more. Returns
     whether it can.
     Goes on while that gains: where roots meet a step still leaves less than half. Until one gains
-    little they are damped so that none leads far.
+    little they are damped so that none goes far.
     """
     dof = len(q)
     half, e, clamps, moved = np.empty(dof), np.empty(6), enough <= 0.0, 0

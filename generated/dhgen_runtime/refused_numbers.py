@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is said of a table, or origins, that are not taken: which numbers, or axes, it is."""
+"""The message for a table, or origins, that are refused: which numbers, or axes, are wrong."""
 
 from __future__ import annotations
 
@@ -81,11 +81,11 @@ class Refused:
         return f"{float(self.given[row, column]):.9g} {unit}"
 
     def too_large(self) -> Bools:
-        """Which are larger than those of calibrations."""
+        """Which numbers are larger than in any calibration."""
         return np.abs(self.given) > MOST_NUMBER * np.where(self.lengths, self.size, 1.0)
 
     def filled(self) -> tuple[Floats, int]:
-        """The arm's array, and what is said of it."""
+        """The arm's array, and what `calibrate` returns."""
         arm = self.blank.copy()
         return arm, calibrate(self.kind, self.given.ravel(), arm)
 
@@ -95,19 +95,19 @@ class Refused:
         return float(arm[TURNED - NUMBERS]), float(arm[MOVED - NUMBERS])
 
 
-def refusal(refused: Refused, said: int) -> str:
+def refusal(refused: Refused, fault: int) -> str:
     """What is wrong with the numbers.
 
     Args:
-        refused: They.
-        said: What `calibrate` says of them.
+        refused: The numbers.
+        fault: What `calibrate` returns for them.
     """
     what = "table" if refused.is_table else "origins"
-    if said == NOT_FINITE:
+    if fault == NOT_FINITE:
         row, column = np.argwhere(~np.isfinite(refused.given))[0].tolist()
         number = float(refused.given[row, column])
         return f"{refused.entry(row, column)}, is not finite: {number}"
-    if said == ANOTHER_ARM:
+    if fault == ANOTHER_ARM:
         return _another_arm(refused, what)
     return (
         f"in {what} {_exact_axes(refused)} to {LEAST_MISS:.0e}, as those of the nominal "
@@ -133,7 +133,7 @@ def _another_arm(refused: Refused, what: str) -> str:
 
 
 def _farthest_number(refused: Refused) -> str:
-    """The number in whose place that of the nominal arm would take the tool nearest to it."""
+    """The number that moves the tool most: with the nominal arm's in its place it is nearest."""
     nominal = refused.kind[TABLE:].reshape(TABLE_SHAPE)
     left = np.empty(TABLE_SHAPE)
     for row, column in np.ndindex(*TABLE_SHAPE):
@@ -147,7 +147,7 @@ def _farthest_number(refused: Refused) -> str:
 
 
 def _farthest_link(refused: Refused) -> str:
-    """Between which joints axes stand otherwise than in the nominal arm, and by how much."""
+    """Between which joints axes differ most from the nominal arm's, and by how much."""
     arm, _ = refused.filled()
     of, size = arm[-NUMBERS:], refused.size
     found = []
@@ -156,8 +156,8 @@ def _farthest_link(refused: Refused) -> str:
         turned, moved = float(turned_between(nominal, own)), float(moved_between(nominal, own))
         found.append((max(turned, moved / size), link, turned, moved))
     _, link, turned, moved = max(found)
-    told = f"{turned:.2g} rad and {moved:.2g} {refused.unit} from where the nominal arm has it"
-    return f"origins[{link}]: joint {link + 1} is {told}, seen from joint {link}"
+    distance = f"{turned:.2g} rad and {moved:.2g} {refused.unit} from where the nominal arm has it"
+    return f"origins[{link}]: joint {link + 1} is {distance}, seen from joint {link}"
 
 
 def _exact_axes(refused: Refused) -> str:

@@ -33,7 +33,7 @@ def take_from(to: Floats, numbers: Floats, at: int) -> None:
 
 @inner
 def follow_from(P: Floats, numbers: Floats, at: int) -> None:
-    """P K for rigid transforms, twelve numbers each, in place; K stands at a place of an array."""
+    """P K for rigid transforms, twelve numbers each, in place; K begins at a place of an array."""
     for i in range(0, 12, 4):
         a, b, c = P[i], P[i + 1], P[i + 2]
         for j in range(3):
@@ -80,7 +80,7 @@ def slide(T: Floats, d: float) -> None:
 
 @inner
 def pose_of_links(links: Floats, at: int, angles: Floats) -> Floats:
-    """Returns C0 Rz(angle 1) C1 ... Rz(angle n) Cn; C0 ... Cn stand at a place of an array."""
+    """Returns C0 Rz(angle 1) C1 ... Rz(angle n) Cn; C0 ... Cn begin at a place of an array."""
     P = np.empty(12)
     take_from(P, links, at)
     for i in range(len(angles)):

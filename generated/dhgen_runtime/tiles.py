@@ -2,7 +2,7 @@
 """All solutions of many poses: in tiles, in which formulas become vector instructions.
 
 `functions.of_robot` makes each of these functions anew for a robot, with the names that are
-declared below. A tile holds values of its poses side by side: value n of pose k stands at
+declared below. A tile holds values of its poses side by side: value n of pose k is at
 `n * TILE + k`.
 """
 
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
     from .arrays import Bytes, Floats, Ints
 
-TILE = 16  # poses: two of the widest vectors; what a tile needs stays in the first cache
-ENTRIES = 16  # of a pose; what the caller gives stands behind them, and then the doubt
+TILE = 16  # poses: two of the widest vectors; what a tile needs fits into the first cache
+ENTRIES = 16  # of a pose; then what the caller gives, and the doubt
 
 # Of the robot:
 DOF: int
@@ -55,7 +55,7 @@ def is_exact(kept: Floats, k: int) -> bool:
 
 
 def in_tiles(T: Floats, q_free: Floats, q: Floats, status: Bytes) -> None:
-    """All solutions of many poses; those that the formulas do not answer one by one."""
+    """All solutions of many poses; poses that the formulas do not solve are solved one by one."""
     kept = carray(wide_room(KEPT_OF_TILE), KEPT_OF_TILE)
     turns = carray(wide_room(TURNS_OF_TILE), TURNS_OF_TILE)
     rows = carray(wide_room(FILLED_OF_TILE), FILLED_OF_TILE)

@@ -41,7 +41,7 @@ def make_orthogonal(rows: Floats, width: int) -> None:
     """Turns pairs of rows until all are orthogonal in their first `width` entries.
 
     One-sided Jacobi rotations (M. R. Hestenes, 1958). The lengths of the rows are then the singular
-    values; what stands behind those entries is turned along.
+    values; the entries behind these are rotated along.
     """
     for _ in range(SWEEPS):
         turned = False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What messages and docstrings say of a robot."""
+"""The words for a robot in messages and docstrings."""
 
 from __future__ import annotations
 

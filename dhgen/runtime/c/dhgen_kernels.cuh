@@ -34,7 +34,7 @@
 #define DHGEN_HELD(held)
 #endif
 
-/* The status of rows that only the careful functions could know, where these were not asked for. */
+/* The status of rows that need the careful functions, where these were not called. */
 enum { DHGEN_SKIPPED = 5 };
 
 /* The arrays of a batch, row by row. Of a kernel's arguments those that it does not need may be
@@ -106,7 +106,7 @@ __device__ inline void dhgen_load_values(const Number *from, unsigned long long 
 
 #ifdef DHGEN_SOLVE_WIDE
 
-/* Puts a pose's number on the list of those that are left. */
+/* Puts a pose's number on the list of poses that are left. */
 template <class Number>
 __device__ inline void dhgen_leave(const dhgen_batch<Number> &batch, size_t i)
 {

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * dhgen_pose: poses in other notations; dhgen_pose.h says which.
- * Part of dhgen, which puts a copy of this file beside the robots that it generates.
+ * dhgen_pose: poses in the notations that dhgen_pose.h lists. Part of dhgen, which puts a copy of
+ * this file beside the robots that it generates.
  *
  * "Document 001" is one of the course texts that dhgen follows, a chapter on kinematics in French.
  * Its sections 2.1.5 (axis and angle, quaternions) and 2.1.8 (Euler angles, roll-pitch-yaw) name
- * these notations; what is taken from it stands here in full.
- */
+ * these notations; what is taken from it is written out here. */
 #include "dhgen_pose.h"
 
 #include <math.h>
@@ -68,7 +67,8 @@ static int pose_at(const double xyz[3], const double *orientation, int count, do
 
 /* Whether T is a rotation and a translation. The matrices equal to their cofactors are the
  * rotations, right-handed only, and zero: each row is the cross product of the next two, and the
- * length of one row tells zero apart. The comparisons are false for a NaN from an overflow. */
+ * length of one row is that of zero or of a rotation. The comparisons are false for a NaN from an
+ * overflow. */
 static int is_rigid(const double T[16])
 {
     if (!(largest_of_three(T + 12) <= rigid_tolerance && fabs(T[15] - 1.0) <= rigid_tolerance

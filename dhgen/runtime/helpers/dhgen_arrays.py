@@ -77,14 +77,14 @@ class Call:
         """The stream that kernels go to unless the caller chooses one."""
         if self._library in _STREAMS:
             return _STREAMS[self._library](importlib.import_module(self._library), self._like)
-        told = None if self.handed_over else getattr(self._like, _INTERFACE, None)
-        return (told or {}).get("stream") or LEGACY
+        interface = None if self.handed_over else getattr(self._like, _INTERFACE, None)
+        return (interface or {}).get("stream") or LEGACY
 
     def read(self, owner: GPUArray, name: str) -> Array:
         """An array by its interface, ready on the stream."""
-        told = None if self.handed_over else getattr(owner, _INTERFACE, None)
-        if isinstance(told, dict):
-            return _of_interface(told, name)
+        interface = None if self.handed_over else getattr(owner, _INTERFACE, None)
+        if isinstance(interface, dict):
+            return _of_interface(interface, name)
         on_gpu = hasattr(owner, "__dlpack_device__") and owner.__dlpack_device__()[0] in _ON_GPU
         if not (self.handed_over and on_gpu):
             what = f"{type(owner).__module__}.{type(owner).__name__}"
@@ -104,22 +104,22 @@ class Call:
         elif self.handed_over and hasattr(like, "__array_namespace__"):
             library = like.__array_namespace__()
         else:
-            told = f"arrays of {self._library} can't be made here"
-            raise TypeError(f"{told}: give those to be written to, out=")
+            problem = f"arrays of {self._library} can't be made here"
+            raise TypeError(f"{problem}: give those to be written to, out=")
         return library.empty(shape, dtype=getattr(library, name), device=like.device)
 
     def results(
         self, out: tuple[GPUArray, ...] | None, *wanted: tuple[str, tuple[int, ...], str]
     ) -> tuple[tuple[GPUArray, ...], dict[str, Array]]:
-        """The arrays to be written to, and what kernels have to know of them, by their names.
+        """The arrays to be written to, and what kernels need of them, by their names.
 
         Args:
             out: The caller's, if it gives some.
             wanted: Of each a name, a shape, and the type of its numbers.
         """
         if out is not None and self.handed_over:
-            told = f"arrays of {self._library} can't be written to from outside"
-            raise TypeError(f"{told}: leave out=, and new ones come back")
+            problem = f"arrays of {self._library} can't be written to from outside"
+            raise TypeError(f"{problem}: leave out=, and new ones come back")
         made = out or tuple(self.new(shape, kind) for _, shape, kind in wanted)
         arrays = {}
         for array, (name, shape, kind) in zip(made, wanted, strict=True):
@@ -128,7 +128,7 @@ class Call:
         return made, arrays
 
     def taken_over(self, made: GPUArray, order: Callable[[int], None]) -> GPUArray:
-        """An array that the library knows to wait for.
+        """An array whose readers wait for what kernels write to it.
 
         Args:
             made: It, as the library made it.
@@ -181,21 +181,21 @@ _content = ctypes.PYFUNCTYPE(ctypes.c_void_p, ctypes.py_object, ctypes.c_char_p)
 
 def _of_capsule(capsule: object, name: str) -> Array:
     """An array by a capsule of DLPack, which keeps it alive."""
-    told = _Tensor.from_address(_content(capsule, b"dltensor"))
-    shape, bits = tuple(told.shape[: told.axes]), told.bits * told.lanes
-    code = _CODES[told.code] if told.code < len(_CODES) else "V"
+    tensor = _Tensor.from_address(_content(capsule, b"dltensor"))
+    shape, bits = tuple(tensor.shape[: tensor.axes]), tensor.bits * tensor.lanes
+    code = _CODES[tensor.code] if tensor.code < len(_CODES) else "V"
     kind = f"{'|' if bits == 8 else '<'}{code}{bits // 8}"
-    if told.strides:  # None of a dense array
-        _demand_dense(name, shape, told.strides[: told.axes], 1)
-    return Array(name, (told.data or 0) + told.offset, shape, kind)
+    if tensor.strides:  # None of a dense array
+        _demand_dense(name, shape, tensor.strides[: tensor.axes], 1)
+    return Array(name, (tensor.data or 0) + tensor.offset, shape, kind)
 
 
-def _of_interface(told: dict[str, Any], name: str) -> Array:
+def _of_interface(interface: dict[str, Any], name: str) -> Array:
     """An array by NVIDIA's interface, version 3."""
-    shape, kind = tuple(told["shape"]), told["typestr"]
-    if told.get("strides") is not None:
-        _demand_dense(name, shape, told["strides"], int(kind[2:]))
-    return Array(name, told["data"][0] or 0, shape, kind)
+    shape, kind = tuple(interface["shape"]), interface["typestr"]
+    if interface.get("strides") is not None:
+        _demand_dense(name, shape, interface["strides"], int(kind[2:]))
+    return Array(name, interface["data"][0] or 0, shape, kind)
 
 
 def _demand_dense(name: str, shape: tuple[int, ...], strides: Any, size: int) -> None:  # noqa: ANN401

@@ -135,8 +135,8 @@ def jax_ik(robot: ModuleType) -> Callable[..., tuple[Array, Array]]:
             found = zip(function(*map(np.asarray, values)), numbers, strict=True)
             return tuple(np.asarray(each, number) for each, number in found)
 
-        told = tuple(map(jax.ShapeDtypeStruct, shapes, numbers))
-        return jax.pure_callback(call, told, *arrays, vmap_method="broadcast_all")
+        results = tuple(map(jax.ShapeDtypeStruct, shapes, numbers))
+        return jax.pure_callback(call, results, *arrays, vmap_method="broadcast_all")
 
     @jax.custom_jvp  # type: ignore[untyped-decorator]
     def rows(T: Array, *q_free: Array) -> tuple[Array, Array]:
@@ -213,8 +213,10 @@ class Arm:
 
     def __init__(self, robot: ModuleType) -> None:
         if hasattr(robot, "calibrated"):
-            told = f"derivatives are of one arm: the table of {robot.NAME} comes at run time"
-            raise TypeError(f"{told}; dhgen calibrate writes its robot file, whose module has them")
+            problem = f"derivatives are of one arm: the table of {robot.NAME} comes at run time"
+            raise TypeError(
+                f"{problem}; dhgen calibrate writes its robot file, whose module has them"
+            )
         if not hasattr(robot, "_ARM"):
             wanted = "a serial arm's module, as in 'import scara; dhgen_grad.torch_ik(scara)'"
             raise TypeError(f"{wanted} is what has derivatives here, not {robot!r}")
@@ -328,7 +330,7 @@ def _of_pointing(space: Space, T: Array) -> Array:
 
 
 def _of_yaw(space: Space, T: Array) -> Array:
-    """The rate of the yaw, that of the tool's x axis about the vertical."""
+    """The rate of the yaw, at which the tool's x axis turns about the vertical."""
     x, y, z = (T[..., k, 0] for k in range(3))
     slope = z / (x * x + y * y)
     row = space.xp.stack([-slope * x, -slope * y, 0.0 * z + 1.0], -1)

@@ -64,7 +64,7 @@ FLAGS = (
     "-fno-trapping-math",
     "-ffp-contract=fast",
 )
-# With these NaN means nothing, which says that a row has no solution.
+# With these flags NaN is lost, which marks rows without a solution.
 FORGET_NAN = frozenset({"-ffast-math", "-ffinite-math-only", "-Ofast"})
 FLAGS_APART = "its options belong in flags"
 WRITABLE = "set DHGEN_CACHE_DIR to a writable folder"
@@ -106,11 +106,11 @@ def native(
         OSError: The folder for libraries can't be written to.
     """
     if hasattr(module, "calibrated"):
-        told = f"native takes the module of one arm: the table of {module.NAME} comes at run time"
-        raise TypeError(f"{told}; solve in numba by {module.NAME}.calibrated(table), or call its C")
+        why = f"native takes the module of one arm: the table of {module.NAME} comes at run time"
+        raise TypeError(f"{why}; solve in numba by {module.NAME}.calibrated(table), or call its C")
     if hasattr(module, "LEGS"):
-        told = f"native takes the module of a serial arm, and {module.NAME} stands on legs"
-        raise TypeError(f"{told}; call its C, or solve its legs: native({module.CHAINS[0]})")
+        problem = f"native takes the module of a serial arm, and {module.NAME} stands on legs"
+        raise TypeError(f"{problem}; call its C, or solve its legs: native({module.CHAINS[0]})")
     if not hasattr(module, "ik_all"):
         wanted = "a robot's module, as in 'import scara; dhgen_native.native(scara)'"
         raise TypeError(f"native takes {wanted}, not {module!r}")
@@ -122,8 +122,8 @@ def native(
     if not isinstance(words, (list, tuple)) or not all(isinstance(word, str) for word in words):
         raise TypeError(f"flags must be a list of strings, or one string, not {flags!r}")
     if wrong := FORGET_NAN.intersection(words):
-        told = " or ".join(sorted(wrong))
-        raise ValueError(f"flags must not include {told}: NaN marks rows without a solution")
+        refused = " or ".join(sorted(wrong))
+        raise ValueError(f"flags must not include {refused}: NaN marks rows without a solution")
     library = _build(module, path.with_suffix(".c"), _compiler(compiler), words)
     # The same text once more: its functions find those of the C where those of numba were.
     spec = importlib.util.spec_from_file_location(module.__name__, path)
@@ -173,7 +173,7 @@ def _function_of(robot: ModuleType, name: str) -> MethodType:
 
 
 class _Solver:
-    """The functions of a library, called as those of the Python are."""
+    """The functions of a library, called like the functions of the Python module."""
 
     def __init__(self, robot: ModuleType, library: ctypes.CDLL) -> None:
         self._robot, self._library = robot, library
@@ -204,7 +204,7 @@ class _Solver:
         return function
 
     def names(self) -> dict[str, Any]:
-        """What stands in the places of the module's functions."""
+        """The functions of Python that replace the module's."""
         names = {
             "fk": self.fk,
             "jacobian": self.jacobian,
@@ -256,7 +256,7 @@ class _Solver:
         return self._of_each(self._fk, q, T.shape)
 
     def any_jacobian(self, q: Any, J: NDArray[np.float64]) -> NDArray[np.float64]:  # noqa: ANN401
-        """The Jacobian of joint values of any type, or those of a stack."""
+        """The Jacobian of joint values of any type, or the Jacobians of a stack."""
         return self._of_each(self._jacobian, q, J.shape)
 
     def _of_each(
@@ -345,7 +345,7 @@ def _place(array: NDArray[Any], kind: type) -> NDArray[Any]:
 
 
 class _Method(ctypes.Structure):
-    """What Python knows of a function in C."""
+    """Python's record of a function in C, its PyMethodDef."""
 
     _fields_ = (
         ("name", ctypes.c_char_p),
@@ -429,7 +429,7 @@ def _demand_values(q_seed: Any, dof: int) -> None:  # noqa: ANN401
 
 
 def _demand_types(T: Any, q: Any, status: Any, q_seed: Any) -> None:  # noqa: ANN401
-    """Stops while numba compiles, where an array has another type: its own words say little."""
+    """Stops while numba compiles, where an array has another type: numba's message is no help."""
     _demand_type("T", T, "float64", 2)
     _demand_type("q", q, "float64", 2)
     _demand_type("status", status, "uint8", 1)
@@ -464,7 +464,7 @@ def _build(robot: ModuleType, source: Path, compiler: str, flags: Sequence[str])
     sources = [source, *([source.with_name("dhgen_native.c")] if EXTENDS else [])]
     runtime = sorted(source.with_name("dhgen").rglob("*.[ch]"))
     texts = [each.read_bytes() for each in (*sources, source.with_suffix(".h"), *runtime)]
-    # What the compiler knows of itself and of the processor, by these flags.
+    # What the compiler defines for itself and for the processor, with these flags.
     texts.append(_run(compiler, *flags, "-dM", "-E", "-x", "c", os.devnull).encode())
     defined = {
         "HEADER": f'"{source.stem}.h"',
@@ -506,8 +506,8 @@ def _room(folder: Path) -> tempfile.TemporaryDirectory[str]:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         return tempfile.TemporaryDirectory(dir=folder)
     except OSError as error:
-        told = f"libraries can't be written there ({error.strerror}): {WRITABLE}"
-        raise OSError(error.errno, told, str(folder)) from None
+        problem = f"libraries can't be written there ({error.strerror}): {WRITABLE}"
+        raise OSError(error.errno, problem, str(folder)) from None
 
 
 def cache_folder() -> Path:

@@ -14,11 +14,12 @@ for a T that is not a rotation and a translation: scaled, sheared, mirrored, tra
 only rounded, to float32 or to six decimals, is read to within that rounding.
 
 Reading a pose and writing it again gives the same T to about 1e-15, at and near the singular
-orientations too. There the angles themselves are not unique: each function says which it returns.
+orientations too. There the angles themselves are not unique: each function documents which it
+returns.
 
 "Document 001" is one of the course texts that dhgen follows, a chapter on kinematics in French. Its
 sections 2.1.5 (axis and angle, quaternions) and 2.1.8 (Euler angles, roll-pitch-yaw) name these
-notations; what is taken from it stands here in full.
+notations; what is taken from it is written out here.
 """
 
 from __future__ import annotations
@@ -57,9 +58,9 @@ except ImportError:
 
     njit = overload = _plain_python
 
-# Compiled code finds this file, and no other text of it, among the modules that Python knows: the
-# name by which it was imported when that was made may be another one than now. In an archive there
-# is no file, and nothing compiled is kept.
+# Compiled code finds this file, and no other text of it, in sys.modules: when that was compiled it
+# may have been imported by another name than now. In an archive there is no file, and nothing
+# compiled is kept.
 _FILE = Path(__file__)
 _KEY = f"dhgen_pose {sha256(_FILE.read_bytes() if _FILE.is_file() else b'').hexdigest()[:16]}"
 sys.modules[_KEY] = ModuleType(_KEY)
@@ -470,7 +471,8 @@ def _rigid(T: Array) -> Array:
     """A float64 copy of T, which must be a rotation and a translation.
 
     The matrices equal to their cofactors are the rotations, right-handed only, and zero: each row
-    is the cross product of the next two, and the length of one row tells zero apart.
+    is the cross product of the next two, and the length of one row is that of zero or of a
+    rotation.
     """
     if T.shape != (4, 4):
         raise ValueError("T must have shape (4, 4)")

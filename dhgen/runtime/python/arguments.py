@@ -34,7 +34,7 @@ def numbers(values: Any, shape: object, name: str) -> FloatArray:  # noqa: ANN40
     """
     values = _matrix_of(values, name)
     try:
-        array = np.asarray(values, order="C")  # a number stays one: that is another shape
+        array = np.asarray(values, order="C")  # a number gets no axis: it has another shape
         if array.dtype != FLOAT:
             # numpy would drop imaginary parts, read texts and dates, and make NaN of None
             kind, objects = array.dtype.kind, array.ravel() if array.dtype.kind == "O" else ()
@@ -64,8 +64,8 @@ def _matrix_of(values: Any, name: str) -> Any:  # noqa: ANN401
         return values
     matrix = values.as_matrix()
     if np.shape(matrix)[-1:] == (3,):
-        told = f"put {name}.as_matrix() into the upper left of a matrix (4, 4)"
-        raise ValueError(f"{name} is a rotation without a position: {told}")
+        advice = f"put {name}.as_matrix() into the upper left of a matrix (4, 4)"
+        raise ValueError(f"{name} is a rotation without a position: {advice}")
     return matrix
 
 
@@ -99,7 +99,7 @@ def of_each(function: Callable[[FloatArray], Any], q: Any, dof: int) -> Any:  # 
 
     Args:
         function: Gets an array (dof,).
-        q: Joint values (dof,), or a stack (..., dof): then its results stand in a stack alike.
+        q: Joint values (dof,), or a stack (..., dof): then the results are stacked alike.
         dof: How many joint values.
 
     Raises:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Arrays by what they hold, for annotations; those that robots' functions fill."""
+"""Types of arrays by what they hold, for annotations, and makers of arrays to be filled."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ FITS = 3
 # What bounds of deviations are enlarged by for rounding [rad, arm sizes].
 ROUNDED_DEVIATION = 1e-10
 
-# What is said of a table, and of origins.
+# What is wrong with a table, or with origins.
 TAKEN, NOT_FINITE, ANOTHER_ARM, NO_MISS = range(4)
 
 JOINTS = 6
@@ -68,7 +68,7 @@ CELLS, PLACES = 4, 6  # numbers in a row of a table, and of an origin
 TABLE_SHAPE, ORIGINS_SHAPE = (JOINTS, CELLS), (JOINTS + 1, PLACES)
 TRIPLES = 4  # of axes side by side
 
-# Where the numbers of a kind stand in its array.
+# The places of a kind's numbers in its array.
 IS_MODIFIED = 0  # the convention of tables
 LENGTH = 1  # the size of the arm
 Z, E = 2, 14  # base and tool
@@ -235,11 +235,11 @@ def length_of(C: Floats) -> float:
 def turn_before(N: Floats, C: Floats) -> float:
     """Returns by how much a nominal link is to be turned about z: the axis behind is as behind C.
 
-    Axes that are far from parallel tell by their directions, others by where they are.
+    Computed from the directions of axes that are far from parallel, else from where they are.
     """
-    told = 2 if N[2] * N[2] + N[6] * N[6] > FAR_FROM_PARALLEL else 3
-    sine = N[told] * C[4 + told] - N[4 + told] * C[told]
-    return math.atan2(sine, N[told] * C[told] + N[4 + told] * C[4 + told])
+    column = 2 if N[2] * N[2] + N[6] * N[6] > FAR_FROM_PARALLEL else 3
+    sine = N[column] * C[4 + column] - N[4 + column] * C[column]
+    return math.atan2(sine, N[column] * C[column] + N[4 + column] * C[4 + column])
 
 
 @inner
@@ -274,9 +274,9 @@ def fit_constant(N: Floats, C: Floats) -> tuple[float, float, float]:
 def find_nearest(kind: Floats, of: Floats) -> None:
     """Finds the nominal arm as near to the calibrated one as what is free can take it.
 
-    Free are other zeros of its joints, another base and another tool, and where frames of the
-    calibrated arm stand on their axes: common normals of axes that are nearly parallel may be far
-    away. What is left between constants adds up to how far the tools may be apart: a rotation
+    Free are other zeros of its joints, another base and another tool, and the places of the
+    calibrated arm's frames on their axes: common normals of axes that are nearly parallel may be
+    far away. What is left between constants adds up to how far the tools may be apart: a rotation
     counts at the length of what is behind it.
     """
     constant = of[CONSTANT : CONSTANT + 84].reshape(7, 12)
@@ -311,7 +311,7 @@ def find_nearest(kind: Floats, of: Floats) -> None:
 def foot_on_axis(
     p0: float, p1: float, p2: float, u0: float, u1: float, u2: float
 ) -> tuple[float, float]:
-    """Returns where on the z axis the common normal with a line stands, and how far it is apart.
+    """Returns where the common normal with a line meets the z axis, and how far the line is apart.
 
     The line is a point of it and its direction.
     """
@@ -370,15 +370,15 @@ def is_length(number: int, is_table: bool) -> bool:
 
 
 @inner
-def said_of_numbers(kind: Floats, numbers: Floats, is_table: bool) -> int:
-    """Returns NOT_FINITE, or ANOTHER_ARM where one is larger than those of calibrations."""
-    said = TAKEN
+def fault_of_numbers(kind: Floats, numbers: Floats, is_table: bool) -> int:
+    """Returns NOT_FINITE, or ANOTHER_ARM where one is larger than in any calibration."""
+    fault = TAKEN
     for i in range(len(numbers)):
         if not math.isfinite(numbers[i]):
             return NOT_FINITE
         if abs(numbers[i]) > MOST_NUMBER * (kind[LENGTH] if is_length(i, is_table) else 1.0):
-            said = ANOTHER_ARM
-    return said
+            fault = ANOTHER_ARM
+    return fault
 
 
 @inner
@@ -408,16 +408,16 @@ def calibrate(kind: Floats, numbers: Floats, arm: Floats) -> int:
     """
     of, general = calibration_of(arm), descents_of(arm)
     is_table = len(numbers) == CELLS * JOINTS
-    said = said_of_numbers(kind, numbers, is_table)
-    if said == NOT_FINITE:
+    fault = fault_of_numbers(kind, numbers, is_table)
+    if fault == NOT_FINITE:
         for k in range(NUMBERS):
             of[k] = math.nan
         _fill_general(general, of)
-        return said
+        return fault
     constant = of[CONSTANT : CONSTANT + 84].reshape(7, 12)
     if is_table:
         constants_of(kind, numbers, constant)
     else:
         constants_of_origins(kind, numbers, constant)
     other = _work_out(kind, general, of)
-    return other if said == TAKEN else said
+    return other if fault == TAKEN else fault

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What a table makes of a calibrated arm: where its numbers stand, in the order of calibration.h.
+"""The numbers that a calibrated arm has from its table, and their places, as in calibration.h.
 
-They are worked out once and stand in the arm's array behind all others, from `arm[CALIBRATION]` on.
+They are computed once and are the last ones in the arm's array, from `arm[CALIBRATION]` on.
 Transforms are three rows of four.
 """
 
@@ -23,13 +23,13 @@ FACING = 84  # six: whether a joint counts its angle forwards, 1, or back, -1
 TURNED, MOVED = 90, 91
 LOOP = 92  # K0 ... K4, L and R of J(q1) K0 J(q2) ... K4 J(q6) = L T R
 SIZE = 176  # the length that is one in this loop
-LEFT, RIGHT = 177, 189  # from a pose T to that of the nearest arm, left T right
-MORE = 201  # six: what angles of the nearest arm are more than those of this
+LEFT, RIGHT = 177, 189  # the nearest arm's pose is left T right
+MORE = 201  # six: the nearest arm's angles minus this arm's
 NOMINAL = 207  # C0 ... C6 of the nearest arm at joint values of this
 NUMBERS = 291
 
 
 @OWN.inner
 def calibration_of(arm: Floats) -> Floats:
-    """The numbers of a calibrated arm that its table says."""
+    """The numbers of a calibrated arm that are computed from its table."""
     return arm[int(arm[CALIBRATION]) :]

@@ -33,7 +33,7 @@ ROWS: int
 choice: Choice
 kinematics: tuple[Callable[[Any], Any], ...]  # its functions of joint values, fk first
 velocities_at: Callable[[FloatArray, FloatArray], FloatArray]  # of a twist, compiled
-apart: tuple[Callable[[], None], ...]  # each compiles what stands apart in a file
+apart: tuple[Callable[[], None], ...]  # each compiles what is called by address in a file
 into: Callable[..., int]  # all solutions of a pose, merged into what calls it
 solve_many: Callable[..., None]  # all solutions of many poses, compiled
 zeros: Callable[[FloatArray], FloatArray]  # the seed where there is none
@@ -114,7 +114,7 @@ def ik_into(
             return unseeded(T, q, status)
         return seeded(T, q, status, q_seed)
     except Exception:
-        # Types and shapes are looked at in there: only who fails is told which array it is.
+        # Types and shapes are checked in there: only after an error is the array named.
         look_at(T, q, status, q_seed)
         raise
 
@@ -144,7 +144,7 @@ def ik_all(T: ArrayLike, q_seed: ArrayLike | None = None) -> tuple[FloatArray, S
         else:
             seeded(pose, q, status, array_of(q_seed, (DOF,), "q_seed"))
     except Exception:
-        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        # Shapes are checked in there: only after an error is the array looked for and named.
         array_of(T, (4, 4), "T")
         raise
     return q, status

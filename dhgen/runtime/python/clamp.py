@@ -26,10 +26,10 @@ if TYPE_CHECKING:
 
 OWN = of_file(__file__)
 
-# Joints that move by more on their way to a limit lead to another solution [rad, arm sizes]: a
+# A joint that moves by more on its way to a limit reaches another solution [rad, arm sizes]: a
 # nearly straight wrist turns far for next to nothing.
 MOST_CLAMPED = 1.5
-# From half way to one solution steps lead no farther than so many times the whole way.
+# Steps from half way to the same solution go no farther than so many times the whole way.
 HALF_WAY_ASIDE = 0.25
 
 

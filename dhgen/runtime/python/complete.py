@@ -67,7 +67,7 @@ def complete_rows(
 
 
 def compile_apart() -> None:
-    """Compiles the functions that stand apart, or gets them from numba's cache."""
+    """Compiles the functions that are called by address, or loads them from numba's cache."""
     OWN.compile_apart()
     for part in PARTS:
         part.OWN.compile_apart()

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 
 OWN = of_file(__file__)
 
-# Turns to each side of the one that takes a drive nearest to where it is wanted; in searches, which
-# ask again and again, fewer where more than three drives hang together.
+# Turns to each side of the one that takes a drive nearest to the wanted value; fewer in searches,
+# which choose turns many times, where more than three drives are coupled.
 COUPLED_TURNS, TURNS_OF_FOUR, TURNS_OF_MANY = 4, 2, 1
 
 # Places in the array of a coupling: two counts, the drives, then what each of them moves, the
@@ -170,7 +170,7 @@ def coupled_beyond(arm: Floats, q: Floats) -> float:
             pair = ends + 2 * dof + 2 * k
             slack = coupling[ends + 2 * dof + 2 * sums + k]
             total = sum_of(coupling, k, at[choice])
-            # the slack of a length is that of an angle, times the arm's size
+            # a length's slack is an angle's, times the arm's size
             off = _beyond_slack(total, coupling[pair], coupling[pair + 1], slack)
             beyond += LIMIT / slack * off
         least = min(least, beyond)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where rounding can't tell solutions apart the arm goes on with the one that it is at.
+"""Where solutions differ by less than rounding the arm goes on with the one that it is at.
 
 The seed may solve the pose with other joint values than the rows.
 """
@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
 OWN = of_file(__file__)
 
-# Half way to two rows as much is missed if by no more than so many times: then rounding says which
-# is least, and not alike in all languages. The first row is taken.
+# Half way to two rows the pose is missed equally if the ratio is less than this: which is less is
+# then rounding, and differs between languages. The first row is taken.
 ALIKE = 2.0
 
 
@@ -68,7 +68,7 @@ def follow_seed(
 ) -> None:
     """Gives the solution next to the seed a row unless it has one.
 
-    That of one beside it, that of one which it is told from by nothing, one that is left, or any.
+    The row of a solution close to it, of one that equals it to rounding, an empty row, or any.
     """
     dof, clamps = int(arm[DOF]), arm[CLAMPS] > 0.0
     x, half, e = np.empty(dof), np.empty(dof), np.empty(6)

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from .arrays import Floats, Ints
     from .jit import Compiling
 
-# What stands apart in files of the runtime, and the steps that need it.
+# Files of the runtime with functions that are called by address, and the steps that need them.
 APART = (
     (refine, (MERGES, CLAMPS, FOLLOWS_SEED)),
     (clamp, (CLAMPS,)),
@@ -106,7 +106,7 @@ class Solver:
         formulas: Of regular poses; None where there are none.
         counted: Which coordinates a pose names.
         given: How many values the caller gives besides the pose.
-        apart: Functions that compile what stands apart in a file, one for each.
+        apart: Functions that compile what is called by address in a file, one for each.
         at_once: Whether it is solved for all joints at once.
     """
 
@@ -159,7 +159,7 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
             unreachable(robot),
         ),
         "shapes": f"T, q and status must have shapes (4, 4), ({rows}, {dof}), ({rows},)",
-        "of_each": of_each,  # for the C, which stands in the places of functions
+        "of_each": of_each,  # for the C, whose functions replace these
         "given_must": f"q_free must have shape ({given},)",
         "__name__": robot["__name__"],
         **(solver.formulas.names(given) if solver.formulas else {}),

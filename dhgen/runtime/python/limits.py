@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 OWN = of_file(__file__)
 
-# Ranges wider than this leave next to no gap [rad]: beside a singular pose rounding leads across.
+# Ranges wider than this leave next to no gap [rad]: near a singular pose rounding crosses it.
 NEARLY_A_TURN = TURN - 0.1
 
 
@@ -60,8 +60,7 @@ def beyond_limits(arm: Floats, q: Floats) -> float:
 def past_an_end(arm: Floats, joint: int, value: float) -> float:
     """How far a joint value is past an end of its range; negative below.
 
-    Where the range is nearly a turn that is the value as it stands: turning it would lead across
-    the gap.
+    Where the range is nearly a turn the value is not turned: that would take it across the gap.
     """
     at = RECORD * joint
     if arm[WINDS] == 0.0 or arm[HIGHEST + at] - arm[LOWEST + at] < NEARLY_A_TURN:

@@ -34,7 +34,7 @@ arm: Floats
 settle: Callable[[Floats, Bytes, int], int]  # one of the two functions below `careful`
 robot: Callable[[], Robot]
 read_rows: Callable[[Floats], tuple[bool, Pose]]
-shapes: str  # what is said of arrays with another shape
+shapes: str  # the message for arrays of another shape
 given_must: str  # and of values that the caller gives
 regular: Callable[[Pose, Floats, Floats, Bytes], bool]  # one of the two functions below
 # Of the formulas of regular poses, where the robot has them:
@@ -48,7 +48,7 @@ formulas: Callable[[Floats, Floats, Floats, int], None]
 
 
 def never_regular(pose: Pose, q_free: Floats, q: Floats, status: Bytes) -> bool:  # noqa: ARG001
-    """What stands for fast code where there is none."""
+    """Replaces the fast code where there is none."""
     return False
 
 
@@ -102,7 +102,7 @@ def careful(pose: Pose, q_free: Floats, seed: Floats, q: Floats, status: Bytes) 
 
 
 def turned_alone(rows: Floats, kinds: Bytes, count: int) -> int:  # noqa: ARG001
-    """What stands for `turned_together` where each drive's whole turns are its own."""
+    """Replaces `turned_together` where each drive's whole turns are its own."""
     return count
 
 

@@ -104,9 +104,9 @@ class Functions:
             status[:] = INVALID_POSE
             return q[0], status[0]
         for number, leg in enumerate(self._legs):
-            rows, told = leg.module.ik_all(leg.pose(X), seed[number, : leg.module.DOF])
+            rows, statuses = leg.module.ik_all(leg.pose(X), seed[number, : leg.module.DOF])
             q[0, number, : len(rows), : rows.shape[1]] = rows
-            status[0, number, : len(told)] = told
+            status[0, number, : len(statuses)] = statuses
         self._refuse(q, status)
         return q[0], status[0]
 
@@ -124,16 +124,16 @@ class Functions:
         poses = np.empty((len(X), len(self._legs), 4, 4))
         place_ends(X, self._bases, self._ends, poses)
         if len(self._chains) == 1:
-            rows, told = self._chains[0][0].ik_batch(poses.reshape(-1, 4, 4))
+            rows, statuses = self._chains[0][0].ik_batch(poses.reshape(-1, 4, 4))
             q = rows.reshape(*poses.shape[:2], *rows.shape[1:])
-            status = told.reshape(q.shape[:3])
+            status = statuses.reshape(q.shape[:3])
         else:
             q, status = self._nothing(len(X))
             for module, numbers in self._chains:
-                rows, told = module.ik_batch(poses[:, numbers].reshape(-1, 4, 4))
+                rows, statuses = module.ik_batch(poses[:, numbers].reshape(-1, 4, 4))
                 places = len(X), len(numbers), *rows.shape[1:]
                 q[:, numbers, : places[2], : places[3]] = rows.reshape(places)
-                status[:, numbers, : places[2]] = told.reshape(places[:3])
+                status[:, numbers, : places[2]] = statuses.reshape(places[:3])
         status[~valid] = INVALID_POSE
         self._refuse(q, status)
         return q, status

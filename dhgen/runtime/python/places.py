@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Where an arm's numbers stand in the array that the runtime around closed forms gets.
+"""The places of an arm's numbers in the array that the runtime around closed forms gets.
 
 0 ... JOINTS      the arm's own: sizes, steps, lists of places
 JOINTS ...        a record for each joint, then the numbers that descents work on, the coupling,
-                  and what a table that comes at run time says
+                  and the numbers of a table that comes at run time
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ TOGETHER = CHOOSABLE + 1 + MOST  # that may have to be chosen together
 ENTRIES = TOGETHER + 1 + MOST  # of a pose that count, in sixteen numbers
 ROOT_TURNS = ENTRIES + 1 + MOST  # whose values add up to a root of a polynomial, each with its sign
 
-# The record of a joint, and where its numbers stand for the first of them.
+# The record of a joint, and the places of the first one's numbers.
 JOINTS = ROOT_TURNS + 1 + MOST
 RECORD = 7
 LOWEST, HIGHEST = JOINTS, JOINTS + 1  # the limits, with the slack for rounding [rad or length]

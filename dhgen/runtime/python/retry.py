@@ -302,7 +302,7 @@ def retry_free_joint(
 
 @OWN.inner
 def _is_hopeless(task: Task, search: Search, seed: Floats, found: Found) -> bool:
-    """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
+    """Whether a joint beyond its limits is fixed while the one that is searched moves."""
     row = search[0]
     attempt(task, search, seed, 0.0, found)
     if shortfall(task, row, found) < 0.0:

@@ -55,5 +55,5 @@ def near(arm: Floats, joint: int, value: float, towards: float) -> float:
 
 @OWN.inner
 def without_turns(angle: float) -> float:
-    """An angle without its whole turns, by which a search could not tell small moves."""
+    """An angle without its whole turns, beside which a search would lose small moves."""
     return math.copysign(abs(angle) % TURN, angle)

@@ -10,9 +10,9 @@
 
 /* More than 16 roots of a kind come from rounding. */
 #define DHGEN_ROOTS 24
-/* Rounding of f in its largest value, at least this; more when the harmonics beyond the eighth say
- * so. They show little of errors that samples have alike, where four roots meet up to thirty times
- * less. */
+/* Rounding of f in its largest value, at least this; more when the harmonics beyond the eighth are
+ * larger. These show only part of an error that all samples share: where four roots meet, down to a
+ * thirtieth. */
 #define DHGEN_ROUNDING 3e-15
 #define DHGEN_NOISE_FACTOR 64.0
 /* Where four roots meet the bend is next to nothing, too, and rounding of the equations, which no
@@ -24,7 +24,7 @@ typedef struct {
     double a[9], b[9];
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
-    double rounding; /* how far f may be from what it stands for */
+    double rounding; /* how far f may be from the polynomial */
     double touching; /* how far an extremum may be lifted for roots to meet there */
 } dhgen_trigonometric;
 
@@ -34,9 +34,9 @@ typedef struct {
 } dhgen_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f (two roots, none or one); behind these stand `unseen` places where a
- * closer look shows no root. At `lifted` places f turns back beside zero: no root, unless rounding
- * of what f is made of has lifted it off. `complete` says that no cell was given up. */
+ * within the rounding of f (two roots, none or one); then come `unseen` places where a closer look
+ * shows no root. At `lifted` places f turns back beside zero: no root, unless rounding of what f is
+ * made of has lifted it off. `complete`: no cell was given up. */
 typedef struct {
     int simple, doubles, unseen, lifted, complete;
     double c[DHGEN_ROOTS + 8], s[DHGEN_ROOTS + 8];
@@ -100,7 +100,7 @@ DHGEN_FN void dhgen_fill_grid(const dhgen_trigonometric *f, dhgen_grid *g)
 {
     const double *const a = f->a, *const b = f->b;
     for (int i = 0; i < DHGEN_HALF_CELLS; i += DHGEN_GENERAL_LANES) {
-        /* even multiples, the same half a turn on; odd ones, the opposite there */
+        /* sums of even multiples, equal half a turn on, and of odd ones, opposite there */
         dhgen_lane even = dhgen_lane_all(a[0]), odd = dhgen_lane_all(0.0);
         dhgen_lane even_slope = odd, odd_slope = odd;
         DHGEN_UNROLL

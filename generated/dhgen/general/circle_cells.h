@@ -15,9 +15,9 @@
 /* The quintic through f, f', f'' at both ends of a cell misses f by at most WIDTH^6 8^6 / 46080
  * = 1.3e-9 of its largest value. */
 #define DHGEN_QUINTIC 2e-09
-/* The Bernstein coefficients of the cubic through f and f' at both ends miss those of the quintic
- * by at most WIDTH^4 8^4 / 240 = 6e-6: what they leave out has no root, nor one that is lifted off.
- */
+/* The cubic through f and f' at both ends differs from the quintic in Bernstein coefficients by at
+ * most WIDTH^4 8^4 / 240 = 6e-6: cells that it excludes have no root, nor one that is lifted
+ * off. */
 #define DHGEN_CUBIC 2e-05
 
 /* What is known about f in a part of the circle. */
@@ -50,8 +50,7 @@ DHGEN_INLINE void dhgen_classify_lanes(
         least[2] = dhgen_lane_min(least[2], second);
         most[2] = dhgen_lane_max(most[2], second);
     }
-    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
-     */
+    /* rounding of f' and f'' shrinks with the width, down to that of the quintic's ends */
     DHGEN_STORE(bounds[0], least[0]);
     DHGEN_STORE(bounds[1], most[0]);
     DHGEN_STORE(bounds[2], dhgen_lane_max(least[1], -most[1]) - doubt * share);
@@ -84,8 +83,8 @@ DHGEN_FN int dhgen_classify(
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. A part that is
- * given up stands among the double roots with both its ends: a closer look that shows one of them
- * need not reach to the other. */
+ * given up puts both its ends among the double roots: a closer look that shows one of them need not
+ * reach to the other. */
 DHGEN_FN void dhgen_halve_cell(const dhgen_trigonometric *f, double low, double c, double s,
     const double first[3], const double last[3], int *budget, dhgen_waiting *waiting,
     dhgen_roots *roots)

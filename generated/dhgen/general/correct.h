@@ -18,7 +18,7 @@
 #define DHGEN_LAST_MISS 1e-05
 /* Solutions of which some joint differs by more are not about to meet [rad]. */
 #define DHGEN_WELL_APART 0.01
-/* The tolerance `exact`: the loop of an exact solution stays open by no more [rad, arm sizes]. */
+/* The tolerance `exact`: the loop of an exact solution is open by no more [rad, arm sizes]. */
 #define DHGEN_LOOP_EXACT 1e-12
 
 /* What the pose's solutions have in common: the way back from joint 3 to joint 1, and the twist of
@@ -27,7 +27,7 @@
 typedef struct {
     double back_1[12], back_0[12]; /* the inverses of K1 and K0 */
     double axis_4[6];
-    int pivot, other[4]; /* the place of that entry, and those of the others */
+    int pivot, other[4]; /* the place of that entry, and of the other ones */
     double per_pivot;
 } dhgen_middle;
 
@@ -215,8 +215,8 @@ DHGEN_INLINE dhgen_lane dhgen_correct_lanes(const dhgen_loop *loop, const dhgen_
         square <= DHGEN_LAST_MISS * DHGEN_LAST_MISS, sum * sum, dhgen_lane_all(1.0));
 }
 
-/* An angle within a turn and a half of zero, in (-pi, pi]: half a turn is +pi, also when rounding
- * says otherwise. */
+/* An angle within a turn and a half of zero, in (-pi, pi]: half a turn is +pi, whatever rounding
+ * makes of it. */
 DHGEN_INLINE dhgen_lane dhgen_lane_wrap(dhgen_lane angle)
 {
     const dhgen_lane half = dhgen_lane_all(DHGEN_HALF_TURN), turn = half + half;
@@ -225,7 +225,7 @@ DHGEN_INLINE dhgen_lane dhgen_lane_wrap(dhgen_lane angle)
     return dhgen_lane_select(angle < -DHGEN_ALMOST_PI, half, angle);
 }
 
-/* Takes angles of the loop from near to solutions to these, and tells by how much it stays open
+/* Refines angles of the loop that are near to solutions, and computes by how much it is open
  * there. */
 DHGEN_FN void dhgen_correct_angles(
     const dhgen_loop *loop, double (*angle)[6], int count, double *residual)

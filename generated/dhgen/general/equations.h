@@ -10,8 +10,8 @@
 /* Equations that the monomials of the right side are eliminated from. */
 #define DHGEN_MIXED 14
 
-/* Monomials of the left side that the outer joint of the right side leaves alone, and those that it
- * mixes: the former hold two of the eight monomials of the right side, the latter six. */
+/* Monomials of the left side that the outer joint of the right side leaves alone, and monomials
+ * that it mixes: the former hold two of the eight monomials of the right side, the latter six. */
 DHGEN_TABLE int dhgen_still[6] = { 3, 6, 7, 8, 11, 14 };
 DHGEN_TABLE int dhgen_mixed[8] = { 1, 2, 4, 5, 9, 10, 12, 13 };
 
@@ -41,8 +41,8 @@ DHGEN_FN void dhgen_pass_link(const double K[12], const double from[240], int co
 }
 
 /* Reflections that clear the columns of A, one after the other and all that follow in lanes; `axis`
- * and `factor` say how to reflect others. The products of a column with all are summed at once, its
- * own square among them. */
+ * and `factor` are the reflections, for other columns. The products of a column with all are summed
+ * at once, its own square among them. */
 DHGEN_INLINE void dhgen_clear_columns(
     double A[DHGEN_MIXED][8], int rows, int columns, double axis[8][DHGEN_MIXED], double factor[8])
 {

@@ -34,8 +34,8 @@
 #define DHGEN_HALF_PI 1.5707963267948966
 #define DHGEN_QUARTER_PI 0.7853981633974483
 
-/* Loops of few rounds over lanes: compilers leave them as they are where there are many operations,
- * and what could stay in registers goes through memory. */
+/* Loops of few rounds over lanes: compilers do not unroll them where there are many operations, and
+ * what would fit in registers goes through memory. */
 #if DHGEN_GENERAL_LANES == 1 || defined(__OPTIMIZE_SIZE__)
 #define DHGEN_UNROLL
 #elif defined(__clang__)
@@ -121,8 +121,8 @@ DHGEN_INLINE dhgen_lane dhgen_lane_sqrt(dhgen_lane x)
     return r;
 #endif
 }
-/* Added and taken away again this leaves the nearest integer, and its last bits in those of the
- * sum: 1.5 * 2^52. */
+/* Added and taken away again this leaves the nearest integer, whose last bits are the last bits of
+ * the sum: 1.5 * 2^52. */
 #define DHGEN_TO_INTEGER 6755399441055744.0
 /* pi/2 in two parts, of which a small integer times the first is exact. */
 #define DHGEN_HALF_PI_HIGH 1.5707963267341256

@@ -62,7 +62,7 @@ DHGEN_FN void dhgen_close_loop(
         const dhgen_given_joint *const given = &arm->given[i];
         value[i].value = given->sign * free_joints[i] + given->offset;
         for (int k = 0; given->shares && k < arm->given_joints; k++) {
-            if (fabs(given->shares[k]) > 0.0) { /* an offset of -0.0 stays what it is */
+            if (fabs(given->shares[k]) > 0.0) { /* an offset of -0.0 keeps its sign */
                 value[i].value += given->shares[k] * free_joints[k];
             }
         }

@@ -136,8 +136,8 @@ DHGEN_FN void dhgen_determinant_near(
     }
 }
 
-/* The roots in brackets, by the line between their ends; of an end that stays twice the line counts
- * half. */
+/* The roots in brackets, by the line between their ends; an end that is kept twice has its value
+ * halved. */
 DHGEN_FN void dhgen_close_brackets(
     const double *E, double c, double s, double x[2][8], double f[2][8], double root[8])
 {
@@ -175,8 +175,8 @@ DHGEN_FN int dhgen_add_brackets(
     return count;
 }
 
-/* Of eight values the one that is nearest to zero among those whose neighbours are farther from it
- * on the same side; 0 where there is none. */
+/* Of eight values the one nearest to zero whose neighbours are farther from it on the same side; 0
+ * where there is none. */
 DHGEN_FN int dhgen_turning_back(const double f[8])
 {
     int least = 0;

@@ -6,8 +6,8 @@
 
 #include "closed_polynomial.h"
 
-/* Of the four ways to place the plane and the elbow, those are tried for which axis 4 is this
- * nearly at right angles to z5, as a cosine: another one may have its root close by. */
+/* The ways, of four, to place the plane and the elbow are tried for which axis 4 is this nearly at
+ * right angles to z5, as a cosine: another one may have its root close by. */
 #define DHGEN_NEARLY_RIGHT 0.01
 /* W is this close to axis 1, or to S [arm sizes]: the plane is not determined. */
 #define DHGEN_BARELY 1e-12

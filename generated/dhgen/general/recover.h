@@ -48,9 +48,9 @@ DHGEN_FN void dhgen_turning_invariants(
 }
 
 /* With a slide on the right side the terms a c + b s + w of invariants of B = Rz K Rz(phi5) M Tz,
- * its third row; or, where phi5 is a length, the terms b d + w of those of B = Rz K Tz(d) M Rz that
- * are linear in it, p_z, p.l and (p x l)_z; and the matrix that solves them for c and s by least
- * squares. */
+ * its third row; or, where phi5 is a length, the terms b d + w of the invariants of B = Rz K Tz(d)
+ * M Rz that are linear in it, p_z, p.l and (p x l)_z; and the matrix that solves them for c and s
+ * by least squares. */
 DHGEN_FN void dhgen_sliding_invariants(const dhgen_general_arm *arm, const int joint[6],
     const double K[12], const double M[12], double w[5], double solve[2][5])
 {
@@ -122,7 +122,7 @@ DHGEN_INLINE void dhgen_partners(const dhgen_general_arm *arm, const int joint[6
 }
 
 /* Without a slide on the right side phi_4, phi_5, phi_6 from phi_1, phi_2, phi_3; `w` and `solve`
- * are those of the invariants. */
+ * belong to the invariants. */
 DHGEN_INLINE void dhgen_turning_others(const dhgen_general_arm *arm, const int joint[6],
     double link[6][12], const double w[5], double solve[2][5], dhgen_lane c[6], dhgen_lane s[6])
 {
@@ -172,8 +172,8 @@ DHGEN_INLINE void dhgen_turning_others(const dhgen_general_arm *arm, const int j
     dhgen_normalize(&c[5], &s[5]);
 }
 
-/* With a slide on the right side phi_4, phi_5, phi_6 from phi_1, phi_2, phi_3; `w` and `solve` are
- * those of the invariants. */
+/* With a slide on the right side phi_4, phi_5, phi_6 from phi_1, phi_2, phi_3; `w` and `solve`
+ * belong to the invariants. */
 DHGEN_INLINE void dhgen_sliding_others(const dhgen_general_arm *arm, const int joint[6],
     double link[6][12], const double w[5], double solve[2][5], dhgen_lane c[6], dhgen_lane s[6])
 {
@@ -244,7 +244,7 @@ DHGEN_INLINE void dhgen_sliding_others(const dhgen_general_arm *arm, const int j
     dhgen_normalize(&c[5], &s[5]);
 }
 
-/* phi_4, phi_5, phi_6 from phi_1, phi_2, phi_3; `w` and `solve` are those of the invariants. */
+/* phi_4, phi_5, phi_6 from phi_1, phi_2, phi_3; `w` and `solve` belong to the invariants. */
 DHGEN_INLINE void dhgen_others(const dhgen_general_arm *arm, const int joint[6], double link[6][12],
     const double w[5], double solve[2][5], dhgen_lane c[6], dhgen_lane s[6])
 {

@@ -77,7 +77,7 @@ DHGEN_INLINE dhgen_lane dhgen_loop_error(
 }
 
 /* A step of Newton: the least-squares solution of J x = error by reflections. Where a diagonal is
- * next to nothing the step stays zero instead of leaping. Returns the smallest diagonal over the
+ * next to nothing the step is zero instead of leaping. Returns the smallest diagonal over the
  * largest. */
 DHGEN_INLINE dhgen_lane dhgen_newton_step(dhgen_lane J[6][7], dhgen_lane x[6])
 {

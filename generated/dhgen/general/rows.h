@@ -13,9 +13,9 @@
 #if DHGEN_AHEAD < DHGEN_PLACES + DHGEN_FEW_STARTS
 #error "what both offer has to have room ahead"
 #endif
-/* Beyond this angle of the turn that the arm does not have it can't take the pose [rad]; the same
- * where the certificate fails; and within which the turn is none, and the solution needs no
- * descent. */
+/* Bounds of the turn that the arm does not have [rad]: above the first it can't take the pose;
+ * above the second, where the certificate fails; below the third the turn is zero, and the solution
+ * needs no descent. */
 #define DHGEN_NEARLY_NONE 0.01
 #define DHGEN_NEARLY_NONE_IN_DOUBT 0.1
 #define DHGEN_NO_TURN 1e-12
@@ -29,7 +29,7 @@ DHGEN_FN void dhgen_keep_regular(
     dhgen_copy_units(arm, u, kept->u[kept->count++]);
 }
 
-/* A pose whose z axis is that of T: any turn about the tool's axis serves (T. Duff et al., 2017: an
+/* A pose with the z axis of T: any turn about the tool's axis works (T. Duff et al., 2017: an
  * orthonormal basis of z). */
 DHGEN_FN void dhgen_choose_spin(const double *T, double *whole)
 {
@@ -54,8 +54,8 @@ DHGEN_FN void dhgen_from_loop(const struct dhgen_descent *d, const double *angle
         u[j] = arm->facing[j] * (angles[j] - arm->zero[j]) / arm->unit[j];
 }
 
-/* Adds joint values to those ahead, from where a descent leads; unless it leads to no solution that
- * is `enough`. */
+/* Adds the joint values where a descent ends to the solutions ahead, unless they miss the pose by
+ * more than `enough`. */
 DHGEN_FN void dhgen_look_ahead(
     struct dhgen_descent *d, struct dhgen_ahead *ahead, const double *u, double enough)
 {
@@ -65,7 +65,7 @@ DHGEN_FN void dhgen_look_ahead(
         ahead->passed[ahead->count++] = 0;
 }
 
-/* Adds what descents from these starts find to those ahead; start 0 is the seed. */
+/* Adds what descents from these starts find to the solutions ahead; start 0 is the seed. */
 DHGEN_FN void dhgen_look_from_starts(
     struct dhgen_descent *d, struct dhgen_ahead *ahead, int first, int end)
 {

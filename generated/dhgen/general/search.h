@@ -25,8 +25,8 @@
 /* Singular solutions closer than this may be one, which their last digits show [rad, arm sizes]. */
 #define DHGEN_SINGULAR_TOGETHER 0.001
 
-/* From a pose to poses close by, for those at which the formulations fail: where roots crowd, they
- * come apart only at some distance. */
+/* From a pose to poses close by, where the formulations fail: where roots crowd, they come apart
+ * only at some distance. */
 #define DHGEN_NUDGES 10
 
 DHGEN_TABLE double dhgen_nudge[DHGEN_NUDGES][12] = {
@@ -89,7 +89,8 @@ DHGEN_FN int dhgen_try_all(const dhgen_loop *loop, dhgen_found *found)
 }
 
 /* Adds the solutions that Newton's method finds from `count` rows of joint values, far from or near
- * to solutions; returns which these are, and counts in `lost` the starts that lead to none. */
+ * to solutions; returns which these are, and counts in `lost` the starts from which it finds
+ * none. */
 DHGEN_FN dhgen_solution_set dhgen_refine_from(
     const dhgen_loop *loop, double (*start)[6], int count, dhgen_found *found, int *lost)
 {
@@ -147,7 +148,7 @@ DHGEN_FN int dhgen_search_nearby_poses(const dhgen_loop *loop, dhgen_found *foun
     return followed && dhgen_is_paired(found);
 }
 
-/* Adds the solutions that Newton's method finds from many starts, the same on every run and in both
+/* Adds the solutions that Newton's method finds from many starts, equal on every run and in both
  * languages. */
 DHGEN_FN void dhgen_search_everywhere(const dhgen_loop *loop, dhgen_found *found)
 {

@@ -16,7 +16,7 @@
 /* Below this it is nearly singular: copies of a singular solution, as far away from it as a miss of
  * 1e-10 leaves them, are no less so. */
 #define DHGEN_NEARLY_SINGULAR_PIVOT 0.0001
-/* The tolerance `polished`: by how much the loop of a solution may stay open [rad, arm sizes]. */
+/* The tolerance `polished`: by how much the loop of a solution may be open [rad, arm sizes]. */
 #define DHGEN_LOOP_RESIDUAL 1e-10
 /* Beyond this an angle below zero is half a turn that was rounded [rad]. */
 #define DHGEN_ALMOST_PI 3.141592653589783
@@ -112,7 +112,7 @@ DHGEN_FN dhgen_solution_set dhgen_keep_lanes(const dhgen_loop *loop, const dhgen
     for (int k = 0; k < count; k++) {
         double row[6];
         for (int i = 0; i < 6; i++) {
-            /* half a turn is +pi, also when rounding says otherwise */
+            /* half a turn is +pi, whatever rounding makes of it */
             row[i] = theta[i][k] < -DHGEN_ALMOST_PI && !dhgen_is_slide(loop->arm, i)
                 ? DHGEN_HALF_TURN
                 : theta[i][k];

@@ -11,16 +11,17 @@
 /* Steps of a row that is not exact. Double roots take a quarter off with each; beside a singular
  * place a joint that is nearly free may be anywhere, and three steps are one of it. */
 #define DHGEN_ROW_STEPS 72
-/* Where many solutions meet steps stay where the arm is singular and get slow. From both sides of
- * it they lead further, as often as this, while less than this part of the miss is left. */
+/* Where many solutions meet the steps end on singular joint values and get slow. They go on from
+ * both sides of these, as often as this, while less than this part of the miss is left. */
 #define DHGEN_ESCAPES 8
 #define DHGEN_STUCK 0.9
 /* Steps that miss by less than this part of what counts as exact have come to an end. */
 #define DHGEN_SPARE 0.001
-/* A step longer than this would lead elsewhere [rad, arm sizes]: a row is not known yet. */
+/* A row whose step is longer than this is not known yet: the step may reach another solution [rad,
+ * arm sizes]. */
 #define DHGEN_SURE 0.0001
 /* The least miss of a pose that is rounded is found where steps are no longer than this [rad, arm
- * sizes]: far above their rounding, far below what tells two solutions apart. */
+ * sizes]: far above their rounding, far below the distance of two solutions. */
 #define DHGEN_SETTLED 1e-9
 /* So many times what counts as exact is still a solution. So many times what a solution may miss a
  * rounded pose by is not far from one. */
@@ -131,8 +132,8 @@ DHGEN_FN double dhgen_escape(struct dhgen_descent *d, double exact, double *q)
     return least;
 }
 
-/* Takes a row to where least squares lead, unless it is exact. Where the task names more than the
- * joints can choose, a row that can't be exact stays, if it misses the pose by what that may be
+/* Refines a row by least squares, unless it is exact. Where the task names more than the joints can
+ * choose, a row that can't be exact is kept if it misses the pose by no more than that may be
  * rounded by; if it misses it by more it is taken to the least miss: equations that hold few digits
  * of a joint make far more of the rounding. Returns by how much the row misses the pose then,
  * `first` being what it misses before. */
@@ -146,7 +147,7 @@ DHGEN_FN double dhgen_refine_row(
     if (arm->arm_angle) {
         arm->arm_angle_miss(d->T, d->free_joints, q, off);
         if (fabs(off[0]) > DHGEN_DOUBTFUL)
-            return HUGE_VAL; /* out of reach: rounding did not lead here */
+            return HUGE_VAL; /* out of reach: not a matter of rounding */
     }
     for (int i = 0; i < dhgen_dof(arm); i++)
         end[i] = q[i];
@@ -205,9 +206,8 @@ DHGEN_FN double dhgen_enough_in_rows(
     return least <= exact ? exact : arm->residual;
 }
 
-/* Refines the rows; empties those that miss the pose then, and all but one of those that have
- * become one solution. Returns whether there are rows that missed the pose by more than it may be
- * rounded by, and miss it by less now. */
+/* Refines the rows; empties rows that miss the pose then, and duplicates. Returns whether there are
+ * rows that missed the pose by more than it may be rounded by, and miss it by less now. */
 DHGEN_FN int dhgen_refine_rows(const struct dhgen_arm *arm, const double *T,
     const double *free_joints, const double *seed, double *q, unsigned char *status)
 {

@@ -2,7 +2,7 @@
  *
  * A pose was left without a row after a joint had been chosen, or with rows that are not exact or
  * beyond limits: several joints may be free, and few of their values work. Steps from the seed and
- * from evenly spread starts lead to some that do. */
+ * from evenly spread starts find some that do. */
 #ifndef DHGEN_NUMERICAL_SEARCH_LOST_ROWS_H
 #define DHGEN_NUMERICAL_SEARCH_LOST_ROWS_H
 
@@ -72,9 +72,9 @@ DHGEN_FN double dhgen_search_from(
     return miss;
 }
 
-/* Searches joint values with less wrong with them than with those of the rows, for row `begun`, or
- * for one that has a free joint where only limits are at fault. Of rows that were `fitted` to a
- * pose that may be rounded only exact values take the place. */
+/* Searches joint values with less wrong with them than the rows have, for row `begun`, or for one
+ * that has a free joint where only limits are at fault. Of rows that were `fitted` to a pose that
+ * may be rounded only exact values take the place. */
 DHGEN_FN void dhgen_search_lost_rows(const struct dhgen_arm *arm, const double *T,
     const double *free_joints, const double *seed, int begun, int fitted, double *q,
     unsigned char *status)

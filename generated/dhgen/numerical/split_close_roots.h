@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Roots that nearly meet: a row of them may lie between two solutions that differ by anything in a
- * joint that is nearly free. Steps from it lead to one; the root of the other is as far from it on
+ * joint that is nearly free. Steps from it reach one; the root of the other is as far from it on
  * the other side. A row may have taken the seed's value for its root, which is one of the two and
  * hides the middle: the roots' own rows have a seed that is turned away. */
 #ifndef DHGEN_NUMERICAL_SPLIT_CLOSE_ROOTS_H
@@ -14,24 +14,24 @@
 /* How far a seed is turned so that no close root takes its value [rad]: beyond a right angle, where
  * the hidden root is, and no part of a turn, where others are at home poses. */
 #define DHGEN_TURNED_AWAY 2.0
-/* How far the root of a row is moved where steps from it lead nowhere: to both sides by this power
- * of two [rad], then by less and less. */
+/* How far the root of a row is moved where steps from it reach no solution: to both sides by this
+ * power of two [rad], then by less and less. */
 #define DHGEN_FIRST_POWER 15
 #define DHGEN_LAST_POWER 39
 #define DHGEN_POWER_STEP 3
 /* Where the other of two solutions is looked for, as parts of the way from their double root to
- * one; at none of it where the one came from the seed, and the root itself may lead to the other.
- */
+ * one; at none of it where the one came from the seed, and the other may be reached from the root
+ * itself. */
 DHGEN_TABLE double dhgen_across[5] = { 0.0, -1.0, -2.0, -0.5, -4.0 };
 
-/* The rows of a pose while those of close roots are split. */
+/* The rows of a pose while rows of close roots are split. */
 struct dhgen_close_rows {
     const struct dhgen_arm *arm;
     struct dhgen_descent d;
     double exact, away[DHGEN_JOINTS]; /* what an exact row may miss; a seed that is turned away */
-    double own[DHGEN_BRANCHES * DHGEN_JOINTS];      /* the rows of the roots themselves */
-    double known[2 * DHGEN_BRANCHES][DHGEN_JOINTS]; /* solutions, first those of the other rows */
-    int count, others;                              /* solutions; of them of the other rows */
+    double own[DHGEN_BRANCHES * DHGEN_JOINTS];           /* the rows of the roots themselves */
+    double known[2 * DHGEN_BRANCHES][DHGEN_JOINTS];      /* solutions, first the other rows' */
+    int count, others;                                   /* solutions; of them of the other rows */
     int doubtful[DHGEN_BRANCHES], found[DHGEN_BRANCHES]; /* rows; whether they have a solution */
     double end[DHGEN_BRANCHES][DHGEN_JOINTS];            /* the solution of a row */
     double off[DHGEN_BRANCHES];                          /* how far its root is from the row's */
@@ -69,14 +69,14 @@ DHGEN_FN int dhgen_is_new(struct dhgen_close_rows *rows, int count, const double
     return 1;
 }
 
-/* Puts a solution behind those that are known, unless it is one of them. */
+/* Puts a solution behind the known ones, unless it is one of them. */
 DHGEN_FN void dhgen_add_known(struct dhgen_close_rows *rows, const double *q)
 {
     if (dhgen_is_new(rows, rows->count, q))
         dhgen_copy_row(rows->arm, q, rows->known[rows->count++]);
 }
 
-/* Whether the row of a root that is moved leads to a solution, `end`, that no other row has. */
+/* Whether steps from the row of a moved root reach a solution, `end`, that no other row has. */
 DHGEN_FN int dhgen_leads_elsewhere(
     struct dhgen_close_rows *rows, double angle, int row, double *end)
 {
@@ -124,7 +124,7 @@ DHGEN_FN int dhgen_find_doubtful(
     return any;
 }
 
-/* Finds a solution from a row: from itself, or from where its root is moved. Long steps may lead to
+/* Finds a solution from a row: from itself, or from where its root is moved. Long steps may reach
  * solutions of other roots, which are known. */
 DHGEN_FN int dhgen_find_first(struct dhgen_close_rows *rows, int row, double *end)
 {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What becomes of a candidate: a solution that is new, one that is known, or none.
 
-`marks` say of each solution whether the arm is singular there (bit 0), or nearly so (bit 1).
+`marks` holds for each solution whether the arm is singular there (bit 0), or nearly so (bit 1).
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ SINGULAR = 1e-6
 # Below this it is nearly singular: copies of a singular solution, as far away from it as a miss of
 # 1e-10 leaves them, are no less so.
 NEARLY_SINGULAR = 1e-4
-ALMOST_PI = math.pi - 1e-14  # half a turn is +pi, also when rounding says otherwise
+ALMOST_PI = math.pi - 1e-14  # half a turn is +pi, whatever rounding makes of it
 
 
 @inner
@@ -116,7 +116,7 @@ def keep_solution(
         arm: The numbers of the arm.
         c: Cosines of its joints in the loop.
         s: Sines.
-        missing: By how much the loop stays open.
+        missing: By how much the loop is open.
         least: The smallest pivot of the Jacobian over the largest.
         q: The solutions so far.
         residual: Their misses.

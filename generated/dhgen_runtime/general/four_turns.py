@@ -41,7 +41,7 @@ FARTHEST = 1e4  # times the sine between the slides: as far as they reach [arm s
 # all around the circle: its root is how far a double root may be off.
 MOVED = 1e-14
 # Where the third turn's axis is parallel to the one before or behind it, the entry zz does not give
-# this turn, and roots say nothing of solutions: the square of the product of the sines between
+# this turn, and roots don't determine solutions: the square of the product of the sines between
 # these axes.
 NO_ANGLE = 1e-18
 # Where the axes of the second and the fourth turn are parallel only the sum of these angles is
@@ -65,7 +65,7 @@ def split_links(arm: Floats, joints: Ints, links: Floats, between: Floats) -> No
 
 @inner
 def shows_all(between: Floats, roots: Floats, counts: Ints) -> bool:
-    """Whether every solution has a root, and every root says what its solution is."""
+    """Whether every solution has a root, and every root determines its solution."""
     B, C = between[1], between[2]
     plain = bool((B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > NO_ANGLE)
     for double in range(2):
@@ -224,8 +224,8 @@ def four_turns_joints(
 
     They follow from the hidden turn. Way 0 is the better branch. Returns 1 if it is to be tried:
     way 1, the other one, where its determinant is small, too, as a double root may be one of each.
-    2 says that the slides are parallel, and as the translation is not along them, they would have
-    to reach too far.
+    2 if the slides are parallel, and as the translation is not along them, they would have to reach
+    too far.
     """
     delta, _, turns, vectors, U, V = _around_once(arm, joints, links, between, c1, s1)
     root = math.sqrt(max(delta, 0.0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The nearest arm with a structure: joint values that lead to all solutions, and postures.
+"""The nearest arm with a structure: joint values next to all solutions, and postures.
 
 `of_nearest` makes the compiled functions anew for a robot, with the names that are declared below.
 """
@@ -50,12 +50,12 @@ nearest: Floats  # the places below
 places: Ints  # of the values of the loop's joints in each row, (rows, 6)
 filled_at: Callable[[Floats, Floats, float, float], tuple[Floats, bool]]
 
-# Where numbers of a nearest arm stand in its array.
+# The places of a nearest arm's numbers in its array.
 TURNED, MOVED = 0, 1  # how far its tool may be from that of the arm [rad, length]
-LEFT, RIGHT = 2, 14  # from a pose T to that of the nearest arm, left T right
-OFFSETS = 26  # six: what its angles are more than those of the loop
+LEFT, RIGHT = 2, 14  # the nearest arm's pose is left T right
+OFFSETS = 26  # six: its angles minus the loop's
 SOLVED = 32  # six: the places of the joints that are solved for
-LINKS = 38  # C0 ... Cn of its pose C0 Rz(angle 1) C1 ... Rz(angle n) Cn; angles stand behind them
+LINKS = 38  # C0 ... Cn of its pose C0 Rz(angle 1) C1 ... Rz(angle n) Cn; then its angles
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,8 +65,8 @@ class Nearest:
     Attributes:
         turned: By how much its tool and that of the arm are turned at most [rad].
         moved: By how much they are apart.
-        left: What stands before a pose to make it this arm's, twelve numbers.
-        right: What stands behind it.
+        left: The left factor that makes a pose this arm's, twelve numbers.
+        right: The right factor.
         offsets: What its angles are more than those of the loop.
         solved: The places of the joints that are solved for.
         links: C0 ... Cn of its pose C0 Rz(angle 1) C1 ... Rz(angle n) Cn.
@@ -110,7 +110,7 @@ def fill_corrected(
     q: Floats,
     status: Bytes,
 ) -> bool:
-    """Fills the rows of solutions that angles of the loop lead to, and no others.
+    """Fills the rows with the solutions that angles of the loop are refined to, and no others.
 
     Returns whether all are exact, and no two of them near one another; if not, no row is filled.
     """
@@ -149,7 +149,7 @@ def formulas_at(pose: Floats, given: Floats, turned: float, moved: float) -> tup
 
 
 def solve_from_nearest(pose: Pose, q_free: Floats, q: Floats, status: Bytes) -> bool:
-    """Fills the rows of solutions where those of the nearest arm lead to all.
+    """Fills the rows of a pose if all its solutions lie next to the nearest arm's rows.
 
     Returns whether they do. That no other branch has a solution is certain, that none has a second
     one is not proven.
@@ -169,7 +169,7 @@ def solve_from_nearest(pose: Pose, q_free: Floats, q: Floats, status: Bytes) -> 
 
 
 def to_nearest_rows(q_free: Floats, q: Floats, status: Bytes) -> None:
-    """Moves rows that ascend to those of their postures."""
+    """Moves solutions, which ascend, to the rows of their postures."""
     dof = int(arm[DOF])
     angles, values, postures = np.empty(dof), np.empty(6), np.full(len(status), -1)
     for row in range(len(status)):

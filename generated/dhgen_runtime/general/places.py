@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where the numbers of the loop stand in an arm's array, behind those of numerical/places.py."""
+"""The places of the loop's numbers in an arm's array, behind the places of numerical/places.py."""
 
 from ..numerical.places import JOINTS, LOOP
 

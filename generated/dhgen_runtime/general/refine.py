@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Newton's steps on the loop: from a candidate to a solution.
 
-`c` and `s` are cosines and sines of the joints in the loop; a slide's length stands in the sine's
-place.
+`c` and `s` are cosines and sines of the joints in the loop; a slide's length replaces the sine.
 """
 
 from __future__ import annotations
@@ -72,7 +71,7 @@ def _missing(P: Floats, T: Floats, J: Floats) -> float:
 
 @inner
 def _turning_error(links: Floats, c: Floats, s: Floats, J: Floats) -> float:
-    """Returns the square of the loop's error, of an arm without slides; J as `loop_error` says."""
+    """Returns the square of the loop's error, of an arm without slides; J as of `loop_error`."""
     P = links[POSE]
     T = carray(room(12), 12)
     T[:] = 0.0
@@ -86,7 +85,7 @@ def _turning_error(links: Floats, c: Floats, s: Floats, J: Floats) -> float:
 
 @inner
 def _sliding_error(arm: Floats, links: Floats, c: Floats, s: Floats, J: Floats) -> float:
-    """Returns the square of the loop's error, of an arm with slides; J as `loop_error` says."""
+    """Returns the square of the loop's error, of an arm with slides; J as of `loop_error`."""
     P = links[POSE]
     T = carray(room(12), 12)
     T[:] = 0.0
@@ -117,7 +116,7 @@ def loop_error(arm: Floats, links: Floats, c: Floats, s: Floats, J: Floats) -> f
 def newton_step(J: Floats, x: Floats) -> float:
     """Computes the least-squares solution of J x = error by reflections.
 
-    Where a diagonal is next to nothing the step stays zero instead of leaping. Returns the smallest
+    Where a diagonal is next to nothing the step is zero instead of leaping. Returns the smallest
     diagonal over the largest.
     """
     for column in range(5):

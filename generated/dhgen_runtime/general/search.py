@@ -179,13 +179,13 @@ def solve_loop(arm: Floats, T: Floats, q_free: Floats, q: Floats, residual: Floa
         q: (PLACES, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows
             whose q1 agree to TIE in the order of q2, and so on, those where the arm is singular or
             nearly so behind all others.
-        residual: (PLACES,), takes by how much the loop stays open, in radians and arm sizes.
+        residual: (PLACES,), takes by how much the loop is open, in radians and arm sizes.
 
     Returns:
         How many, no more than MOST but for members of continua; -1 - count when it is not certain
-        that these are all: for want of a certificate of its own (where every polynomial vanishes
-        identically there may be a continuum, which poses close by do not have), or because roots
-        met or the arm is singular at a solution, or nearly, so that steps did not make it exact.
+        that these are all: for want of a certificate (where every polynomial vanishes identically
+        there may be a continuum, which poses close by do not have), or because roots met or the arm
+        is singular at a solution, or nearly, so that steps did not make it exact.
     """
     loop, most = close(arm, T, q_free), int(arm[MOST])
     P = loop[POSE]

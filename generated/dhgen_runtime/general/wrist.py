@@ -125,7 +125,7 @@ def wrist_joints(
     c: Floats,
     s: Floats,
 ) -> int:
-    """Computes the cosines and sines of all joints from those of q6.
+    """Computes the cosines and sines of all joints from cosine and sine of q6.
 
     Returns 1 where axis 4 is nearly at right angles to z5, 0 elsewhere.
     """

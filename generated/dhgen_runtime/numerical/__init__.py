@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Damped least squares: what takes joint values to solutions, and tells solutions apart.
+"""Damped least squares: what refines joint values to solutions, and decides which of them are one.
 
 In reading order: places (the numbers of an arm), goal (what is to be met), forward (pose and
 Jacobian), descent (steps to a solution), solutions (which of them are one), family (the member of a

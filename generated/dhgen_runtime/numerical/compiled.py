@@ -5,6 +5,6 @@ from . import descent, family, keep, pairs, search, solutions
 
 
 def compile_apart() -> None:
-    """Compiles the functions that stand apart, or gets them from numba's cache."""
+    """Compiles the functions that are called by address, or loads them from numba's cache."""
     for module in (descent, solutions, family, keep, pairs, search):
         module.OWN.compile_apart()

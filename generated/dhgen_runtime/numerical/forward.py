@@ -84,7 +84,7 @@ def _columns(arm: Floats, P: Floats, J: Floats) -> None:
 
 @inner
 def _add_shares(arm: Floats, columns: Floats, J: Floats) -> None:
-    """Adds to joints' columns those of the records in which they have shares.
+    """Adds to joints' columns the columns of the records in which they have shares.
 
     Both may be one array: in the order of the records each is added to others before others are
     added to it.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How a solution joins those found before, inside limits if it can."""
+"""How a solution joins the ones found before, inside limits if it can."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ OWN = of_file(__file__)
 apart, inner = OWN.apart, OWN.inner
 
 # Where a solution beyond a limit is one of two that nearly meet the other lies across a singular
-# place, and from the limit steps may lead back: how far to go on, as parts of the way there.
+# place, and steps from the limit may go back to it: how far to go on, as parts of the way there.
 FARTHER_ON = (0.0, 1.0, 3.0, 7.0, 15.0)
 
 
@@ -33,7 +33,7 @@ FARTHER_ON = (0.0, 1.0, 3.0, 7.0, 15.0)
 def _leads_inside(arm: Floats, goal: Goal, q: Floats, near: Floats, u: Floats, end: Floats) -> bool:
     """Takes joint values on a way from u to a solution inside the limits; whether it can.
 
-    It is as exact as a row has to be, and farther on if steps lead back.
+    It is as exact as a row has to be, and farther on if steps return to the first one.
     """
     solved = int(arm[SOLVED])
     way, start, inside = np.empty(solved), end.copy(), np.empty(solved)
@@ -66,8 +66,8 @@ def _move_inside(
 ) -> None:
     """Replaces a solution that is beyond a limit by one that keeps all of them.
 
-    If the way to the seed inside the limits leads to one, from there or from the seed; where it
-    stands alone to one that is taken for it and as exact as a row has to be.
+    If one is found on the way to the seed inside the limits, from there or from the seed; an
+    isolated solution to one that counts as the same and is as exact as a row has to be.
     """
     solved = int(arm[SOLVED])
     end, low, high = np.empty(solved), np.empty(solved), np.empty(solved)
@@ -117,7 +117,7 @@ def keep(
     u: Floats,
     ahead: Ahead,
 ) -> int:
-    """Adds a solution to those found before, unless it is one of them; returns how many there are.
+    """Adds a solution to the ones kept, unless it is one of them; returns how many there are.
 
     Where one is exact the pose has not been rounded: then all have to be exact. What is ahead and
     of the same continuum is marked.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Pairs of solutions that nearly meet: where one is a row the other becomes one, too.
 
-Between them the arm is singular, so that steps from anywhere may lead to one of the two, or to half
-way between. Along the motion v that leaves the tool where it is, nearly, the pose is missed by
+Between them the arm is singular, so that steps from anywhere may converge to one of the two, or to
+half way between. Along the motion v that leaves the tool where it is, nearly, the pose is missed by
 
     e(t) = e - s t + b t^2 / 2,
 
@@ -33,14 +33,14 @@ if TYPE_CHECKING:
 OWN = of_file(__file__)
 apart, inner = OWN.apart, OWN.inner
 
-# How fast that motion moves the tool, at most: what is as regular as this has digits enough to be
-# told apart by what finds it. At least: of singular solutions it is rounding.
+# How fast that motion moves the tool, at most: a solution as regular as this has enough digits to
+# be distinct from others as found. At least: of singular solutions it is rounding.
 SLOWEST_REGULAR = 1e-3
 STILL = 1e-13
 # How far along that motion the second derivative b is measured: rounding of it is 1e-10 then.
 BEND_STEP = 1e-3
 # Zeros farther away than this are none of a parabola [rad, arm sizes]; up to here they are starts,
-# and along nearly a continuum the only ones that lead to it.
+# and along nearly a continuum the only ones from which it is found.
 FARTHEST_OTHER = 1.0
 
 
@@ -98,7 +98,7 @@ def _sharpen(
     k: int,
     start: Floats,
 ) -> int:
-    """Takes row k, where it can be more exact, to the solution that steps from `start` lead to.
+    """Takes row k, where it can be more exact, to the solution that steps from `start` converge to.
 
     Such a row may lie half way between two solutions. It is dropped where another row has that.
     Returns how many rows there are.

@@ -43,16 +43,17 @@ apart, inner = OWN.apart, OWN.inner
 # Steps of a row that is not exact. Double roots take a quarter off with each; beside a singular
 # place a joint that is nearly free may be anywhere, and three steps are one of it.
 ROW_STEPS = 72
-# Where many solutions meet steps stay where the arm is singular and get slow. From both sides of it
-# they lead further, as often as this, while less than this part of the miss is left.
+# Where many solutions meet the steps end on singular joint values and get slow. They go on from
+# both sides of these, as often as this, while less than this part of the miss is left.
 ESCAPES = 8
 STUCK = 0.9
 # Steps that miss by less than this part of what counts as exact have come to an end.
 SPARE = 1e-3
-# A step longer than this would lead elsewhere [rad, arm sizes]: a row is not known yet.
+# A row whose step is longer than this is not known yet: the step may reach another solution [rad,
+# arm sizes].
 SURE = 1e-4
 # The least miss of a pose that is rounded is found where steps are no longer than this [rad, arm
-# sizes]: far above their rounding, far below what tells two solutions apart.
+# sizes]: far above their rounding, far below the distance of two solutions.
 SETTLED = 1e-9
 # So many times what counts as exact is still a solution. So many times what a solution may miss a
 # rounded pose by is not far from one.
@@ -171,13 +172,13 @@ def escape(descents: Floats, goal: Goal, exact: float, q: Floats) -> float:
 def refine_row(
     descents: Floats, goal: Goal, exact: float, first: float, q: Floats
 ) -> tuple[float, bool]:
-    """Takes a row to where least squares lead, unless it is exact.
+    """Refines a row by least squares, unless it is exact.
 
-    Where the task names more than the joints can choose, a row that can't be exact stays, if it
-    misses the pose by what that may be rounded by; if it misses it by more it is taken to the least
-    miss: equations that hold few digits of a joint make far more of the rounding. Returns by how
-    much the row misses the pose then, `first` being what it misses before, and whether it was
-    moved.
+    Where the task names more than the joints can choose, a row that can't be exact is kept if it
+    misses the pose by no more than that may be rounded by; if it misses it by more it is taken to
+    the least miss: equations that hold few digits of a joint make far more of the rounding. Returns
+    by how much the row misses the pose then, `first` being what it misses before, and whether it
+    was moved.
     """
     if first <= exact:
         return first, False
@@ -185,7 +186,7 @@ def refine_row(
         off = np.empty(4)
         miss_at(goal[2], goal[0], goal[1], q, off)
         if abs(off[0]) > DOUBTFUL:
-            return math.inf, False  # out of reach: rounding did not lead here
+            return math.inf, False  # out of reach: not a matter of rounding
     end, moved = q.copy(), False
     if descents[CHECKED] > 0.0:
         least = approach(descents, goal, ROW_STEPS, exact, end)[0]

@@ -2,7 +2,7 @@
 """Searches where a pose was left without a row after a joint had been chosen.
 
 Or with rows that are not exact or beyond limits: several joints may be free, and few of their
-values work. Steps from the seed and from evenly spread starts lead to some that do.
+values work. Steps from the seed and from evenly spread starts find some that do.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ def search_from(task: Task, goal: Goal, near: Floats, k: int, exact: float, end:
 def search_lost_rows(
     task: Task, seed: Floats, begun: int, fitted: bool, q: Floats, status: Bytes
 ) -> None:
-    """Searches joint values with less wrong with them than with those of the rows.
+    """Searches joint values with less wrong with them than the rows have.
 
     They are for row `begun`, or for one that has a free joint where only limits are at fault. Of
     rows that were `fitted` to a pose that may be rounded only exact values take the place.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which solutions are one, which belong to a continuum, and in which order rows stand."""
+"""Which solutions are one, which belong to a continuum, and the order of rows."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ SAME = (
     1e-6  # solutions closer than this are one [rad, arm sizes]: roots are known to 1e-8 or better
 )
 # Singular solutions closer than this [rad, arm sizes] are one if what lies between them solves,
-# too: from these parts of the way a few steps lead to solutions that are nearer to where they began
+# too: from these parts of the way a few steps reach solutions that are nearer to where they began
 # than this part of it.
 NEIGHBOURS = 0.1
 BETWEEN = (0.25, 0.5, 0.75)
@@ -119,8 +119,8 @@ def _solves_between(
 def continuum(arm: Floats, goal: Goal, q: Floats, u: Floats, enough: float) -> int:
     """Returns whether u is one of a continuum of solutions: 1 if it goes on to both sides.
 
-    These miss the pose by no more than `enough`. 0 if it is a singular solution that stands alone,
-    as where three nearly meet, -1 if it is a regular one.
+    These miss the pose by no more than `enough`. 0 if it is an isolated singular solution, as where
+    three nearly meet, -1 if it is a regular one.
     """
     solved = int(arm[SOLVED])
     e, A = np.empty(int(arm[EQUATIONS])), np.empty((int(arm[EQUATIONS]), solved))
@@ -178,7 +178,7 @@ def find_known(
     u: Floats,
     singular: bool,
 ) -> int:
-    """Returns which of those found before a solution is; -1 for none."""
+    """Returns which kept solution a solution is; -1 for none."""
     for k in range(count):
         if is_same(arm, goal, q, kept[k], u, singular and kinds[k] >= 0):
             return k
@@ -193,7 +193,7 @@ def nothing_ahead(arm: Floats) -> Ahead:
 
 @apart(f"void(float64[::1], {GOAL}, float64[::1], float64[::1], {AHEAD})")
 def pass_by(arm: Floats, goal: Goal, q: Floats, member: Floats, ahead: Ahead) -> None:
-    """Marks what is ahead and the same as a member of a continuum that a walk is at."""
+    """Marks the solutions ahead that are the member of a continuum at which a walk is."""
     solutions, passed = ahead
     for k in range(len(passed)):
         if not passed[k]:
@@ -210,8 +210,8 @@ def order_of(value: float, turns: bool) -> float:
 def order_blocks(value: Floats, tie: float, count: int, order: Ints, first: Bools) -> bool:
     """Puts rows in order by one value more; returns whether each row is a block by now.
 
-    `order` holds their places, and `first` says which of them begin a block: those of a block agree
-    so far. They are sorted by the value, and the block ends wherever it rises by more than `tie`.
+    `order` holds their places, `first` whether each begins a block: rows of one block agree so far.
+    They are sorted by the value, and the block ends wherever it rises by more than `tie`.
     """
     for i in range(1, count):
         row, place = order[i], i

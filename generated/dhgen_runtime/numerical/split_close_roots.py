@@ -2,7 +2,7 @@
 """Roots that nearly meet.
 
 A row of them may lie between two solutions that differ by anything in a joint that is nearly free.
-Steps from it lead to one; the root of the other is as far from it on the other side. A row may have
+Steps from it reach one; the root of the other is as far from it on the other side. A row may have
 taken the seed's value for its root, which is one of the two and hides the middle: the roots' own
 rows have a seed that is turned away.
 """
@@ -44,11 +44,11 @@ _KNOWN = "Tuple((float64, float64[::1], float64[:, ::1], int64))"
 # How far a seed is turned so that no close root takes its value [rad]: beyond a right angle, where
 # the hidden root is, and no part of a turn, where others are at home poses.
 TURNED_AWAY = 2.0
-# How far the root of a row is moved where steps from it lead nowhere: to both sides by this power
-# of two [rad], then by less and less.
+# How far the root of a row is moved where steps from it reach no solution: to both sides by this
+# power of two [rad], then by less and less.
 FIRST_POWER, LAST_POWER, POWER_STEP = 15, 39, 3
 # Where the other of two solutions is looked for, as parts of the way from their double root to one;
-# at none of it where the one came from the seed, and the root itself may lead to the other.
+# at none of it where the one came from the seed, and the other may be reached from the root itself.
 ACROSS = (0.0, -1.0, -2.0, -0.5, -4.0)
 
 
@@ -85,7 +85,7 @@ def is_new(descents: Floats, goal: Goal, known: Floats, count: int, q: Floats) -
 
 @inner
 def add_known(descents: Floats, goal: Goal, known: Floats, count: int, q: Floats) -> int:
-    """Puts a solution behind those that are known, unless it is one of them; how many there are."""
+    """Adds a solution to the known ones, unless it is one of them; returns their count."""
     if not is_new(descents, goal, known, count, q):
         return count
     copy_row(q, known[count])
@@ -104,7 +104,7 @@ def solve_away(task: Task, away: Floats, angle: float, q: Floats, kind: Bytes) -
 def leads_elsewhere(
     task: Task, goal: Goal, known: Known, angle: float, row: int, end: Floats
 ) -> bool:
-    """Whether the row of a root that is moved leads to a solution, `end`, that no other row has."""
+    """Whether steps from the row of a moved root reach a solution, `end`, that no other row has."""
     descents, (exact, away, solutions, others) = descents_of(task[0]), known
     rows = len(solutions) // 2
     q, kind = np.empty((rows, len(end))), np.empty(rows, np.uint8)
@@ -144,7 +144,7 @@ def find_doubtful(
 def find_first(task: Task, goal: Goal, known: Known, row: int, end: Floats) -> bool:
     """Finds a solution from a row: from itself, or from where its root is moved.
 
-    Long steps may lead to solutions of other roots, which are known.
+    Long steps may reach solutions of other roots, which are known.
     """
     descents, (exact, _, solutions, others) = descents_of(task[0]), known
     solves = is_solution(descents, goal, ROW_STEPS, exact, end)
@@ -159,7 +159,7 @@ def find_first(task: Task, goal: Goal, known: Known, row: int, end: Floats) -> b
 
 @inner
 def root_between(arm: Floats, own: Floats, end: Floats) -> float:
-    """How far the root of a solution is from that of a row [rad]."""
+    """How far the root of a solution is from the root of a row [rad]."""
     off = 0.0
     for k in range(0, int(arm[ROOT_TURNS]), 2):
         joint, sign = int(arm[ROOT_TURNS + 1 + k]), arm[ROOT_TURNS + 2 + k]

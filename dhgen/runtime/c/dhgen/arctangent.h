@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The arctangent of lanes, written once for all types: included for each of them, by files that say
- * which (DHGEN_VECTOR, DHGEN_MASK, DHGEN_OF for names, DHGEN_ADDED(x, m, y) for x + y where m
- * holds, else x).
+ * The arctangent of lanes, written once for all types, and included for each type by a file that
+ * defines DHGEN_VECTOR, DHGEN_MASK, DHGEN_OF for names, and DHGEN_ADDED(x, m, y) for x + y where m
+ * holds, else x.
  *
  * The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
  * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of

@@ -95,7 +95,7 @@ struct dhgen_arm {
     int cuts;                      /* of an interval by golden section */
     int merges, refines;           /* branches that meet may come out apart; rows need refining */
     int clamps, clamps_far, winds; /* onto limits; from far away; where ranges exceed a turn */
-    int follows_seed;              /* where rounding can't tell solutions apart */
+    int follows_seed;              /* where solutions differ by less than rounding */
 
     /* For `complete`, which works on all rows where roots of polynomials nearly meet or rows miss
      * the pose: dhgen_complete_rows, or both are NULL. `begun` is the first row that was not simply

@@ -109,7 +109,7 @@ DHGEN_FN int dhgen_comes_before(double size, const double *one, const double *ot
     return 0;
 }
 
-/* Takes the last of the assemblies to its place among those before it. */
+/* Takes the last of the assemblies to its place among the earlier ones. */
 DHGEN_FN void dhgen_put_in_order(double size, int count, double *poses)
 {
     const double *const last = poses + 16 * (count - 1);

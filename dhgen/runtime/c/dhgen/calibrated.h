@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Arms of one kind, each with a table of its own: every call reads what that says. The closed form
- * of the nominal arm is tried first; where its rows may not lead to all solutions the general
- * algorithm answers. */
+ * Arms of one kind, each with a table of its own: every call reads the numbers computed from it.
+ * The closed form of the nominal arm is tried first; where a solution may lie next to none of its
+ * rows the general algorithm solves the pose. */
 #ifndef DHGEN_CALIBRATED_H
 #define DHGEN_CALIBRATED_H
 
@@ -36,8 +36,8 @@ DHGEN_FN struct dhgen_calibrated_arm dhgen_calibrated_arm_of(
     return arm;
 }
 
-/* Angles of the loop that lead to all solutions, and the row of each. That no other branch has one
- * is certain, that none has a second one is not proven. Returns how many; -1 where it is not
+/* Angles of the loop next to all solutions, and the row of each. That no other branch has one is
+ * certain, that none has a second one is not proven. Returns how many; -1 where it is not
  * certain. */
 DHGEN_FN int dhgen_near_nominal(const dhgen_kind *kind, const dhgen_calibration *of,
     const double *T, double (*nearby)[6], int *rows)
@@ -68,8 +68,8 @@ DHGEN_FN dhgen_general_arm dhgen_general_arm_of(const dhgen_kind *kind, const dh
     return general;
 }
 
-/* All solutions of a pose where the nominal arm's rows lead to them, and the row of each. Returns
- * how many, or -1 where the pose has to be left to the general algorithm. */
+/* All solutions of a pose where they lie next to the nominal arm's rows, and the row of each.
+ * Returns how many, or -1 where the pose has to be left to the general algorithm. */
 DHGEN_FN int dhgen_solved_from_nominal(const dhgen_kind *kind, const dhgen_calibration *of,
     const dhgen_general_arm *general, const double *T, double (*solution)[6], int *row)
 {
@@ -85,8 +85,8 @@ DHGEN_FN int dhgen_solved_from_nominal(const dhgen_kind *kind, const dhgen_calib
     return count;
 }
 
-/* The rows of a pose where the nominal arm's lead to all solutions. Returns how many are inside
- * limits, or -1 where the pose has to be left to the general algorithm. */
+/* The rows of a pose all of whose solutions lie next to the nominal arm's rows. Returns how many
+ * are inside limits, or -1 where the pose has to be left to the general algorithm. */
 DHGEN_FN int dhgen_certain_rows(const dhgen_kind *kind, const dhgen_calibration *of,
     const double *T, double *q, unsigned char *status)
 {
@@ -97,7 +97,7 @@ DHGEN_FN int dhgen_certain_rows(const dhgen_kind *kind, const dhgen_calibration 
     return count < 0 ? -1 : dhgen_fill_certain(kind->arm, solution, row, count, q, status);
 }
 
-/* Moves rows that ascend to those of their postures. */
+/* Moves solutions, which ascend, to the rows of their postures. */
 DHGEN_FN void dhgen_to_nominal_rows(
     const dhgen_kind *kind, const dhgen_calibration *of, double *q, unsigned char *status)
 {

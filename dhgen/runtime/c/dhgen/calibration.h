@@ -10,12 +10,11 @@
 typedef struct dhgen_calibration {
     double constant[7][12];     /* C0 ... C6 of T = C0 J(q1) C1 ... J(q6) C6 */
     double facing[6];           /* whether a joint counts its angle forwards, 1, or back, -1 */
-    double turned, moved;       /* its tool and that of the nearest arm with a structure differ by
-                                   no more [rad, length] */
+    double turned, moved;       /* its tool and the nearest arm's differ by no more [rad, length] */
     double loop[7][12];         /* K0 ... K4, L and R of J(q1) K0 J(q2) ... K4 J(q6) = L T R */
     double size;                /* the length that is one in this loop */
-    double left[12], right[12]; /* from a pose T to that of the nearest arm, left T right */
-    double more[6];             /* what angles of the nearest arm are more than those of this */
+    double left[12], right[12]; /* the nearest arm's pose is left T right */
+    double more[6];             /* the nearest arm's angles minus this arm's */
     double nominal[7][12];      /* C0 ... C6 of the nearest arm at joint values of this */
 } dhgen_calibration;
 

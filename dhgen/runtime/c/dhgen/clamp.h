@@ -10,10 +10,10 @@
 #include "refine.h"
 #include "tolerances.h"
 
-/* Joints that move by more on their way to a limit lead to another solution [rad, arm sizes]: a
+/* A joint that moves by more on its way to a limit reaches another solution [rad, arm sizes]: a
  * nearly straight wrist turns far for next to nothing. */
 #define DHGEN_MOST_CLAMPED 1.5
-/* From half way to one solution steps lead no farther than so many times the whole way. */
+/* Steps from half way to the same solution go no farther than so many times the whole way. */
 #define DHGEN_HALF_WAY_ASIDE 0.25
 
 /* Clamps the joints of a row that exceed their limits, by little, or as an arm may `again`. Returns

@@ -12,7 +12,7 @@
 /* Drives whose whole turns hang together, and sums of drives that have limits. */
 struct dhgen_coupling {
     int count;           /* drives whose turns are chosen together */
-    const int *drives;   /* their places, each before those that its turns move */
+    const int *drives;   /* their places, each before the drives that its turns move */
     const double *moves; /* what a whole turn of each moves: a row of all drives for each */
     const double *lowest, *highest; /* limits of all drives, with slack */
     int sum_count;                  /* sums with limits */
@@ -21,8 +21,8 @@ struct dhgen_coupling {
     const double *slacks;           /* a sum may miss its limits by this [rad or length] */
 };
 
-/* Turns to each side of the one that takes a drive nearest to where it is wanted; in searches,
- * which ask again and again, fewer where more than three drives hang together. */
+/* Turns to each side of the one that takes a drive nearest to the wanted value; fewer in searches,
+ * which choose turns many times, where more than three drives are coupled. */
 #define DHGEN_COUPLED_TURNS 4.0
 #define DHGEN_TURNS_OF_FOUR 2.0
 #define DHGEN_TURNS_OF_MANY 1.0
@@ -139,7 +139,7 @@ DHGEN_FN double dhgen_coupled_beyond(const struct dhgen_arm *arm, const double *
                         x[i], coupling->lowest[i], coupling->highest[i], arm->joints[i].slack);
         for (int k = 0; k < coupling->sum_count; k++) {
             const double sum = dhgen_sum_of(arm, k, x), slack = coupling->slacks[k];
-            /* the slack of a length is that of an angle, times the arm's size */
+            /* a length's slack is an angle's, times the arm's size */
             beyond += DHGEN_LIMIT / slack
                 * dhgen_beyond_slack(sum, coupling->least[k], coupling->most[k], slack);
         }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Where the seed solves the pose with other joint values than the rows, and rounding can't tell the
- * solutions apart, the arm may as well go on with the seed's. */
+ * Where the seed solves the pose with other joint values than the rows, and the solutions differ by
+ * less than rounding, the arm may as well go on with the seed's. */
 #ifndef DHGEN_FOLLOW_SEED_H
 #define DHGEN_FOLLOW_SEED_H
 
@@ -9,8 +9,8 @@
 #include "refine.h"
 #include "tolerances.h"
 
-/* Half way to two rows as much is missed if by no more than so many times: then rounding says which
- * is least, and not alike in all languages. The first row is taken. */
+/* Half way to two rows the pose is missed equally if the ratio is less than this: which is less is
+ * then rounding, and differs between languages. The first row is taken. */
 #define DHGEN_ALIKE 2.0
 
 /* Takes joint values to the solution next to the seed that keeps the caller's values and, where
@@ -33,8 +33,8 @@ DHGEN_FN int dhgen_beside_seed(const struct dhgen_arm *arm, const double *T,
         && !(arm->beyond && arm->beyond(arm, x) > DHGEN_LIMIT);
 }
 
-/* Gives the solution next to the seed a row where rounding can't tell solutions apart: its own, one
- * as good, one left, or any. */
+/* Gives the solution next to the seed a row where solutions differ by less than rounding: its own,
+ * one as good, one left, or any. */
 DHGEN_FN void dhgen_follow_seed(const struct dhgen_arm *arm, const double *T,
     const double *free_joints, const double *seed, double *q, unsigned char *status)
 {

@@ -115,7 +115,7 @@ DHGEN_FN int dhgen_turn_inside(const struct dhgen_arm *arm, double *q)
     return inside;
 }
 
-/* Clamps rows to limits, and again where none is inside, and tells those that are not inside.
+/* Clamps rows to limits, and again where none is inside, and marks the rows that are not inside.
  * Returns how many are. */
 DHGEN_FN int dhgen_end_rows(
     const struct dhgen_arm *arm, const double *T, double *q, unsigned char *status)

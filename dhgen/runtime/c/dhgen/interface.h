@@ -5,7 +5,7 @@
 #ifndef DHGEN_INTERFACE_H
 #define DHGEN_INTERFACE_H
 
-#ifdef __CUDACC_RTC__ /* it knows their functions without these headers, and not their numbers */
+#ifdef __CUDACC_RTC__ /* its functions are built in, without headers, but not their constants */
 #ifndef NAN
 #define NAN __builtin_bit_cast(float, 0x7fc00000u)
 #define INFINITY __builtin_bit_cast(float, 0x7f800000u)
@@ -20,7 +20,7 @@
 #include <stddef.h>
 #endif
 
-/* NaN and infinity mark what is no solution and no limit: a compiler that is told that they don't
+/* NaN and infinity mark what is no solution and no limit: a compiler that assumes that they don't
  * exist makes solutions of poses that are out of reach. */
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "dhgen needs NaN and infinity: compile without -ffast-math and -ffinite-math-only"
@@ -32,15 +32,14 @@
 #error "the folder dhgen/ is of another version: run dhgen on the robot file again"
 #endif
 
-/* Marks. DHGEN_INLINE stands before what is called in the fast path, DHGEN_FN before all other
- * functions of the runtime, DHGEN_SMALL before those of them that kernels of CUDA call, DHGEN_APART
- * before those whose stack and code have to stay out of their callers, DHGEN_TABLE before constant
- * tables, DHGEN_PUBLIC before a robot's public functions. DHGEN_API stands before what robots'
- * files call: with -DDHGEN_SHARED that is compiled once for all of them, in dhgen.c, and their
- * files have its declarations only.
+/* Marks. DHGEN_INLINE marks what is called in the fast path, DHGEN_FN all other functions of the
+ * runtime, DHGEN_SMALL functions that kernels of CUDA call, too, DHGEN_APART functions that must
+ * not be inlined, for their stack and code, DHGEN_TABLE constant tables, DHGEN_PUBLIC a robot's
+ * public functions, DHGEN_API what robots' files call: with -DDHGEN_SHARED that is compiled once
+ * for all of them, in dhgen.c, and their files have its declarations only.
  *
- * In CUDA functions are for both sides, and tables are where they are read. What is not called
- * in the fast path stays a call there: in one it compiles for minutes. */
+ * In CUDA functions are for both sides, and tables are where they are read. What is not called in
+ * the fast path is a call there: inlined it compiles for minutes. */
 #if defined(__GNUC__) || defined(__CUDACC__)
 #define DHGEN_UNUSED __attribute__((unused))
 #else
@@ -109,7 +108,7 @@ enum {
     DHGEN_FREE_JOINT,
     DHGEN_OUT_OF_LIMITS,
     DHGEN_INVALID_POSE,
-    DHGEN_CLOSE = 64,  /* roots nearly meet: the row may stand between two solutions */
+    DHGEN_CLOSE = 64,  /* roots nearly meet: the row may lie between two solutions */
     DHGEN_LOST = 128,  /* + j: the row was lost after joint j had been chosen freely */
     DHGEN_NEARLY = 192 /* + j: the same, joint j is nearly free, and q[1] of the row is its angle */
 };

@@ -50,7 +50,7 @@ DHGEN_INLINE double dhgen_high(const struct dhgen_joint *joint)
     return joint->highest + joint->slack;
 }
 
-/* Numbers among lanes, by the names that those of lanes have. */
+/* Numbers among lanes, by names like those of lanes. */
 typedef double dhgen_double;
 #define dhgen_sqrt_double sqrt
 #define dhgen_abs_double fabs

@@ -7,8 +7,8 @@
 #include "arm.h"
 #include "tolerances.h"
 
-/* Ranges at least this wide leave next to no gap [rad]: beside a singular pose rounding leads
- * across it. */
+/* Ranges at least this wide leave next to no gap [rad]: near a singular pose rounding crosses
+ * it. */
 #define DHGEN_NEARLY_A_TURN 6.183185307179587
 
 /* How far a joint value is beyond its limits, whole turns aside; negative below [rad or length]. */
@@ -38,8 +38,8 @@ DHGEN_FN double dhgen_beyond_limits(const struct dhgen_arm *arm, const double *q
     return sum;
 }
 
-/* How far a joint value is past an end of its range: where that is nearly a turn, the value as it
- * stands: turned it is across the gap. */
+/* How far a joint value is past an end of its range: where that is nearly a turn, the value itself:
+ * turned it would be across the gap. */
 DHGEN_SMALL double dhgen_past_an_end(const struct dhgen_arm *arm, int joint, double value)
 {
     const struct dhgen_joint *const of = arm->joints + joint;

@@ -12,12 +12,12 @@
 #define DHGEN_MOST_LEGS 12
 #define DHGEN_LEG_POSES 48 /* of legs that are solved side by side; 32 robots at most */
 
-/* A leg: how its chain is called, and where it stands. */
+/* A leg: how its chain is called, and where it is mounted. */
 struct dhgen_leg {
     int joints, rows;
     int drives;         /* how many of its joints are driven */
     const int *driven;  /* which, from 0 */
-    const int *slides;  /* which of those slide */
+    const int *slides;  /* which drives slide */
     const char *types;  /* of its joints: R turns, P slides */
     const int *counted; /* which of the six velocities of its end the platform gives it: as many as
                          * it has joints */
@@ -67,8 +67,8 @@ DHGEN_INLINE int dhgen_read_platform(const struct dhgen_parallel *robot, const d
     return valid && isfinite(X[3]) && isfinite(X[7]) && isfinite(X[11]);
 }
 
-/* What a leg carries at a pose of the platform, in the leg's own base. Of a point the orientation
- * is none: the leg's chain does not ask for it. */
+/* What a leg carries at a pose of the platform, in the leg's own base. A point has no orientation:
+ * the leg's chain does not need one. */
 DHGEN_INLINE void dhgen_leg_pose(const struct dhgen_leg *leg, const double *X, double *T)
 {
     const double *const end = leg->end, *const base = leg->base;
@@ -127,8 +127,8 @@ DHGEN_FN void dhgen_no_platform(
         q[i] = DHGEN_NAN;
 }
 
-/* Whether a leg refuses its pose, as one with slides does that is too far for squares of lengths:
- * all of its rows say so. */
+/* Whether a leg refuses its pose, as a leg with slides does that is too far for squares of lengths:
+ * all of its rows have that status. */
 DHGEN_INLINE int dhgen_is_refused(const struct dhgen_parallel *robot, const unsigned char *status)
 {
     int refused = 0;
@@ -187,8 +187,8 @@ DHGEN_FN int dhgen_parallel_nearest(
     for (int i = 0; i < robot->legs && worst >= 0; i++) {
         dhgen_leg_pose(robot->leg + i, X, pose);
         const int place = i * robot->joints;
-        const int told = robot->leg[i].nearest(pose, q_seed + place, found + place);
-        worst = told < 0 || told > worst ? told : worst;
+        const int code = robot->leg[i].nearest(pose, q_seed + place, found + place);
+        worst = code < 0 || code > worst ? code : worst;
     }
     for (int i = 0; i < robot->legs * robot->joints; i++)
         q[i] = worst < 0 ? DHGEN_NAN : found[i];

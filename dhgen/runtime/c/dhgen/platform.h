@@ -10,7 +10,8 @@
 
 /* A's smallest singular value below which a platform is singular, lengths in robot sizes, and what
  * a passive joint has to move of its own, beside those before it, not to depend on them [rad, robot
- * sizes]: a root of what legs may miss, so that what is told above it has six digits. */
+ * sizes]: the square root of what legs may miss, so that what is computed above it has six
+ * digits. */
 #define DHGEN_SINGULAR_PLATFORM 1e-6
 
 /* How a leg's end moves: of its rows the first belong to passive joints after the reflections
@@ -22,7 +23,7 @@ struct dhgen_leg_motion {
     double J[6][6]; /* of the leg's joints: passive ones first, then driven ones */
     double miss[6]; /* from where the leg ends to where the platform has it */
     int order[6];   /* the joint of each column of J */
-    double unit[6]; /* of each of those: a robot size of slides */
+    double unit[6]; /* of each drive: a robot size of slides */
 };
 
 /* What a leg's end is away from where the platform carries it: three lengths, then the rotation
@@ -86,7 +87,7 @@ DHGEN_FN void dhgen_leg_motion_at(const struct dhgen_parallel *robot, int number
     }
 }
 
-/* Reflects rows of a motion from one on, so that of these a joint moves the first alone
+/* Reflects rows of a motion from one on, so that a joint moves only the first of them
  * (Householder), and forwards. */
 DHGEN_FN void dhgen_reflect(
     const struct dhgen_parallel *robot, struct dhgen_leg_motion *motion, int row, int joint)
@@ -243,12 +244,12 @@ DHGEN_FN int dhgen_parallel_velocities(
     const struct dhgen_parallel *robot, const double *T, const double *q, double *A, double *B)
 {
     double X[12];
-    int told = -DHGEN_INVALID_POSE;
+    int code = -DHGEN_INVALID_POSE;
     if (dhgen_read_posture(robot, T, q, X))
-        told = dhgen_platform_rates(robot, X, q, A, B) ? DHGEN_OK : -DHGEN_FREE_JOINT;
-    for (int i = 0; i < robot->drives * robot->drives && told < 0; i++)
+        code = dhgen_platform_rates(robot, X, q, A, B) ? DHGEN_OK : -DHGEN_FREE_JOINT;
+    for (int i = 0; i < robot->drives * robot->drives && code < 0; i++)
         A[i] = B[i] = DHGEN_NAN;
-    return told;
+    return code;
 }
 
 /* dhgen_least_values of a pose as it is given. Returns DHGEN_OK; DHGEN_FREE_JOINT where passive

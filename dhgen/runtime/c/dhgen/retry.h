@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Other values of free joints: the solver took the seed's, and they lead to no solution, or beyond
- * limits. */
+ * Other values of free joints, where the seed's, which the solver took, give no solution, or one
+ * beyond limits. */
 #ifndef DHGEN_RETRY_H
 #define DHGEN_RETRY_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Forward kinematics and the Jacobian of arms whose links come at run time: products of these.
- * Included before the rest of the runtime, which asks for them by the names defined here. */
+ * Included before the rest of the runtime, which calls them by the names defined here. */
 #ifndef DHGEN_SERIAL_H
 #define DHGEN_SERIAL_H
 
@@ -18,14 +18,14 @@
 #include "numerical/arm.h"
 #include "rigid.h"
 
-/* An arm whose links come at run time has no functions of its own, and stands at the beginning of
- * this. */
+/* What functions of arms whose links come at run time get in place of an arm; hence `arm` comes
+ * first. */
 struct dhgen_calibrated_arm {
     struct dhgen_arm arm;
     const dhgen_calibration *calibration;
 };
 
-/* The same for descents. */
+/* The arm of descents, likewise. */
 struct dhgen_calibrated_descents {
     struct dhgen_numerical_arm arm;
     const dhgen_calibration *calibration;

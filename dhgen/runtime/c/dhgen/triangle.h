@@ -81,7 +81,7 @@ DHGEN_FN int dhgen_real_roots(const double *p, int degree, double *roots)
 /* A platform on three circles. Its first point goes around the origin, |p| = r, and the two others
  * are at e and f in the platform and around E and F: with R the turn by phi,
  *     2 (R e - E) . p = s^2 - r^2 - |e|^2 - |E|^2 + 2 E . R e,
- * and the same for f. These are linear in p, their determinant and what stands over it are known
+ * and likewise for f. These are linear in p, their determinant and the numerators are known
  * functions of phi, and |p| = r is a polynomial of degree three in cos phi and sin phi, of degree
  * six in tan(phi/2) (C. Gosselin, J. Sefrioui and M. Richard, 1992). */
 struct dhgen_triangle {
@@ -158,7 +158,7 @@ DHGEN_FN int dhgen_triangle_angles(const struct dhgen_triangle *of, double *angl
     return count;
 }
 
-/* Whether the platform is as large as what it stands on, on equal circles: it goes around then. */
+/* Whether the platform is as large as the base, on equal circles: then it can go around. */
 DHGEN_FN int dhgen_goes_around(const struct dhgen_triangle *of, double size)
 {
     const double(*const e)[2] = of->e, (*const E)[2] = of->E;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a vector can do, written once for all: included for each of them, by files that say which
- * (DHGEN_VECTOR, DHGEN_MASK, DHGEN_SIZE, DHGEN_OF for names). */
+ * What a vector can do, written once for all types, and included for each type by a file that
+ * defines DHGEN_VECTOR, DHGEN_MASK, DHGEN_SIZE, and DHGEN_OF for names. */
 
 /* A number in all lanes. */
 DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(all)(double x)

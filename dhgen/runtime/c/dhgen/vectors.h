@@ -153,14 +153,13 @@ DHGEN_INLINE dhgen_four dhgen_column_misfits(const double *T)
     return lengths * lengths + 2.0 * angles * angles + mirror * mirror;
 }
 
-/* The same without the fourth column. */
+/* The misfit of a rotation, without the fourth column. */
 DHGEN_INLINE dhgen_four dhgen_misfit_four(const double *T)
 {
     return dhgen_shuffle(dhgen_column_misfits(T), dhgen_all_four(0.0), 0, 1, 2, 7);
 }
 
-/* The same of the whole of a pose: of the fourth column only that it is finite, and the last row.
- */
+/* The misfit of a whole pose: the fourth column counts only as finite, and the last row. */
 DHGEN_INLINE dhgen_four dhgen_pose_misfit_four(const double *T)
 {
     const dhgen_four last = *(const dhgen_four_at *)(T + 12) - dhgen_four_of(0.0, 0.0, 0.0, 1.0);

@@ -34,8 +34,8 @@ CLOSE_SQUARE = 4.0 - CLOSE**2  # of the sum of two such unit vectors
 BESIDE, AT_A_TIME, PARABOLAS = 1e-4, 8, 4
 BRACKET_STEPS = 8  # from 3e-5 rad to the digits that the determinant has
 ROOTS_AND_PAIRS = 3 * ROOTS  # simple roots with the middles of close pairs
-ROOTS_BESIDE = ROOTS_AND_PAIRS + ROOTS  # and what may stand beside double roots
-ANGLES = 6 * ROOTS  # those, the double roots, and what may stand on both sides of them
+ROOTS_BESIDE = ROOTS_AND_PAIRS + ROOTS  # and roots close to double ones
+ANGLES = 6 * ROOTS  # simple roots, double roots, and what may lie on both sides of these
 FAR = 2  # what four_turns_joints returns where slides would have to reach too far
 
 
@@ -54,7 +54,7 @@ def _determinants(E: Floats, angles_of: Floats) -> Floats:
 def _close_brackets(E: Floats, ends: Floats, values: Floats, root: Floats) -> None:
     """Computes the roots in brackets, by the line between their ends.
 
-    Of an end that stays twice the line counts half.
+    An end that is kept twice has its value halved.
     """
     moved = np.full(AT_A_TIME, -1)
     for _ in range(BRACKET_STEPS):
@@ -87,7 +87,7 @@ def _add_brackets(x: Floats, f: Floats, ends: Floats, values: Floats, count: int
 
 @inner
 def _turning_back(f: Floats) -> int:
-    """Returns which value is nearest to zero among those whose neighbours are farther from it.
+    """Returns which value is nearest to zero among values whose neighbours are farther from it.
 
     These are on the same side of zero. Returns 0 where there is none.
     """
@@ -192,13 +192,13 @@ def try_formulation(
 ) -> tuple[bool, int]:
     """Returns whether what a formulation finds is certainly everything, and the count.
 
-    The certificate: every simple root leads to a solution, also those beside a double one, there is
-    another one for each of them and two more for each double root that is not known to be several,
-    or a singular one; and regular solutions come in pairs. Where
-    the determinant only comes near to zero there is no root; where it nearly vanishes all around,
-    rounding of the equations may lift it off a double root, which nothing but they show. What an
-    attempt before took for double roots is none then; whether the arm is singular there is looked
-    at.
+    The certificate: a solution is found at every simple root and at every root close to a double
+    one; there are at least as many different solutions as such roots, where a double root that may
+    be real counts twice at least, or once if the arm is singular there; and regular solutions come
+    in pairs. Where the determinant only comes near to zero there is no root; where it nearly
+    vanishes all around, rounding of the equations may lift it off a double root, which nothing but
+    they show. What an attempt before took for double roots is none then; whether the arm is
+    singular there is looked at.
     """
     doubted = doubles_met[0] > 0
     joints, links, sign = joints_of(arm, form), around(arm, form, loop), sign_of(arm, form)

@@ -33,7 +33,7 @@ SETTLED = 1e-9  # the step after one of this size [rad] is rounding
 # WIDTH^6 8^6 / 46080 = 1.3e-9 of its largest value.
 QUINTIC = 2e-9
 # Where four roots meet the bend is next to nothing, too, and rounding of the equations, which no
-# harmonic tells, lifts f by up to this part of its largest value.
+# harmonic shows, lifts f by up to this part of its largest value.
 FOURFOLD = 2e-9
 NOTHING, ROUNDING_ONLY, ONE_EXTREMUM, UNKNOWN = range(4)  # what f does in a cell
 SIMPLE, DOUBLE, LIFTED = range(3)  # kinds of roots; lifted: f turns back beside zero
@@ -101,7 +101,7 @@ def _at_edges(f: Floats) -> Floats:
 
 @inner
 def _rootless(grid: Floats, zero: float) -> Floats:
-    """Returns in which cells f has no root, as `_kind` says of one: most of them."""
+    """Returns in which cells f has no root, as `_kind` does for one: most of them."""
     value, slope, bend = grid
     h, square = WIDTH / 5.0, WIDTH * WIDTH / 20.0
     rootless = np.empty(CELLS)  # truth values of another width would end the vectors
@@ -153,8 +153,8 @@ def _kind(
 def _between(f: Floats, order: int, low: float, high: float, rising: bool) -> float:
     """Returns where f (order 0) or f' (order 1) vanishes between two angles.
 
-    It has unlike signs there; `rising` says that it is negative at the lower one. Newton's method,
-    with bisection where it leaves.
+    It has unlike signs there; `rising`: it is negative at the lower one. Newton's method, with
+    bisection where it leaves.
     """
     x = 0.5 * (low + high)
     for _ in range(NEWTON_STEPS):
@@ -230,8 +230,8 @@ def find_roots(
     """Returns the roots in so many cells on both sides of the middle one, and their counts.
 
     roots[kind, : counts[kind]] are those of a kind. f turns back beside zero where the value of a
-    parabola over its bend is below `near`. A part that is given up stands among the double roots
-    with both its ends: a closer look that shows one of them need not reach to the other.
+    parabola over its bend is below `near`. A part that is given up puts both its ends among the
+    double roots: a closer look that shows one of them need not reach to the other.
     """
     roots = np.empty((3, ROOTS))
     counts = np.array([0, 0, 0, 1, 0])

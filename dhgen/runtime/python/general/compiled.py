@@ -24,6 +24,6 @@ FILES = (
 
 
 def compile_apart() -> None:
-    """Compiles the functions that stand apart, or gets them from numba's cache."""
+    """Compiles the functions that are called by address, or loads them from numba's cache."""
     for module in FILES:
         module.OWN.compile_apart()

@@ -23,8 +23,8 @@ apart, inner, merged = OWN.apart, OWN.inner, OWN.merged
 
 UNIT = 2.5  # length of a hidden slide at a quarter of a turn, about how far slides go [arm sizes]
 SQUARE = UNIT * UNIT
-# Cosine and sine of what is added to the angle that stands for it: half of the way from one sample
-# angle to the next, nearly, by which no sample stands for an infinite length.
+# Cosine and sine of what is added to the angle of a length: half of the way from one sample angle
+# to the next, nearly, so that no sample is an infinite length.
 COSINE, SINE = 112 / 113, 15 / 113
 
 
@@ -62,7 +62,7 @@ def act(K: Floats, x: Floats) -> None:
 def _slid(arm: Floats, x: Floats, to: Floats) -> None:
     """Computes what a slide's length makes of features: the coefficients of its powers.
 
-    Powers of a partner stand in the order d^2, d, 1, others in the order 1, d, d^2.
+    Powers of a partner are in the order d^2, d, 1, others in the order 1, d, d^2.
     """
     n = x.shape[1]
     one = 2 * n if arm[LEFT_SLIDE] > 0.0 else 0
@@ -121,7 +121,7 @@ def pass_link(arm: Floats, K: Floats, x: Floats, joint: int, powers: bool) -> Fl
 def equations(arm: Floats, joints: Ints, links: Floats) -> Floats:
     """Returns the six equations of a formulation.
 
-    Columns 9 a + 3 j + i stand for 1, c1, s1 (a), the powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of
+    Columns 9 a + 3 j + i belong to 1, c1, s1 (a), the powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of
     the partners' half-angle tangents or lengths.
     """
     right, left = np.zeros((15, 1)), np.zeros((15, 1))
@@ -151,9 +151,9 @@ def equations(arm: Floats, joints: Ints, links: Floats) -> Floats:
 def _reflect_all(
     M: Floats, columns: int, first: int, rest: int, column: int, determinant: Floats
 ) -> None:
-    """Reflects, at all angles at once, the first row and those from `rest` on.
+    """Reflects, at all angles at once, the first row and the rows from `rest` on.
 
-    So that `column` stays in the first only; what it holds elsewhere means nothing afterwards.
+    That clears `column` in the rows from `rest` on, where its entries are not written.
     """
     head = carray(room(SAMPLES), SAMPLES)
     factor = carray(room(SAMPLES), SAMPLES)
@@ -183,7 +183,7 @@ def fold(E: Floats, c: Floats, s: Floats, determinant: Floats) -> Floats:
 
     One for each of 24 hidden angles; their determinants go to the last argument. With A2, A1, A0
     the blocks of x3^2, x3, 1 the matrix is [A2 A1 A0 0; 0 A2 A1 A0]; reflections fold it to 9x9 and
-    to 6x6. Each reflection stands by itself: where its rows are known the loops over angles become
+    to 6x6. Each reflection is written out: with its rows known the loops over angles become
     vectors.
     """
     M, W, factor = np.empty((6, 9, SAMPLES)), np.zeros((6, 9, SAMPLES)), np.empty((6, 6, SAMPLES))
@@ -242,7 +242,7 @@ def independence(E: Floats, c: float, s: float) -> float:
     """Returns how far the columns that are cleared first are from depending on each other.
 
     The square of the least singular value of A2 over that of the norm of [A2 A1 A0], or a third of
-    it, as determinant and minors of A2' A2 say. Where x3 is nearly infinite they do depend on each
+    it, from determinant and minors of A2' A2. Where x3 is nearly infinite they do depend on each
     other if the matrix is singular, and the factor does not show it.
     """
     A, G, squares = np.empty((6, 3)), np.zeros((3, 3)), 0.0

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The arm as a closed loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size; P = L T R.
 
-Rigid transforms are twelve numbers, row by row. A slide's length stands where a turn has its sine.
+Rigid transforms are twelve numbers, row by row. A slide's length replaces the sine of a turn.
 """
 
 from __future__ import annotations
@@ -95,7 +95,7 @@ def close(arm: Floats, T: Floats, q_free: Floats) -> Floats:
 
 @apart("int64(float64[::1], float64[::1])")
 def vanishing(arm: Floats, q_free: Floats) -> int:
-    """Returns bits: bit i says that formulation i vanishes at the values that the caller gives."""
+    """Returns bits: bit i is set if formulation i vanishes at the values that the caller gives."""
     useless, at = 0, int(arm[SPECIAL])
     if arm[GIVEN] == 0.0:
         return useless
@@ -123,7 +123,7 @@ def unit(c: float, s: float) -> tuple[float, float]:
 
 @inner
 def reflect(M: Floats, first: int, rest: int, column: int) -> float:
-    """Reflects the first row and the rows from `rest` on so that `column` stays in the first only.
+    """Reflects the first row and the rows from `rest` on so that only the first keeps `column`.
 
     Returns what that is then.
     """

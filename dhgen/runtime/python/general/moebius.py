@@ -33,7 +33,7 @@ MEAN_PER_HARMONIC = -1.0 / (SAMPLES * DEGREE)  # the mean of the roots over a ha
 
 @inner
 def through(x: float, y: float, c: float, s: float) -> tuple[float, float, float]:
-    """Returns cosine and sine of phi from those of psi, and |1 + conj(a) w|^16."""
+    """Returns cosine and sine of phi from cosine and sine of psi, and |1 + conj(a) w|^16."""
     u, v, d, e = c + x, s + y, 1.0 + x * c + y * s, x * s - y * c
     square = d * d + e * e
     return (u * d + v * e) / square, (v * d - u * e) / square, square**8

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 OWN = of_file(__file__)
 inner = OWN.inner
 
-# Joint values are those of a row that misses them by less [rad]: at poses that the closed form does
-# not leave its rows are known to 1e-9.
+# Joint values belong to a row that differs by less [rad]: at poses that the closed form solves its
+# rows are known to 1e-9.
 SAME_POSTURE = 1e-6
 
 
@@ -64,7 +64,7 @@ def posture_of(filled: Floats, places: Ints, values: Floats) -> int:
 
 @inner
 def place_rows(postures: Ints, rows: int, q: Floats, status: Bytes) -> None:
-    """Moves solutions, which fill the first rows, to those of their postures.
+    """Moves solutions, which fill the first rows, to the rows of their postures.
 
     Of several with one posture the first. The others follow behind the nearest arm's rows, and fill
     empty ones of these should there be more.

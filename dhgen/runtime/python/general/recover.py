@@ -23,7 +23,7 @@ apart, inner = OWN.apart, OWN.inner
 SMALLEST = 1e-15  # a diagonal is taken as no smaller [of the largest], which keeps vectors finite
 PLANE = 1e-24  # below this determinant the rows of a shift don't span a plane: rounding, squared
 # A matrix is not singular when its smallest singular value is this part of all, and the one before
-# that part: where two are small, so many roots crowd that the determinant, sampled, does not say
+# that part: where two are small, so many roots crowd that the sampled determinant can't show
 # whether they are real.
 REGULAR = 2e-7
 ALONE = 1e-6

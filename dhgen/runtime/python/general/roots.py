@@ -43,8 +43,9 @@ CLEAR = 1e-10
 # its harmonics don't show it; elsewhere the largest are above 1e-20, even of arms that nearly have
 # double roots at every pose.
 VANISHING = 1e-26
-# Rounding of f in its largest value, at least this; more when the harmonics beyond 8 say so. They
-# say little of errors that samples have alike, where four roots meet up to thirty times less.
+# Rounding of f in its largest value, at least this; more when the harmonics beyond 8 are larger.
+# These show only part of an error that all samples share: where four roots meet, down to a
+# thirtieth.
 ROUNDING = 3e-15
 NOISE_FACTOR = 64.0
 LOOKS = 4  # more closely, at most
@@ -59,7 +60,7 @@ ASIDE = 1 / 512
 ASIDE_COSINE = (1 - (ASIDE / 2) ** 2) / (1 + (ASIDE / 2) ** 2)
 STRENGTH = (1 - NEAR) / (1 + NEAR)  # in the middle a lens of this strength magnifies 1 / NEAR times
 REACH = 38  # in cells: from tan(psi/2) = tan(phi/2) / NEAR, NEAR becomes 0.93 rad
-# An extremum beside zero may be a double root that rounding has lifted off, also that of the
+# An extremum close to zero may be a double root that rounding has lifted off, also that of the
 # equations behind f, which f does not show: when a complex pair is this near to the circle [rad].
 # From it the value of a parabola over its bend; in a closer look it is farther.
 NEAR_CIRCLE = 1e-4
@@ -137,10 +138,10 @@ def sample(
 
 @apart("int64(int64, float64[:, ::1], float64[::1], int64)")
 def keep_vanishing(kind: int, E: Floats, angles: Floats, count: int) -> int:
-    """Keeps of angles those where the polynomial may vanish, and returns how many they are.
+    """Keeps the angles where the polynomial may vanish, and returns how many they are.
 
-    Where f only comes near to zero the determinant does not vanish. A closed form is known itself,
-    and nothing says more.
+    Where f only comes near to zero the determinant does not vanish. A closed form has no equations
+    behind it that could show more.
     """
     if count == 0 or kind == CLOSED_FORM:
         return count
@@ -183,7 +184,7 @@ def _any_near(angles: Floats, count: int, x: float, reach: float) -> bool:
 def _replace(
     roots: Floats, counts: Ints, closer: Floats, closer_counts: Ints, middle: float
 ) -> None:
-    """Replaces the roots near to an angle by those that a closer look shows there."""
+    """Replaces the roots near to an angle by the roots that a closer look shows there."""
     known = np.zeros(2, np.int64)
     for twice in range(2):
         for i in range(counts[twice]):
@@ -264,9 +265,9 @@ def real_roots(
     """Returns whether the polynomial does not vanish identically, its real roots, and their counts.
 
     Where roots may be double they are replaced by what a closer look shows, if it shows all: values
-    that are computed there have the digits that the fit of f lacks. What was given up stands among
-    them. Behind them stand, counts[UNSEEN] of them, places where that shows no root: the values
-    lack the digits that the equations behind f lack.
+    that are computed there have the digits that the fit of f lacks. Cells that were given up are
+    among them. Behind them come, counts[UNSEEN] of them, places where the closer look shows no
+    root: the values lack the digits that the equations behind f lack.
     """
     samples = np.empty(SAMPLES)
     sample(arm, kind, E, joints, links, between, 0.0, 0.0, samples)

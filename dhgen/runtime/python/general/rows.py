@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The rows of a general arm: what the loop's solutions are for it, and what descents add.
 
-Where it is not certain that the loop's solutions are all, they are taken to where descents lead,
-and some more starts are tried: what tells solutions apart where they meet is exact ones.
+Where it is not certain that the loop's solutions are all, descents refine them, and some more
+starts are tried: solutions that meet are distinct only if they are exact.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ STARTS = 12  # the seed's among them, beside what the loop has where that is not
 # An angle above this [rad] of a turn that the arm does not have belongs to a pose that it does not
 # take: rounding of a pose, as far as it is accepted, is a thousand times less, and the angle is
 # more only where the arm is nearly singular. Where the certificate fails, or solutions meet, it may
-# be: then the second one stands.
+# be: then the second bound holds.
 NEARLY_NONE = 0.01
 NEARLY_NONE_IN_DOUBT = 0.1
 
@@ -71,7 +71,7 @@ def any_turn(T: Floats, flat: Floats) -> None:
 
 @inner
 def loop_in_units(arm: Floats, joints: Floats, angles: Floats, u: Floats) -> None:
-    """Computes joint values, in units, from those of the loop and those that are given."""
+    """Computes joint values, in units, from the loop's and the given ones."""
     solved, dof, drives = int(arm[SOLVED]), int(arm[DOF]), int(arm[DRIVES])
     coupled = drives + 1 + int(arm[drives]) * (solved + 1)
     if arm[coupled] > 0.0:
@@ -93,9 +93,9 @@ def loop_in_units(arm: Floats, joints: Floats, angles: Floats, u: Floats) -> Non
 def _look_ahead(
     arm: Floats, goal: Goal, joints: Floats, u: Floats, enough: float, ahead: Ahead, count: int
 ) -> int:
-    """Adds joint values to those ahead, from where a descent leads; returns the count.
+    """Adds the joint values where a descent ends to the solutions ahead; returns the count.
 
-    Not where it leads to no solution that is `enough`.
+    Not if they miss the pose by more than `enough`.
     """
     solutions, passed = ahead
     if descend(arm, goal, joints, u) > enough:
@@ -116,7 +116,7 @@ def _look_from_starts(
     ahead: Ahead,
     count: int,
 ) -> int:
-    """Adds what descents from these starts find to those ahead; returns the count."""
+    """Adds what descents from these starts find to the solutions ahead; returns the count."""
     u = np.empty(int(arm[SOLVED]))
     for k in range(first, end):
         start_of(arm, k, near, u)
@@ -162,11 +162,11 @@ def _keep_without_turn(
     ahead: Ahead,
     ahead_count: int,
 ) -> tuple[int, int]:
-    """Keeps those of the loop's solutions without a turn that the arm does not have.
+    """Keeps the solutions of the loop without a turn that the arm does not have.
 
-    Those that are exact, also without that turn, at once; those that are nearly without it come
-    ahead, from where a descent leads. What is not nearly so is no start. Returns the count of rows,
-    and of those ahead.
+    Solutions that are exact, also without that turn, are kept at once; solutions nearly without it
+    are refined by a descent and come ahead. Other ones are no start. Returns the count of rows, and
+    of those ahead.
     """
     solved, count = int(arm[SOLVED]), 0
     nearly_none, u = NEARLY_NONE if certain else NEARLY_NONE_IN_DOUBT, np.empty(solved)
@@ -195,7 +195,7 @@ def _keep_ahead(
     count: int,
     ahead: Ahead,
 ) -> int:
-    """Keeps the solutions ahead, but for those that a walk along a continuum came by."""
+    """Keeps the solutions ahead, except members of continua that were already walked along."""
     solutions, passed = ahead
     for k in range(len(passed)):
         if not passed[k]:

@@ -21,7 +21,7 @@ RESIDUAL = 1e-10  # what counts as a solution [arm sizes, rad]: as for one that 
 ROUNDED_RESIDUAL = (
     1e-5  # the same of a pose that is checked, and may have been rounded to six digits
 )
-# How many numbers say by how much directions are missed.
+# How many numbers measure the miss of directions.
 MISSES = dict(zip(NAMES, (0, 3, 3, 1, 1, 2), strict=True))
 ITERATIONS = 60  # of the fixed point iteration; each wins a digit in base two at least
 
@@ -49,7 +49,7 @@ class Joint:
 
 @dataclass(frozen=True, slots=True)
 class ChainJoint:
-    """A joint or a passive row of the forward model, and what stands behind it.
+    """A joint or a passive row of the forward model, and the transform behind it.
 
     Attributes:
         after: The rigid transform behind it, twelve numbers.
@@ -150,8 +150,8 @@ def arm_numbers(
 
     Args:
         arm: The arm and its task.
-        loop: What the general algorithm knows of its loop, from LOOP on.
-        lists: Lists of it that stand at the end; the places where they begin follow `loop`.
+        loop: The general algorithm's numbers of its loop, from LOOP on.
+        lists: Lists of it, which come last; the places where they begin follow `loop`.
     """
     stride = strides(len(arm.joints))
     joints = [

@@ -64,9 +64,7 @@ FLOOR = 1e-13
 # keeps them from going on where joints hardly move the tool. Beside singular places the last digits
 # count.
 NEARLY = 1e-6
-LONGEST = (
-    2.0  # of a step's components [rad, arm sizes]: a farther one says nothing of the arm there
-)
+LONGEST = 2.0  # of a step's components [rad, arm sizes]: the Jacobian does not hold farther away
 STEPS = 40  # from a start; 7 to 16 are usual
 # Along a continuum of solutions: a part of the way to the seed with every step, then Newton alone.
 PULL = 0.5
@@ -133,7 +131,7 @@ def _direction_rates(arm: Floats, P: Floats, spin: Floats, column: Floats) -> No
     elif arm[DIRECTIONS] == PITCH:
         column[0] = spin[0] * P[4] - spin[1] * P[0]
     else:  # the first are all that counts: of tilts, turns about level axes
-        for i in range(len(column)):  # of whole arrays numba compares shapes, and tells them
+        for i in range(len(column)):  # assigned whole, numba compares shapes
             column[i] = spin[i]
 
 
@@ -257,9 +255,9 @@ def damped_step(A: Floats, e: Floats, length: float, floor: float, step: Floats)
 
 @apart(f"float64(float64[::1], {GOAL}, float64[::1], float64[::1])")
 def descend(arm: Floats, goal: Goal, q: Floats, u: Floats) -> float:
-    """Takes u to where damped least squares lead; returns by how much that misses the pose.
+    """Refines u by damped least squares; returns by how much it misses the pose then.
 
-    Near to it less damping than usual leads further, where joints hardly move the tool: there a
+    Near to the pose less damping than usual gains more, where joints hardly move the tool: there a
     step that is right may be long, and what it leaves, half of its square, far more than was
     missed.
     """

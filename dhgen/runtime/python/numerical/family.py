@@ -202,7 +202,7 @@ def _walk_along(
     inside: Floats,
     ahead: Ahead,
 ) -> bool:
-    """Looks for the nearest members to one side, and marks those ahead that it comes by.
+    """Looks for the nearest members to one side, and marks solutions ahead that it comes by.
 
     Returns whether the walk came round.
     """

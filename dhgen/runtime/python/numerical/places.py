@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""Where the numbers of an arm and its task stand in the array that every function gets first.
+"""The places of an arm's and its task's numbers in the array that every function gets first.
 
 0 ... LOOP        sizes, the task, where the lists begin
-LOOP ... JOINTS   what the general algorithm knows of its loop (general/places.py)
+LOOP ... JOINTS   the general algorithm's numbers of its loop (general/places.py)
 JOINTS ...        a record for each joint that is solved for, then the lists
 """
 
 # Sizes
 DOF = 0  # joints of the arm
 SOLVED = 1  # joints that are solved for
-EQUATIONS = 2  # numbers that say by how much a pose is missed
+EQUATIONS = 2  # numbers that measure the miss of a pose
 ROWS = 3  # solutions that are kept
 GIVEN = 4  # joints whose values the caller gives
 SIZE = 5  # of the arm: a step of one, for lengths [file's unit]
@@ -31,8 +31,8 @@ LINKS = 19  # how many records CHAIN has: of joints and, without values of their
 LOOP = 20
 JOINTS = 100
 
-# The record of a joint that is solved for, and where its numbers stand for the first of them. A
-# value in units is a value in radians or arm sizes.
+# The record of a joint that is solved for, and the places of the first one's numbers. A value in
+# units is a value in radians or arm sizes.
 RECORD = 11
 PLACE = JOINTS  # of the joint in the arm, from 0
 TURNS = JOINTS + 1  # 1 where it turns, 0 where it slides

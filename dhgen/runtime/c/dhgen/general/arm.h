@@ -7,8 +7,8 @@
 #include "../interface.h"
 #include "lanes.h"
 
-/* Room for what candidates lead to: many come near to a singular solution; the last of it is for
- * regular ones. */
+/* Room for refined candidates: many come near to a singular solution; the last of it is for regular
+ * ones. */
 #define DHGEN_PLACES 64
 
 /* A formulation: the joints phi_1 (hidden) ... phi_6 are, from 0; phi = sign q, -1 reads the loop
@@ -112,7 +112,7 @@ DHGEN_INLINE int dhgen_has(const dhgen_general_arm *arm, unsigned traits)
     return (DHGEN_TRAITS_OF(arm) & traits) != 0u;
 }
 
-/* Whether a joint of the loop is a slide, whose length stands in the sine's place. */
+/* Whether a joint of the loop is a slide, whose length replaces the sine. */
 DHGEN_INLINE int dhgen_is_slide(const dhgen_general_arm *arm, int joint)
 {
     return (int)(DHGEN_TRAITS_OF(arm) >> joint & 1u);

@@ -133,9 +133,9 @@ DHGEN_INLINE void dhgen_turn_slightly(dhgen_lane x, dhgen_lane *c, dhgen_lane *s
     *s = s0 * dc + c0 * ds;
 }
 
-/* Where f (order 0) or f' (order 1) vanishes: from where the quintic says by Newton, with bisection
- * where it leaves. Returns how far that is from where each part begins, with cosine and sine, and
- * f, f', f'' there, as far as an extremum is concerned. */
+/* Where f (order 0) or f' (order 1) vanishes: by Newton's method from the root of the quintic, with
+ * bisection where that leaves the interval. Returns how far that is from where each part begins,
+ * with cosine and sine, and f, f', f'' there, as far as an extremum is concerned. */
 DHGEN_INLINE dhgen_lane dhgen_root_between(const dhgen_trigonometric *f, int order, double settled,
     const dhgen_spans *part, dhgen_lane *c, dhgen_lane *s, dhgen_lane at[3])
 {

@@ -9,8 +9,8 @@
 #include "solutions.h"
 
 /* Ways to solve at roots of the hidden angle, by its cosine and sine: two signs that choose among
- * square roots; `group` is the number of the root, and `far` how many more ways it has that lead to
- * infinity. */
+ * square roots; `group` is the number of the root, and `far` how many more ways it has whose
+ * solution is at infinity. */
 typedef struct {
     int count, group[DHGEN_CANDIDATES], far[2 * DHGEN_ROOTS];
     double c[DHGEN_CANDIDATES], s[DHGEN_CANDIDATES], sign[2][DHGEN_CANDIDATES];

@@ -61,8 +61,8 @@ DHGEN_INLINE dhgen_lane dhgen_determinant(
 }
 
 /* How far the columns that are cleared first are from depending on each other: the square of the
- * least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, as det and
- * minors of A2' A2 say. Where x3 is nearly infinite they do depend on each other if the matrix is
+ * least singular value of A2 over that of the norm of [A2 A1 A0], or a third of it, from det and
+ * minors of A2' A2. Where x3 is nearly infinite they do depend on each other if the matrix is
  * singular, and the factor does not show it. */
 DHGEN_INLINE dhgen_lane dhgen_independence(const double *E, dhgen_lane c, dhgen_lane s)
 {

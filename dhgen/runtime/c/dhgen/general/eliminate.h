@@ -36,13 +36,13 @@ DHGEN_FN void dhgen_close_pairs(const double *E, const dhgen_roots *roots, dhgen
 }
 
 /* Refines all candidates of a formulation; returns whether the solutions are certainly complete.
- * The certificate: every simple root leads to a solution, also those beside a double one, `beside`
- * for each of these, there is another one for each of them and two more for each double root that
- * is not known to be several, or a singular one; and regular solutions come in pairs. Where the
- * determinant only comes near to zero there is no root; where it nearly vanishes all around,
- * rounding of the equations may lift it off a double root, which nothing but they show. What an
- * attempt before took for double roots is none then; whether the arm is singular there is looked
- * at. */
+ * The certificate: a solution is found at every simple root and at the `beside` roots close to each
+ * double one; there are at least as many different solutions as such roots, where a double root
+ * that may be real counts twice at least, or once if the arm is singular there; and regular
+ * solutions come in pairs. Where the determinant only comes near to zero there is no root; where it
+ * nearly vanishes all around, rounding of the equations may lift it off a double root, which
+ * nothing but they show. What an attempt before took for double roots is none then; whether the arm
+ * is singular there is looked at. */
 DHGEN_FN int dhgen_refine_candidates(const dhgen_formulation *form, const dhgen_loop *loop,
     double link[6][12], const dhgen_candidates *all, const dhgen_roots *roots, const int *beside,
     dhgen_found *found)
@@ -100,7 +100,7 @@ DHGEN_FN int dhgen_refine_candidates(const dhgen_formulation *form, const dhgen_
     return complete;
 }
 
-/* Keeps of angles those where the determinant may vanish: where f only comes near to zero it does
+/* Keeps the angles where the determinant may vanish: where f only comes near to zero it does
  * not. */
 DHGEN_FN int dhgen_keep_vanishing(const void *of, int count, double *cosine, double *sine)
 {

@@ -18,8 +18,8 @@
 /* Rounding over the size of the determinants, which are small where the slides are nearly parallel
  * all around the circle: its root is how far a double root may be off. */
 #define DHGEN_MOVED 1e-14
-/* Where the axis of the third turn is parallel to that of the second or the fourth, the entry zz
- * does not give it: the square of the product of the sines between these axes. */
+/* Where the third turn's axis is parallel to the second's or the fourth's, the entry zz does not
+ * give the turn: the square of the product of the sines between these axes. */
 #define DHGEN_NO_ANGLE 1e-18
 /* Where the axes of the second and the fourth turn are parallel only the sum of their angles is
  * determined, and the third is a double root: the square of the sine between these axes. */

@@ -22,8 +22,8 @@ typedef struct {
     double x, y;
 } dhgen_moebius;
 
-/* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
- * f a polynomial in psi. */
+/* Cosine and sine of phi from cosine and sine of psi. Returns |1 + conj(a) w|^2, whose eighth power
+ * makes of f a polynomial in psi. */
 DHGEN_INLINE dhgen_lane dhgen_apply_moebius(const dhgen_moebius *a, dhgen_lane *c, dhgen_lane *s)
 {
     const dhgen_lane u = *c + a->x, v = *s + a->y;
@@ -34,7 +34,7 @@ DHGEN_INLINE dhgen_lane dhgen_apply_moebius(const dhgen_moebius *a, dhgen_lane *
     return square;
 }
 
-/* The samples of f in phi become those of a polynomial in psi. */
+/* The samples of f in phi become samples of a polynomial in psi. */
 DHGEN_INLINE dhgen_lane dhgen_weighted(dhgen_lane f, dhgen_lane square)
 {
     const dhgen_lane fourth = square * square, eighth = fourth * fourth;
@@ -65,7 +65,7 @@ DHGEN_FN int dhgen_spreading_moebius(const double samples[DHGEN_SAMPLES], dhgen_
     return 1;
 }
 
-/* Roots of phi from those of psi. */
+/* Roots in phi from roots in psi. */
 DHGEN_FN void dhgen_undo_moebius(const dhgen_moebius *a, int count, double *cosine, double *sine)
 {
     for (int i = 0; i < count; i += DHGEN_GENERAL_LANES) {

@@ -10,8 +10,8 @@
  * square. */
 #define DHGEN_HIDDEN_UNIT 2.5
 #define DHGEN_HIDDEN_SQUARE 6.25
-/* Cosine and sine of half of the way from one sample angle to the next, nearly: no sample stands
- * for an infinite length. */
+/* Cosine and sine of half of the way from one sample angle to the next, nearly: no sample is an
+ * infinite length. */
 #define DHGEN_HIDDEN_COSINE 0.9911504424778761
 #define DHGEN_HIDDEN_SINE 0.13274336283185842
 
@@ -95,20 +95,20 @@ DHGEN_INLINE void dhgen_lengths(int one, int square, const dhgen_lane x[15], dhg
     part[square][14] = -x[3];
 }
 
-/* The coefficients of 1, d and d^2, as those of 1, cos and sin. */
+/* The coefficients of 1, d and d^2, in place of 1, cos and sin. */
 DHGEN_INLINE void dhgen_rising_lengths(const dhgen_lane x[15], dhgen_lane part[3][15])
 {
     dhgen_lengths(0, 2, x, part);
 }
 
-/* The coefficients of d^2, d and 1, as those of a half-angle tangent. */
+/* The coefficients of d^2, d and 1, in place of a half-angle tangent's. */
 DHGEN_INLINE void dhgen_falling_lengths(const dhgen_lane x[15], dhgen_lane part[3][15])
 {
     dhgen_lengths(2, 0, x, part);
 }
 /* What a joint that slides makes of monomials: the coefficients of 1, cos and sin of psi, where d
- * = 2.5 tan(psi'/2), times 1 + cos psi'; psi' is psi and an advance, by which no angle that is
- * sampled stands for an infinite length. */
+ * = 2.5 tan(psi'/2), times 1 + cos psi'; psi' is psi and an advance, with which no sampled angle is
+ * an infinite length. */
 DHGEN_INLINE void dhgen_on_circle(const dhgen_lane x[15], dhgen_lane part[3][15])
 {
     dhgen_rising_lengths(x, part);

@@ -30,8 +30,8 @@ DHGEN_INLINE void dhgen_slide(dhgen_rigid T, dhgen_lane d)
     }
 }
 
-/* T becomes T times the motion of a joint: by its cosine and sine, or by a length that stands in
- * the sine's place. */
+/* T becomes T times the motion of a joint: by its cosine and sine, or by a length, which replaces
+ * the sine. */
 DHGEN_INLINE void dhgen_move(
     const dhgen_general_arm *arm, dhgen_rigid T, int joint, dhgen_lane c, dhgen_lane s)
 {
@@ -42,7 +42,7 @@ DHGEN_INLINE void dhgen_move(
     }
 }
 
-/* T becomes T K, the same K for every lane. */
+/* T becomes T K, with one K for all lanes. */
 DHGEN_ALWAYS DHGEN_INLINE void dhgen_multiply(dhgen_rigid T, const double K[12])
 {
     for (int i = 0; i < 3; i++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The nearest arm with a structure: joint values that lead to all solutions, and postures. */
+ * The nearest arm with a structure: joint values next to all solutions, and postures. */
 #ifndef DHGEN_GENERAL_NEAR_H
 #define DHGEN_GENERAL_NEAR_H
 
@@ -16,9 +16,9 @@
 typedef struct {
     int rows, given;            /* of its closed form; how many values the caller gives */
     double turned, moved;       /* the two arms' tools differ by no more [rad, length] */
-    double left[12], right[12]; /* from a pose T to that of this arm, left T right */
-    double offsets[6];          /* what its angles are more than those of the loop */
-    int place[6];               /* which of its joints are those of the loop */
+    double left[12], right[12]; /* this arm's pose is left T right */
+    double offsets[6];          /* its angles minus the loop's */
+    int place[6];               /* which of its joints are the loop's */
     const double (*link)[12];   /* C0 ... Cn of its pose C0 Rz(angle 1) C1 ... Rz(angle n) Cn */
     const double *angle;        /* each as the factors of all joint values, and what is added; less
                                    by the offsets, which are in the links */
@@ -35,7 +35,7 @@ DHGEN_FN void dhgen_pose_of_nearest(
     }
 }
 
-#ifdef DHGEN_DOF /* rows are as long as those of the robot whose file this is a part of */
+#ifdef DHGEN_DOF /* rows are as long as the rows of the robot in whose file this is */
 /* What the closed form is given, DHGEN_DOF numbers at most: six joints are solved for. */
 DHGEN_FN void dhgen_give_nearest(const dhgen_nearest_arm *arm, const double *free_joints,
     double turned, double moved, double *given)
@@ -47,8 +47,8 @@ DHGEN_FN void dhgen_give_nearest(const dhgen_nearest_arm *arm, const double *fre
     given[arm->given + 1] = moved;
 }
 
-/* Angles of the loop that lead to all solutions, and the row of each. That no other branch has one
- * is certain, that none has a second one is not proven. Returns how many; -1 where it is not
+/* Angles of the loop next to all solutions, and the row of each. That no other branch has one is
+ * certain, that none has a second one is not proven. Returns how many; -1 where it is not
  * certain. */
 DHGEN_FN int dhgen_near_solutions(const dhgen_nearest_arm *arm, dhgen_nearest_rows *solve,
     const double *T, const double *free_joints, double (*nearby)[6], int *rows)
@@ -90,8 +90,8 @@ DHGEN_FN void dhgen_values_of_loop(const struct dhgen_numerical_arm *arm, const 
     }
 }
 
-/* All solutions of a pose where the nearest arm's rows lead to them, and the row of each. Returns
- * how many, or -1 where the pose has to be left to the general algorithm. */
+/* All solutions of a pose where they lie next to the nearest arm's rows, and the row of each.
+ * Returns how many, or -1 where the pose has to be left to the general algorithm. */
 DHGEN_FN int dhgen_solved_from_nearest(const dhgen_general_arm *general,
     const struct dhgen_numerical_arm *descents, const dhgen_nearest_arm *nearest,
     dhgen_nearest_rows *solve, const double *T, const double *free_joints,
@@ -108,8 +108,8 @@ DHGEN_FN int dhgen_solved_from_nearest(const dhgen_general_arm *general,
     return count;
 }
 
-/* Fills the rows of solutions where those of the nearest arm lead to all, and no others. Returns
- * whether they do. */
+/* Fills the rows of a pose if all its solutions lie next to the nearest arm's rows; returns whether
+ * they do. */
 DHGEN_FN int dhgen_solve_from_nearest(const dhgen_general_arm *general,
     const struct dhgen_numerical_arm *descents, const dhgen_nearest_arm *nearest,
     dhgen_nearest_rows *solve, const double *T, const double *free_joints, double *q,
@@ -123,8 +123,8 @@ DHGEN_FN int dhgen_solve_from_nearest(const dhgen_general_arm *general,
     return count >= 0;
 }
 
-/* The rows of a pose where those of the nearest arm lead to all solutions. Returns how many are
- * inside limits, or -1 where the pose has to be left to the general algorithm. */
+/* The rows of a pose all of whose solutions lie next to the nearest arm's rows. Returns how many
+ * are inside limits, or -1 where the pose has to be left to the general algorithm. */
 DHGEN_FN int dhgen_near_rows(const struct dhgen_arm *arm, const dhgen_general_arm *general,
     const struct dhgen_numerical_arm *descents, const dhgen_nearest_arm *nearest,
     dhgen_nearest_rows *solve, const double *T, const double *free_joints, double *q,
@@ -137,7 +137,7 @@ DHGEN_FN int dhgen_near_rows(const struct dhgen_arm *arm, const dhgen_general_ar
     return count < 0 ? -1 : dhgen_fill_certain(arm, solution, row, count, q, status);
 }
 
-/* Moves rows that ascend to those of their postures. */
+/* Moves solutions, which ascend, to the rows of their postures. */
 DHGEN_FN void dhgen_to_nearest_rows(const dhgen_nearest_arm *nearest, dhgen_solve_wide *solve,
     const double *free_joints, double *q, unsigned char *status)
 {

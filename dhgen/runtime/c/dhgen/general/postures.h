@@ -8,8 +8,8 @@
 #include "../arm.h"
 #include "motions.h"
 
-/* Joint values are those of a row that misses them by less [rad]: at poses that the closed form
- * does not leave its rows are known to 1e-9. */
+/* Joint values belong to a row that differs by less [rad]: at poses that the closed form solves its
+ * rows are known to 1e-9. */
 #define DHGEN_SAME_POSTURE 1e-06
 
 /* The nearest arm's rows at a pose of its own, given what callers give and by how much another
@@ -18,7 +18,7 @@
 typedef int dhgen_nearest_rows(
     const double *T, const double *given, double *q, unsigned char *status);
 
-#ifdef DHGEN_DOF /* rows are as long as those of the robot whose file this is a part of */
+#ifdef DHGEN_DOF /* rows are as long as the rows of the robot in whose file this is */
 #include "../tile.h"
 
 /* Rows of a nearest arm at most. */
@@ -103,7 +103,7 @@ DHGEN_FN void dhgen_find_postures(
     }
 }
 
-/* Moves solutions, which fill the first rows, to those of their postures: of several with one
+/* Moves solutions, which fill the first rows, to the rows of their postures: of several with one
  * posture the first. The others follow behind the nearest arm's rows, and fill empty ones of these
  * should there be more. */
 DHGEN_FN void dhgen_place_rows(const double *posture, int rows, double *q, unsigned char *status)

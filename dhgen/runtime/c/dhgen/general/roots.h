@@ -21,7 +21,7 @@
 #define DHGEN_STRENGTH 0.8823529411764706
 /* How far a closer look reaches, in cells: 1/16 rad becomes 0.93 rad. */
 #define DHGEN_REACH 38
-/* An extremum beside zero may be a double root that rounding has lifted off, also that of the
+/* An extremum close to zero may be a double root that rounding has lifted off, also that of the
  * equations behind f, which f does not show: when a complex pair is 1e-4 rad near to the circle; of
  * a closer look, 16 times as much. The value of a parabola over its bend. */
 #define DHGEN_LIFTED 5e-09
@@ -40,8 +40,8 @@
 typedef void (*dhgen_sampler)(
     const void *of, const dhgen_moebius *map, double samples[DHGEN_SAMPLES]);
 
-/* Keeps of angles beside which there is no root, as far as f shows, those where what it is made of
- * allows one; returns how many. */
+/* Of angles near which f shows no root keeps those where what f is made of allows one; returns how
+ * many. */
 typedef int (*dhgen_keeper)(const void *of, int count, double *cosine, double *sine);
 
 /* What f is made of, how it is sampled, and what shows that it has no root; `keep` may be 0, where
@@ -77,8 +77,8 @@ DHGEN_FN int dhgen_remove_within(double cosine, double sine, double *c, double *
     return count;
 }
 
-/* Adds what a look shows to roots of one kind, of which, and of those of the other kind, only the
- * first ones were known before; returns how many there are. */
+/* Adds the roots of one kind that a look shows, unless they are among the first `simple` and
+ * `doubles` known ones; returns how many there are. */
 DHGEN_FN int dhgen_add_shown(double cosine, double sine, const dhgen_roots *known, int simple,
     int doubles, const double *from_c, const double *from_s, int many, double *c, double *s,
     int count)
@@ -97,7 +97,7 @@ DHGEN_FN int dhgen_add_shown(double cosine, double sine, const dhgen_roots *know
     return count;
 }
 
-/* Keeps of angles those where there may be a root; returns how many. */
+/* Keeps the angles where there may be a root; returns how many. */
 DHGEN_FN int dhgen_keep_possible(
     const dhgen_source *source, int count, double *cosine, double *sine)
 {
@@ -113,8 +113,8 @@ DHGEN_FN void dhgen_take_lifted(const dhgen_source *source, dhgen_roots *roots)
     }
 }
 
-/* The roots around an angle, through a map that magnifies what is there, instead of those that were
- * known. Returns 0, and leaves these, where that does not show all. */
+/* Replaces the known roots around an angle by the roots that a map shows which magnifies what is
+ * there. Returns 0, and leaves these, where that does not show all. */
 DHGEN_FN int dhgen_magnify(
     const dhgen_source *source, double cosine, double sine, dhgen_roots *roots)
 {
@@ -157,8 +157,8 @@ DHGEN_FN int dhgen_shows_any(const dhgen_roots *roots, double cosine, double sin
 }
 
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
- * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
- * was given up stands among them. */
+ * there have the digits that the fit of f lacks, not those that the equations lack behind f. Cells
+ * that were given up are among them. */
 DHGEN_FN void dhgen_look_closer(const dhgen_source *source, dhgen_roots *roots)
 {
     double c[DHGEN_LOOKS], s[DHGEN_LOOKS], empty_c[DHGEN_LOOKS], empty_s[DHGEN_LOOKS];
@@ -233,7 +233,7 @@ DHGEN_FN int dhgen_real_roots(const dhgen_source *source, dhgen_roots *roots)
     dhgen_undo_moebius(&map, roots->lifted, roots->lifted_c, roots->lifted_s);
     dhgen_take_lifted(source, roots);
     dhgen_look_closer(source, roots);
-    /* where f nearly vanishes identically it does not tell what there is not */
+    /* where f nearly vanishes identically it can't exclude roots */
     roots->complete &= f.noise <= DHGEN_CLEAR;
     return 1;
 }

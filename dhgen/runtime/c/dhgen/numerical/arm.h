@@ -13,8 +13,9 @@
 
 /* Drives of which one moves more than its own joint. */
 struct dhgen_drives {
-    int turned;          /* how many turn; 0 where whole turns are each drive's own */
-    const int *place;    /* of these among the joints solved for, each before those that it moves */
+    int turned; /* how many turn; 0 where whole turns are each drive's own */
+    const int
+        *place; /* of these among the joints solved for, each before the joints that it moves */
     const double *moves; /* what a whole turn of each moves, in units */
     const double *back;  /* of each that is solved for, what it has of every joint's angle or length
                           * in the loop of the general algorithm */
@@ -91,9 +92,9 @@ DHGEN_INLINE double dhgen_order_of(double value, int turns)
     return turns && value < DHGEN_TIE - DHGEN_HALF_TURN ? value + DHGEN_TURN : value;
 }
 
-/* Puts rows in order by one value more. `order` holds their places, and `first` says which of them
- * begin a block: those of a block agree so far. They are sorted by the value, and the block ends
- * wherever it rises by more than `tie`. Returns whether each row is a block by now. */
+/* Puts rows in order by one value more. `order` holds their places, `first` whether each begins a
+ * block: rows of one block agree so far. They are sorted by the value, and the block ends wherever
+ * it rises by more than `tie`. Returns whether each row is a block by now. */
 DHGEN_FN int dhgen_order_blocks(
     const double *value, double tie, int count, int *order, unsigned char *first)
 {

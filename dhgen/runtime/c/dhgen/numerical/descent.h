@@ -210,16 +210,16 @@ DHGEN_FN double dhgen_make_step(const struct dhgen_numerical_arm *arm, double *s
     return 0.5 * way * way;
 }
 
-/* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
- * less damping than usual leads further, where joints hardly move the tool: there a step that is
- * right may be long, and what it leaves, half of its square, far more than was missed. */
+/* Refines u by damped least squares; returns by how much it misses the pose then. Near to the pose
+ * less damping than usual gains more, where joints hardly move the tool: there a step that is right
+ * may be long, and what it leaves, half of its square, far more than was missed. */
 DHGEN_FN double dhgen_descend(struct dhgen_descent *d, double *u)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
     double best[DHGEN_JOINTS], step[DHGEN_JOINTS];
     double least = HUGE_VAL, little = DHGEN_DAMPING_FLOOR;
     double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
-    dhgen_copy_units(arm, u, best);     /* compilers don't know that some miss is finite */
+    dhgen_copy_units(arm, u, best);     /* compilers can't infer that some miss is finite */
     for (int k = 0; k <= DHGEN_DESCENT_STEPS; k++) {
         dhgen_measure_miss(d, u);
         const int slow = d->length >= fmax(0.5 * last, left);
@@ -273,7 +273,7 @@ DHGEN_FN double dhgen_keep_null_part(const struct dhgen_descent *d, double *alon
     return length;
 }
 
-/* The same of a generic direction. */
+/* The null part of a generic direction, as a unit vector; returns the length of that part. */
 DHGEN_FN double dhgen_null_direction(const struct dhgen_descent *d, double *along)
 {
     dhgen_copy_units(d->arm, d->arm->stride, along);

@@ -145,7 +145,7 @@ DHGEN_FN void dhgen_walk_to_least(struct dhgen_descent *d, struct dhgen_walk *wa
     dhgen_keep_nearer(d, walk);
 }
 
-/* Looks for the nearest members to one side, and marks those ahead that it comes by; returns
+/* Looks for the nearest members to one side, and marks solutions ahead that it comes by; returns
  * whether the walk came round. */
 DHGEN_FN int dhgen_walk_along(struct dhgen_descent *d, struct dhgen_walk *walk, const double *first,
     double enough, struct dhgen_ahead *ahead)

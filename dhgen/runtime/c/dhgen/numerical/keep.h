@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * How a solution joins those found before, inside limits if it can. */
+ * How a solution joins the ones found before, inside limits if it can. */
 #ifndef DHGEN_NUMERICAL_KEEP_H
 #define DHGEN_NUMERICAL_KEEP_H
 
@@ -8,11 +8,12 @@
 #include "family.h"
 
 /* Where a solution beyond a limit is one of two that nearly meet the other lies across a singular
- * place, and from the limit steps may lead back: how far to go on, as parts of the way there. */
+ * place, and steps from the limit may go back to it: how far to go on, as parts of the way
+ * there. */
 DHGEN_TABLE double dhgen_farther_on[5] = { 0.0, 1.0, 3.0, 7.0, 15.0 };
 
 /* Takes joint values on a way from u to a solution that keeps all limits and is as exact as a row
- * has to be, farther on if steps lead back; returns if it can. */
+ * has to be, farther on if steps return to the first one; returns whether there are any. */
 DHGEN_FN int dhgen_reach_inside(struct dhgen_descent *d, const double *u, double *end)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
@@ -31,9 +32,9 @@ DHGEN_FN int dhgen_reach_inside(struct dhgen_descent *d, const double *u, double
     return 0;
 }
 
-/* Replaces a solution that is beyond a limit by one that keeps all of them, if the way to the seed
- * inside the limits leads to one, from there or from the seed; where it is alone by one that is the
- * same and as exact as a row has to be. */
+/* Replaces a solution that is beyond a limit by one that keeps all of them, if one is found on the
+ * way to the seed inside the limits, from there or from the seed; an isolated solution by one that
+ * counts as the same and is as exact as a row has to be. */
 DHGEN_FN void dhgen_move_inside(
     struct dhgen_descent *d, const struct dhgen_kept *kept, int alone, double enough, double *u)
 {
@@ -66,9 +67,8 @@ DHGEN_FN int dhgen_replaces(struct dhgen_descent *d, const double *u, const doub
     return d->length <= DHGEN_PROMISED;
 }
 
-/* Adds a solution to those found before, unless it is one of them. Where the task names more than
- * the joints can choose, and one is exact, the pose has not been rounded: then all have to be
- * exact. */
+/* Adds a solution to the ones kept, unless it is one of them. Where the task names more than the
+ * joints can choose, and one is exact, the pose has not been rounded: then all have to be exact. */
 DHGEN_FN void dhgen_keep(struct dhgen_descent *d, struct dhgen_kept *kept, double *u)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
@@ -95,7 +95,7 @@ DHGEN_FN void dhgen_keep(struct dhgen_descent *d, struct dhgen_kept *kept, doubl
     dhgen_copy_units(arm, u, kept->u[k]);
 }
 
-/* Keeps the solutions ahead, but for those that a walk along a continuum came by. */
+/* Keeps the solutions ahead, except members of continua that were already walked along. */
 DHGEN_FN void dhgen_keep_ahead(struct dhgen_descent *d, struct dhgen_kept *kept)
 {
     struct dhgen_ahead *const ahead = kept->ahead;

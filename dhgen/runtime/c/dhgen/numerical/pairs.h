@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Pairs of solutions that nearly meet: where one is a row the other becomes one, too. Between them
- * the arm is singular, so that steps from anywhere may lead to one of the two, or to half way
+ * the arm is singular, so that steps from anywhere may converge to one of the two, or to half way
  * between. Along the motion v that leaves the tool where it is, nearly, the pose is missed by
  *
  *     e(t) = e - s t + b t^2 / 2,
@@ -12,14 +12,14 @@
 
 #include "keep.h"
 
-/* How fast that motion moves the tool, at most: what is as regular as this has digits enough to be
- * told apart by what finds it. At least: of singular solutions it is rounding. */
+/* How fast that motion moves the tool, at most: a solution as regular as this has enough digits to
+ * be distinct from others as found. At least: of singular solutions it is rounding. */
 #define DHGEN_SLOWEST_REGULAR 0.001
 #define DHGEN_STILL 1e-13
 /* How far along that motion the second derivative b is measured: rounding of it is 1e-10 then. */
 #define DHGEN_BEND_STEP 0.001
 /* Zeros farther away than this are none of a parabola [rad, arm sizes]; up to here they are starts,
- * and along nearly a continuum the only ones that lead to it. */
+ * and along nearly a continuum the only ones from which it is found. */
 #define DHGEN_FARTHEST_OTHER 1.0
 
 /* The zeros of the miss along that motion, the nearer one first, and the motion; returns whether
@@ -64,8 +64,8 @@ DHGEN_FN int dhgen_find_pair(
 }
 
 /* Takes a row that is not as exact as it can be, as where it lies half way between two solutions,
- * to the one that steps from `start` lead to; drops it where another row has that. Returns whether
- * it is still there. */
+ * to the solution that steps from `start` converge to; drops it where another row has that one.
+ * Returns whether it is still there. */
 DHGEN_FN int dhgen_sharpen(struct dhgen_descent *d, struct dhgen_kept *kept, int k, double *start)
 {
     double *const u = kept->u[k], inside[DHGEN_JOINTS];

@@ -68,7 +68,7 @@ DHGEN_FN double dhgen_pull_to_seed(
     const struct dhgen_numerical_arm *const arm = d->arm;
     double least = HUGE_VAL, pull = DHGEN_PULL;
     double best[DHGEN_JOINTS], step[DHGEN_JOINTS];
-    dhgen_copy_units(arm, u, best); /* compilers don't know that some miss is finite */
+    dhgen_copy_units(arm, u, best); /* compilers can't infer that some miss is finite */
     for (int k = 1; k <= DHGEN_PULLED_STEPS + DHGEN_DESCENT_STEPS; k++) {
         dhgen_measure_miss(d, u);
         if (pull == 0.0) {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Rows of poses that are rounded, by those of poses beside them. Where one square root stands below
- * another, or two roots of a polynomial meet, rounding may take the number below a root below zero,
+ * Finds the rows of rounded poses by the rows of poses close to them. Where one square root is
+ * nested in another, or two roots of a polynomial meet, rounding may take a radicand below zero,
  * though the whole pose fixes the joints well. A little to one side of the pose it is above zero,
- * and from there least squares lead to the row. */
+ * and from there least squares find the row. */
 #ifndef DHGEN_NUMERICAL_ROWS_BESIDE_H
 #define DHGEN_NUMERICAL_ROWS_BESIDE_H
 

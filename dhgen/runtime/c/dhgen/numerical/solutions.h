@@ -11,8 +11,8 @@
 #define DHGEN_FEELER 0.05
 #define DHGEN_FELT 0.01
 /* Singular solutions closer than this are one if what lies between them solves, too [rad, arm
- * sizes]: a few steps lead from there to solutions that are nearer to where they began than this
- * part of the way. */
+ * sizes]: from there a few steps reach solutions that are nearer to where they began than this part
+ * of the way. */
 #define DHGEN_NEIGHBOURS 0.1
 #define DHGEN_STEPS_ASIDE 4
 #define DHGEN_STAYING_PART 0.0625
@@ -23,20 +23,20 @@
 #define DHGEN_NEXT_TO 1e-05
 #define DHGEN_SAME_NEXT_TO 1e-12
 
-/* As many solutions as a general arm's algorithm offers at most, the seed's, and those of the
- * starts beside them. */
+/* As many solutions as a general arm's algorithm offers at most, the seed's, and the other
+ * starts'. */
 #define DHGEN_AHEAD 76
 
 /* Parts of the way between two solutions that are looked at. */
 DHGEN_TABLE double dhgen_between[3] = { 0.25, 0.5, 0.75 };
 
-/* Solutions that are still to be kept; a walk along a continuum marks those that it comes by. */
+/* Solutions that are still to be kept; a walk along a continuum marks its members. */
 struct dhgen_ahead {
     double u[DHGEN_AHEAD][DHGEN_JOINTS];
     int count, passed[DHGEN_AHEAD];
 };
 
-/* The solutions kept so far, and those ahead, if there are any. */
+/* The solutions kept so far, and the ones ahead, if there are any. */
 struct dhgen_kept {
     double u[DHGEN_BRANCHES][DHGEN_JOINTS];
     int count, singular[DHGEN_BRANCHES], chosen[DHGEN_BRANCHES];
@@ -96,8 +96,8 @@ DHGEN_FN int dhgen_solves_between(
 }
 
 /* Whether u is one of a continuum of solutions: 1 if it goes on to both sides, with solutions that
- * miss the pose by no more than `enough`, 0 if it is a singular solution that stands alone, as
- * where three nearly meet, -1 if it is a regular one. */
+ * miss the pose by no more than `enough`, 0 if it is an isolated singular solution, as where three
+ * nearly meet, -1 if it is a regular one. */
 DHGEN_FN int dhgen_is_continuum(struct dhgen_descent *d, const double *u, double enough)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
@@ -137,7 +137,7 @@ DHGEN_FN int dhgen_is_same(struct dhgen_descent *d, const double *known, const d
     return loose && length < DHGEN_NEIGHBOURS && dhgen_solves_between(d, known, gap, length);
 }
 
-/* Which of those kept a solution is; -1 for none. */
+/* Which kept solution a solution is; -1 for none. */
 DHGEN_FN int dhgen_find_known(
     struct dhgen_descent *d, const struct dhgen_kept *kept, const double *u, int singular)
 {
@@ -147,7 +147,7 @@ DHGEN_FN int dhgen_find_known(
     return -1;
 }
 
-/* Marks what is ahead and the same as a member of a continuum that a walk is at. */
+/* Marks the solutions ahead that are the member of a continuum at which a walk is. */
 DHGEN_FN void dhgen_pass_by(
     struct dhgen_descent *d, const double *member, struct dhgen_ahead *ahead)
 {
