@@ -30,7 +30,7 @@ from dhgen.compiler import worked_out
 from dhgen.nominal.nominal import left_poses
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import c_runtime_files
-from dhgen.runtime.python.calibration import LEFT, MOVED, RIGHT, TURNED
+from dhgen.runtime.python.calibration import LEFT, MARGIN, MOVED, RIGHT, TURNED
 from dhgen.targets.c.calibrated import kind_files
 from dhgen.targets.reserved import RESERVED
 from dhgen.verify.calibrated import FleetArm, poses_of
@@ -117,7 +117,7 @@ def doubted_poses(kind: Kind, arm: FleetArm, T: FloatArray) -> NDArray[np.bool_]
     left, right = (
         np.concatenate([of[place : place + 12].reshape(3, 4), lower]) for place in (LEFT, RIGHT)
     )
-    apart = np.tile(of[[TURNED, MOVED]], (len(T), 1))
+    apart = np.tile(of[MARGIN] * of[[TURNED, MOVED]], (len(T), 1))
     return left_poses(kind.regular, left @ T @ right, apart)
 
 

@@ -1266,7 +1266,7 @@ _solve_from_nearest, _to_nearest_rows = _nearest.of_nearest(
     _NUMBERS,
     _FORMULAS,
     _nearest.Nearest(
-        turned=1e-10, moved=0.0003500001,
+        turned=2e-10, moved=0.0005250002,
         left=(1.0, 0.0, 0.0, -0.0, 0.0, -1.0, 0.0, -0.0, 0.0, 0.0, -1.0, 0.28481),
         right=(1.0, 0.0, 0.0, -0.0, -0.0, 1.0, 0.0, -0.0, 0.0, -0.0, 1.0, 0.10593),
         offsets=(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), solved=(0, 1, 3, 4, 5, 6),

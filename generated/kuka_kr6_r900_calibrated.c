@@ -604,7 +604,7 @@ DHGEN_TABLE double nearest_angles[6][7] = {
 };
 DHGEN_TABLE dhgen_nearest_arm nearest_arm = {
     8, 0, /* rows; values that the caller gives */
-    0.0001900018, 0.0002999173, /* the two arms' tools differ by no more */
+    0.0002205921, 0.000348204, /* the two arms' tools differ by no more */
     { -0.9999999999999449, -3.321999999999817e-07, 0.0, -0.0, 3.321999999999817e-07,
         -0.9999999999999449, 0.0, -0.0, 0.0, 0.0, 1.0, -0.400051 },
     { 1.0, -0.0, 0.0, -5.2e-05, 0.0, 0.9999999979520001, -6.3999999996928e-05,

@@ -751,7 +751,7 @@ _solve_from_nearest, _to_nearest_rows = _nearest.of_nearest(
     _NUMBERS,
     _FORMULAS,
     _nearest.Nearest(
-        turned=0.0001900018, moved=0.0002999173,
+        turned=0.0002205921, moved=0.000348204,
         left=(
             -0.9999999999999449, -3.321999999999817e-07, 0.0, -0.0, 3.321999999999817e-07,
             -0.9999999999999449, 0.0, -0.0, 0.0, 0.0, 1.0, -0.400051,

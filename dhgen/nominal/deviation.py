@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,6 +14,12 @@ from dhgen.nominal.fit import DIGITS, lengths_behind
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
+# Of what two links side by side differ by: of a wrist that one length misses, a second solution
+# was seen at 0.95 of the distance; this leaves half as much again.
+MARGIN_SIDE_BY_SIDE = 1.5
+MARGIN_DIGITS = 3  # further ones differ from machine to machine
+ROUNDING = 1e-9  # [rad, arm sizes]
+
 
 @dataclass(frozen=True, slots=True)
 class Deviation:
@@ -21,10 +28,20 @@ class Deviation:
     Attributes:
         angle: The most that it is turned [rad].
         length: The most that its origin is moved.
+        margin: What poses that may be near the end of a branch are told by, in parts of these. Two
+            of a branch's solutions may be real ones beside its end, before that is as near as the
+            bounds say: as far as they are what two links side by side differ by, which join the
+            three axes that a wrist, or parallel axes, are made of.
     """
 
     angle: float
     length: float
+    margin: float
+
+    @property
+    def ball(self) -> tuple[float, float]:
+        """How far poses reach that are looked at: angle and length."""
+        return _rounded_up(self.margin * self.angle), _rounded_up(self.margin * self.length)
 
 
 def most_deviation(arm: FloatArray, other: FloatArray) -> Deviation:
@@ -36,12 +53,20 @@ def most_deviation(arm: FloatArray, other: FloatArray) -> Deviation:
         arm: C0 ... Cn of C0 J(q1) C1 ... J(qn) Cn, (n + 1, 4, 4).
         other: The same of the other arm.
     """
-    angle = length = 0.0
+    angles, lengths = [], []
     for C, D, behind in zip(arm, other, lengths_behind(other).tolist(), strict=True):
-        turned = _angle_between(C[:3, :3], D[:3, :3])
-        length += turned * behind + float(np.linalg.norm(C[:3, 3] - D[:3, 3]))
-        angle += turned
-    return Deviation(_rounded_up(angle), _rounded_up(length))
+        angles.append(_angle_between(C[:3, :3], D[:3, :3]))
+        lengths.append(angles[-1] * behind + float(np.linalg.norm(C[:3, 3] - D[:3, 3])))
+    most = max(_most_side_by_side(angles), _most_side_by_side(lengths))
+    margin = max(1.0, round(MARGIN_SIDE_BY_SIDE * most, MARGIN_DIGITS))
+    return Deviation(_rounded_up(sum(angles)), _rounded_up(sum(lengths)), margin)
+
+
+def _most_side_by_side(parts: list[float]) -> float:
+    """What of a sum two parts side by side are at most; zero of one that is rounding."""
+    whole = sum(parts)
+    pairs = (one + other for one, other in pairwise(parts))
+    return 0.0 if whole < ROUNDING else max(pairs) / whole
 
 
 def _rounded_up(number: float) -> float:

@@ -131,10 +131,9 @@ def _certain(chain: Chain, nearest: Nearest, solver: Regular) -> float:
     """At which part of random poses no branch may end near by."""
     q = np.random.default_rng(0).uniform(-np.pi, np.pi, (POSES, chain.dof))
     poses = np.array(nearest.left) @ numeric_arm(chain).pose(q) @ np.array(nearest.right)
-    deviation = nearest.deviation
     given = np.empty((POSES, len(chain.free) + 2))
     given[:, :-2] = q[:, [number - 1 for number in chain.free]]
-    given[:, -2:] = deviation.angle, deviation.length
+    given[:, -2:] = nearest.deviation.ball
     return float(1.0 - np.mean(left_poses(solver, poses, given)))
 
 

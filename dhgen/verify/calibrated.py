@@ -62,6 +62,7 @@ class Calibration(ctypes.Structure):
         ("right", LINK),
         ("more", ctypes.c_double * 6),
         ("nominal", LINK * 7),
+        ("margin", ctypes.c_double),
     )
 
 

@@ -21,6 +21,10 @@
 /* Numbers above this leave less than eleven digits of where links are: no calibration has
  * them [rad, arm sizes]. */
 #define DHGEN_MOST_NUMBER 1e5
+/* Poses are left whose rows may end within what the tools differ by, or within so many times that
+ * part of it by which two links side by side differ: beside a wrist that is missed by one length a
+ * row has a second solution at 0.95 of the distance. */
+#define DHGEN_MARGIN_SIDE_BY_SIDE 1.5
 /* What bounds of deviations are enlarged by for rounding [rad, arm sizes]. */
 #define DHGEN_ROUNDED_DEVIATION 1e-10
 
@@ -239,6 +243,7 @@ DHGEN_FN void dhgen_fit_constant(
 DHGEN_FN void dhgen_find_nearest(const dhgen_kind *kind, dhgen_calibration *of)
 {
     double(*const nominal)[12] = of->nominal, slid[12], length;
+    double most[2] = { 0.0, 0.0 }, behind[2] = { 0.0, 0.0 };
     dhgen_constants_of(kind, kind->nominal, nominal);
     /* along axis 1 the base takes up what is missed */
     double shift = of->constant[1][11] - nominal[1][11];
@@ -265,10 +270,17 @@ DHGEN_FN void dhgen_find_nearest(const dhgen_kind *kind, dhgen_calibration *of)
     length = dhgen_length_of(nominal[6]);
     for (int k = 5; k > 0; k--) {
         const double turned = dhgen_turned_between(nominal[k], of->constant[k]);
+        const double moved = dhgen_moved_between(nominal[k], of->constant[k]) + turned * length;
         of->turned += turned;
-        of->moved += dhgen_moved_between(nominal[k], of->constant[k]) + turned * length;
+        of->moved += moved;
+        most[0] = fmax(most[0], turned + behind[0]);
+        most[1] = fmax(most[1], moved + behind[1]);
+        behind[0] = turned;
+        behind[1] = moved;
         length += dhgen_length_of(nominal[k]);
     }
+    of->margin =
+        fmax(1.0, DHGEN_MARGIN_SIDE_BY_SIDE * fmax(most[0] / of->turned, most[1] / of->moved));
 }
 
 /* How far from the foot of the common normal on the z axis a line's own point is, and how far the
@@ -323,7 +335,7 @@ DHGEN_FN void dhgen_no_arm(dhgen_calibration *of)
     }
     for (int i = 0; i < 6; i++)
         of->facing[i] = of->more[i] = DHGEN_NAN;
-    of->turned = of->moved = of->size = DHGEN_NAN;
+    of->turned = of->moved = of->size = of->margin = DHGEN_NAN;
 }
 
 /* Whether all numbers, row by row, are finite (else DHGEN_NOT_FINITE) and as small as in

@@ -16,6 +16,8 @@ typedef struct dhgen_calibration {
     double left[12], right[12]; /* the nearest arm's pose is left T right */
     double more[6];             /* the nearest arm's angles minus this arm's */
     double nominal[7][12];      /* C0 ... C6 of the nearest arm at joint values of this */
+    double margin;              /* poses are left whose rows may end within so many times these
+                                   bounds */
 } dhgen_calibration;
 
 #endif

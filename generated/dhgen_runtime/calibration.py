@@ -26,7 +26,8 @@ SIZE = 176  # the length that is one in this loop
 LEFT, RIGHT = 177, 189  # the nearest arm's pose is left T right
 MORE = 201  # six: the nearest arm's angles minus this arm's
 NOMINAL = 207  # C0 ... C6 of the nearest arm at joint values of this
-NUMBERS = 291
+MARGIN = 291  # poses are left whose rows may end within so many times these bounds
+NUMBERS = 292
 
 
 @OWN.inner

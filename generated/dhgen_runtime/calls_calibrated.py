@@ -19,7 +19,7 @@ from .arrays import NONE_GIVEN
 from .calibrate import JOINTS, ORIGINS_SHAPE, TABLE_SHAPE, TAKEN, calibrate
 from .calibrated import blank_numbers, kind_numbers, near_angles, nominal_pose
 from .calibrated_arm import CalibratedArm
-from .calibration import LEFT, MOVED, RIGHT, TURNED, calibration_of
+from .calibration import LEFT, MARGIN, MOVED, RIGHT, TURNED, calibration_of
 from .careful import careful_ik
 from .entry import Choice, again, demand_filled
 from .functions import compilers_of, unreachable
@@ -46,6 +46,8 @@ if TYPE_CHECKING:
     from .calibrated import Kind
     from .functions import Formulas
     from .jit import Compiling
+
+SIX_ORIGINS = (JOINTS, ORIGINS_SHAPE[1])  # without the frame behind the last joint
 
 # Of the kind:
 ROWS: int
@@ -83,7 +85,8 @@ def solve_from_nominal(arm: Floats, pose: Pose, q: Floats, status: Bytes) -> boo
     """
     of = calibration_of(arm)
     own = near_pose(pose, of[LEFT : LEFT + 12], of[RIGHT : RIGHT + 12])
-    filled, ends = filled_at(own, NONE_GIVEN, of[TURNED], of[MOVED])
+    margin = of[MARGIN]
+    filled, ends = filled_at(own, NONE_GIVEN, margin * of[TURNED], margin * of[MOVED])
     if ends:
         return False
     rows, angles = near_angles(of, filled, places)
@@ -268,9 +271,12 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
             ValueError: As of `calibrated`.
         """
         given = numbers(origins, ORIGINS_SHAPE, "origins")
-        if given.shape == (JOINTS, ORIGINS_SHAPE[1]):
-            given = np.concatenate([given, np.zeros((1, ORIGINS_SHAPE[1]))])
-        return taken(array_of(given, ORIGINS_SHAPE, "origins").copy())
+        if given.shape == SIX_ORIGINS:
+            given = np.concatenate([given, np.zeros((1, SIX_ORIGINS[1]))])
+        if given.shape != ORIGINS_SHAPE:
+            shapes_taken = f"{ORIGINS_SHAPE} or {SIX_ORIGINS}"
+            raise ValueError(f"origins must have shape {shapes_taken}, not {given.shape}")
+        return taken(given.copy())
 
     def warm_up() -> None:
         """Compiles everything, or gets it from numba's cache: no call waits for it later."""

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -23,8 +24,6 @@ from .calibrate import (
     TABLE_SHAPE,
     TRIPLES,
     calibrate,
-    moved_between,
-    turned_between,
 )
 from .calibration import CONSTANT, MOVED, NOMINAL, NUMBERS, TURNED
 
@@ -149,12 +148,15 @@ def _farthest_number(refused: Refused) -> str:
 def _farthest_link(refused: Refused) -> str:
     """Between which joints axes differ most from the nominal arm's, and by how much."""
     arm, _ = refused.filled()
-    of, size = arm[-NUMBERS:], refused.size
-    found = []
+    of, found = arm[-NUMBERS:], []
     for link in range(1, JOINTS):
-        own, nominal = (of[at + 12 * link : at + 12 * link + 12] for at in (CONSTANT, NOMINAL))
-        turned, moved = float(turned_between(nominal, own)), float(moved_between(nominal, own))
-        found.append((max(turned, moved / size), link, turned, moved))
+        own, nominal = (
+            of[at + 12 * link : at + 12 * link + 12].reshape(3, 4) for at in (CONSTANT, NOMINAL)
+        )
+        off = own - nominal
+        chord, moved = float(np.linalg.norm(off[:, :3])), float(np.linalg.norm(off[:, 3]))
+        turned = 2.0 * math.asin(min(chord / math.sqrt(8.0), 1.0))
+        found.append((max(turned, moved / refused.size), link, turned, moved))
     _, link, turned, moved = max(found)
     distance = f"{turned:.2g} rad and {moved:.2g} {refused.unit} from where the nominal arm has it"
     return f"origins[{link}]: joint {link + 1} is {distance}, seen from joint {link}"

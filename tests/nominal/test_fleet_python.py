@@ -227,6 +227,12 @@ def test_tables_that_are_refused_say_which_number_it_is(
     assert str(refused.value).endswith(ends)
 
 
+def test_origins_of_another_arm_are_refused(folder: Path) -> None:
+    """Also where numba compiles: what only compiled functions may call is not called."""
+    with pytest.raises(ValueError, match="origins are those of another arm: its tool is up to"):
+        module(folder, "puma560").calibrated_by_origins(np.zeros((6, 6)))
+
+
 def test_tables_that_miss_nothing_say_which_axes_it_is(folder: Path) -> None:
     made, other = module(folder, "puma560"), module(folder, "ur5e", plain=True)
     python, c = both(folder, "puma560", np.array(made.NOMINAL))

@@ -14,6 +14,7 @@ from .calibration import (
     FACING,
     LEFT,
     LOOP,
+    MARGIN,
     MORE,
     MOVED,
     NOMINAL,
@@ -57,6 +58,10 @@ FAR_FROM_PARALLEL = 0.1
 # Rounds in which a frame's place on its axis and the zero of the joint before it are found: each
 # changes the other by as much as axes miss being parallel.
 FITS = 3
+# Poses are left whose rows may end within what the tools differ by, or within so many times that
+# part of it by which two links side by side differ: beside a wrist that is missed by one length a
+# row has a second solution at 0.95 of the distance.
+MARGIN_SIDE_BY_SIDE = 1.5
 # What bounds of deviations are enlarged by for rounding [rad, arm sizes].
 ROUNDED_DEVIATION = 1e-10
 
@@ -299,12 +304,18 @@ def find_nearest(kind: Floats, of: Floats) -> None:
     take(right, invert(constant[6]))
     follow(right, nominal[6])
     of[TURNED], of[MOVED] = ROUNDED_DEVIATION, ROUNDED_DEVIATION * kind[LENGTH]
-    length = length_of(nominal[6])
+    length, most, farthest, turned_behind, moved_behind = length_of(nominal[6]), 0.0, 0.0, 0.0, 0.0
     for k in range(JOINTS - 1, 0, -1):
         turned = turned_between(nominal[k], constant[k])
+        moved = moved_between(nominal[k], constant[k]) + turned * length
         of[TURNED] += turned
-        of[MOVED] += moved_between(nominal[k], constant[k]) + turned * length
+        of[MOVED] += moved
+        most = max(most, turned + turned_behind)
+        farthest = max(farthest, moved + moved_behind)
+        turned_behind, moved_behind = turned, moved
         length += length_of(nominal[k])
+    side_by_side = max(most / of[TURNED], farthest / of[MOVED])
+    of[MARGIN] = max(1.0, MARGIN_SIDE_BY_SIDE * side_by_side)
 
 
 @inner

@@ -80,6 +80,7 @@ def c_nearest(module: SolverModule, flats: Flats | None) -> CNearest | None:
     if own is None or nominal is None or flats is None:
         return None
     nearest = nominal.nearest
+    turned, moved = nearest.deviation.ball
     return CNearest(
         regular=replace(
             regular_values(own, flats),
@@ -87,8 +88,8 @@ def c_nearest(module: SolverModule, flats: Flats | None) -> CNearest | None:
         ),
         given=replace(given_of(own.chain), count=own.chain.given + APART),
         rows=own.solver.rows,
-        turned=nearest.deviation.angle,
-        moved=nearest.deviation.length,
+        turned=turned,
+        moved=moved,
         left=rigid(nearest.left),
         right=rigid(nearest.right),
         offsets=row([nearest.offsets[place] for place in own.chain.solved_places]),

@@ -36,9 +36,10 @@ def python_nearest(module: SolverModule, flat: Flat) -> PythonNearest:
     assert module.nominal is not None
     nearest, chain = module.nominal.nearest, module.nominal.chain
     solved = chain.solved_places
+    turned, moved = nearest.deviation.ball
     numbers: dict[str, object] = {
-        "turned": nearest.deviation.angle,
-        "moved": nearest.deviation.length,
+        "turned": turned,
+        "moved": moved,
         "left": _twelve(nearest.left),
         "right": _twelve(nearest.right),
         "offsets": tuple(nearest.offsets[place] for place in solved),

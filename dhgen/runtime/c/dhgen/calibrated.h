@@ -42,7 +42,7 @@ DHGEN_FN struct dhgen_calibrated_arm dhgen_calibrated_arm_of(
 DHGEN_FN int dhgen_near_nominal(const dhgen_kind *kind, const dhgen_calibration *of,
     const double *T, double (*nearby)[6], int *rows)
 {
-    const double apart[2] = { of->turned, of->moved };
+    const double apart[2] = { of->margin * of->turned, of->margin * of->moved };
     double pose[16], q[DHGEN_ROWS][6];
     unsigned char status[DHGEN_ROWS];
     int count = 0;
@@ -92,7 +92,7 @@ DHGEN_FN int dhgen_certain_rows(const dhgen_kind *kind, const dhgen_calibration 
 {
     const dhgen_general_arm general = dhgen_general_arm_of(kind, of);
     double solution[DHGEN_ROWS][6];
-    int row[DHGEN_ROWS];
+    int row[DHGEN_ROWS] = { 0 };
     const int count = dhgen_solved_from_nominal(kind, of, &general, T, solution, row);
     return count < 0 ? -1 : dhgen_fill_certain(kind->arm, solution, row, count, q, status);
 }
@@ -122,7 +122,7 @@ DHGEN_FN void dhgen_calibrated_rows(const dhgen_kind *kind, const dhgen_calibrat
 {
     const dhgen_general_arm general = dhgen_general_arm_of(kind, of);
     double rows[DHGEN_ROWS][6];
-    int own[DHGEN_ROWS];
+    int own[DHGEN_ROWS] = { 0 };
     struct dhgen_calibrated_descents descents;
     descents.arm = *kind->descents;
     descents.calibration = of;
